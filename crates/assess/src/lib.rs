@@ -1,0 +1,3 @@
+//! The one place where a bridge meets its mechanics.
+
+pub mod outcome;

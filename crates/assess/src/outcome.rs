@@ -1,0 +1,143 @@
+//! Results as an engineer reads them: in metres, newtons and pascals, on the bridge as drawn. Figures, tables and the
+//! wire format are made from these values alone.
+
+/// A point or vector [m] unless said otherwise.
+pub type Point = [f64; 2];
+
+/// A block as it was built.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    /// Outline, counter-clockwise [m].
+    pub outline: Vec<Point>,
+    /// What it is: "voussoir", "abutment", "pier", "backing", "block".
+    pub role: String,
+    /// Whether it is a support.
+    pub held: bool,
+}
+
+/// How a block has moved: translation of its centroid [m] and rotation [rad].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Motion {
+    /// Translation [m].
+    pub translation: Point,
+    /// Rotation about the centroid [rad].
+    pub rotation: f64,
+}
+
+/// Where a hinge opens.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HingeAt {
+    /// The joint turns about its intrados edge.
+    Intrados,
+    /// The joint turns about its extrados edge.
+    Extrados,
+    /// Neither: a pier course, a wall.
+    Other,
+}
+
+/// A hinge of the mechanism.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hinge {
+    /// Where, on the bridge as built [m].
+    pub point: Point,
+    /// At which edge.
+    pub edge: HingeAt,
+    /// Relative rotation of the two sides [rad, or per unit of the mechanism].
+    pub rotation: f64,
+}
+
+/// A force between two blocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactForce {
+    /// Indices into the shapes.
+    pub blocks: [usize; 2],
+    /// Where [m].
+    pub point: Point,
+    /// Unit normal from the first to the second block.
+    pub normal: Point,
+    /// Compression [N/m], positive.
+    pub compression: f64,
+    /// Shear [N/m].
+    pub shear: f64,
+    /// Compressive stress [Pa].
+    pub stress: f64,
+    /// Whether it slides.
+    pub sliding: bool,
+}
+
+/// The bridge at one load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Snapshot {
+    /// Load [N/m].
+    pub load: f64,
+    /// Motion of each shape.
+    pub motions: Vec<Motion>,
+    /// Velocity of each block's centroid [m/s].
+    pub velocities: Vec<Point>,
+    /// Closed contacts.
+    pub contacts: Vec<ContactForce>,
+    /// Average stress of each block [Pa], tension positive: xx, yy, xy.
+    pub stresses: Vec<[f64; 3]>,
+}
+
+/// A point of the line of thrust.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThrustPoint {
+    /// Where the resultant crosses a joint [m].
+    pub point: Point,
+    /// Size of the resultant [N/m].
+    pub thrust: f64,
+}
+
+/// One load step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// Load [N/m] (support movement: [m]).
+    pub load: f64,
+    /// Displacement of the watched point [m].
+    pub displacement: Point,
+    /// Iterations.
+    pub iterations: u64,
+    /// Out-of-balance force over acting forces.
+    pub unbalanced_ratio: f64,
+    /// Whether it came to rest.
+    pub at_rest: bool,
+}
+
+/// A load as drawn: a trapezoid of pressure on the extrados, or an arrow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadArrow {
+    /// Where it acts on the blocks [m].
+    pub at: Point,
+    /// Force [N/m] at the reference load, x right, y up.
+    pub force: Point,
+}
+
+/// Everything that figures and files of a collapse analysis are made from.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Picture {
+    /// Title: bridge and analysis.
+    pub title: String,
+    /// Blocks as built.
+    pub shapes: Vec<Shape>,
+    /// Outline of the road surface, where there is a cover [m].
+    pub surface: Vec<Point>,
+    /// Where loads touch the surface: middle and length [m].
+    pub surface_loads: Vec<(Point, f64)>,
+    /// Forces on the blocks from the variable loads.
+    pub loads: Vec<LoadArrow>,
+    /// Mechanism: motion of each shape, scaled so that the largest translation is 1 m.
+    pub mechanism: Option<Vec<Motion>>,
+    /// Hinges of the mechanism.
+    pub hinges: Vec<Hinge>,
+    /// Points of joints that slide [m].
+    pub sliding: Vec<Point>,
+    /// Line of thrust, one polyline per span.
+    pub thrust_lines: Vec<Vec<ThrustPoint>>,
+    /// Load path.
+    pub path: Vec<Step>,
+    /// The bridge at rest under each load, and on its way down.
+    pub snapshots: Vec<Snapshot>,
+    /// Index of the last stable snapshot.
+    pub last_stable: Option<usize>,
+}

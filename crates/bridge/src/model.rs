@@ -1,0 +1,345 @@
+//! What a bridge file means, in SI units: the value that reading returns. Plain data, nothing computed.
+
+use crate::ring::Profile;
+
+/// A bridge as its file describes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bridge {
+    /// Name for titles.
+    pub name: String,
+    /// Width of the barrel [m].
+    pub width: f64,
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: f64,
+    /// Spans from left to right; at least one.
+    pub spans: Vec<Span>,
+    /// Piers between the spans: one fewer than spans.
+    pub piers: Vec<Pier>,
+    /// Left and right abutment.
+    pub abutments: [Abutment; 2],
+    /// Named materials of solid bodies.
+    pub masonry: Masonry,
+    /// Joints between voussoirs of one ring, and between voussoirs and their springings.
+    pub joint: Joint,
+    /// Joints between rings of one span; `joint` where the file gives none.
+    pub ring_joint: Joint,
+    /// What lies above the rings, from the extrados up.
+    pub cover: Cover,
+    /// What is placed on the road or rail, in the order of the file.
+    pub loads: Vec<Load>,
+    /// How loads spread through the cover.
+    pub dispersal: Dispersal,
+    /// What to analyse, and how exactly.
+    pub plan: Plan,
+}
+
+/// One span.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Span {
+    /// Shape of the intrados.
+    pub profile: Profile,
+    /// Horizontal distance between the springings, at the intrados [m].
+    pub span: f64,
+    /// Height of the crown above the springings, at the intrados [m].
+    pub rise: f64,
+    /// Rings from the intrados up; at least one.
+    pub rings: Vec<Ring>,
+}
+
+/// One ring of voussoirs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ring {
+    /// Thickness at the crown [m].
+    pub crown_thickness: f64,
+    /// Thickness at the springings [m]; varies linearly with arc length in between.
+    pub springing_thickness: f64,
+    /// Number of voussoirs, equal in arc length.
+    pub voussoirs: usize,
+}
+
+/// A pier between two spans.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pier {
+    /// Width at the top, between the springings of its two spans [m].
+    pub width: f64,
+    /// Width at the bottom [m].
+    pub base_width: f64,
+    /// Height from the foundation to the springings [m].
+    pub height: f64,
+    /// Number of courses.
+    pub courses: usize,
+}
+
+/// An abutment: a fixed springing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Abutment {
+    /// Length of its upper face, behind the springing [m].
+    pub top_width: f64,
+    /// Drawn height of the fixed block [m].
+    pub height: f64,
+}
+
+/// Masonry of rings and piers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Masonry {
+    /// Mass density [kg/m^3].
+    pub density: f64,
+    /// Young's modulus [Pa].
+    pub elastic_modulus: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson_ratio: Option<f64>,
+    /// Compressive strength [Pa]; none: unlimited.
+    pub compressive_strength: Option<f64>,
+    /// Radius of the blocks' rounded corners [m] (half of the published rounding parameter d_r).
+    pub rounding: f64,
+}
+
+/// A stiffness per unit area [Pa/m]: given, or from the series rule with the modulus of the blocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JointStiffness {
+    /// Of the whole contact, joint and half of both blocks [Pa/m].
+    Contact(f64),
+    /// Of the mortar joint alone [Pa/m]; the blocks come in by the series rule (Rouxinol et al., eq. 1).
+    Series(f64),
+}
+
+/// A joint between blocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// Normal stiffness; needed by the discrete element method only.
+    pub normal_stiffness: Option<JointStiffness>,
+    /// Shear stiffness; needed by the discrete element method only.
+    pub shear_stiffness: Option<JointStiffness>,
+    /// Friction angle [rad].
+    pub friction_angle: f64,
+    /// Cohesion [Pa].
+    pub cohesion: f64,
+    /// Tensile strength [Pa].
+    pub tensile_strength: f64,
+    /// Length that a contact point stands for when it is kept fixed [m].
+    pub fixed_length: Option<f64>,
+    /// Least length of a contact point when it is updated [m].
+    pub least_length: Option<f64>,
+}
+
+/// What lies above the extrados.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cover {
+    /// Depth from the crown's extrados to the road surface [m]: what loads disperse through. The highest crown
+    /// where there are several.
+    pub depth: f64,
+    /// Layers from the extrados up.
+    pub layers: Vec<Layer>,
+    /// Backing above the haunches, where there is some.
+    pub backing: Option<Backing>,
+}
+
+/// A layer of the cover, from the extrados up. The lowest fills the haunches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// What it is, as the file names it.
+    pub name: LayerKind,
+    /// Thickness above the crown [m].
+    pub thickness: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+    /// Whether its weight acts on the ring.
+    pub weighs: bool,
+    /// Young's modulus [Pa].
+    pub elastic_modulus: Option<f64>,
+}
+
+/// The four words for what lies above an arch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LayerKind {
+    /// Soil or rubble directly on the extrados.
+    Fill,
+    /// Road base.
+    SubBase,
+    /// Road surface.
+    Surfacing,
+    /// Railway ballast.
+    Ballast,
+}
+
+/// Solid backing above the haunches, up to a level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Backing {
+    /// Level of its upper face above the springings [m].
+    pub height: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+}
+
+/// A load on the surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// What it is called.
+    pub name: String,
+    /// Its shape.
+    pub kind: LoadKind,
+    /// Position of its reference point (middle of a knife edge or patch, first axle of a pattern) along the
+    /// bridge, from the left springing of the first span, at the intrados [m].
+    pub position: f64,
+}
+
+/// Shape and size of a load. Forces are vertical, downwards positive.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadKind {
+    /// A strip across the whole width: total force per metre of width [N/m] over `length` [m] along the bridge.
+    KnifeEdge {
+        /// Force [N/m].
+        force: f64,
+        /// Length along the bridge [m].
+        length: f64,
+    },
+    /// A pressure [Pa] over `length` [m] along the bridge, across the whole width.
+    Patch {
+        /// Pressure [Pa].
+        pressure: f64,
+        /// Length along the bridge [m].
+        length: f64,
+    },
+    /// Axles, each a total force [N] over the effective width, at offsets from the reference point, to the left
+    /// (a vehicle that drives to the right).
+    Axles {
+        /// Force [N] and offset behind the first axle [m].
+        axles: Vec<(f64, f64)>,
+        /// Length of a wheel's footprint along the bridge [m].
+        contact_length: f64,
+        /// Width of the barrel that carries one axle [m].
+        effective_width: f64,
+    },
+}
+
+/// How a load spreads from the surface to the extrados.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dispersal {
+    /// Which rule.
+    pub rule: DispersalRule,
+    /// Vertical to horizontal slope on each side (2 means 2 vertical to 1 horizontal).
+    pub slope: f64,
+}
+
+/// The rule by which pressure is distributed over the dispersed length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DispersalRule {
+    /// No dispersal: straight down onto the extrados.
+    None,
+    /// Uniform over the dispersed length at the depth of the extrados.
+    Uniform,
+    /// Intensity at the two ends inversely proportional to their depth, linear in between (Rouxinol et al., eq. 2).
+    InverseDepth,
+    /// Boussinesq's strip load, cut off at the slope and scaled to the whole force.
+    Boussinesq,
+}
+
+/// What to analyse, and how exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Which method `collapse` uses unless it is told.
+    pub method: Method,
+    /// Which analysis `collapse` makes unless it is told.
+    pub analysis: Analysis,
+    /// Load increment of the discrete element method [N/m per metre of width, total of the load].
+    pub load_step: Option<f64>,
+    /// Largest load tried [N/m].
+    pub load_limit: Option<f64>,
+    /// Collapse is refined to this resolution [N/m] below the increment.
+    pub resolution: Option<f64>,
+    /// Out-of-balance force at rest, relative to the acting forces.
+    pub tolerance: f64,
+    /// Most iterations in one load step.
+    pub step_limit: u64,
+    /// Damping of the discrete element method.
+    pub damping: Damping,
+    /// Whether the length of a contact point is updated (stress formulation) or fixed (force formulation).
+    pub contact_length: ContactLength,
+    /// Share of the critical time step.
+    pub time_step_factor: f64,
+    /// Friction rule of limit analysis.
+    pub friction: Friction,
+    /// Where limit analysis puts the contact points of a joint.
+    pub contact_points: ContactPoints,
+    /// Support movement to analyse.
+    pub support_movement: Option<SupportMovement>,
+    /// Seed of whatever is random.
+    pub seed: u64,
+}
+
+/// A method for collapse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Discrete elements.
+    Dem,
+    /// Limit analysis.
+    Limit,
+}
+
+/// What is made to collapse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Analysis {
+    /// The load that makes a mechanism.
+    Load,
+    /// The least ring thickness that stands.
+    Thickness,
+    /// The support movement that makes a mechanism.
+    SupportMovement,
+}
+
+/// Numerical damping.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Damping {
+    /// Local, non-viscous: opposes each motion with this share of the out-of-balance force.
+    Local(f64),
+    /// Global viscous, mass-proportional, with this share of critical in the lowest mode.
+    Viscous(f64),
+    /// Global viscous with an intensity that follows the motion.
+    Adaptive,
+}
+
+/// How long a stretch a contact point stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLength {
+    /// Fixed (force formulation).
+    Fixed,
+    /// Updated (stress formulation).
+    Updated,
+}
+
+/// Flow rule of sliding joints in limit analysis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Friction {
+    /// Sliding dilates by the friction angle: exact bounds.
+    Associated,
+    /// Sliding does not dilate: iterative correction.
+    NonAssociated,
+    /// Non-associated where sliding takes part in the mechanism.
+    Automatic,
+}
+
+/// Where the resultant of a joint may pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactPoints {
+    /// Between the rounded corners, as in the discrete element method.
+    Rounded,
+    /// Anywhere in the full ring.
+    FullRing,
+}
+
+/// A movement of one support.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SupportMovement {
+    /// Which support: 0 is the left abutment, then piers, the last the right abutment.
+    pub support: usize,
+    /// Direction to the right [m per unit].
+    pub horizontal: f64,
+    /// Direction up [m per unit].
+    pub vertical: f64,
+    /// Rotation, counter-clockwise [rad per unit].
+    pub rotation: f64,
+    /// Increment of the discrete element method, in the same unit [m].
+    pub increment: Option<f64>,
+    /// Largest movement tried [m].
+    pub limit: Option<f64>,
+}

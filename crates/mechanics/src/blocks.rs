@@ -1,0 +1,285 @@
+//! Rigid blocks, the laws of their contacts, and what acts on them: the one model that the discrete element method
+//! and limit analysis share.
+
+use crate::ids::{BlockId, GroupId, Id, Table};
+use crate::plane::{Core, Polygon, PolygonError, Pose, Vec2, meet};
+use thiserror::Error;
+
+/// Which motions of a block are prevented.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Held {
+    /// No horizontal motion.
+    pub x: bool,
+    /// No vertical motion.
+    pub y: bool,
+    /// No rotation.
+    pub rotation: bool,
+}
+
+impl Held {
+    /// Free to move.
+    pub const FREE: Held = Held { x: false, y: false, rotation: false };
+    /// A support.
+    pub const FIXED: Held = Held { x: true, y: true, rotation: true };
+
+    /// Whether no motion is left.
+    pub fn is_fixed(self) -> bool {
+        self == Held::FIXED
+    }
+}
+
+/// One rigid block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Outline where the block was built [m].
+    pub outline: Polygon,
+    /// Radius of the rounded corners [m]; contact points lie this far (at a right angle) inside the edges.
+    pub rounding: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+    /// The group that decides the laws of its contacts.
+    pub group: GroupId,
+    /// Prevented motions.
+    pub held: Held,
+}
+
+impl Block {
+    /// Mass per metre of width [kg/m].
+    pub fn mass(&self) -> f64 {
+        self.density * self.outline.area()
+    }
+}
+
+/// A stiffness per unit area [Pa/m] of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stiffness {
+    /// As given [Pa/m].
+    Given(f64),
+    /// Joint and bodies in series: `1/k = 1/joint + l/body`, with `l` the distance between the two centres of mass
+    /// along the contact's normal. Rouxinol, Providência and Lemos, equation (1).
+    Series {
+        /// Stiffness of the joint alone [Pa/m]; infinite for a dry joint.
+        joint: f64,
+        /// Modulus of the bodies [Pa].
+        body: f64,
+    },
+}
+
+impl Stiffness {
+    /// The value [Pa/m] for centres of mass `distance` [m] apart along the normal.
+    pub fn at(self, distance: f64) -> f64 {
+        match self {
+            Stiffness::Given(k) => k,
+            Stiffness::Series { joint, body } => 1.0 / (1.0 / joint + distance / body),
+        }
+    }
+}
+
+/// How a contact between two groups resists.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactLaw {
+    /// Normal stiffness per unit area [Pa/m].
+    pub normal: Stiffness,
+    /// Shear stiffness per unit area [Pa/m].
+    pub shear: Stiffness,
+    /// Coefficient of friction, tan(phi).
+    pub friction: f64,
+    /// Cohesion [Pa]; acts while the contact is closed.
+    pub cohesion: f64,
+    /// Tensile strength [Pa].
+    pub tension: f64,
+    /// Compressive strength at which the contact crushes [Pa]; infinite for none.
+    pub crushing: f64,
+    /// Length that a contact point stands for in the force formulation [m]; half the distance between the two
+    /// points of a joint where it is not given.
+    pub fixed_length: Option<f64>,
+    /// Least length of a contact point in the stress formulation [m].
+    pub least_length: f64,
+}
+
+/// The laws of all pairs of groups.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LawTable {
+    groups: usize,
+    laws: Vec<ContactLaw>,
+}
+
+impl LawTable {
+    /// The same law between all of `groups` groups.
+    pub fn uniform(groups: usize, law: ContactLaw) -> LawTable {
+        LawTable { groups, laws: vec![law; groups * groups] }
+    }
+    /// Sets the law between two groups, in both orders.
+    pub fn set(&mut self, a: GroupId, b: GroupId, law: ContactLaw) {
+        self.laws[a.index() * self.groups + b.index()] = law;
+        self.laws[b.index() * self.groups + a.index()] = law;
+    }
+    /// The law between two groups.
+    pub fn between(&self, a: GroupId, b: GroupId) -> &ContactLaw {
+        &self.laws[a.index() * self.groups + b.index()]
+    }
+    /// Every law, to be changed alike (a stiffness multiple, a friction angle).
+    pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, ContactLaw> {
+        self.laws.iter_mut()
+    }
+}
+
+/// A force that acts on a point of a block and moves along with it; its direction stays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointForce {
+    /// The block.
+    pub block: BlockId,
+    /// Where the force acts, on the block as built [m].
+    pub at: Vec2,
+    /// Force per metre of width [N/m].
+    pub force: Vec2,
+}
+
+/// A motion imposed on a held block, per unit of the load factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Movement {
+    /// The block.
+    pub block: BlockId,
+    /// Translation [m].
+    pub translation: Vec2,
+    /// Rotation about the block's centroid [rad].
+    pub rotation: f64,
+}
+
+/// What acts on the blocks besides gravity.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Loading {
+    /// Forces that are there from the first stage on.
+    pub permanent: Vec<PointForce>,
+    /// Forces that are multiplied by the load factor.
+    pub variable: Vec<PointForce>,
+    /// Support movements that are multiplied by the load factor.
+    pub movements: Vec<Movement>,
+}
+
+/// Rigid blocks, the laws of their contacts and gravity. Fixed once built.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockModel {
+    /// The blocks.
+    pub blocks: Table<BlockId, Block>,
+    /// Names of the groups.
+    pub groups: Table<GroupId, String>,
+    /// The laws between groups.
+    pub laws: LawTable,
+    /// Acceleration of gravity [m/s^2], usually (0, -9.81).
+    pub gravity: Vec2,
+}
+
+/// Why a model cannot be analysed.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ModelError {
+    /// A block's outline and rounding do not go together.
+    #[error("block {block}: {source}")]
+    Outline {
+        /// The block.
+        block: u32,
+        /// What is wrong.
+        source: PolygonError,
+    },
+    /// A number that must be positive is not.
+    #[error("block {block}: {what} must be positive and finite, it is {value}")]
+    NotPositive {
+        /// The block.
+        block: u32,
+        /// Which number.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Nothing is free to move.
+    #[error("every block is held: there is nothing to analyse")]
+    NothingFree,
+    /// Two blocks share more than their surface.
+    #[error("blocks {0} and {1} overlap by {2:.6} m where they are built")]
+    Overlap(u32, u32, f64),
+}
+
+impl BlockModel {
+    /// The rounded outline of each block, relative to its centre of mass.
+    pub fn cores(&self) -> Result<Table<BlockId, Core>, ModelError> {
+        self.blocks
+            .pairs()
+            .map(|(id, b)| {
+                Core::new(&b.outline, b.rounding).map_err(|source| ModelError::Outline { block: id.0, source })
+            })
+            .collect()
+    }
+    /// Where each block's centre of mass is built.
+    pub fn poses(&self) -> Table<BlockId, Pose> {
+        self.blocks.iter().map(|b| Pose::at(b.outline.centroid())).collect()
+    }
+    /// Weight of the free blocks [N/m], positive.
+    pub fn free_weight(&self) -> f64 {
+        self.blocks.iter().filter(|b| !b.held.y).map(|b| b.mass() * self.gravity.norm()).sum()
+    }
+}
+
+/// A joint of the model as built: two blocks that touch along a face, or at one point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interface {
+    /// The block on one side.
+    pub first: BlockId,
+    /// The block on the other side.
+    pub second: BlockId,
+    /// Unit normal from the first to the second block.
+    pub normal: Vec2,
+    /// The contact points [m], ordered along `normal.left()`; inset from the edges by the rounding.
+    pub points: Vec<Vec2>,
+    /// Ends of the common face without rounding [m], in the same order; equal to `points` for sharp corners.
+    pub face: Vec<Vec2>,
+}
+
+/// Every pair of blocks that touch where they are built, in the order of their ids. Blocks count as touching when
+/// their gap is at most `tolerance` [m]; pairs of held blocks are left out.
+pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, ModelError> {
+    let rounded = model.cores()?;
+    let sharp: Table<BlockId, Core> = model
+        .blocks
+        .pairs()
+        .map(|(id, b)| Core::new(&b.outline, 0.0).map_err(|source| ModelError::Outline { block: id.0, source }))
+        .collect::<Result<_, _>>()?;
+    let poses = model.poses();
+    let mut found = Vec::new();
+    for (a, b) in close_pairs(model, tolerance) {
+        if model.blocks[a].held.is_fixed() && model.blocks[b].held.is_fixed() {
+            continue;
+        }
+        let points = |cores: &Table<BlockId, Core>| {
+            let (ca, cb) = (&cores[a], &cores[b]);
+            let m = meet(ca, &poses[a], cb, &poses[b], None).manifold(ca, &poses[a], cb, &poses[b]);
+            let touching: Vec<Vec2> = (0..m.count).filter(|&k| m.gaps[k] <= tolerance).map(|k| m.points[k]).collect();
+            (m.normal, touching)
+        };
+        let (normal, contact) = points(&rounded);
+        let (_, face) = points(&sharp);
+        if !contact.is_empty() && face.len() == contact.len() {
+            found.push(Interface { first: a, second: b, normal, points: contact, face });
+        }
+    }
+    Ok(found)
+}
+
+/// Pairs of blocks whose bounding boxes, grown by `margin` [m], overlap; sorted.
+fn close_pairs(model: &BlockModel, margin: f64) -> Vec<(BlockId, BlockId)> {
+    let boxes: Vec<_> = model.blocks.iter().map(|b| b.outline.bounds()).collect();
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
+    let mut pairs = Vec::new();
+    for (k, &i) in order.iter().enumerate() {
+        for &j in &order[k + 1..] {
+            if boxes[j].0.x > boxes[i].1.x + margin {
+                break;
+            }
+            if boxes[j].0.y <= boxes[i].1.y + margin && boxes[i].0.y <= boxes[j].1.y + margin {
+                pairs.push((BlockId::new(i.min(j)), BlockId::new(i.max(j))));
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}

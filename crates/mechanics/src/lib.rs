@@ -1,0 +1,20 @@
+//! Rigid blocks in contact: discrete elements and limit analysis on one block model.
+//!
+//! This crate computes and has never heard of a bridge. It owns no file, clock, thread or format.
+//!
+//! # Conventions, stated once
+//! - SI units throughout: m, kg, s, N, Pa. The plane problem is one metre wide, so a mass is in kg per metre
+//!   of width, a force in N/m, a moment in N (N·m/m).
+//! - x to the right, y up; rotations and moments counter-clockwise positive [rad].
+//! - Polygons run counter-clockwise.
+//! - Interface forces are named, never signed by convention: `compression` is positive when the two sides are
+//!   pressed together. `shear` is positive when the force on the *second* body acts along the contact's tangent.
+//! - Stress tensors are tension-positive.
+//! - Results do not depend on the number of threads: every sum has a fixed order.
+
+pub mod blocks;
+pub mod dem;
+pub mod ids;
+pub mod limit;
+pub mod plane;
+pub mod watch;

@@ -1,0 +1,220 @@
+//! Convex polygons and the cores that round their corners.
+
+use super::vector::{Vec2, vec2};
+use thiserror::Error;
+
+/// A convex polygon, counter-clockwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polygon {
+    vertices: Vec<Vec2>,
+}
+
+/// Why a list of points is no block outline.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum PolygonError {
+    /// Fewer than three vertices.
+    #[error("an outline needs at least three vertices, this one has {0}")]
+    TooFewVertices(usize),
+    /// A coordinate is not a number.
+    #[error("vertex {0} has a coordinate that is not finite")]
+    NotFinite(usize),
+    /// Two neighbouring vertices coincide.
+    #[error("vertices {0} and {1} coincide")]
+    Coincident(usize, usize),
+    /// The outline turns the wrong way at a vertex, or runs clockwise, or crosses itself.
+    #[error("the outline is not convex and counter-clockwise at vertex {0}")]
+    NotConvex(usize),
+    /// The rounding radius leaves nothing of an edge.
+    #[error("corners rounded by {radius} m leave nothing of edge {edge}")]
+    RoundedAway {
+        /// The edge that vanishes.
+        edge: usize,
+        /// Rounding radius [m].
+        radius: f64,
+    },
+}
+
+impl Polygon {
+    /// Checks that `vertices` run counter-clockwise around a convex outline.
+    pub fn new(vertices: Vec<Vec2>) -> Result<Polygon, PolygonError> {
+        let n = vertices.len();
+        if n < 3 {
+            return Err(PolygonError::TooFewVertices(n));
+        }
+        if let Some(i) = vertices.iter().position(|v| !v.is_finite()) {
+            return Err(PolygonError::NotFinite(i));
+        }
+        let size = extent(&vertices);
+        let edge = |i: usize| vertices[(i + 1) % n] - vertices[i];
+        let mut turned = 0.0;
+        for i in 0..n {
+            if edge(i).norm() <= 1e-12 * size {
+                return Err(PolygonError::Coincident(i, (i + 1) % n));
+            }
+            let (before, after) = (edge((i + n - 1) % n), edge(i));
+            if before.cross(after) < -1e-12 * size * size || before.unit().dot(after.unit()) < -0.999_999 {
+                return Err(PolygonError::NotConvex(i));
+            }
+            turned += before.cross(after).atan2(before.dot(after));
+        }
+        // A star that winds twice turns left everywhere and is still no outline.
+        if (turned - std::f64::consts::TAU).abs() > 1e-6 {
+            return Err(PolygonError::NotConvex(0));
+        }
+        Ok(Polygon { vertices })
+    }
+
+    /// Axis-parallel rectangle from its lower left corner, width and height [m].
+    pub fn rectangle(corner: Vec2, width: f64, height: f64) -> Result<Polygon, PolygonError> {
+        Polygon::new(vec![corner, corner + vec2(width, 0.0), corner + vec2(width, height), corner + vec2(0.0, height)])
+    }
+
+    /// The vertices, counter-clockwise [m].
+    pub fn vertices(&self) -> &[Vec2] {
+        &self.vertices
+    }
+    /// Edges from vertex `i` to vertex `i + 1`.
+    pub fn edges(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
+        let n = self.vertices.len();
+        (0..n).map(move |i| (self.vertices[i], self.vertices[(i + 1) % n]))
+    }
+    /// Area [m^2].
+    pub fn area(&self) -> f64 {
+        let o = self.vertices[0];
+        0.5 * self.edges().map(|(a, b)| (a - o).cross(b - o)).sum::<f64>()
+    }
+    /// Centroid [m].
+    pub fn centroid(&self) -> Vec2 {
+        let o = self.vertices[0];
+        let (mut area, mut moment) = (0.0, Vec2::ZERO);
+        for (a, b) in self.edges() {
+            let c = (a - o).cross(b - o);
+            area += c;
+            moment += (a - o + (b - o)) * (c / 3.0);
+        }
+        o + moment * (1.0 / area)
+    }
+    /// Polar second moment of area about the centroid [m^4].
+    pub fn polar_moment(&self) -> f64 {
+        let o = self.centroid();
+        self.edges()
+            .map(|(a, b)| {
+                let (a, b) = (a - o, b - o);
+                a.cross(b) * (a.dot(a) + a.dot(b) + b.dot(b)) / 12.0
+            })
+            .sum()
+    }
+    /// Smallest box around the polygon: lower left and upper right corner [m].
+    pub fn bounds(&self) -> (Vec2, Vec2) {
+        bounds(&self.vertices)
+    }
+    /// Whether `p` lies inside or within `tolerance` [m] of it.
+    pub fn contains(&self, p: Vec2, tolerance: f64) -> bool {
+        self.edges().all(|(a, b)| (p - a).dot((b - a).right().unit()) <= tolerance)
+    }
+}
+
+/// Smallest box around some points.
+pub(crate) fn bounds(points: &[Vec2]) -> (Vec2, Vec2) {
+    let mut low = vec2(f64::INFINITY, f64::INFINITY);
+    let mut high = -low;
+    for p in points {
+        low = vec2(low.x.min(p.x), low.y.min(p.y));
+        high = vec2(high.x.max(p.x), high.y.max(p.y));
+    }
+    (low, high)
+}
+
+fn extent(points: &[Vec2]) -> f64 {
+    let (low, high) = bounds(points);
+    (high - low).norm()
+}
+
+/// A polygon with rounded corners: the polygon inset by `radius`, dilated by a disc of that radius. The faces stay
+/// where they are; each corner becomes an arc that touches its two faces `radius / tan(angle / 2)` away from the
+/// sharp corner. Coordinates are relative to the centre of mass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Core {
+    /// Corners of the inset polygon, counter-clockwise [m]: the centres of the arcs.
+    pub vertices: Vec<Vec2>,
+    /// Unit vector along each edge, from vertex `i` to vertex `i + 1`.
+    pub directions: Vec<Vec2>,
+    /// Length of each inset edge [m].
+    pub lengths: Vec<f64>,
+    /// Radius of the rounded corners [m].
+    pub radius: f64,
+    /// Distance of the farthest point of the rounded polygon from the centre of mass [m].
+    pub reach: f64,
+}
+
+impl Core {
+    /// The core of `outline` with corners rounded by `radius` [m], relative to the outline's centroid.
+    pub fn new(outline: &Polygon, radius: f64) -> Result<Core, PolygonError> {
+        let centre = outline.centroid();
+        let v = outline.vertices();
+        let n = v.len();
+        let direction = |i: usize| (v[(i + 1) % n] - v[i]).unit();
+        let vertices: Vec<Vec2> = (0..n)
+            .map(|i| {
+                let (before, after) = (direction((i + n - 1) % n), direction(i));
+                // Meeting point of the two neighbouring edges, both moved inwards by the radius.
+                let bisector = (before.left() + after.left()) * (1.0 / (1.0 + before.dot(after)));
+                v[i] - centre + bisector * radius
+            })
+            .collect();
+        let directions: Vec<Vec2> = (0..n).map(direction).collect();
+        let lengths: Vec<f64> = (0..n).map(|i| (vertices[(i + 1) % n] - vertices[i]).dot(directions[i])).collect();
+        if let Some(edge) = lengths.iter().position(|&l| l <= 0.0) {
+            return Err(PolygonError::RoundedAway { edge, radius });
+        }
+        let reach = radius + vertices.iter().map(|p| p.norm()).fold(0.0, f64::max);
+        Ok(Core { vertices, directions, lengths, radius, reach })
+    }
+
+    /// Number of corners.
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+    /// Never: a core has at least three corners.
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+    /// The corner after corner `i`.
+    #[inline]
+    pub fn next(&self, i: usize) -> usize {
+        if i + 1 == self.vertices.len() { 0 } else { i + 1 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rectangle_has_its_textbook_moments() {
+        let p = Polygon::rectangle(vec2(3.0, -1.0), 2.0, 0.5).unwrap();
+        assert!((p.area() - 1.0).abs() < 1e-14);
+        assert!((p.centroid() - vec2(4.0, -0.75)).norm() < 1e-14);
+        // b h (b^2 + h^2) / 12
+        assert!((p.polar_moment() - (4.0 + 0.25) / 12.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn outlines_that_are_no_blocks_are_named() {
+        let square = |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| vec2(x, y)).collect());
+        assert_eq!(square(&[(0., 0.), (1., 0.)]), Err(PolygonError::TooFewVertices(2)));
+        assert_eq!(square(&[(0., 0.), (0., 1.), (1., 1.), (1., 0.)]), Err(PolygonError::NotConvex(0)));
+        assert_eq!(square(&[(0., 0.), (1., 0.), (1., 0.), (0., 1.)]), Err(PolygonError::Coincident(1, 2)));
+        assert_eq!(square(&[(0., 0.), (f64::NAN, 0.), (0., 1.)]), Err(PolygonError::NotFinite(1)));
+        assert!(matches!(square(&[(0., 0.), (2., 0.), (1., 0.1), (1., 2.)]), Err(PolygonError::NotConvex(_))));
+    }
+
+    #[test]
+    fn rounding_a_right_angle_insets_the_contact_point_by_the_radius() {
+        let p = Polygon::rectangle(Vec2::ZERO, 1.0, 0.711).unwrap();
+        let core = Core::new(&p, 0.01).unwrap();
+        assert!((core.vertices[0] - vec2(-0.49, -0.3455)).norm() < 1e-14);
+        assert!((core.lengths[1] - 0.691).abs() < 1e-14);
+        assert!(matches!(Core::new(&p, 0.4), Err(PolygonError::RoundedAway { .. })));
+    }
+}
