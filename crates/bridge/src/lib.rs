@@ -3,6 +3,7 @@
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
 pub mod diagnostic;
+pub mod explain;
 pub mod fields;
 mod findings;
 pub mod model;

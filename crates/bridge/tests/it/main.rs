@@ -1,4 +1,5 @@
 //! Reading whole files.
 
+mod cards;
 mod files;
 mod reading;
