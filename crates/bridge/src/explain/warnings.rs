@@ -72,7 +72,7 @@ pub(super) const CARDS: &[Card] = &[
         title: "unusual width",
         meaning: "Bridges are 1 to 40 m wide.",
         why: "Loads given for the whole width are divided by it.",
-        wrong: r#"width = "830 m""#,
+        wrong: r#"width = "83.0 m""#,
         right: r#"width = "8.30 m""#,
         source: "common range",
     },
@@ -90,9 +90,9 @@ pub(super) const CARDS: &[Card] = &[
         title: "crushing is not considered",
         meaning: "No compressive strength is given, so hinges may bear on an edge.",
         why: r#"Blocks that crush turn about a point inside the joint and carry less. Write compressive_strength = "unlimited" where that is meant."#,
-        wrong: r#"density = "2100 kg/m^3""#,
-        right: r#"density = "2100 kg/m^3"
-compressive_strength = "43.8 MPa""#,
+        wrong: r#"density = "2200 kg/m^3""#,
+        right: r#"density = "2200 kg/m^3"
+compressive_strength = "20 MPa""#,
         source: "J. Heyman, The Masonry Arch, 1982: infinite strength is an assumption to be stated",
     },
     Card {
