@@ -3,3 +3,4 @@
 mod cards;
 mod files;
 mod reading;
+mod reference;
