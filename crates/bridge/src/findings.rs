@@ -1,0 +1,97 @@
+//! Collects what is wrong, all of it.
+
+use crate::diagnostic::{Diagnostic, Severity, TextRange};
+
+/// Findings reported in one go; whoever has more starts with the first ones.
+const MOST: usize = 500;
+
+/// The findings so far.
+#[derive(Debug, Default)]
+pub(crate) struct Findings {
+    list: Vec<Diagnostic>,
+    /// One more than fits, which nobody reads.
+    beyond: Option<Diagnostic>,
+    line_ends: Vec<usize>,
+}
+
+impl Findings {
+    /// None yet, about this text.
+    pub(crate) fn of(text: &[u8]) -> Findings {
+        let line_ends = text.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at).collect();
+        Findings { line_ends, ..Findings::default() }
+    }
+
+    /// Records an error: what is wrong, where, the words under the caret, and what to write instead.
+    pub(crate) fn error(
+        &mut self,
+        code: &'static str,
+        range: TextRange,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> &mut Diagnostic {
+        self.add(code, Severity::Error, range, message.into(), label.into(), help.into())
+    }
+
+    /// Records a warning: what is odd, where, the words under the caret, and what to write if it is a slip.
+    pub(crate) fn warning(
+        &mut self,
+        code: &'static str,
+        range: TextRange,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> &mut Diagnostic {
+        self.add(code, Severity::Warning, range, message.into(), label.into(), help.into())
+    }
+
+    fn add(
+        &mut self,
+        code: &'static str,
+        severity: Severity,
+        range: TextRange,
+        message: String,
+        label: String,
+        help: String,
+    ) -> &mut Diagnostic {
+        let finding = Diagnostic { code, severity, message, range, label, note: None, help: Some(help) };
+        let index = self.list.len();
+        if index >= MOST {
+            return self.beyond.insert(finding);
+        }
+        self.list.push(finding);
+        &mut self.list[index]
+    }
+
+    /// Line of a place, from 1, for notes that point elsewhere.
+    pub(crate) fn line(&self, place: TextRange) -> usize {
+        1 + self.line_ends.partition_point(|end| *end < place.start)
+    }
+
+    /// Whether any finding is an error.
+    pub(crate) fn any_error(&self) -> bool {
+        self.list.iter().chain(&self.beyond).any(|finding| finding.severity == Severity::Error)
+    }
+
+    /// Drops findings that only follow from text that could not be read.
+    pub(crate) fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
+        self.list.retain(keep);
+    }
+
+    /// All findings in the order of the file, cut to its length, each once.
+    pub(crate) fn in_order(mut self, length: usize) -> Vec<Diagnostic> {
+        for finding in &mut self.list {
+            finding.range = finding.range.within(length);
+        }
+        self.list.sort_by_key(|finding| (finding.range.start, finding.range.end, finding.code));
+        self.list.dedup();
+        self.list
+    }
+}
+
+impl Diagnostic {
+    /// Adds why it matters.
+    pub(crate) fn because(&mut self, note: impl Into<String>) {
+        self.note = Some(note.into());
+    }
+}
