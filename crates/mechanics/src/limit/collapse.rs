@@ -1,0 +1,286 @@
+//! The collapse load.
+
+use super::bounds;
+use super::compliance::{Resistance, Stiffness};
+use super::equilibrium::Equilibrium;
+use super::joints::{Joint, Strength, joints};
+use super::mechanism::mechanism;
+use super::nonassociated::settle;
+use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
+use super::program::{Ending, Program, Role, Solution};
+use super::settings::{Friction, Settings};
+use crate::blocks::{BlockModel, Interface, Loading, ModelError};
+use crate::plane::Vec2;
+
+/// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
+pub(super) const TOLERANCE: f64 = 1e-9;
+
+/// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
+pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
+    if model.blocks.iter().all(|b| b.held.is_fixed()) {
+        return Err(ModelError::NothingFree);
+    }
+    let (interfaces, joints) = joints(model, settings)?;
+    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
+    let found = largest_factor(&equilibrium, &joints, &strengths);
+    let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
+    let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty()) || found.status == Status::Locks;
+    let level = match settings.friction {
+        Friction::Associated => false,
+        Friction::NonAssociated => true,
+        Friction::Automatic => slides,
+    };
+    if level && matches!(found.status, Status::Solved | Status::Locks) {
+        relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome);
+    }
+    Ok(outcome)
+}
+
+/// Puts the non-associated answer in place of the associated one.
+fn relax(
+    model: &BlockModel,
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    found: &Found,
+    outcome: &mut Outcome,
+) {
+    let associated = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
+    let settled = settle(equilibrium, joints, strengths, associated);
+    outcome.friction = Friction::NonAssociated;
+    let Some(settled) = settled else {
+        // Blocks that lock with dilatancy may still slide without: nothing is known of them.
+        outcome.status = Status::NotConverged;
+        (outcome.factor, outcome.lower_bound) = (None, None);
+        return;
+    };
+    let scale = equilibrium.factor_scale;
+    outcome.status = Status::Solved;
+    outcome.iterations += settled.iterations;
+    outcome.spread = Some(settled.spread.map(|f| f * scale));
+    state(equilibrium, joints, strengths, &settled.solution, outcome);
+    outcome.mechanism = mechanism(model, equilibrium, joints, &settled.solution.velocities);
+}
+
+/// A solved program and what it means.
+pub(super) struct Found {
+    pub status: Status,
+    pub solution: Solution,
+    pub iterations: u32,
+}
+
+/// Whether the permanent loads are carried.
+pub(super) struct Carried {
+    /// `None` when the program was not solved.
+    carried: Option<bool>,
+    solution: Solution,
+}
+
+/// Asks whether the permanent loads are carried. Any state of equilibrium within strength proves it; the elastic one
+/// is tried before a program looks for the best.
+pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Carried {
+    if let Some(forces) = elastic_state(equilibrium, joints, strengths) {
+        let velocities = vec![0.0; equilibrium.rows];
+        let solution = Solution { ending: Ending::Solved, forces, factor: 1.0, velocities, iterations: 0 };
+        return Carried { carried: Some(true), solution };
+    }
+    let solution = share_carried(equilibrium, joints, strengths);
+    let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
+    Carried { carried, solution }
+}
+
+/// Maximises the load factor, and asks what is wrong where there is no largest one.
+pub(super) fn largest_factor(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Found {
+    let carried = carried(equilibrium, joints, strengths);
+    let found = largest_factor_of_carried(equilibrium, joints, strengths, &carried);
+    Found { iterations: found.iterations + carried.solution.iterations, ..found }
+}
+
+/// The same where it is known whether the permanent loads are carried.
+pub(super) fn largest_factor_of_carried(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    stands: &Carried,
+) -> Found {
+    if stands.carried == Some(false) {
+        return Found { status: Status::NoEquilibrium, solution: stands.solution.clone(), iterations: 0 };
+    }
+    let program = Program {
+        equilibrium,
+        joints,
+        strengths,
+        drive: &equilibrium.variable,
+        rest: &equilibrium.permanent,
+        cap: None,
+        reward: Vec::new(),
+        price: 0.0,
+        role: Role::Factor,
+    };
+    let solution = program.solve(TOLERANCE);
+    let iterations = solution.iterations;
+    if solution.ending == Ending::Solved && stands.carried == Some(true) {
+        return Found { status: Status::Solved, solution, iterations };
+    }
+    let locked = locks(equilibrium, joints, strengths);
+    let status =
+        if locked.ending == Ending::Solved && locked.factor > 0.5 { Status::Locks } else { Status::NotConverged };
+    Found { status, solution, iterations: iterations + locked.iterations }
+}
+
+/// The forces of elastic joints under the permanent loads, if no joint exceeds its strength.
+fn elastic_state(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<Vec<f64>> {
+    let alike: Vec<Resistance> = joints.iter().map(|_| [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).collect();
+    let mut stiffness = Stiffness::new(equilibrium, joints, &alike)?;
+    let mut forces = vec![0.0; equilibrium.columns.len()];
+    // The second pass takes out what the first leaves of the loads.
+    for _ in 0..2 {
+        let left: Vec<f64> = equilibrium.residual(&forces, 0.0).iter().map(|r| -r).collect();
+        let velocities = stiffness.solve(&left);
+        for (f, d) in forces.iter_mut().zip(stiffness.forces(&velocities)) {
+            *f += d;
+        }
+    }
+    let left = equilibrium.residual(&forces, 0.0).iter().fold(0.0f64, |m, r| m.max(r.abs()));
+    (left < 1e-12 && bounds::yield_violation(equilibrium, joints, strengths, &forces) <= 0.0).then_some(forces)
+}
+
+/// The largest share of the permanent loads, up to all, that the joints carry. Always solvable: without loads no
+/// joint needs any force. Without cohesion and crushing the answer is all or nothing.
+fn share_carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
+    let rest = vec![0.0; equilibrium.rows];
+    let drive = &equilibrium.permanent;
+    Program {
+        equilibrium,
+        joints,
+        strengths,
+        drive,
+        rest: &rest,
+        cap: Some(1.0),
+        reward: Vec::new(),
+        price: 0.0,
+        role: Role::Factor,
+    }
+    .solve(1e-8)
+}
+
+/// Whether the variable loads alone can grow without end: forces that no strength limits carry them.
+fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
+    // Without any strength in force units the largest share is all or nothing; crushing limits every load.
+    let endless: Vec<Strength> = strengths
+        .iter()
+        .map(|s| Strength {
+            tension: 0.0,
+            cohesion: 0.0,
+            crushing: if s.crushing.is_finite() { 0.0 } else { s.crushing },
+            ..*s
+        })
+        .collect();
+    let rest = vec![0.0; equilibrium.rows];
+    let drive = &equilibrium.variable;
+    let crushes = endless.iter().any(|s| s.crushing == 0.0);
+    let cap = if crushes { Some(0.0) } else { Some(1.0) };
+    Program {
+        equilibrium,
+        joints,
+        strengths: &endless,
+        drive,
+        rest: &rest,
+        cap,
+        reward: Vec::new(),
+        price: 0.0,
+        role: Role::Factor,
+    }
+    .solve(1e-8)
+}
+
+pub(super) fn report(
+    model: &BlockModel,
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    interfaces: Vec<Interface>,
+    found: &Found,
+) -> Outcome {
+    let solution = &found.solution;
+    let mut outcome = Outcome {
+        status: found.status,
+        factor: None,
+        lower_bound: None,
+        upper_bound: None,
+        equilibrium_residual: 0.0,
+        yield_violation: 0.0,
+        flow_violation: 0.0,
+        interfaces,
+        forces: Vec::new(),
+        resultants: Vec::new(),
+        mechanism: None,
+        friction: Friction::Associated,
+        associated_factor: None,
+        spread: None,
+        iterations: found.iterations,
+    };
+    if matches!(found.status, Status::Solved | Status::NoEquilibrium) {
+        outcome.mechanism = mechanism(model, equilibrium, joints, &solution.velocities);
+    }
+    if found.status == Status::Solved {
+        state(equilibrium, joints, strengths, solution, &mut outcome);
+        outcome.associated_factor = outcome.factor;
+        let upper = bounds::least_upper(equilibrium, joints, strengths, &solution.forces, &solution.velocities);
+        outcome.upper_bound = Some(upper.factor * equilibrium.factor_scale);
+        outcome.flow_violation = upper.violation;
+    }
+    outcome
+}
+
+/// The forces of a solution, and how far they are from being admissible.
+fn state(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    solution: &Solution,
+    outcome: &mut Outcome,
+) {
+    outcome.factor = Some(solution.factor * equilibrium.factor_scale);
+    outcome.lower_bound = outcome.factor;
+    let residual = equilibrium.residual(&solution.forces, solution.factor);
+    outcome.equilibrium_residual = residual.iter().fold(0.0, |m, r| m.max(r.abs()));
+    outcome.yield_violation = bounds::yield_violation(equilibrium, joints, strengths, &solution.forces);
+    outcome.forces = joint_forces(equilibrium, joints, &solution.forces);
+    outcome.resultants = joints.iter().zip(&outcome.forces).map(|(j, f)| resultant(j, f)).collect();
+}
+
+/// Forces in newtons per metre, the shear shared in proportion to the compression.
+pub(super) fn joint_forces(equilibrium: &Equilibrium, joints: &[Joint], forces: &[f64]) -> Vec<JointForces> {
+    joints
+        .iter()
+        .zip(&equilibrium.first_column)
+        .map(|(joint, &c)| {
+            let n = joint.points.len();
+            let compressions: Vec<f64> = forces[c..c + n].iter().map(|f| f * equilibrium.force).collect();
+            let shear = forces[c + n] * equilibrium.force;
+            let total: f64 = compressions.iter().map(|c| c.abs()).sum();
+            let share = |c: f64| if total > 0.0 { c.abs() / total } else { 1.0 / n as f64 };
+            let points = joint.points.iter().zip(&compressions);
+            JointForces {
+                points: points
+                    .map(|(&at, &compression)| PointForces { at, compression, shear: shear * share(compression) })
+                    .collect(),
+                shear,
+            }
+        })
+        .collect()
+}
+
+/// The resultant of a joint in compression.
+pub(super) fn resultant(joint: &Joint, forces: &JointForces) -> Option<Resultant> {
+    let total = forces.compression();
+    let gross: f64 = forces.points.iter().map(|p| p.compression.abs()).sum();
+    // Below round-off of the force unit there is no line of action to speak of.
+    if total <= 1e-9 * gross || total <= 0.0 {
+        return None;
+    }
+    let at = forces.points.iter().fold(Vec2::ZERO, |sum, p| sum + p.at * (p.compression / total));
+    Some(Resultant { at, force: joint.normal * total + joint.tangent() * forces.shear })
+}
