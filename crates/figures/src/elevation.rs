@@ -73,6 +73,13 @@ pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
     }
 }
 
+/// The road surface, faint, behind something.
+pub fn faint_surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
+    if picture.surface.len() > 1 {
+        sheet.polyline(&view.spots(&picture.surface), Pen::line(FAINT, MEDIUM).class("surface"));
+    }
+}
+
 /// Labels avoid the blocks.
 pub fn avoid_blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
     for k in 0..shapes.len() {
@@ -164,7 +171,7 @@ pub fn frame(extent: Extent, top: f64, tallest: f64) -> Area {
 }
 
 /// Tallest drawing on one sheet.
-pub const TALLEST: f64 = 620.0;
+pub const TALLEST: f64 = 470.0;
 
 /// Blocks, surface and load points; none without blocks.
 pub fn extent(picture: &Picture) -> Option<Extent> {
@@ -183,11 +190,17 @@ pub fn load_words(picture: &Picture) -> Option<String> {
     }
     let down: f64 = picture.loads.iter().map(|l| -l.force[1]).sum();
     let across: f64 = picture.loads.iter().map(|l| l.force[0]).sum();
-    let mut text = format!("Arrows: variable load on the blocks, {} downwards in all", words::force(down));
-    if across.abs() > 1e-6 * down.abs() {
-        text += &format!(" and {} to the {}", words::force(across.abs()), if across > 0.0 { "right" } else { "left" });
-    }
-    Some(text + " at the reference load.")
+    let largest = down.abs().max(across.abs());
+    let part = |size: f64, way: [&str; 2]| {
+        let matters = size.abs() > 1e-6 * largest;
+        matters.then(|| format!("{} {}", words::force(size.abs()), way[usize::from(size < 0.0)]))
+    };
+    let parts: Vec<String> = [part(down, ["downwards", "upwards"]), part(across, ["to the right", "to the left"])]
+        .into_iter()
+        .flatten()
+        .collect();
+    let sum = if parts.is_empty() { "in balance".to_string() } else { format!("{} in all", parts.join(" and ")) };
+    Some(format!("Arrows: variable load on the blocks, {sum} at the reference load."))
 }
 
 /// A small row of signs and what they mean; returns the y below it.
@@ -252,7 +265,7 @@ impl Sign {
                 Pen::shape("url(#hatch)", INK, HAIR),
             ),
             Sign::Thrust => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(THRUST, crate::sheet::THICK)),
-            Sign::Contact => sheet.line([x - 8.0, y], [x + 8.0, y], Pen::line(INK, crate::sheet::THICK)),
+            Sign::Contact => sheet.line([x, y - 7.0], [x, y + 7.0], Pen::line(INK, 1.6)),
         }
     }
 }

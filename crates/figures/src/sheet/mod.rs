@@ -290,6 +290,7 @@ impl Sheet {
         self.obstacles.push(area);
     }
     /// Where every text lies.
+    #[cfg(test)]
     pub fn texts(&self) -> &[Area] {
         &self.texts
     }
