@@ -114,14 +114,20 @@ fn report(
     collapse
 }
 
+/// A joint counts as a hinge from this share of the largest rotation: where the thrust line runs along an edge for some
+/// joints, the solver leaves traces of rotation in those beside the hinge.
+const HINGE: f64 = 1e-3;
+
 /// Mechanism, hinges, thrust lines and forces of a limit analysis.
 pub fn draw(d: &Discretised, outcome: &limit::Outcome, picture: &mut Picture) {
     if let Some(m) = &outcome.mechanism {
         let motions = m.velocities.iter().map(|&(v, rotation)| Motion { translation: point(v), rotation }).collect();
         picture.mechanism = scaled(motions);
+        let largest = m.hinges.iter().map(|h| h.rotation.abs()).fold(0.0, f64::max);
         picture.hinges = m
             .hinges
             .iter()
+            .filter(|h| h.rotation.abs() >= HINGE * largest)
             .map(|h| {
                 let joint = &outcome.interfaces[h.joint];
                 let edge = edge_at(d, joint.first, joint.second, h.at);

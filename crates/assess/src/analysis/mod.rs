@@ -74,3 +74,6 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         }),
     }
 }
+
+#[cfg(test)]
+mod tests;
