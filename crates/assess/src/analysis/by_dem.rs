@@ -139,7 +139,7 @@ pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
         dem::Status::UnstableUnderSelfWeight => (Status::UnstableUnderSelfWeight, None),
         dem::Status::StepLimit => (Status::StepLimit, None),
         dem::Status::Cancelled => (Status::Cancelled, None),
-        dem::Status::NotFinite { block, step } => (Status::NotConverged, Some((block, step))),
+        dem::Status::Broken { block, step } => (Status::NotConverged, Some((block, step))),
     }
 }
 
