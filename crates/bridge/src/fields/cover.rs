@@ -1,0 +1,45 @@
+//! Cards of what lies above the rings.
+
+use super::{Field, Kind, Section, Word};
+use crate::quantity::Dimension::{Density, Length, Stress};
+
+const LAYERS: &[Word] = &[
+    Word { word: "fill", doc: "soil or rubble directly on the extrados" },
+    Word { word: "sub-base", doc: "road base" },
+    Word { word: "surfacing", doc: "road surface" },
+    Word { word: "ballast", doc: "railway ballast" },
+];
+
+pub(super) static COVER: Section = Section {
+    path: "cover",
+    doc: "A layer above the rings, from the extrados up; the lowest fills the haunches. Loads disperse through all layers.",
+    fields: &[
+        Field::new("layer", Kind::Word(LAYERS), "what the layer is", "fill"),
+        Field::new("thickness", Kind::Quantity(Length), "thickness above the crown of the highest extrados", "0.203 m")
+            .at_least(0.0)
+            .at_most(100.0),
+        Field::new(
+            "weighs",
+            Kind::Flag,
+            "whether its weight acts on the ring; loads disperse through it either way",
+            "true",
+        )
+        .default("true"),
+        Field::new("density", Kind::Quantity(Density), "mass density of the layer", "1890 kg/m^3")
+            .positive()
+            .optional("possible only where `weighs = false`"),
+        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the layer", "40 MPa")
+            .positive()
+            .optional("not needed for collapse"),
+    ],
+};
+
+pub(super) static BACKING: Section = Section {
+    path: "backing",
+    doc: "Solid backing above the haunches, up to a level.",
+    fields: &[
+        Field::new("height", Kind::Quantity(Length), "level of the backing's upper face above the springings", "1.5 m")
+            .positive(),
+        Field::new("density", Kind::Quantity(Density), "mass density of the backing", "2000 kg/m^3").positive(),
+    ],
+};

@@ -1,0 +1,105 @@
+//! Cards of masonry and joints.
+
+use super::{Field, Kind, Section};
+use crate::quantity::Dimension::{Angle, Density, JointStiffness, Length, Stress};
+
+/// Friction angles end below the vertical [rad]: 89 degrees.
+const STEEPEST: f64 = 89.0 / 180.0 * std::f64::consts::PI;
+
+pub(super) static MASONRY: Section = Section {
+    path: "masonry",
+    doc: "Masonry of rings and piers.",
+    fields: &[
+        Field::new("density", Kind::Quantity(Density), "mass density of the masonry", "2100 kg/m^3").positive(),
+        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the masonry units", "15 GPa")
+            .positive()
+            .optional("unknown; needed for `mortar_…_stiffness`"),
+        Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the masonry units", "0.2")
+            .at_least(0.0)
+            .at_most(0.4999)
+            .optional("unknown; needed for `mortar_shear_stiffness`"),
+        Field::new("compressive_strength", Kind::Quantity(Stress), "compressive strength of the masonry", "43.8 MPa")
+            .positive()
+            .optional("crushing is not considered"),
+        Field::new(
+            "rounding",
+            Kind::Quantity(Length),
+            "radius of the blocks' rounded corners; contact points lie this far inside the edges",
+            "10 mm",
+        )
+        .at_least(0.0)
+        .default("0 mm"),
+    ],
+};
+
+const JOINT_FIELDS: &[Field] = &[
+    Field::new(
+        "normal_stiffness",
+        Kind::Quantity(JointStiffness),
+        "normal stiffness per area of the whole contact, joint and blocks together",
+        "4.84 GPa/m",
+    )
+    .positive()
+    .optional("given by `mortar_normal_stiffness`; the discrete element method needs one of them"),
+    Field::new(
+        "mortar_normal_stiffness",
+        Kind::Quantity(JointStiffness),
+        "normal stiffness per area of the joint alone; the blocks come in by the series rule",
+        "5.4 GPa/m",
+    )
+    .positive()
+    .optional("given by `normal_stiffness`"),
+    Field::new(
+        "shear_stiffness",
+        Kind::Quantity(JointStiffness),
+        "shear stiffness per area of the whole contact, joint and blocks together",
+        "0.573 GPa/m",
+    )
+    .positive()
+    .optional("given by `mortar_shear_stiffness`; the discrete element method needs one of them"),
+    Field::new(
+        "mortar_shear_stiffness",
+        Kind::Quantity(JointStiffness),
+        "shear stiffness per area of the joint alone; the blocks come in by the series rule",
+        "0.59 GPa/m",
+    )
+    .positive()
+    .optional("given by `shear_stiffness`"),
+    Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction in the joint", "35.6 deg")
+        .at_least(0.0)
+        .at_most(STEEPEST),
+    Field::new("cohesion", Kind::Quantity(Stress), "cohesion in the joint", "0 kPa").at_least(0.0),
+    Field::new("tensile_strength", Kind::Quantity(Stress), "tensile strength of the joint", "0 kPa")
+        .at_least(0.0)
+        .optional("the joint opens freely"),
+    Field::new(
+        "fixed_length",
+        Kind::Quantity(Length),
+        "length of joint that one contact point stands for when it is kept fixed",
+        "0.3455 m",
+    )
+    .positive()
+    .optional("half the distance between the contact points of the joint"),
+    Field::new(
+        "least_length",
+        Kind::Quantity(Length),
+        "least length of a contact point when it is updated",
+        "0.0711 m",
+    )
+    .positive()
+    .optional("a tenth of the ring's thickness"),
+];
+
+pub(super) static JOINT: Section = Section {
+    path: "joint",
+    doc: "Joints between voussoirs, at springings and between the courses of piers. Stiffness is that of the contact as a \
+          whole (`normal_stiffness`), or of the mortar joint alone (`mortar_normal_stiffness`), to which the deformation \
+          of the blocks is added by 1/k = 1/k' + l/E (Rouxinol, Providência and Lemos, eq. 1).",
+    fields: JOINT_FIELDS,
+};
+
+pub(super) static RING_JOINT: Section = Section {
+    path: "ring_joint",
+    doc: "Joints between the rings of a span, with the same keys as [joint].",
+    fields: JOINT_FIELDS,
+};

@@ -1,0 +1,243 @@
+//! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
+//! input reference are all made from it, so that they cannot disagree.
+
+mod cover;
+mod loading;
+mod material;
+mod plan;
+mod structure;
+
+use crate::quantity::Dimension;
+
+/// A table of the file.
+#[derive(Debug)]
+pub struct Section {
+    /// Name in the file, with dots: `span.ring`.
+    pub path: &'static str,
+    /// What it describes.
+    pub doc: &'static str,
+    /// Its keys.
+    pub fields: &'static [Field],
+}
+
+/// A key of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// The key.
+    pub key: &'static str,
+    /// What kind of value it takes.
+    pub kind: Kind,
+    /// What it is, in a line; the words under a caret.
+    pub doc: &'static str,
+    /// An example value, without quotes.
+    pub example: &'static str,
+    /// Whether it must be there.
+    pub need: Need,
+    /// The key, and the words it may hold, for which this field means something; always where none.
+    pub only: Option<(&'static str, &'static [&'static str])>,
+    /// Which numbers are possible.
+    pub limits: Limits,
+}
+
+/// Kinds of values.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// Any text.
+    Text,
+    /// A number with a unit of this dimension.
+    Quantity(Dimension),
+    /// A list of numbers with units.
+    Quantities(Dimension),
+    /// A force per metre of width, or a force over the whole width.
+    LineLoad,
+    /// A bare number.
+    Number,
+    /// A whole number.
+    Count,
+    /// true or false.
+    Flag,
+    /// One of several words.
+    Word(&'static [Word]),
+    /// Two numbers of a slope, "2:1".
+    Slope,
+    /// A share of a span, "1/4 of span 1".
+    Share,
+    /// A list of points, each a pair of lengths.
+    Points,
+    /// A support: "left abutment", "pier 1", "right abutment".
+    Support,
+    /// A table.
+    Table(&'static Section),
+    /// A list of tables.
+    Tables(&'static Section),
+}
+
+/// A word that a field may hold.
+#[derive(Debug)]
+pub struct Word {
+    /// As written.
+    pub word: &'static str,
+    /// What it means.
+    pub doc: &'static str,
+}
+
+/// Whether a field must be there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Need {
+    /// It must.
+    Required,
+    /// It may be missing; what that means.
+    Optional(&'static str),
+    /// A numerical setting with a default, as it would be written.
+    Default(&'static str),
+}
+
+/// Which numbers are possible [SI].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Smallest.
+    pub least: f64,
+    /// Whether the smallest itself is possible.
+    pub least_included: bool,
+    /// Largest.
+    pub most: f64,
+}
+
+impl Limits {
+    /// Whether a number is possible.
+    pub fn allow(&self, value: f64) -> bool {
+        (value > self.least || (self.least_included && value == self.least)) && value <= self.most
+    }
+}
+
+const ANY: Limits = Limits { least: f64::NEG_INFINITY, least_included: false, most: f64::INFINITY };
+
+impl Field {
+    const fn new(key: &'static str, kind: Kind, doc: &'static str, example: &'static str) -> Field {
+        Field { key, kind, doc, example, need: Need::Required, only: None, limits: ANY }
+    }
+
+    const fn optional(mut self, meaning: &'static str) -> Field {
+        self.need = Need::Optional(meaning);
+        self
+    }
+
+    const fn default(mut self, value: &'static str) -> Field {
+        self.need = Need::Default(value);
+        self
+    }
+
+    const fn only(mut self, key: &'static str, words: &'static [&'static str]) -> Field {
+        self.only = Some((key, words));
+        self
+    }
+
+    const fn positive(self) -> Field {
+        self.above(0.0)
+    }
+
+    const fn above(mut self, least: f64) -> Field {
+        self.limits.least = least;
+        self.limits.least_included = false;
+        self
+    }
+
+    const fn at_least(mut self, least: f64) -> Field {
+        self.limits.least = least;
+        self.limits.least_included = true;
+        self
+    }
+
+    const fn at_most(mut self, most: f64) -> Field {
+        self.limits.most = most;
+        self
+    }
+
+    /// The example as it is written in the file, in quotes where it is text.
+    pub fn example_literal(&self) -> String {
+        match self.kind {
+            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points => self.example.to_owned(),
+            Kind::Table(_) | Kind::Tables(_) => String::new(),
+            _ => format!("\"{}\"", self.example),
+        }
+    }
+
+    /// A line of the file with the example.
+    pub fn example_line(&self) -> String {
+        match self.kind {
+            Kind::Table(section) => format!("[{}]", section.path),
+            Kind::Tables(section) => format!("[[{}]]", section.path),
+            _ => format!("{} = {}", self.key, self.example_literal()),
+        }
+    }
+}
+
+impl Section {
+    /// The card of a key.
+    pub fn field(&self, key: &str) -> Option<&'static Field> {
+        self.fields.iter().find(|field| field.key == key)
+    }
+}
+
+/// The whole file.
+pub static FILE: Section = Section {
+    path: "",
+    doc: "A masonry arch bridge and what to analyse. Quantities are text with a unit: \"18.30 m\", \"15 GPa\".",
+    fields: &[
+        Field::new("bridge", Kind::Table(&structure::BRIDGE), "The bridge as a whole.", ""),
+        Field::new("span", Kind::Tables(&structure::SPAN), "The spans, from left to right.", ""),
+        Field::new(
+            "pier",
+            Kind::Tables(&structure::PIER),
+            "The piers between the spans, from left to right; one alone stands for all.",
+            "",
+        )
+        .optional("a bridge of one span has none"),
+        Field::new("abutment", Kind::Table(&structure::ABUTMENT), "The fixed blocks behind the outer springings.", "")
+            .optional("drawn with its defaults; the springing is fixed either way"),
+        Field::new("masonry", Kind::Table(&material::MASONRY), "Masonry of rings and piers.", ""),
+        Field::new(
+            "joint",
+            Kind::Table(&material::JOINT),
+            "Joints between voussoirs, at springings and between the courses of piers.",
+            "",
+        ),
+        Field::new("ring_joint", Kind::Table(&material::RING_JOINT), "Joints between the rings of a span.", "")
+            .optional("rings are joined as voussoirs are"),
+        Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
+            .optional("nothing lies on the extrados"),
+        Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
+            .optional("no backing"),
+        Field::new("dispersal", Kind::Table(&loading::DISPERSAL), "How loads spread through the cover.", "")
+            .optional("possible only where there is no cover or no load"),
+        Field::new(
+            "load",
+            Kind::Tables(&loading::LOAD),
+            "Loads on the surface; together they make the pattern that grows to collapse.",
+            "",
+        )
+        .optional("possible only for analyses without a load"),
+        Field::new("support_movement", Kind::Table(&plan::SUPPORT_MOVEMENT), "A movement of one support.", "")
+            .optional("supports do not move"),
+        Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
+            .optional("limit analysis of the load, with the defaults"),
+    ],
+};
+
+/// Every section of the file with the key that opens it, in the order of the reference.
+pub fn sections() -> Vec<&'static Section> {
+    fn visit(section: &'static Section, found: &mut Vec<&'static Section>) {
+        if found.iter().any(|known| std::ptr::eq(*known, section)) {
+            return;
+        }
+        found.push(section);
+        for field in section.fields {
+            if let Kind::Table(inner) | Kind::Tables(inner) = field.kind {
+                visit(inner, found);
+            }
+        }
+    }
+    let mut found = Vec::new();
+    visit(&FILE, &mut found);
+    found
+}

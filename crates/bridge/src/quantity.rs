@@ -1,0 +1,314 @@
+//! Numbers with units, "18.30 m" to SI: the only unit conversion in the system.
+
+/// What a quantity measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Dimension {
+    /// Length [m].
+    Length,
+    /// Angle [rad].
+    Angle,
+    /// Mass density [kg/m^3].
+    Density,
+    /// Pressure, stress, strength or modulus [Pa].
+    Stress,
+    /// Stiffness per unit area of a joint [Pa/m].
+    JointStiffness,
+    /// Force [N].
+    Force,
+    /// Force per metre of width [N/m].
+    LineLoad,
+    /// Acceleration [m/s^2].
+    Acceleration,
+    /// Rotation per length of movement [rad/m].
+    AngleRate,
+    /// Weight per unit volume [N/m^3]; known only so that it can be told from a mass density.
+    UnitWeight,
+    /// Mass [kg]; known only so that it can be told from a force.
+    Mass,
+}
+
+/// A unit: how it is written, what it measures, and its size in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// As written in files.
+    pub symbol: &'static str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Size in the SI unit of the dimension.
+    pub size: f64,
+}
+
+/// Standard acceleration of gravity [m/s^2]; 3rd General Conference on Weights and Measures, 1901.
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+const INCH: f64 = 0.0254;
+
+const fn unit(symbol: &'static str, dimension: Dimension, size: f64) -> Unit {
+    Unit { symbol, dimension, size }
+}
+
+/// Every unit that is understood; the first of a dimension is the one suggested.
+pub const UNITS: &[Unit] = &[
+    unit("m", Dimension::Length, 1.0),
+    unit("mm", Dimension::Length, 1e-3),
+    unit("cm", Dimension::Length, 1e-2),
+    unit("ft", Dimension::Length, 12.0 * INCH),
+    unit("in", Dimension::Length, INCH),
+    unit("deg", Dimension::Angle, DEGREE),
+    unit("°", Dimension::Angle, DEGREE),
+    unit("rad", Dimension::Angle, 1.0),
+    unit("mrad", Dimension::Angle, 1e-3),
+    unit("kg/m^3", Dimension::Density, 1.0),
+    unit("t/m^3", Dimension::Density, 1e3),
+    unit("g/cm^3", Dimension::Density, 1e3),
+    unit("MPa", Dimension::Stress, 1e6),
+    unit("Pa", Dimension::Stress, 1.0),
+    unit("kPa", Dimension::Stress, 1e3),
+    unit("GPa", Dimension::Stress, 1e9),
+    unit("N/m^2", Dimension::Stress, 1.0),
+    unit("kN/m^2", Dimension::Stress, 1e3),
+    unit("MN/m^2", Dimension::Stress, 1e6),
+    unit("N/mm^2", Dimension::Stress, 1e6),
+    unit("kN/mm^2", Dimension::Stress, 1e9),
+    unit("GPa/m", Dimension::JointStiffness, 1e9),
+    unit("Pa/m", Dimension::JointStiffness, 1.0),
+    unit("kPa/m", Dimension::JointStiffness, 1e3),
+    unit("MPa/m", Dimension::JointStiffness, 1e6),
+    unit("MPa/mm", Dimension::JointStiffness, 1e9),
+    unit("GPa/mm", Dimension::JointStiffness, 1e12),
+    unit("N/mm^3", Dimension::JointStiffness, 1e9),
+    unit("kN", Dimension::Force, 1e3),
+    unit("N", Dimension::Force, 1.0),
+    unit("MN", Dimension::Force, 1e6),
+    unit("kN/m", Dimension::LineLoad, 1e3),
+    unit("N/m", Dimension::LineLoad, 1.0),
+    unit("MN/m", Dimension::LineLoad, 1e6),
+    unit("N/mm", Dimension::LineLoad, 1e3),
+    unit("m/s^2", Dimension::Acceleration, 1.0),
+    unit("rad/m", Dimension::AngleRate, 1.0),
+    unit("deg/m", Dimension::AngleRate, DEGREE),
+    unit("kN/m^3", Dimension::UnitWeight, 1e3),
+    unit("N/m^3", Dimension::UnitWeight, 1.0),
+    unit("kg", Dimension::Mass, 1.0),
+    unit("t", Dimension::Mass, 1e3),
+    unit("tonne", Dimension::Mass, 1e3),
+];
+
+impl Dimension {
+    /// "a length", "a pressure": for sentences.
+    pub fn name(self) -> &'static str {
+        match self {
+            Dimension::Length => "a length",
+            Dimension::Angle => "an angle",
+            Dimension::Density => "a mass density",
+            Dimension::Stress => "a pressure",
+            Dimension::JointStiffness => "a stiffness per area",
+            Dimension::Force => "a force",
+            Dimension::LineLoad => "a force per metre of width",
+            Dimension::Acceleration => "an acceleration",
+            Dimension::AngleRate => "a rotation per metre",
+            Dimension::UnitWeight => "a weight per volume",
+            Dimension::Mass => "a mass",
+        }
+    }
+
+    /// Units of this dimension, the usual one first.
+    pub fn units(self) -> impl Iterator<Item = &'static Unit> {
+        UNITS.iter().filter(move |unit| unit.dimension == self)
+    }
+
+    /// Largest size [SI] that can belong to a bridge; anything beyond is a slip of the pen.
+    pub fn most(self) -> f64 {
+        match self {
+            Dimension::Length => 1e3,
+            Dimension::Angle => std::f64::consts::PI,
+            Dimension::Density => 2.5e4,
+            Dimension::Stress => 1e13,
+            Dimension::JointStiffness => 1e16,
+            Dimension::Force => 1e11,
+            Dimension::LineLoad => 1e10,
+            Dimension::Acceleration => 1e3,
+            Dimension::AngleRate => 1e6,
+            Dimension::UnitWeight => 1e6,
+            Dimension::Mass => 1e10,
+        }
+    }
+}
+
+/// A number with its unit, as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    /// The number before the unit.
+    pub number: f64,
+    /// The unit.
+    pub unit: &'static Unit,
+}
+
+impl Quantity {
+    /// Value in SI.
+    pub fn si(&self) -> f64 {
+        self.number * self.unit.size
+    }
+}
+
+/// Why a text is no quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unreadable {
+    /// It does not start with a number.
+    NoNumber,
+    /// A comma stands where a decimal point belongs; the number as it was probably meant.
+    Comma(String),
+    /// The number is too large for any machine.
+    Infinite,
+    /// There is a number but nothing after it.
+    NoUnit(f64),
+    /// The unit is not known: number, unit as written, nearest known unit.
+    UnknownUnit(f64, String, Option<&'static Unit>),
+}
+
+/// Reads "18.30 m".
+pub fn parse(text: &str) -> Result<Quantity, Unreadable> {
+    let text = text.trim();
+    let (digits, rest) = text.split_at(number_length(text));
+    let number: f64 = digits.parse().map_err(|_| Unreadable::NoNumber)?;
+    if !number.is_finite() {
+        return Err(Unreadable::Infinite);
+    }
+    let rest = rest.trim();
+    if let Some(fraction) = rest.strip_prefix(',')
+        && fraction.starts_with(|first: char| first.is_ascii_digit())
+    {
+        return Err(Unreadable::Comma(format!("{digits}.{fraction}")));
+    }
+    if rest.is_empty() {
+        return Err(Unreadable::NoUnit(number));
+    }
+    match find_unit(rest) {
+        Some(unit) => Ok(Quantity { number, unit }),
+        None => Err(Unreadable::UnknownUnit(number, rest.chars().take(40).collect(), nearest_unit(rest))),
+    }
+}
+
+/// Bytes of the number that a text starts with: sign, digits, point, digits, exponent.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let whole = digits(end);
+    end += whole;
+    let mut fraction = 0;
+    if bytes.get(end) == Some(&b'.') {
+        fraction = digits(end + 1);
+        if whole + fraction > 0 {
+            end += 1 + fraction;
+        }
+    }
+    if whole + fraction == 0 {
+        return 0;
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits((end + 1 + sign).min(bytes.len()));
+        if exponent > 0 {
+            end += 1 + sign + exponent;
+        }
+    }
+    end
+}
+
+/// One spelling for what keyboards and word processors write differently.
+fn plain(symbol: &str) -> String {
+    let mut out = String::with_capacity(symbol.len());
+    for character in symbol.chars() {
+        match character {
+            '²' => out.push_str("^2"),
+            '³' => out.push_str("^3"),
+            ' ' | '\u{a0}' | '\u{202f}' => {}
+            other => out.push(other),
+        }
+    }
+    for power in ["m2", "m3", "s2"] {
+        let (base, exponent) = power.split_at(1);
+        if out.ends_with(power) {
+            out.truncate(out.len() - 1);
+            out.push('^');
+            out.push_str(exponent);
+            debug_assert!(out.contains(base));
+        }
+    }
+    out
+}
+
+fn find_unit(symbol: &str) -> Option<&'static Unit> {
+    let symbol = plain(symbol);
+    UNITS.iter().find(|unit| plain(unit.symbol) == symbol)
+}
+
+/// The known unit that differs only in capitals, or else by one letter.
+fn nearest_unit(symbol: &str) -> Option<&'static Unit> {
+    let symbol = plain(symbol);
+    if symbol.len() > 40 {
+        return None;
+    }
+    let by_case = UNITS.iter().find(|unit| unit.symbol.eq_ignore_ascii_case(&symbol));
+    by_case.or_else(|| {
+        UNITS
+            .iter()
+            .map(|unit| (strsim::osa_distance(unit.symbol, &symbol), unit))
+            .filter(|(distance, unit)| *distance == 1 && unit.symbol.chars().count() > 2)
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, unit)| unit)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_become_si() {
+        let cases = [
+            ("18.30 m", Dimension::Length, 18.3),
+            ("711mm", Dimension::Length, 0.711),
+            ("15 GPa", Dimension::Stress, 15e9),
+            ("2100 kg/m3", Dimension::Density, 2100.0),
+            ("2.1 t/m³", Dimension::Density, 2100.0),
+            ("4.84 GPa/m", Dimension::JointStiffness, 4.84e9),
+            ("4.84 N/mm^3", Dimension::JointStiffness, 4.84e9),
+            ("1e2 kN", Dimension::Force, 1e5),
+            ("-1.5E-1 kN/m", Dimension::LineLoad, -150.0),
+            ("180 deg", Dimension::Angle, std::f64::consts::PI),
+            (".5 in", Dimension::Length, 0.0127),
+        ];
+        for (text, dimension, value) in cases {
+            let quantity = parse(text).unwrap_or_else(|reason| panic!("{text}: {reason:?}"));
+            assert_eq!(quantity.unit.dimension, dimension, "{text}");
+            // One rounding of the product.
+            assert!((quantity.si() - value).abs() <= value.abs() * f64::EPSILON, "{text}: {}", quantity.si());
+        }
+    }
+
+    #[test]
+    fn what_is_no_quantity_says_why() {
+        assert_eq!(parse("wide"), Err(Unreadable::NoNumber));
+        assert_eq!(parse(""), Err(Unreadable::NoNumber));
+        assert_eq!(parse("nan m"), Err(Unreadable::NoNumber));
+        assert_eq!(parse("inf m"), Err(Unreadable::NoNumber));
+        assert_eq!(parse("18,30 m"), Err(Unreadable::Comma("18.30 m".into())));
+        assert_eq!(parse("1e999 m"), Err(Unreadable::Infinite));
+        assert_eq!(parse("18.30"), Err(Unreadable::NoUnit(18.3)));
+        let Err(Unreadable::UnknownUnit(_, _, Some(near))) = parse("15 gpa") else { panic!() };
+        assert_eq!(near.symbol, "GPa");
+        let Err(Unreadable::UnknownUnit(_, _, none)) = parse("3 furlongs") else { panic!() };
+        assert_eq!(none, None);
+    }
+
+    #[test]
+    fn no_symbol_is_taken_twice() {
+        for (index, unit) in UNITS.iter().enumerate() {
+            assert!(UNITS[..index].iter().all(|other| other.symbol != unit.symbol), "{}", unit.symbol);
+            assert!(unit.size > 0.0);
+        }
+    }
+}

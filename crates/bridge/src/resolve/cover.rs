@@ -1,0 +1,51 @@
+//! Layers above the rings, and backing.
+
+use crate::findings::Findings;
+use crate::model::{Backing, Cover, Layer, LayerKind};
+use crate::tree::Table;
+
+use super::materials::maybe;
+use super::structure::need;
+
+pub(super) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> {
+    let tables = file.tables("cover", findings);
+    let layers: Vec<Option<Layer>> = tables.iter().map(|table| layer(table, findings)).collect();
+    let backing = if file.has("backing") { backing(file, findings).map(Some) } else { Some(None) };
+    let layers = layers.into_iter().collect::<Option<Vec<Layer>>>()?;
+    if file.has("cover") && layers.is_empty() {
+        return None;
+    }
+    Some(Cover { depth: layers.iter().map(|layer| layer.thickness).sum(), layers, backing: backing? })
+}
+
+fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
+    let name = table.word("layer", findings);
+    let thickness = table.quantity("thickness", findings);
+    let weighs = table.flag("weighs", findings);
+    let density = table.quantity("density", findings);
+    let elastic_modulus = table.quantity("elastic_modulus", findings);
+    let weighs = maybe(table, "weighs", weighs)?.unwrap_or(true);
+    if weighs && !table.has("density") {
+        need(table, "density", findings);
+        return None;
+    }
+    Some(Layer {
+        name: match name?.value {
+            "sub-base" => LayerKind::SubBase,
+            "surfacing" => LayerKind::Surfacing,
+            "ballast" => LayerKind::Ballast,
+            _ => LayerKind::Fill,
+        },
+        thickness: thickness?.value,
+        density: maybe(table, "density", density)?.unwrap_or(0.0),
+        weighs,
+        elastic_modulus: maybe(table, "elastic_modulus", elastic_modulus)?,
+    })
+}
+
+fn backing(file: &Table<'_>, findings: &mut Findings) -> Option<Backing> {
+    let table = file.table("backing", findings)?;
+    let height = table.quantity("height", findings);
+    let density = table.quantity("density", findings);
+    Some(Backing { height: height?.value, density: density?.value })
+}

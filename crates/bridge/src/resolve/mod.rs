@@ -1,0 +1,58 @@
+//! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
+
+mod cover;
+mod geometry;
+mod loading;
+mod materials;
+mod plan;
+mod structure;
+
+use crate::findings::Findings;
+use crate::model::Bridge;
+use crate::tree::Table;
+
+/// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.
+pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridge> {
+    let general = structure::general(file, findings);
+    let spans = structure::spans(file, findings);
+    let piers = structure::piers(file, findings);
+    let abutments = structure::abutments(file, findings);
+    let masonry = materials::masonry(file, findings);
+    let joint = materials::joint(file, "joint", findings);
+    let ring_joint = if file.has("ring_joint") { materials::joint(file, "ring_joint", findings) } else { joint };
+    let cover = cover::cover(file, findings);
+    let dispersal = loading::dispersal(file, cover.as_ref(), findings);
+    let width = general.as_ref().map(|general| general.width);
+    let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
+    let loads = loading::loads(file, width, lengths.as_ref(), findings);
+    let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
+
+    if let (Some(spans), Some(piers)) = (&spans, &piers) {
+        geometry::check(file, spans, piers, masonry.as_ref(), joint.as_ref(), cover.as_ref(), findings);
+    }
+    if let (Some(plan), Some(loads)) = (&plan, &loads) {
+        plan::check(file, plan, loads, joint.as_ref(), masonry.as_ref(), findings);
+    }
+
+    let general = general?;
+    let spans = spans?;
+    let mut piers = piers?;
+    if let [one] = &piers[..] {
+        piers = vec![one.clone(); spans.len() - 1];
+    }
+    Some(Bridge {
+        name: general.name,
+        width: general.width,
+        gravity: general.gravity,
+        spans: spans.into_iter().map(|placed| placed.span).collect(),
+        piers,
+        abutments: abutments?,
+        masonry: masonry?,
+        joint: joint?,
+        ring_joint: ring_joint?,
+        cover: cover?,
+        loads: loads?,
+        dispersal: dispersal?,
+        plan: plan?,
+    })
+}

@@ -1,0 +1,91 @@
+//! An elliptical intrados. The left half only.
+
+use super::Station;
+use super::invert::invert;
+
+/// x = half (1 - sin t), y = rise cos t, with t = 0 in the crown and π/2 at the springing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Ellipse {
+    half: f64,
+    rise: f64,
+}
+
+impl Ellipse {
+    pub(super) fn new(span: f64, rise: f64) -> Ellipse {
+        Ellipse { half: 0.5 * span, rise }
+    }
+
+    /// Length from the crown to t: half · E(t | m), m = 1 - (rise / half)², by Carlson's symmetric integrals, also
+    /// where the rise is more than half the span and m is negative.
+    fn from_crown(&self, t: f64) -> f64 {
+        let m = (1.0 - self.rise / self.half) * (1.0 + self.rise / self.half);
+        let (sine, cosine) = t.sin_cos();
+        // 1 - m sin² t without cancellation.
+        let (x, y) = (cosine * cosine, cosine * cosine + (sine * self.rise / self.half).powi(2));
+        self.half * (sine * carlson_rf(x, y, 1.0) - m / 3.0 * sine.powi(3) * carlson_rd(x, y, 1.0))
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        self.from_crown(std::f64::consts::FRAC_PI_2)
+    }
+
+    pub(super) fn at(&self, distance: f64) -> Station {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        if distance == 0.0 {
+            return Station { point: [0.0, 0.0], normal: [-1.0, 0.0] };
+        }
+        let speed = |t: f64| (self.half * t.cos()).hypot(self.rise * t.sin());
+        let t = invert(|t| self.from_crown(t), speed, self.length() - distance, quarter);
+        let (sine, cosine) = t.sin_cos();
+        let size = speed(t);
+        Station {
+            point: [self.half * (1.0 - sine), self.rise * cosine],
+            normal: [-self.rise * sine / size, self.half * cosine / size],
+        }
+    }
+}
+
+/// R_F(x, y, z) by duplication; B. C. Carlson, Numerical Algorithms 10 (1995), algorithm 1.
+fn carlson_rf(mut x: f64, mut y: f64, mut z: f64) -> f64 {
+    let start = (x + y + z) / 3.0;
+    // The remainder of the series below is of sixth order: (4^-n Q)^6 under the machine's rounding.
+    let mut reach =
+        (start - x).abs().max((start - y).abs()).max((start - z).abs()) / (3.0 * f64::EPSILON).powf(1.0 / 6.0);
+    let (x0, y0) = (start - x, start - y);
+    let (mut mean, mut fourth) = (start, 1.0);
+    while reach > mean.abs() {
+        let lambda = (x * y).sqrt() + (y * z).sqrt() + (z * x).sqrt();
+        (x, y, z) = (0.25 * (x + lambda), 0.25 * (y + lambda), 0.25 * (z + lambda));
+        mean = 0.25 * (mean + lambda);
+        fourth *= 0.25;
+        reach *= 0.25;
+    }
+    let (p, q) = (x0 * fourth / mean, y0 * fourth / mean);
+    let r = -p - q;
+    let (e2, e3) = (p * q - r * r, p * q * r);
+    (1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0) / mean.sqrt()
+}
+
+/// R_D(x, y, z) by duplication; B. C. Carlson, Numerical Algorithms 10 (1995), algorithm 4.
+fn carlson_rd(mut x: f64, mut y: f64, mut z: f64) -> f64 {
+    let start = (x + y + 3.0 * z) / 5.0;
+    let mut reach =
+        (start - x).abs().max((start - y).abs()).max((start - z).abs()) / (0.25 * f64::EPSILON).powf(1.0 / 6.0);
+    let (x0, y0) = (start - x, start - y);
+    let (mut mean, mut fourth, mut sum) = (start, 1.0, 0.0);
+    while reach > mean.abs() {
+        let lambda = (x * y).sqrt() + (y * z).sqrt() + (z * x).sqrt();
+        sum += fourth / (z.sqrt() * (z + lambda));
+        (x, y, z) = (0.25 * (x + lambda), 0.25 * (y + lambda), 0.25 * (z + lambda));
+        mean = 0.25 * (mean + lambda);
+        fourth *= 0.25;
+        reach *= 0.25;
+    }
+    let (p, q) = (x0 * fourth / mean, y0 * fourth / mean);
+    let r = -(p + q) / 3.0;
+    let (e2, e3) = (p * q - 6.0 * r * r, (3.0 * p * q - 8.0 * r * r) * r);
+    let (e4, e5) = (3.0 * (p * q - r * r) * r * r, p * q * r * r * r);
+    let series = 1.0 - 3.0 * e2 / 14.0 + e3 / 6.0 + 9.0 * e2 * e2 / 88.0 - 3.0 * e4 / 22.0 - 9.0 * e2 * e3 / 52.0
+        + 3.0 * e5 / 26.0;
+    fourth * series / (mean * mean.sqrt()) + 3.0 * sum
+}

@@ -1,0 +1,196 @@
+//! Curves against closed forms, and against what every curve must be.
+
+use super::*;
+
+/// Rounding of a few operations on lengths of some ten metres.
+const EXACT: f64 = 1e-12;
+
+fn close(a: f64, b: f64) {
+    assert!((a - b).abs() <= EXACT * b.abs().max(1.0), "{a} {b}");
+}
+
+fn profiles() -> Vec<(Profile, f64, f64)> {
+    let circle: Vec<[f64; 2]> = (0..=20)
+        .map(|index| {
+            let angle = -0.6 + 0.06 * f64::from(index);
+            [16.0 * (angle.sin() + 0.6f64.sin()), 16.0 * (angle.cos() - 0.6f64.cos())]
+        })
+        .collect();
+    vec![
+        (Profile::Segmental, 18.30, 2.85),
+        (Profile::Semicircular, 10.0, 5.0),
+        (Profile::Parabolic, 18.30, 2.85),
+        (Profile::Elliptical, 12.0, 3.0),
+        (Profile::Elliptical, 6.0, 5.0),
+        (Profile::ThreeCentred { haunch_radius: 1.5 }, 12.0, 3.5),
+        (Profile::Pointed, 6.0, 4.5),
+        (Profile::Pointed, 6.0, 7.5),
+        (Profile::Measured(circle), 32.0 * 0.6f64.sin(), 16.0 * (1.0 - 0.6f64.cos())),
+    ]
+}
+
+#[test]
+fn segment_of_bridgemill() {
+    let intrados = Intrados::new(&Profile::Segmental, 18.30, 2.85).unwrap();
+    let half_angle = 2.0 * (2.85f64 / 9.15).atan();
+    let radius = 9.15 / half_angle.sin();
+    assert!((radius - 16.1131).abs() < 1e-4);
+    assert!((half_angle.to_degrees() - 34.601).abs() < 1e-3);
+    close(intrados.length(), 2.0 * radius * half_angle);
+    let springing = intrados.at(0.0);
+    close(springing.normal[0], -half_angle.sin());
+    // Centre-line spacing of 62 voussoirs of 0.711 m: 0.3208 m in Table 1 of Rouxinol, Providência and Lemos.
+    assert!((2.0 * half_angle * (radius + 0.3555) / 62.0 - 0.3208).abs() < 1e-4);
+}
+
+#[test]
+fn parabola_length() {
+    let intrados = Intrados::new(&Profile::Parabolic, 18.30, 2.85).unwrap();
+    let root = (1.0 + 16.0 * (2.85f64 / 18.30).powi(2)).sqrt();
+    let closed = 0.5 * 18.30 * root + 18.30 * 18.30 / (8.0 * 2.85) * (4.0 * 2.85f64 / 18.30 + root).ln();
+    close(intrados.length(), closed);
+}
+
+#[test]
+fn ellipse_length() {
+    // A circle, whose perimeter is known, and series of Gauss and Kummer for ellipses round and flat.
+    close(Intrados::new(&Profile::Elliptical, 10.0, 5.0).unwrap().length(), 5.0 * std::f64::consts::PI);
+    for (span, rise) in [(12.0, 3.0), (6.0, 5.0), (10.0, 1.0)] {
+        let (a, b) = (0.5 * span, rise);
+        let h = ((a - b) / (a + b)) * ((a - b) / (a + b));
+        let (mut sum, mut coefficient, mut power) = (1.0, 1.0, 1.0);
+        for n in 1..4000 {
+            let n = f64::from(n);
+            coefficient *= (1.5 - n) / n;
+            power *= h;
+            sum += coefficient * coefficient * power;
+        }
+        close(
+            Intrados::new(&Profile::Elliptical, span, rise).unwrap().length(),
+            0.5 * std::f64::consts::PI * (a + b) * sum,
+        );
+    }
+}
+
+#[test]
+fn three_centred_arcs_meet_without_a_kink() {
+    let (span, rise, haunch_radius) = (12.0, 3.5, 1.5);
+    let intrados = Intrados::new(&Profile::ThreeCentred { haunch_radius }, span, rise).unwrap();
+    let crown_radius = (4.5f64 * 4.5 + 3.5 * 3.5 - 1.5 * 1.5) / (2.0 * 2.0);
+    let junction = 4.5f64.atan2(crown_radius - 3.5);
+    let haunch = haunch_radius * (0.5 * std::f64::consts::PI - junction);
+    close(intrados.length(), 2.0 * (haunch + crown_radius * junction));
+    // At the junction both circles have the same normal.
+    let station = intrados.at(haunch / intrados.length());
+    close(station.normal[0], -junction.sin());
+    close(station.point[0], haunch_radius - haunch_radius * junction.sin());
+    assert_eq!(intrados.at(0.0).normal[1].abs() < EXACT, true);
+}
+
+#[test]
+fn pointed_crown_has_a_point() {
+    let intrados = Intrados::new(&Profile::Pointed, 6.0, 4.5).unwrap();
+    let crown = intrados.at(0.5);
+    assert_eq!(crown.normal, [0.0, 1.0]);
+    close(crown.point[0], 3.0);
+    close(crown.point[1], 4.5);
+    // (3² + 4.5²) / 6 = 4.875: the normal beside the crown points away from a centre 1.875 m beyond it.
+    let beside = intrados.at(0.5 - 1e-14);
+    assert!((beside.normal[0] + 1.875 / 4.875).abs() < 1e-9);
+}
+
+#[test]
+fn semicircle_is_the_highest_segment_and_the_roundest_ellipse() {
+    let circle = Intrados::new(&Profile::Semicircular, 10.0, 5.0).unwrap();
+    for other in [Profile::Segmental, Profile::Elliptical] {
+        let other = Intrados::new(&other, 10.0, 5.0).unwrap();
+        for step in 0..=40 {
+            let share = f64::from(step) / 40.0;
+            for i in 0..2 {
+                assert!((circle.at(share).point[i] - other.at(share).point[i]).abs() < 1e-11);
+                assert!((circle.at(share).normal[i] - other.at(share).normal[i]).abs() < 1e-11);
+            }
+        }
+    }
+}
+
+#[test]
+fn surveyed_circle_comes_out_as_a_circle() {
+    let (profile, span, rise) = profiles().pop().unwrap();
+    let intrados = Intrados::new(&profile, span, rise).unwrap();
+    let centre = [0.5 * span, rise - 16.0];
+    for step in 0..=300 {
+        let station = intrados.at(f64::from(step) / 300.0);
+        let radius = (station.point[0] - centre[0]).hypot(station.point[1] - centre[1]);
+        // A cubic deviates from an arc of 0.06 rad by some 1e-12 of its radius (sixth order in the angle).
+        assert!((radius - 16.0).abs() < 1e-9, "{}", radius - 16.0);
+    }
+    assert!((intrados.length() - 16.0 * 1.2).abs() < 1e-9);
+}
+
+#[test]
+fn stations_divide_every_curve_evenly() {
+    for (profile, span, rise) in profiles() {
+        let intrados = Intrados::new(&profile, span, rise).unwrap();
+        let (left, right, crown) = (intrados.at(0.0).point, intrados.at(1.0).point, intrados.at(0.5).point);
+        close(left[0], 0.0);
+        close(left[1], 0.0);
+        close(right[0], span);
+        close(right[1] + 1.0, 1.0);
+        close(crown[0], 0.5 * span);
+        close(crown[1], rise);
+        // Chords of 20,000 stations fall short of the curve by the square of their number.
+        const CHORDS: u32 = 20_000;
+        let mut length = 0.0;
+        let mut longest = 0.0f64;
+        let mut last = intrados.at(0.0);
+        for index in 1..=CHORDS {
+            let next = intrados.at(f64::from(index) / f64::from(CHORDS));
+            let chord = [next.point[0] - last.point[0], next.point[1] - last.point[1]];
+            let size = chord[0].hypot(chord[1]);
+            length += size;
+            longest = longest.max(size);
+            close(next.normal[0].hypot(next.normal[1]), 1.0);
+            assert!(chord[0] * last.tangent()[0] + chord[1] * last.tangent()[1] > 0.0);
+            last = next;
+        }
+        assert!((length - intrados.length()).abs() < 1e-7 * intrados.length(), "{profile:?}: {length}");
+        assert!(longest <= intrados.length() / f64::from(CHORDS) * (1.0 + 1e-9), "{profile:?}");
+    }
+}
+
+#[test]
+fn symmetric_to_the_last_bit() {
+    for (profile, span, rise) in profiles() {
+        if matches!(profile, Profile::Measured(_)) {
+            continue;
+        }
+        let intrados = Intrados::new(&profile, span, rise).unwrap();
+        for step in 0..=32 {
+            let (left, right) = (intrados.at(f64::from(step) / 64.0), intrados.at(1.0 - f64::from(step) / 64.0));
+            assert_eq!(left.point[1], right.point[1]);
+            assert_eq!(left.normal[0], -right.normal[0]);
+            assert_eq!(span - left.point[0], if step == 32 { left.point[0] } else { right.point[0] });
+        }
+    }
+}
+
+#[test]
+fn impossible_shapes_are_named() {
+    let cases = [
+        (Profile::Segmental, 10.0, 5.1, Misfit::RiseAboveHalfSpan),
+        (Profile::Semicircular, 10.0, 4.0, Misfit::NotHalfSpan),
+        (Profile::ThreeCentred { haunch_radius: 3.0 }, 10.0, 3.0, Misfit::HaunchRadiusTooLarge),
+        (Profile::ThreeCentred { haunch_radius: 1.0 }, 10.0, 6.0, Misfit::ThreeCentredTooHigh),
+        (Profile::Pointed, 10.0, 5.0, Misfit::NoPoint),
+        (Profile::Parabolic, 10.0, 0.0, Misfit::NotPositive),
+        (Profile::Elliptical, f64::NAN, 1.0, Misfit::NotPositive),
+        (Profile::Measured(vec![[0.0, 0.0], [1.0, 0.0]]), 1.0, 1.0, Misfit::TooFewPoints),
+        (Profile::Measured(vec![[0.0, 0.0], [2.0, 1.0], [1.0, 0.0]]), 1.0, 1.0, Misfit::NotLeftToRight(2)),
+        (Profile::Measured(vec![[0.0, 0.0], [2.0, 1.0], [4.0, 0.1]]), 4.0, 1.0, Misfit::NotLevel),
+        (Profile::Measured(vec![[0.0, 0.0], [2.0, -1.0], [4.0, 0.0]]), 4.0, 1.0, Misfit::BelowSpringing(1)),
+    ];
+    for (profile, span, rise, misfit) in cases {
+        assert_eq!(Intrados::new(&profile, span, rise), Err(misfit), "{profile:?}");
+    }
+}

@@ -1,0 +1,250 @@
+//! A spanned TOML tree read through field cards: typed accessors that collect every mistake.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::diagnostic::TextRange;
+use crate::fields::{Field, Kind, Need, Section};
+use crate::findings::Findings;
+
+/// A value and where it stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct At<T> {
+    /// The value.
+    pub(crate) value: T,
+    /// Its place.
+    pub(crate) range: TextRange,
+}
+
+/// A table of the file together with its card.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Table<'t> {
+    pub(crate) section: &'static Section,
+    entries: &'t DeTable<'t>,
+    /// The header, or the braces of an inline table.
+    pub(crate) range: TextRange,
+}
+
+pub(crate) type Raw<'t> = &'t Spanned<DeValue<'t>>;
+
+impl<'t> Table<'t> {
+    /// Opens a table: reports keys that are unknown or do not belong here, and required ones that are missing.
+    pub(crate) fn open(
+        section: &'static Section,
+        entries: &'t DeTable<'t>,
+        range: TextRange,
+        findings: &mut Findings,
+    ) -> Table<'t> {
+        let table = Table { section, entries, range };
+        for (key, _) in entries.iter() {
+            match section.field(key.get_ref()) {
+                None => unknown_key(section, key.get_ref(), key.span().into(), findings),
+                Some(field) if !table.applies(field) => table.out_of_place(field, key.span().into(), findings),
+                Some(_) => {}
+            }
+        }
+        for field in section.fields {
+            if field.need == Need::Required && table.applies(field) && !table.has(field.key) {
+                table.missing(field, findings);
+            }
+        }
+        table
+    }
+
+    /// Whether a key is written, rightly or wrongly.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.raw(key).is_some()
+    }
+
+    /// Where the value of a key stands; the table's head where it is not written.
+    pub(crate) fn place(&self, key: &str) -> TextRange {
+        self.raw(key).map_or(self.range, |value| value.span().into())
+    }
+
+    /// How a table is called in messages: `[[span]]`, `[joint]`.
+    pub(crate) fn title(&self) -> String {
+        title(self.section)
+    }
+
+    /// The card of a key and its value, if it is written and means something here.
+    pub(crate) fn entry(&self, key: &str) -> Option<(&'static Field, Raw<'t>)> {
+        let field = self.section.field(key);
+        debug_assert!(field.is_some(), "no card for {}.{key}", self.section.path);
+        let field = field?;
+        if !self.applies(field) {
+            return None;
+        }
+        Some((field, self.raw(key)?))
+    }
+
+    /// A table inside this one.
+    pub(crate) fn table(&self, key: &str, findings: &mut Findings) -> Option<Table<'t>> {
+        let (field, raw) = self.entry(key)?;
+        let Kind::Table(section) = field.kind else { return None };
+        match raw.get_ref() {
+            DeValue::Table(entries) => Some(Table::open(section, entries, raw.span().into(), findings)),
+            // One `[[joint]]` is as good as `[joint]`.
+            DeValue::Array(items) if items.len() == 1 => {
+                match items.iter().next().map(|item| (item.get_ref(), item.span())) {
+                    Some((DeValue::Table(entries), range)) => {
+                        Some(Table::open(section, entries, range.into(), findings))
+                    }
+                    _ => wrong_type(field, raw, findings),
+                }
+            }
+            _ => wrong_type(field, raw, findings),
+        }
+    }
+
+    /// A list of tables inside this one; a single table counts as a list of one.
+    pub(crate) fn tables(&self, key: &str, findings: &mut Findings) -> Vec<Table<'t>> {
+        let Some((field, raw)) = self.entry(key) else { return Vec::new() };
+        let Kind::Tables(section) = field.kind else { return Vec::new() };
+        match raw.get_ref() {
+            DeValue::Table(entries) => vec![Table::open(section, entries, raw.span().into(), findings)],
+            DeValue::Array(items) if items.iter().next().is_some() => items
+                .iter()
+                .filter_map(|item| match item.get_ref() {
+                    DeValue::Table(entries) => Some(Table::open(section, entries, item.span().into(), findings)),
+                    _ => wrong_type(field, item, findings),
+                })
+                .collect(),
+            _ => {
+                wrong_type::<()>(field, raw, findings);
+                Vec::new()
+            }
+        }
+    }
+
+    /// Reports a key that must be there.
+    pub(crate) fn missing(&self, field: &Field, findings: &mut Findings) {
+        let opening = matches!(field.kind, Kind::Table(_) | Kind::Tables(_));
+        let (message, help) = if opening && self.section.path.is_empty() {
+            let line = field.example_line();
+            (format!("the file has no {line}"), format!("add a {line} section; `extrados schema` lists its keys"))
+        } else {
+            (
+                format!("`{}` is missing in {}", field.key, self.title()),
+                format!("add a line like {}", field.example_line()),
+            )
+        };
+        findings
+            .error("B011", self.range, message, field.doc, help)
+            .because("values that belong to the bridge are never assumed");
+    }
+
+    fn raw(&self, key: &str) -> Option<Raw<'t>> {
+        self.entries.get(key)
+    }
+
+    /// Whether a field means something here, going by the word that decides about it; unknown words decide nothing.
+    fn applies(&self, field: &Field) -> bool {
+        let Some((key, words)) = field.only else { return true };
+        let Some(selector) = self.section.field(key) else { return true };
+        let written = match (self.raw(key).map(Spanned::get_ref), selector.need) {
+            (Some(DeValue::String(word)), _) => word.as_ref(),
+            (None, Need::Default(word)) => word,
+            // Nobody can say what belongs here: let what is written stand, and miss nothing.
+            _ => return self.has(field.key),
+        };
+        let Kind::Word(choices) = selector.kind else { return true };
+        if choices.iter().any(|choice| choice.word == written) { words.contains(&written) } else { self.has(field.key) }
+    }
+
+    fn out_of_place(&self, field: &Field, range: TextRange, findings: &mut Findings) {
+        let Some((selector, words)) = field.only else { return };
+        let list = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
+        findings.error(
+            "B015",
+            range,
+            format!("`{}` means nothing in this {}", field.key, self.title()),
+            format!("belongs to `{selector}` = {list}"),
+            format!("remove this line, or set `{selector}` to {list}"),
+        );
+    }
+}
+
+/// How a table is called in messages.
+pub(crate) fn title(section: &Section) -> String {
+    let listed = crate::fields::sections().iter().any(|outer| {
+        outer.fields.iter().any(|field| matches!(field.kind, Kind::Tables(inner) if std::ptr::eq(inner, section)))
+    });
+    match (section.path, listed) {
+        ("", _) => "the file".to_owned(),
+        (path, true) => format!("[[{path}]]"),
+        (path, false) => format!("[{path}]"),
+    }
+}
+
+/// Reports a value of the wrong type.
+pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<T> {
+    let wanted = match field.kind {
+        Kind::Text => "text in quotes",
+        Kind::Quantity(_) | Kind::LineLoad => "a number with its unit, in quotes",
+        Kind::Quantities(_) => "a list of numbers with units",
+        Kind::Number => "a bare number",
+        Kind::Count => "a whole number",
+        Kind::Flag => "true or false",
+        Kind::Word(_) => "a word in quotes",
+        Kind::Slope => "a slope in quotes",
+        Kind::Share => "a share of a span, in quotes",
+        Kind::Points => "a list of points",
+        Kind::Support => "the name of a support, in quotes",
+        Kind::Table(_) => "a table",
+        Kind::Tables(_) => "a list of tables",
+    };
+    let found = match raw.get_ref() {
+        DeValue::String(_) => "text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a bare number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    };
+    findings.error(
+        "B012",
+        raw.span().into(),
+        format!("`{}` takes {wanted}, found {found}", field.key),
+        field.doc,
+        format!("write {}", field.example_line()),
+    );
+    None
+}
+
+fn unknown_key(section: &'static Section, key: &str, range: TextRange, findings: &mut Findings) {
+    let known = section.fields.iter().map(|field| field.key);
+    let elsewhere =
+        crate::fields::sections().into_iter().find(|other| !other.path.is_empty() && other.field(key).is_some());
+    let (label, help) = if let Some(near) = nearest(key, known.clone()) {
+        (format!("did you mean `{near}`?"), format!("write `{near}`"))
+    } else if let Some(other) = elsewhere {
+        (format!("belongs in {}", title(other)), format!("move this line to {}", title(other)))
+    } else {
+        let list = known.map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ");
+        (format!("not a key of {}", title(section)), format!("{} knows {list}", title(section)))
+    };
+    findings.error("B010", range, format!("unknown key `{}` in {}", shorten(key), title(section)), label, help);
+}
+
+/// The known word nearest to what was written, if it is near enough to be a slip.
+pub(crate) fn nearest<'a>(written: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    if written.len() > 60 {
+        return None;
+    }
+    let plain = |word: &str| word.to_lowercase().replace(['-', ' '], "_");
+    let written = plain(written);
+    known
+        .map(|word| (strsim::osa_distance(&plain(word), &written), word))
+        .filter(|(distance, word)| *distance <= 1.max(word.len().min(written.len()) / 3))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, word)| word)
+}
+
+/// A piece of the file as it may be quoted in a message.
+pub(crate) fn shorten(text: &str) -> String {
+    let mut short: String = text.chars().take(40).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if text.chars().count() > 40 {
+        short.push('…');
+    }
+    short
+}

@@ -1,0 +1,323 @@
+//! Values of a table: quantities, numbers, words, each checked against its card.
+
+use toml::de::DeValue;
+
+use crate::diagnostic::TextRange;
+use crate::fields::{Field, Kind};
+use crate::findings::Findings;
+use crate::quantity::{self, Dimension, Quantity, Unreadable};
+use crate::tree::{At, Raw, Table, nearest, shorten, wrong_type};
+
+impl<'t> Table<'t> {
+    /// Text.
+    pub(crate) fn text(&self, key: &str, findings: &mut Findings) -> Option<At<&'t str>> {
+        let (field, raw) = self.entry(key)?;
+        match raw.get_ref() {
+            DeValue::String(text) => Some(At { value: text.as_ref(), range: raw.span().into() }),
+            _ => wrong_type(field, raw, findings),
+        }
+    }
+
+    /// A number with a unit [SI].
+    pub(crate) fn quantity(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
+        let (field, raw) = self.entry(key)?;
+        let Kind::Quantity(dimension) = field.kind else { return None };
+        measure(field, raw, &[dimension], findings).map(|(quantity, range)| At { value: quantity.si(), range })
+    }
+
+    /// A list of numbers with units [SI].
+    pub(crate) fn quantities(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<f64>>> {
+        let (field, raw) = self.entry(key)?;
+        let Kind::Quantities(dimension) = field.kind else { return None };
+        let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+        let values: Vec<Option<f64>> = items
+            .iter()
+            .map(|item| measure(field, item, &[dimension], findings).map(|(quantity, _)| quantity.si()))
+            .collect();
+        Some(At { value: values.into_iter().collect::<Option<Vec<f64>>>()?, range: raw.span().into() })
+    }
+
+    /// A force per metre of width [N/m], or a force over the whole width.
+    pub(crate) fn line_load(&self, key: &str, width: Option<f64>, findings: &mut Findings) -> Option<At<f64>> {
+        let (field, raw) = self.entry(key)?;
+        let (quantity, range) = measure(field, raw, &[Dimension::LineLoad, Dimension::Force], findings)?;
+        let value = match quantity.unit.dimension {
+            Dimension::Force => quantity.si() / width?,
+            _ => quantity.si(),
+        };
+        Some(At { value, range })
+    }
+
+    /// A bare number.
+    pub(crate) fn number(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
+        let (field, raw) = self.entry(key)?;
+        let range = raw.span().into();
+        let value = match raw.get_ref() {
+            DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
+            DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
+            _ => return wrong_type(field, raw, findings),
+        };
+        match value {
+            Some(value) if value.is_finite() => {
+                check_limits(field, value, range, findings).then_some(At { value, range })
+            }
+            _ => not_finite(field, range, findings),
+        }
+    }
+
+    /// A whole number, at most the largest that is exact in double precision.
+    pub(crate) fn count(&self, key: &str, findings: &mut Findings) -> Option<At<u64>> {
+        let (field, raw) = self.entry(key)?;
+        let range: TextRange = raw.span().into();
+        let DeValue::Integer(integer) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+        let value = whole(integer.as_str(), integer.radix());
+        let possible = value.filter(|value| field.limits.allow(*value as f64));
+        match possible.and_then(|value| u64::try_from(value).ok()) {
+            Some(value) => Some(At { value, range }),
+            None => {
+                findings.error(
+                    "B108",
+                    range,
+                    format!("`{}` cannot be {}", field.key, shorten(integer.as_str())),
+                    field.doc,
+                    format!("write a whole number from {} to {}", field.limits.least, field.limits.most),
+                );
+                None
+            }
+        }
+    }
+
+    /// true or false.
+    pub(crate) fn flag(&self, key: &str, findings: &mut Findings) -> Option<At<bool>> {
+        let (field, raw) = self.entry(key)?;
+        match raw.get_ref() {
+            DeValue::Boolean(value) => Some(At { value: *value, range: raw.span().into() }),
+            _ => wrong_type(field, raw, findings),
+        }
+    }
+
+    /// One of the words of the field's card.
+    pub(crate) fn word(&self, key: &str, findings: &mut Findings) -> Option<At<&'static str>> {
+        let (field, raw) = self.entry(key)?;
+        let Kind::Word(choices) = field.kind else { return None };
+        let DeValue::String(written) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+        let range = raw.span().into();
+        if let Some(choice) = choices.iter().find(|choice| choice.word == written.as_ref()) {
+            return Some(At { value: choice.word, range });
+        }
+        let list = choices.iter().map(|choice| format!("\"{}\"", choice.word)).collect::<Vec<_>>().join(", ");
+        let help = match nearest(written, choices.iter().map(|choice| choice.word)) {
+            Some(near) => format!("did you mean \"{near}\"? Possible are {list}"),
+            None => format!("write one of {list}"),
+        };
+        findings.error("B013", range, format!("`{}` cannot be \"{}\"", field.key, shorten(written)), field.doc, help);
+        None
+    }
+}
+
+/// Reads a quantity of one of several dimensions; the first is the one suggested.
+pub(crate) fn measure(
+    field: &Field,
+    raw: Raw<'_>,
+    wanted: &[Dimension],
+    findings: &mut Findings,
+) -> Option<(Quantity, TextRange)> {
+    let range = raw.span().into();
+    let unit = example_unit(field, wanted[0]);
+    match raw.get_ref() {
+        DeValue::String(text) => match quantity::parse(text) {
+            Ok(quantity) if wanted.contains(&quantity.unit.dimension) => {
+                check_size(field, quantity, range, findings).then_some((quantity, range))
+            }
+            Ok(quantity) => wrong_dimension(field, quantity, wanted, unit, range, findings),
+            Err(reason) => unreadable(field, text, reason, unit, range, findings),
+        },
+        DeValue::Integer(_) | DeValue::Float(_) => {
+            let number = match raw.get_ref() {
+                DeValue::Integer(integer) => integer.to_string(),
+                DeValue::Float(float) => float.to_string(),
+                _ => String::new(),
+            };
+            findings
+                .error(
+                    "B101",
+                    range,
+                    format!("`{}` needs a unit", field.key),
+                    field.doc,
+                    format!("write {} = \"{} {unit}\", if {unit} is meant", field.key, shorten(&number)),
+                )
+                .because("bare numbers are refused where there is a dimension: slips of unit are the costliest of all");
+            None
+        }
+        _ => wrong_type(field, raw, findings),
+    }
+}
+
+/// The unit of the field's example, which engineers would use here.
+fn example_unit(field: &Field, wanted: Dimension) -> &'static str {
+    let usual = field.example.split('"').find_map(|piece| quantity::parse(piece).ok());
+    match usual {
+        Some(quantity) => quantity.unit.symbol,
+        None => wanted.units().next().map_or("", |unit| unit.symbol),
+    }
+}
+
+fn wrong_dimension<T>(
+    field: &Field,
+    found: Quantity,
+    wanted: &[Dimension],
+    unit: &str,
+    range: TextRange,
+    findings: &mut Findings,
+) -> Option<T> {
+    let names = wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");
+    let help = match (found.unit.dimension, wanted[0]) {
+        (Dimension::UnitWeight, Dimension::Density) => {
+            format!("divide by gravity: write \"{:.0} kg/m^3\"", found.si() / quantity::STANDARD_GRAVITY)
+        }
+        (Dimension::Mass, Dimension::Force | Dimension::LineLoad) => {
+            format!("multiply by gravity: write \"{:.2} kN\"", found.si() * quantity::STANDARD_GRAVITY / 1e3)
+        }
+        _ => format!("write \"{} {unit}\", if {unit} is meant", found.number),
+    };
+    findings.error("B104", range, format!("expected {names}, found {}", found.unit.dimension.name()), field.doc, help);
+    None
+}
+
+fn unreadable<T>(
+    field: &Field,
+    text: &str,
+    reason: Unreadable,
+    unit: &str,
+    range: TextRange,
+    findings: &mut Findings,
+) -> Option<T> {
+    match reason {
+        Unreadable::NoUnit(number) => {
+            findings.error(
+                "B102",
+                range,
+                format!("`{}` has no unit", field.key),
+                field.doc,
+                format!("write \"{number} {unit}\", if {unit} is meant"),
+            );
+        }
+        Unreadable::UnknownUnit(number, symbol, near) => {
+            let help = match near {
+                Some(near) => format!("did you mean \"{number} {}\"?", near.symbol),
+                None => format!("write \"{number} {unit}\", if {unit} is meant"),
+            };
+            let message = format!("`{}` is not a unit that is known here", shorten(&symbol));
+            findings.error("B103", range, message, field.doc, help);
+        }
+        Unreadable::Comma(meant) => {
+            findings.error(
+                "B105",
+                range,
+                format!("`{}` is written with a decimal comma", field.key),
+                field.doc,
+                format!("use a decimal point: \"{}\"", shorten(&meant)),
+            );
+        }
+        Unreadable::NoNumber => {
+            findings.error(
+                "B105",
+                range,
+                format!("\"{}\" does not start with a number", shorten(text)),
+                field.doc,
+                format!("write {}", field.example_line()),
+            );
+        }
+        Unreadable::Infinite => return not_finite(field, range, findings),
+    }
+    None
+}
+
+fn not_finite<T>(field: &Field, range: TextRange, findings: &mut Findings) -> Option<T> {
+    findings.error(
+        "B106",
+        range,
+        format!("`{}` is not a number that can be calculated with", field.key),
+        field.doc,
+        format!("write {}", field.example_line()),
+    );
+    None
+}
+
+/// A size that no bridge has is a slip of the pen; one outside the card's limits is impossible.
+fn check_size(field: &Field, quantity: Quantity, range: TextRange, findings: &mut Findings) -> bool {
+    let value = quantity.si();
+    let most = quantity.unit.dimension.most();
+    if !(value.abs() <= most) {
+        findings.error(
+            "B106",
+            range,
+            format!("`{}` is beyond anything that a bridge can have", field.key),
+            field.doc,
+            format!("check number and unit; a usual value is \"{}\"", field.example),
+        );
+        return false;
+    }
+    // A number that vanishes in SI would divide by zero later on.
+    if value != 0.0 && value.abs() < 1e-12 * most.min(1.0) {
+        findings.error(
+            "B106",
+            range,
+            format!("`{}` is so small that it vanishes", field.key),
+            field.doc,
+            format!("check number and unit; a usual value is \"{}\"", field.example),
+        );
+        return false;
+    }
+    check_limits(field, value, range, findings)
+}
+
+fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Findings) -> bool {
+    if field.limits.allow(value) {
+        return true;
+    }
+    let limits = field.limits;
+    let rule = if value > limits.most {
+        "less"
+    } else if limits.least_included {
+        "not less"
+    } else {
+        "more"
+    };
+    let bound = if value > limits.most { limits.most } else { limits.least };
+    let unit = match field.kind {
+        Kind::Quantity(dimension) | Kind::Quantities(dimension) => quantity_unit(dimension),
+        Kind::LineLoad => " N/m",
+        _ => "",
+    };
+    findings.error(
+        "B107",
+        range,
+        format!("`{}` is out of its possible range", field.key),
+        field.doc,
+        format!("it must be {rule} than {bound}{unit}; an example is {}", field.example),
+    );
+    false
+}
+
+/// The SI unit of a dimension, with a blank before it.
+fn quantity_unit(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Length => " m",
+        Dimension::Angle => " rad",
+        Dimension::Density => " kg/m^3",
+        Dimension::Stress => " Pa",
+        Dimension::JointStiffness => " Pa/m",
+        Dimension::Force => " N",
+        Dimension::LineLoad => " N/m",
+        Dimension::Acceleration => " m/s^2",
+        Dimension::AngleRate => " rad/m",
+        Dimension::UnitWeight => " N/m^3",
+        Dimension::Mass => " kg",
+    }
+}
+
+/// A whole number that fits, from its digits and radix.
+fn whole(digits: &str, radix: u32) -> Option<i64> {
+    i64::from_str_radix(&digits.replace('_', ""), radix).ok()
+}

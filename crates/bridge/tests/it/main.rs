@@ -1,0 +1,3 @@
+//! Reading whole files.
+
+mod reading;
