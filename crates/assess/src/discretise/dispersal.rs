@@ -1,0 +1,194 @@
+//! How a load on the road reaches the extrados.
+
+use super::cover::Resultant;
+use super::extrados::Extrados;
+use bridge::{Dispersal, DispersalRule, LoadKind};
+use mechanics::blocks::PointForce;
+use mechanics::plane::{Vec2, vec2};
+use std::f64::consts::PI;
+
+/// A strip of uniform vertical pressure on the road surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strip {
+    /// Middle along the bridge [m].
+    pub middle: f64,
+    /// Length along the bridge [m]; zero for a line.
+    pub length: f64,
+    /// Force per metre of width [N/m], downwards positive.
+    pub force: f64,
+}
+
+/// The strips of a load; axles in the order of the file.
+pub fn strips(kind: &LoadKind, position: f64) -> Vec<Strip> {
+    match kind {
+        LoadKind::KnifeEdge { force, length } => vec![Strip { middle: position, length: *length, force: *force }],
+        LoadKind::Patch { pressure, length } => {
+            vec![Strip { middle: position, length: *length, force: pressure * length }]
+        }
+        LoadKind::Axles { axles, contact_length, effective_width } => axles
+            .iter()
+            .map(|&(force, behind)| Strip {
+                middle: position - behind,
+                length: *contact_length,
+                force: force / effective_width,
+            })
+            .collect(),
+    }
+}
+
+/// A strip where it reaches the extrados.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spread {
+    /// The strip.
+    pub strip: Strip,
+    /// Where its left and right border meet the extrados [m].
+    pub ends: [Vec2; 2],
+    /// Depth of the ends below the road [m].
+    pub depths: [f64; 2],
+    /// Pressure at the ends [Pa].
+    pub pressures: [f64; 2],
+    /// Resultant on each block.
+    pub forces: Vec<PointForce>,
+    /// Force that reaches the abutments and the ground behind them [N/m].
+    pub to_ground: f64,
+    /// Distance by which the rule moves the resultant along the bridge [m]: a trapezoid's is not under the load.
+    pub shift: f64,
+}
+
+/// Spreads a strip on the road at level `surface` [m] through the cover.
+pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) -> Spread {
+    let half = 0.5 * strip.length;
+    let corners = [vec2(strip.middle - half, surface), vec2(strip.middle + half, surface)];
+    let ends = match rule.rule {
+        DispersalRule::None => corners.map(|c| vec2(c.x, extrados.level(c.x))),
+        _ => [extrados.meet(corners[0], -1.0, rule.slope), extrados.meet(corners[1], 1.0, rule.slope)],
+    };
+    let depths = ends.map(|e| (surface - e.y).max(0.0));
+    let length = ends[1].x - ends[0].x;
+    let shape = if length <= 0.0 {
+        Shape::Line
+    } else {
+        match rule.rule {
+            DispersalRule::InverseDepth if depths[0] + depths[1] > 0.0 => {
+                // Rouxinol, Providência and Lemos, equation (2).
+                let q = 2.0 * strip.force / (length * (depths[0] + depths[1]));
+                Shape::Linear(q * depths[1], q * depths[0])
+            }
+            DispersalRule::Boussinesq if depths[0].min(depths[1]) > 0.0 => Shape::Boussinesq,
+            _ => Shape::Linear(strip.force / length, strip.force / length),
+        }
+    };
+    gather(strip, ends, depths, shape, surface, extrados)
+}
+
+enum Shape {
+    Line,
+    Linear(f64, f64),
+    Boussinesq,
+}
+
+fn gather(strip: Strip, ends: [Vec2; 2], depths: [f64; 2], shape: Shape, surface: f64, extrados: &Extrados) -> Spread {
+    let (x1, x2) = (ends[0].x, ends[1].x);
+    let mut shares: Vec<Resultant> = vec![Resultant::default(); extrados.stretches.len()];
+    let mut beyond = Resultant::default();
+    let mut pressures = [0.0; 2];
+    match shape {
+        Shape::Line => match extrados.stretches.iter().position(|s| s.left.x <= x1 && x1 <= s.right.x) {
+            Some(k) => shares[k].point(x1, strip.force),
+            None => beyond.point(x1, strip.force),
+        },
+        Shape::Linear(q1, q2) => {
+            pressures = [q1, q2];
+            let q = |x: f64| q1 + (q2 - q1) * (x - x1) / (x2 - x1);
+            each_part(extrados, x1, x2, |k, a, b| match k {
+                Some(k) => shares[k].trapezoid(a, q(a), b, q(b)),
+                None => beyond.trapezoid(a, q(a), b, q(b)),
+            });
+        }
+        Shape::Boussinesq => {
+            let stress = |x: f64| strip_stress(strip, x, surface - extrados.level(x));
+            each_part(extrados, x1, x2, |k, a, b| {
+                let sum = quadrature(a, b, stress);
+                let target = k.map_or(&mut beyond, |k| &mut shares[k]);
+                target.force += sum.force;
+                target.moment += sum.moment;
+            });
+            let total: f64 = shares.iter().map(|s| s.force).sum::<f64>() + beyond.force;
+            let scale = strip.force / total;
+            for s in shares.iter_mut().chain([&mut beyond]) {
+                s.force *= scale;
+                s.moment *= scale;
+            }
+            pressures = [x1, x2].map(|x| stress(x) * scale);
+        }
+    }
+    let (mut forces, mut to_ground) = (Vec::new(), beyond.force);
+    let mut sum = beyond;
+    for (stretch, share) in extrados.stretches.iter().zip(&shares) {
+        sum.force += share.force;
+        sum.moment += share.moment;
+        let Some(x) = share.place() else { continue };
+        if stretch.ground {
+            to_ground += share.force;
+        } else {
+            forces.push(PointForce { block: stretch.block, at: stretch.at(x), force: vec2(0.0, -share.force) });
+        }
+    }
+    let shift = sum.place().map_or(0.0, |x| x - strip.middle);
+    Spread { strip, ends, depths, pressures, forces, to_ground, shift }
+}
+
+/// Calls `part` for each piece of [x1, x2] with the stretch it lies on, or none where it lies beyond the extrados.
+fn each_part(extrados: &Extrados, x1: f64, x2: f64, mut part: impl FnMut(Option<usize>, f64, f64)) {
+    let (first, last) = match (extrados.stretches.first(), extrados.stretches.last()) {
+        (Some(a), Some(b)) => (a.left.x, b.right.x),
+        _ => (x2, x2),
+    };
+    if x1 < first {
+        part(None, x1, first.min(x2));
+    }
+    for (k, s) in extrados.stretches.iter().enumerate() {
+        let (a, b) = (s.left.x.max(x1), s.right.x.min(x2));
+        if b > a {
+            part(Some(k), a, b);
+        }
+    }
+    if x2 > last {
+        part(None, last.max(x1), x2);
+    }
+}
+
+/// Vertical stress under a strip on an elastic half plane [Pa] (Boussinesq; Flamant where the strip is a line).
+fn strip_stress(strip: Strip, x: f64, depth: f64) -> f64 {
+    let z = depth.max(1e-9);
+    let u = x - strip.middle;
+    if strip.length <= 0.0 {
+        let r2 = u * u + z * z;
+        return 2.0 * strip.force * z * z * z / (PI * r2 * r2);
+    }
+    let (b1, b2) = (((u - 0.5 * strip.length) / z).atan(), ((u + 0.5 * strip.length) / z).atan());
+    let alpha = b2 - b1;
+    strip.force / strip.length / PI * (alpha + alpha.sin() * (b1 + b2).cos())
+}
+
+/// Five-point Gauss-Legendre on eight pieces: force and first moment of a smooth pressure on [a, b].
+fn quadrature(a: f64, b: f64, pressure: impl Fn(f64) -> f64) -> Resultant {
+    const NODES: [(f64, f64); 5] = [
+        (0.0, 0.568_888_888_888_888_9),
+        (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+        (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+        (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+        (0.906_179_845_938_664, 0.236_926_885_056_189_1),
+    ];
+    const PIECES: usize = 8;
+    let mut sum = Resultant::default();
+    let half = 0.5 * (b - a) / PIECES as f64;
+    for piece in 0..PIECES {
+        let middle = a + half * (2 * piece + 1) as f64;
+        for (t, w) in NODES {
+            let x = middle + half * t;
+            sum.point(x, half * w * pressure(x));
+        }
+    }
+    sum
+}

@@ -1,0 +1,127 @@
+//! Outlines of a span's voussoirs.
+//!
+//! Joints run along the normal of the intrados at equal steps of its arc length; faces are flat (chords). Where rings
+//! lie upon one another, the upper ring's beds are its chords, and the backs of the lower ring are cut along them: the
+//! lower voussoirs get a corner where a joint of the upper ring falls on their back. That way two rings with different
+//! numbers of voussoirs fit without gap or overlap and every voussoir stays convex.
+
+use super::DiscretiseError;
+use super::curve::Curve;
+use bridge::Span;
+use mechanics::plane::{Polygon, Vec2};
+
+/// A voussoir as drawn: outline and the edge on its back.
+pub struct Cut {
+    /// Outline, counter-clockwise from the left intrados corner.
+    pub outline: Polygon,
+    /// Upper face, left to right.
+    pub back: [Vec2; 2],
+    /// Lower face, left to right.
+    pub bed: [Vec2; 2],
+}
+
+/// Share of a voussoir below which a joint of the upper ring is moved onto the joint it nearly meets: thinner slivers
+/// of a back would be rounded away.
+const SLIVER: f64 = 0.05;
+
+/// A ring's joints: where along the intrados, and the lower and upper end of each.
+struct Joints {
+    shares: Vec<f64>,
+    lower: Vec<Vec2>,
+    upper: Vec<Vec2>,
+}
+
+/// Thickness of a ring at a share of the arc length: linear from springing to crown.
+fn thickness(ring: &bridge::Ring, share: f64) -> f64 {
+    let to_crown = 1.0 - (2.0 * share - 1.0).abs();
+    ring.springing_thickness + (ring.crown_thickness - ring.springing_thickness) * to_crown
+}
+
+/// The voussoirs of every ring of `span`, from the intrados up, each from left to right.
+pub fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, DiscretiseError> {
+    let joints = joints(span, curve);
+    let mut rings = Vec::new();
+    for (k, ring) in span.rings.iter().enumerate() {
+        let own = &joints[k];
+        let mut cuts = Vec::with_capacity(ring.voussoirs);
+        for i in 0..ring.voussoirs {
+            let mut outline = vec![own.lower[i], own.lower[i + 1], own.upper[i + 1]];
+            if let Some(above) = joints.get(k + 1) {
+                // Corners of the bed above that fall on this back, right to left.
+                let inside = |s: f64| s > own.shares[i] + 1e-9 && s < own.shares[i + 1] - 1e-9;
+                let corners = above.shares.iter().zip(&above.lower).filter(|(s, _)| inside(**s));
+                outline.extend(corners.rev().map(|(_, p)| *p));
+            }
+            outline.push(own.upper[i]);
+            let outline = Polygon::new(outline).map_err(|source| DiscretiseError::Voussoir {
+                span: index + 1,
+                ring: k + 1,
+                voussoir: i + 1,
+                source,
+            })?;
+            cuts.push(Cut { outline, back: [own.upper[i], own.upper[i + 1]], bed: [own.lower[i], own.lower[i + 1]] });
+        }
+        rings.push(cuts);
+    }
+    Ok(rings)
+}
+
+/// Steps in which the curve of the extrados is drawn: chords so short depart from it by less than a thousandth of a
+/// millimetre.
+const FINE: usize = 1024;
+
+/// The extrados of the uppermost ring as a curve, from left to right.
+pub fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
+    let point = |i: usize| {
+        let share = i as f64 / FINE as f64;
+        let (point, normal) = curve.at(share);
+        point + normal * span.rings.iter().map(|r| thickness(r, share)).sum::<f64>()
+    };
+    (0..=FINE).map(point).collect()
+}
+
+/// Joints of every ring, with the backs of lower rings cut along the beds above them.
+fn joints(span: &Span, curve: &Curve) -> Vec<Joints> {
+    let mut rings: Vec<Joints> = Vec::new();
+    for (k, ring) in span.rings.iter().enumerate() {
+        let n = ring.voussoirs;
+        let shares: Vec<f64> = (0..=n)
+            .map(|i| {
+                let share = i as f64 / n as f64;
+                let snapped = rings.last().and_then(|below: &Joints| {
+                    let reach = SLIVER / n.max(below.shares.len() - 1) as f64;
+                    below.shares.iter().copied().find(|s| (s - share).abs() < reach)
+                });
+                snapped.unwrap_or(share)
+            })
+            .collect();
+        let depth = |share: f64| span.rings[..k].iter().map(|r| thickness(r, share)).sum::<f64>();
+        let end = |share: f64, offset: f64| {
+            let (point, normal) = curve.at(share);
+            point + normal * offset
+        };
+        let lower = shares.iter().map(|&s| end(s, depth(s))).collect();
+        let upper = shares.iter().map(|&s| end(s, depth(s) + thickness(ring, s))).collect();
+        rings.push(Joints { shares, lower, upper });
+    }
+    for k in 1..rings.len() {
+        let (below, above) = rings.split_at_mut(k);
+        let (below, above) = (&mut below[k - 1], &above[0]);
+        for (i, &share) in below.shares.iter().enumerate() {
+            below.upper[i] = on_bed(curve, share, above);
+        }
+    }
+    rings
+}
+
+/// Where the normal of the intrados at `share` meets the beds of `above`.
+fn on_bed(curve: &Curve, share: f64, above: &Joints) -> Vec2 {
+    let j = above.shares.partition_point(|&s| s < share - 1e-12);
+    if (above.shares[j] - share).abs() <= 1e-12 {
+        return above.lower[j];
+    }
+    let (a, b) = (above.lower[j - 1], above.lower[j]);
+    let (point, normal) = curve.at(share);
+    let chord = b - a;
+    a + chord * ((point - a).cross(normal) / chord.cross(normal))
+}

@@ -1,0 +1,98 @@
+//! Bridges for tests, as values.
+
+use bridge::ring::Profile;
+use bridge::*;
+
+/// The bridge of Rouxinol, Providência and Lemos: case 1 (no weight above the ring).
+pub fn bridgemill() -> Bridge {
+    let joint = Joint {
+        normal_stiffness: Some(JointStiffness::Contact(4.84e9)),
+        shear_stiffness: Some(JointStiffness::Contact(0.573e9)),
+        friction_angle: 35.6f64.to_radians(),
+        cohesion: 0.0,
+        tensile_strength: 0.0,
+        fixed_length: Some(0.3455),
+        least_length: Some(0.0711),
+    };
+    Bridge {
+        name: "Bridgemill".into(),
+        width: 8.3,
+        gravity: 9.81,
+        spans: vec![Span {
+            profile: Profile::Segmental,
+            span: 18.30,
+            rise: 2.85,
+            rings: vec![Ring { crown_thickness: 0.711, springing_thickness: 0.711, voussoirs: 62 }],
+        }],
+        piers: vec![],
+        abutments: [Abutment { top_width: 2.0, height: 1.0 }; 2],
+        masonry: Masonry {
+            density: 2100.0,
+            elastic_modulus: Some(15e9),
+            poisson_ratio: Some(0.2),
+            compressive_strength: None,
+            rounding: 0.01,
+        },
+        joint,
+        ring_joint: joint,
+        cover: Cover { depth: 0.478, layers: vec![], backing: None },
+        loads: vec![Load {
+            name: "knife edge".into(),
+            kind: LoadKind::KnifeEdge { force: 1e3, length: 0.750 },
+            position: 4.575,
+        }],
+        dispersal: Dispersal { rule: DispersalRule::InverseDepth, slope: 2.0 },
+        plan: Plan {
+            method: Method::Dem,
+            analysis: Analysis::Load,
+            load_step: Some(100e3 / 8.3),
+            load_limit: Some(600e3),
+            resolution: None,
+            tolerance: 1e-4,
+            step_limit: 200_000,
+            damping: Damping::Local(0.7),
+            contact_length: ContactLength::Fixed,
+            time_step_factor: 0.5,
+            friction: Friction::Automatic,
+            contact_points: ContactPoints::Rounded,
+            support_movement: None,
+            seed: 0,
+        },
+    }
+}
+
+/// A bare semicircular ring of `span` and `thickness` [m] with sharp corners.
+pub fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
+    let mut b = bridgemill();
+    b.name = "semicircle".into();
+    b.spans[0] = Span {
+        profile: Profile::Semicircular,
+        span,
+        rise: 0.5 * span,
+        rings: vec![Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs }],
+    };
+    b.masonry.rounding = 0.0;
+    b.cover.depth = 0.0;
+    b.loads.clear();
+    b
+}
+
+/// The spans on piers of the given width, base width and height [m].
+pub fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, courses: usize) -> Bridge {
+    let mut b = bridgemill();
+    b.piers = vec![Pier { width, base_width, height, courses }; spans.len() - 1];
+    b.spans = spans;
+    b
+}
+
+/// Case 2: the weight of the fill acts on the ring, loads disperse through the whole cover.
+pub fn case_two() -> Bridge {
+    let mut b = bridgemill();
+    let layer = |name, thickness, weighs| Layer { name, thickness, density: 1890.0, weighs, elastic_modulus: None };
+    b.cover.layers = vec![
+        layer(LayerKind::Fill, 0.203, true),
+        layer(LayerKind::SubBase, 0.125, false),
+        layer(LayerKind::Surfacing, 0.150, false),
+    ];
+    b
+}

@@ -1,0 +1,354 @@
+//! What may be said on the command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Masonry arch bridges: from a bridge file to a collapse load, by discrete elements and by limit analysis.
+#[derive(Debug, Parser)]
+#[command(name = "extrados", version, about, after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml")]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Write a working example to edit
+    New(New),
+    /// Read a bridge file, report every problem with its place, and draw the bridge; computes nothing
+    Check(Check),
+    /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
+    Collapse(Box<Collapse>),
+    /// Tell what an error, a warning or a status means
+    Explain(Explain),
+    /// Print the JSON Schema of bridge files, for editors
+    Schema(Schema),
+    /// Run the verification cases and print their table
+    Verify(Verify),
+    /// Measure the speed of one method on this machine
+    Bench(Bench),
+}
+
+/// How a command speaks.
+#[derive(Debug, Clone, Args)]
+pub struct Speech {
+    /// Print exactly one JSON object on stdout
+    #[arg(long)]
+    pub json: bool,
+    /// No progress and no warnings on stderr
+    #[arg(long, short)]
+    pub quiet: bool,
+    /// Threads to use [default: one per core]; the numbers are the same whatever it is
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+/// `extrados new`.
+#[derive(Debug, Args)]
+pub struct New {
+    /// The folder to write; it must be new or empty
+    pub dir: PathBuf,
+    /// Which example
+    #[arg(long, value_name = "NAME", default_value = "bridgemill")]
+    pub from: String,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    /// The bridge file (TOML)
+    pub file: PathBuf,
+    /// Folder for the drawing [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados collapse`.
+#[derive(Debug, Args)]
+pub struct Collapse {
+    /// The bridge file (TOML)
+    pub file: PathBuf,
+    /// Folder for results [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Method, in place of the file's
+    #[arg(long)]
+    pub method: Option<Method>,
+    /// What is made to collapse, in place of the file's
+    #[arg(long)]
+    pub analysis: Option<Analysis>,
+    /// Move the loads over the whole bridge by limit analysis and draw the envelope
+    #[arg(long)]
+    pub sweep: bool,
+    /// Distance between the positions of a sweep, such as "0.25 m"
+    #[arg(long, value_name = "LENGTH", requires = "sweep")]
+    pub sweep_step: Option<String>,
+    /// Refine the collapse load below the load step to this, such as "1 kN/m"
+    #[arg(long, value_name = "LOAD")]
+    pub resolution: Option<String>,
+    /// Take up the checkpoint of an interrupted run
+    #[arg(long)]
+    pub resume: bool,
+    /// What to set in place of the file's plan.
+    #[command(flatten)]
+    pub overrides: Overrides,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// Numerical settings in place of the file's.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Numerical settings, in place of the file's")]
+pub struct Overrides {
+    /// local, viscous or adaptive, the first two with a share: "local:0.8"
+    #[arg(long, value_name = "KIND[:SHARE]", value_parser = damping)]
+    pub damping: Option<bridge::Damping>,
+    /// Whether the length of a contact point is kept or updated
+    #[arg(long)]
+    pub contact_length: Option<ContactLength>,
+    /// Friction rule of limit analysis
+    #[arg(long)]
+    pub friction: Option<Friction>,
+    /// Where limit analysis puts the contact points of a joint
+    #[arg(long)]
+    pub contact_points: Option<ContactPoints>,
+    /// Out-of-balance force at rest over the acting forces, such as 1e-5
+    #[arg(long, value_name = "RATIO", value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// Most iterations in one load step
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub step_limit: Option<u64>,
+}
+
+/// `extrados explain`.
+#[derive(Debug, Args)]
+pub struct Explain {
+    /// A code such as B104, or a status such as collapsed; without one, all are listed
+    pub code: Option<String>,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados schema`.
+#[derive(Debug, Args)]
+pub struct Schema {
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados verify`.
+#[derive(Debug, Args)]
+pub struct Verify {
+    /// Folder with cases, or one case
+    #[arg(default_value = "verification")]
+    pub folder: PathBuf,
+    /// Slow cases too
+    #[arg(long)]
+    pub slow: bool,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados bench`.
+#[derive(Debug, Args)]
+pub struct Bench {
+    /// What to measure
+    pub name: BenchName,
+    /// How often
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub repeats: u32,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// A measure of speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BenchName {
+    /// Bridgemill, case 1, to collapse by discrete elements
+    Arch,
+    /// Bridgemill's ring and dispersed knife load by limit analysis, building and both bounds included
+    Limit,
+}
+
+/// A method for collapse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// Discrete elements
+    Dem,
+    /// Limit analysis of rigid blocks
+    Limit,
+}
+
+/// What is made to collapse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Analysis {
+    /// The load that makes a mechanism
+    Load,
+    /// The least ring thickness that stands
+    Thickness,
+    /// The support movement that makes a mechanism
+    SupportMovement,
+}
+
+/// Length of a contact point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ContactLength {
+    /// Force formulation
+    Fixed,
+    /// Stress formulation
+    Updated,
+}
+
+/// Friction rule.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Friction {
+    /// Sliding dilates: exact bounds
+    Associated,
+    /// Sliding does not dilate: iterative correction
+    NonAssociated,
+    /// Non-associated where sliding takes part in the mechanism
+    Automatic,
+}
+
+/// Where contact points lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ContactPoints {
+    /// Between the rounded corners
+    Rounded,
+    /// Anywhere in the full ring
+    FullRing,
+}
+
+impl Command {
+    /// How the command speaks.
+    pub fn speech(&self) -> &Speech {
+        match self {
+            Command::New(new) => &new.speech,
+            Command::Check(check) => &check.speech,
+            Command::Collapse(collapse) => &collapse.speech,
+            Command::Explain(explain) => &explain.speech,
+            Command::Schema(schema) => &schema.speech,
+            Command::Verify(verify) => &verify.speech,
+            Command::Bench(bench) => &bench.speech,
+        }
+    }
+
+    /// Its name, which is also that of its object.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Command::New(_) => "new",
+            Command::Check(_) => "check",
+            Command::Collapse(_) => "collapse",
+            Command::Explain(_) => "explain",
+            Command::Schema(_) => "schema",
+            Command::Verify(_) => "verify",
+            Command::Bench(_) => "bench",
+        }
+    }
+}
+
+impl Overrides {
+    /// Sets what was said in a plan.
+    pub fn apply(&self, plan: &mut bridge::Plan) {
+        if let Some(damping) = self.damping {
+            plan.damping = damping;
+        }
+        if let Some(length) = self.contact_length {
+            plan.contact_length = match length {
+                ContactLength::Fixed => bridge::ContactLength::Fixed,
+                ContactLength::Updated => bridge::ContactLength::Updated,
+            };
+        }
+        if let Some(friction) = self.friction {
+            plan.friction = match friction {
+                Friction::Associated => bridge::Friction::Associated,
+                Friction::NonAssociated => bridge::Friction::NonAssociated,
+                Friction::Automatic => bridge::Friction::Automatic,
+            };
+        }
+        if let Some(points) = self.contact_points {
+            plan.contact_points = match points {
+                ContactPoints::Rounded => bridge::ContactPoints::Rounded,
+                ContactPoints::FullRing => bridge::ContactPoints::FullRing,
+            };
+        }
+        plan.tolerance = self.tolerance.unwrap_or(plan.tolerance);
+        plan.step_limit = self.step_limit.unwrap_or(plan.step_limit);
+    }
+}
+
+impl Method {
+    /// The plan's word.
+    pub fn planned(self) -> bridge::Method {
+        match self {
+            Method::Dem => bridge::Method::Dem,
+            Method::Limit => bridge::Method::Limit,
+        }
+    }
+}
+
+impl Analysis {
+    /// The plan's word.
+    pub fn planned(self) -> bridge::Analysis {
+        match self {
+            Analysis::Load => bridge::Analysis::Load,
+            Analysis::Thickness => bridge::Analysis::Thickness,
+            Analysis::SupportMovement => bridge::Analysis::SupportMovement,
+        }
+    }
+}
+
+fn damping(text: &str) -> Result<bridge::Damping, String> {
+    let (kind, share) = match text.split_once(':') {
+        Some((kind, share)) => (kind, Some(share)),
+        None => (text, None),
+    };
+    let share = share.map(|words| {
+        words.parse::<f64>().ok().filter(|share| *share > 0.0 && *share <= 1.0).ok_or("the share lies above 0 and up to 1")
+    });
+    match (kind, share.transpose()?) {
+        ("local", share) => Ok(bridge::Damping::Local(share.unwrap_or(0.8))),
+        ("viscous", share) => Ok(bridge::Damping::Viscous(share.unwrap_or(0.8))),
+        ("adaptive", None) => Ok(bridge::Damping::Adaptive),
+        ("adaptive", Some(_)) => Err("adaptive damping finds its own intensity: give no share".to_owned()),
+        _ => Err("write local, viscous or adaptive, such as local:0.8".to_owned()),
+    }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|ratio| *ratio > 0.0 && *ratio <= 0.1)
+        .ok_or_else(|| "the tolerance is a ratio above 0 and up to 0.1, such as 1e-5".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn damping_takes_a_share() {
+        assert_eq!(damping("local:0.7"), Ok(bridge::Damping::Local(0.7)));
+        assert_eq!(damping("adaptive"), Ok(bridge::Damping::Adaptive));
+        assert!(damping("local:2").is_err() && damping("soft").is_err() && damping("adaptive:0.5").is_err());
+    }
+}

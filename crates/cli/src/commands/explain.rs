@@ -1,0 +1,115 @@
+//! `extrados explain`: what a code or a status means.
+
+use crate::args::Explain;
+use crate::failure::{self, Failure};
+use crate::report::Report;
+use crate::status::{self, Status};
+use std::fmt::Write;
+
+/// A card as it is printed.
+struct Card {
+    code: String,
+    title: String,
+    text: String,
+}
+
+/// Prints one card, or the list of all.
+pub fn run(arguments: &Explain) -> Result<Report, Failure> {
+    match &arguments.code {
+        Some(code) => one(code),
+        None => Ok(list()),
+    }
+}
+
+fn one(code: &str) -> Result<Report, Failure> {
+    let cards = all();
+    let card = cards.iter().find(|card| card.code.eq_ignore_ascii_case(code)).ok_or_else(|| {
+        let message = format!("there is no error, warning or status {code}");
+        Failure::input("F105", message, "extrados explain lists them all")
+    })?;
+    Ok(Report::new(Status::Completed)
+        .with("code", card.code.as_str())
+        .with("title", card.title.as_str())
+        .with("text", card.text.as_str())
+        .saying(format!("{}: {}\n\n{}\n", card.code, card.title, folded(&card.text))))
+}
+
+fn list() -> Report {
+    let mut summary = String::new();
+    let mut codes = Vec::new();
+    for card in all() {
+        let _ = writeln!(summary, "{:<28} {}", card.code, card.title);
+        codes.push(serde_json::json!({ "code": card.code, "title": card.title }));
+    }
+    Report::new(Status::Completed).with("cards", codes).saying(summary)
+}
+
+/// Every card there is: of files, of analyses, of the command, of its statuses.
+fn all() -> Vec<Card> {
+    let mut cards = Vec::new();
+    for card in bridge::CARDS {
+        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
+    }
+    for card in assess::warning::CARDS {
+        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
+    }
+    for card in failure::CARDS {
+        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
+    }
+    for status in status::ALL {
+        cards.push(Card {
+            code: status.name().to_owned(),
+            title: format!("status, exit code {}", status.exit_code()),
+            text: status.meaning().to_owned(),
+        });
+    }
+    cards
+}
+
+/// Text folded at 96 columns, paragraph by paragraph; lines that start with a blank stay as they are.
+fn folded(text: &str) -> String {
+    let mut page = String::new();
+    for line in text.lines() {
+        if line.starts_with(' ') {
+            page += line;
+            page.push('\n');
+            continue;
+        }
+        let mut column = 0;
+        for word in line.split_whitespace() {
+            let length = word.chars().count();
+            if column > 0 && column + 1 + length > 96 {
+                page.push('\n');
+                column = 0;
+            } else if column > 0 {
+                page.push(' ');
+                column += 1;
+            }
+            page += word;
+            column += length;
+        }
+        page.push('\n');
+    }
+    page.trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_has_one_card_that_says_something() {
+        let cards = all();
+        for (index, card) in cards.iter().enumerate() {
+            assert!(!card.title.is_empty() && card.text.len() > 30, "{}", card.code);
+            assert!(cards[..index].iter().all(|other| other.code != card.code), "{} twice", card.code);
+        }
+    }
+
+    #[test]
+    fn long_lines_fold_and_examples_stay() {
+        let page = folded(&format!("{}\n  rise = \"2 m\"", "word ".repeat(60)));
+        assert!(page.lines().all(|line| line.len() <= 96));
+        assert!(page.ends_with("\n  rise = \"2 m\""));
+    }
+}

@@ -1,0 +1,172 @@
+//! One file per command. Each gives a [`Report`] or says why it could not; speaking is done here, once.
+
+mod bench;
+mod check;
+mod collapse;
+mod explain;
+mod new;
+mod schema;
+mod verify;
+
+use crate::args::{Arguments, Command};
+use crate::clock::Clock;
+use crate::failure::Failure;
+use crate::render::{self, Paint};
+use crate::report::{self, Report};
+use crate::screen::Screen;
+use crate::status::Status;
+use crate::watcher;
+use clap::Parser;
+use clap::error::ErrorKind;
+use serde_json::json;
+use std::ffi::OsString;
+use std::io;
+use std::path::Path;
+
+/// What every command is given.
+struct Desk {
+    screen: Screen,
+    clock: Clock,
+    schema: String,
+}
+
+/// What a command answers.
+enum Answer {
+    /// An object for scripts, or its summary for people.
+    Report(Box<Report>),
+    /// A text that is the same for both: the JSON Schema.
+    Text(String),
+}
+
+impl From<Report> for Answer {
+    fn from(report: Report) -> Answer {
+        Answer::Report(Box::new(report))
+    }
+}
+
+/// Runs the command line and gives the exit code.
+pub fn run(words: Vec<OsString>) -> u8 {
+    let clock = Clock::start();
+    let arguments = match Arguments::try_parse_from(&words) {
+        Ok(arguments) => arguments,
+        Err(error) => return misspoken(&words, &error, clock),
+    };
+    let speech = arguments.command.speech().clone();
+    let schema = format!("extrados.{}/1", arguments.command.name());
+    let mut desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema };
+    let threads = usize::from(speech.threads.unwrap_or(0));
+    // Only fails when a pool is there already; then its size is the one that `threads` reports.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    watcher::listen();
+    let code = match obey(&mut desk, &arguments.command) {
+        Ok(answer) => speak(&mut desk, answer),
+        Err(failure) => {
+            desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
+            let answer = failed(&failure);
+            if desk.screen.json { speak(&mut desk, answer.into()) } else { failure.status.exit_code() }
+        }
+    };
+    match desk.screen.failed() {
+        Some(error) => {
+            let failure = Failure::not_written(Path::new("the standard output"), &error);
+            desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
+            code.max(failure.status.exit_code())
+        }
+        None => code,
+    }
+}
+
+fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
+    match command {
+        Command::New(arguments) => new::run(arguments).map(Answer::from),
+        Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
+        Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
+        Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
+        Command::Schema(_) => Ok(schema::run()),
+        Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
+        Command::Bench(arguments) => bench::run(arguments).map(Answer::from),
+    }
+}
+
+/// Shows the answer; gives the exit code.
+fn speak(desk: &mut Desk, answer: Answer) -> u8 {
+    match answer {
+        Answer::Text(text) => {
+            desk.screen.result(&text);
+            Status::Completed.exit_code()
+        }
+        Answer::Report(report) => {
+            let text = match desk.screen.json {
+                true => report::text_of(&report.object(&desk.schema, desk.clock)),
+                false => report.summary.clone(),
+            };
+            desk.screen.result(&text);
+            report.status.exit_code()
+        }
+    }
+}
+
+/// The object of a command that could not do its work.
+fn failed(failure: &Failure) -> Report {
+    let mut report = Report::new(failure.status);
+    report.errors.push(json!({ "code": failure.code, "message": failure.message, "help": failure.help }));
+    report
+}
+
+/// A command line that cannot be understood, or one that asks for help.
+fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
+    let json = words.iter().any(|word| word == "--json");
+    let mut screen = Screen::new(json, false);
+    let text = error.render();
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        screen.result(&text.to_string());
+        return Status::Completed.exit_code();
+    }
+    let coloured = console::colors_enabled_stderr() && console::user_attended_stderr();
+    screen.remark(&if coloured { text.ansi().to_string() } else { text.to_string() });
+    let message = text.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+    let failure = Failure::input("F107", message, "extrados --help lists commands and options");
+    if json {
+        let answer = failed(&failure).into();
+        let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned() };
+        return speak(&mut desk, answer);
+    }
+    failure.status.exit_code()
+}
+
+/// A bridge file that was read.
+struct Source {
+    /// As the command line names it.
+    name: String,
+    text: Vec<u8>,
+    read: bridge::Read,
+}
+
+impl Source {
+    /// Reads a file and shows what was found in it.
+    fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
+        let text = read_file(path)?;
+        let read = bridge::read(&text);
+        let name = path.display().to_string();
+        let any_error = read.bridge.is_none();
+        if any_error || !desk.screen.quiet {
+            desk.screen.remark(&render::findings(&name, &text, &read.diagnostics, &Paint::for_stderr()));
+        }
+        Ok(Source { name, text, read })
+    }
+
+    /// An answer with what was found.
+    fn report(&self, status: Status) -> Report {
+        let mut report = Report::new(status);
+        report.add_findings(&self.name, &self.text, &self.read.diagnostics);
+        report
+    }
+}
+
+/// The bytes of a file; a folder is refused in words.
+fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
+    if path.is_dir() {
+        return Err(Failure::unreadable(path, &io::Error::new(io::ErrorKind::IsADirectory, "it is a folder")));
+    }
+    std::fs::read(path).map_err(|error| Failure::unreadable(path, &error))
+}

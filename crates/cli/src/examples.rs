@@ -1,0 +1,98 @@
+//! The examples that come with the program, as they stand in `examples/`.
+
+/// A file of an example.
+#[derive(Debug)]
+pub struct File {
+    /// Its name.
+    pub name: &'static str,
+    /// Its text.
+    pub text: &'static str,
+}
+
+/// An example.
+#[derive(Debug)]
+pub struct Example {
+    /// What it is called.
+    pub name: &'static str,
+    /// What it shows, in a line.
+    pub about: &'static str,
+    /// The file to start with.
+    pub main: &'static str,
+    /// Its files.
+    pub files: &'static [File],
+}
+
+impl File {
+    /// What the file is, from its first comment.
+    pub fn about(&self) -> &'static str {
+        self.text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default()
+    }
+}
+
+macro_rules! files {
+    ($example:literal: $($name:literal),+) => {
+        &[$(File { name: $name, text: include_str!(concat!("../../../examples/", $example, "/", $name)) }),+]
+    };
+}
+
+/// Every example.
+pub const ALL: &[Example] = &[
+    Example {
+        name: "bridgemill",
+        about: "the Bridgemill bridge, 18.3 m, tested to collapse",
+        main: "case-1.toml",
+        files: files!("bridgemill": "case-1.toml", "case-2.toml", "parabola.toml"),
+    },
+    Example {
+        name: "tiny",
+        about: "a small bridge in as few lines as will do",
+        main: "bridge.toml",
+        files: files!("tiny": "bridge.toml"),
+    },
+    Example {
+        name: "semicircle",
+        about: "a semicircular ring under its own weight: the least thickness that stands",
+        main: "ring.toml",
+        files: files!("semicircle": "ring.toml"),
+    },
+    Example {
+        name: "two-span",
+        about: "two spans on a slender pier that fail together",
+        main: "bridge.toml",
+        files: files!("two-span": "bridge.toml"),
+    },
+    Example {
+        name: "two-ring",
+        about: "a ring of two half-brick rings that may separate",
+        main: "bridge.toml",
+        files: files!("two-ring": "bridge.toml"),
+    },
+    Example {
+        name: "settlement",
+        about: "an abutment that gives way until a mechanism forms",
+        main: "bridge.toml",
+        files: files!("settlement": "bridge.toml"),
+    },
+];
+
+/// The example of this name.
+pub fn named(name: &str) -> Option<&'static Example> {
+    ALL.iter().find(|example| example.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_example_can_be_used() {
+        for example in ALL {
+            assert!(example.files.iter().any(|file| file.name == example.main), "{}", example.name);
+            for file in example.files {
+                let read = bridge::read(file.text.as_bytes());
+                assert!(read.bridge.is_some(), "{}/{}: {:?}", example.name, file.name, read.diagnostics);
+                assert!(!file.about().is_empty(), "{}/{} says nothing of itself", example.name, file.name);
+            }
+        }
+    }
+}

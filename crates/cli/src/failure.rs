@@ -1,0 +1,154 @@
+//! What keeps a command from its work: what, where, and what to do about it.
+
+use crate::status::Status;
+use std::io;
+use std::path::Path;
+
+/// A command could not do its work.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Failure {
+    /// Stable code, `F…`; `extrados explain CODE` tells more.
+    pub code: &'static str,
+    /// How the command ends.
+    pub status: Status,
+    /// What went wrong, with the place.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+}
+
+/// A failure that has a card.
+pub struct Card {
+    /// The code.
+    pub code: &'static str,
+    /// In a few words.
+    pub title: &'static str,
+    /// Why, and what to do.
+    pub text: &'static str,
+}
+
+/// Every failure, in the order of its code.
+pub const CARDS: &[Card] = &[
+    Card {
+        code: "F101",
+        title: "the file cannot be read",
+        text: "The path given does not lead to a readable file: it does not exist, is a folder, or permissions forbid it. Paths are \
+               relative to the folder in which the command runs.\n\nExample: `extrados check bridge.toml` in a folder without bridge.toml.",
+    },
+    Card {
+        code: "F102",
+        title: "the folder for results cannot be written",
+        text: "Results go to out/NAME beside the current folder, NAME being the file's name without its ending, or to the folder after \
+               --out. The place is tried before anything is computed, so that no run is lost for want of a folder.",
+    },
+    Card {
+        code: "F103",
+        title: "the folder exists",
+        text: "`extrados new` writes into a new or empty folder only, so that it never overwrites work.",
+    },
+    Card {
+        code: "F104",
+        title: "no example of this name",
+        text: "`extrados new DIR --from NAME` copies an example that comes with the program. The message lists the names.",
+    },
+    Card {
+        code: "F105",
+        title: "no card of this code",
+        text: "`extrados explain CODE` knows the codes of errors (B…), doubts (P…), warnings of analyses (A…), failures (F…) and the \
+               words of `status`. `extrados explain` without a code lists them all.",
+    },
+    Card {
+        code: "F106",
+        title: "the checkpoint belongs to another run",
+        text: "A checkpoint can only be taken up by the run that left it: the same bridge, the same analysis, the same settings. \
+               Otherwise the numbers would be those of neither. Run without --resume to start anew.",
+    },
+    Card {
+        code: "F107",
+        title: "the command line cannot be understood",
+        text: "An option is misspelt, missing its value, or has a value that does not fit. `extrados COMMAND --help` lists them.",
+    },
+    Card {
+        code: "F108",
+        title: "the analysis cannot be set up",
+        text: "The file can be read, but this analysis needs something that it does not say or cannot work with, as the message tells: \
+               a load step, a stiffness, a support movement.",
+    },
+    Card {
+        code: "F109",
+        title: "the results could not be written",
+        text: "The analysis finished, but writing its files failed: the disk is full or the folder went away. Nothing half-written is \
+               left behind. Run again with --out elsewhere.",
+    },
+    Card {
+        code: "F110",
+        title: "the checkpoint cannot be used",
+        text: "The checkpoint is damaged or cannot be read. Checkpoints are written whole or not at all, so this is most often a copy \
+               that broke off. Run without --resume to start anew.",
+    },
+    Card {
+        code: "F111",
+        title: "no verification cases found",
+        text: "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/.",
+    },
+];
+
+impl Failure {
+    /// The input cannot be used.
+    pub fn input(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Failure {
+        Failure { code, status: Status::UnusableInput, message: message.into(), help: help.into() }
+    }
+
+    /// A file cannot be read.
+    pub fn unreadable(path: &Path, error: &io::Error) -> Failure {
+        let help = match error.kind() {
+            io::ErrorKind::NotFound => "check the path; `extrados new DIR` writes an example to start from",
+            io::ErrorKind::IsADirectory => "name a file in that folder",
+            io::ErrorKind::PermissionDenied => "make the file readable for you",
+            _ => "check the path and the disk",
+        };
+        Failure::input("F101", format!("cannot read {}: {}", path.display(), reason(error)), help)
+    }
+
+    /// A folder for results cannot be written.
+    pub fn unwritable(path: &Path, error: &io::Error) -> Failure {
+        let message = format!("cannot write to {}: {}", path.display(), reason(error));
+        Failure::input("F102", message, "choose a folder that you may write to with --out DIR")
+    }
+
+    /// Results could not be written after the work was done.
+    pub fn not_written(path: &Path, error: &io::Error) -> Failure {
+        Failure {
+            code: "F109",
+            status: Status::NotWritten,
+            message: format!("could not write {}: {}", path.display(), reason(error)),
+            help: "make room or choose another folder with --out DIR".to_owned(),
+        }
+    }
+}
+
+/// The system's words without its number.
+fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    match text.find(" (os error") {
+        Some(end) => text[..end].to_lowercase(),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_file_is_named_with_a_remedy() {
+        let failure = Failure::unreadable(Path::new("a.toml"), &io::Error::from_raw_os_error(2));
+        assert_eq!(failure.message, "cannot read a.toml: no such file or directory");
+        assert!(failure.help.contains("extrados new"));
+    }
+
+    #[test]
+    fn codes_are_in_order() {
+        assert!(CARDS.windows(2).all(|pair| pair[0].code < pair[1].code));
+    }
+}

@@ -1,0 +1,256 @@
+//! Findings as an engineer sees them in a terminal: the line, a caret, and what to write instead.
+
+use crate::failure::Failure;
+use bridge::{Diagnostic, Severity};
+use console::Style;
+use std::fmt::Write;
+use unicode_width::UnicodeWidthChar;
+
+/// Widest stretch of a source line that is shown [columns].
+const WIDEST: usize = 110;
+/// A tab is drawn this wide [columns].
+const TAB: usize = 4;
+
+/// Colours, or none where the text does not go to a terminal.
+#[derive(Debug, Clone)]
+pub struct Paint {
+    error: Style,
+    warning: Style,
+    frame: Style,
+    bold: Style,
+}
+
+impl Paint {
+    /// With or without colours.
+    pub fn new(coloured: bool) -> Paint {
+        let style = || Style::new().force_styling(coloured);
+        Paint {
+            error: style().red().bold(),
+            warning: style().yellow().bold(),
+            frame: style().blue().bold(),
+            bold: style().bold(),
+        }
+    }
+
+    /// Coloured where stderr is a terminal that wants it.
+    pub fn for_stderr() -> Paint {
+        Paint::new(console::colors_enabled_stderr() && console::user_attended_stderr())
+    }
+
+    fn of(&self, severity: Severity) -> (&'static str, &Style) {
+        match severity {
+            Severity::Error => ("error", &self.error),
+            Severity::Warning => ("warning", &self.warning),
+        }
+    }
+}
+
+/// All findings about a file, and how many they are.
+pub fn findings(name: &str, text: &[u8], list: &[Diagnostic], paint: &Paint) -> String {
+    let mut page = String::new();
+    for finding in list {
+        page += &one(name, text, finding, paint);
+        page.push('\n');
+    }
+    if !list.is_empty() {
+        page += &count(name, list);
+    }
+    page
+}
+
+/// A failure of the command itself.
+pub fn failure(failure: &Failure, paint: &Paint) -> String {
+    let head = paint.error.apply_to(format!("error[{}]", failure.code));
+    let message = paint.bold.apply_to(format!(": {}", failure.message));
+    format!("{head}{message}\n  help: {}\n", failure.help)
+}
+
+/// A warning of an analysis.
+pub fn warning(code: &str, message: &str, paint: &Paint) -> String {
+    let head = paint.warning.apply_to(format!("warning[{code}]"));
+    format!("{head}: {message}\n")
+}
+
+/// How many findings, and whether the file can be used.
+fn count(name: &str, list: &[Diagnostic]) -> String {
+    let errors = list.iter().filter(|finding| finding.severity == Severity::Error).count();
+    let warnings = list.len() - errors;
+    let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
+    match (errors, warnings) {
+        (0, _) => format!("{name}: {}; the file can be used\n", number(warnings, "warning")),
+        (_, 0) => format!("{name}: {}; the file cannot be used\n", number(errors, "error")),
+        _ => format!("{name}: {}, {}; the file cannot be used\n", number(errors, "error"), number(warnings, "warning")),
+    }
+}
+
+fn one(name: &str, text: &[u8], finding: &Diagnostic, paint: &Paint) -> String {
+    let (word, style) = paint.of(finding.severity);
+    let place = bridge::text::position(text, finding.range.start);
+    let line = line_at(text, finding.range.start);
+    let excerpt = Excerpt::new(&line, finding.range.end.saturating_sub(finding.range.start));
+    let gutter = place.line.to_string().len().max(3);
+    let bar = paint.frame.apply_to("|");
+    let mut page = String::new();
+    let _ = writeln!(
+        page,
+        "{}{}",
+        style.apply_to(format!("{word}[{}]", finding.code)),
+        paint.bold.apply_to(format!(": {}", finding.message))
+    );
+    let _ = writeln!(page, "  {name}:{}:{}", place.line, place.column);
+    let number = paint.frame.apply_to(format!("{:>gutter$}", place.line));
+    let _ = writeln!(page, "{number} {bar} {}", excerpt.shown);
+    let carets = style.apply_to("^".repeat(excerpt.carets));
+    let _ = writeln!(page, "{:gutter$} {bar} {:indent$}{carets} {}", "", "", finding.label, indent = excerpt.indent);
+    if let Some(note) = &finding.note {
+        let _ = writeln!(page, "  note: {note}");
+    }
+    if let Some(help) = &finding.help {
+        let _ = writeln!(page, "  help: {help}");
+    }
+    page
+}
+
+/// A source line up to the place, and from there to its end.
+struct Line {
+    before: String,
+    after: String,
+}
+
+fn line_at(text: &[u8], offset: usize) -> Line {
+    let offset = offset.min(text.len());
+    let start = text[..offset].iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+    let end = text[offset..].iter().position(|byte| *byte == b'\n').map_or(text.len(), |length| offset + length);
+    let words = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end_matches('\r').to_owned();
+    Line { before: words(&text[start..offset]), after: words(&text[offset..end]) }
+}
+
+/// What is shown of a line, and where the carets stand.
+struct Excerpt {
+    shown: String,
+    indent: usize,
+    carets: usize,
+}
+
+impl Excerpt {
+    /// `length` is that of the marked text [bytes]; it may pass the end of the line.
+    fn new(line: &Line, length: usize) -> Excerpt {
+        let mut marked_end = length.min(line.after.len());
+        while !line.after.is_char_boundary(marked_end) {
+            marked_end += 1;
+        }
+        let mut before = drawn(&line.before);
+        let mut marked = drawn(&line.after[..marked_end]);
+        let mut rest = drawn(&line.after[marked_end..]);
+        if width(&before) > WIDEST / 2 {
+            before = format!("…{}", last_columns(&before, WIDEST / 3));
+        }
+        let room = WIDEST - width(&before);
+        if width(&marked) > room {
+            marked = format!("{}…", first_columns(&marked, room));
+            rest.clear();
+        }
+        let room = room.saturating_sub(width(&marked));
+        if width(&rest) > room {
+            rest = format!("{}…", first_columns(&rest, room));
+        }
+        Excerpt { indent: width(&before), carets: width(&marked).max(1), shown: format!("{before}{marked}{rest}") }
+    }
+}
+
+/// Text without tabs and control characters.
+fn drawn(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '\t' => shown += &" ".repeat(TAB),
+            c if c.is_control() => shown.push('\u{fffd}'),
+            c => shown.push(c),
+        }
+    }
+    shown
+}
+
+fn width(text: &str) -> usize {
+    text.chars().map(|c| c.width().unwrap_or(0)).sum()
+}
+
+fn first_columns(text: &str, columns: usize) -> String {
+    let mut used = 0;
+    text.chars()
+        .take_while(|c| {
+            used += c.width().unwrap_or(0);
+            used <= columns
+        })
+        .collect()
+}
+
+fn last_columns(text: &str, columns: usize) -> String {
+    let reversed: String = text.chars().rev().collect();
+    first_columns(&reversed, columns).chars().rev().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bridge::TextRange;
+
+    fn finding(text: &str, marked: &str) -> Diagnostic {
+        let start = text.find(marked).unwrap();
+        Diagnostic {
+            code: "B104",
+            severity: Severity::Error,
+            message: "expected a length, found a pressure".to_owned(),
+            range: TextRange { start, end: start + marked.len() },
+            label: "rise is measured from springing to crown, on the intrados".to_owned(),
+            note: None,
+            help: Some("write \"2.85 m\"".to_owned()),
+        }
+    }
+
+    #[test]
+    fn a_finding_shows_line_caret_and_remedy() {
+        let text = "[bridge]\nname = \"x\"\n\nrise = \"2.85 GPa\"\n";
+        let page = findings("bridge.toml", text.as_bytes(), &[finding(text, "\"2.85 GPa\"")], &Paint::new(false));
+        let expected = "\
+error[B104]: expected a length, found a pressure
+  bridge.toml:4:8
+  4 | rise = \"2.85 GPa\"
+    |        ^^^^^^^^^^ rise is measured from springing to crown, on the intrados
+  help: write \"2.85 m\"
+
+bridge.toml: 1 error; the file cannot be used
+";
+        assert_eq!(page, expected);
+    }
+
+    #[test]
+    fn carets_stand_under_wide_characters_and_tabs() {
+        let text = "\tname = \"橋\", rise = 3\n";
+        let page = findings("b.toml", text.as_bytes(), &[finding(text, "3")], &Paint::new(false));
+        let lines: Vec<&str> = page.lines().collect();
+        let column = width(&lines[2][..lines[2].find('3').unwrap()]);
+        assert_eq!(lines[3].find('^'), Some(column));
+    }
+
+    #[test]
+    fn any_bytes_and_any_range_can_be_shown() {
+        let text = b"a = \xff\xfe\x1b[31m \xe6\xa9";
+        for start in 0..12 {
+            for end in start..20 {
+                let mut odd = finding("a", "a");
+                odd.range = TextRange { start, end };
+                let page = findings("odd.toml", text, &[odd], &Paint::new(false));
+                assert!(!page.contains('\u{1b}') && page.contains('^'));
+            }
+        }
+    }
+
+    #[test]
+    fn long_lines_are_cut_around_the_place() {
+        let text = format!("x = [{}7, {}]", "1, ".repeat(400), "2, ".repeat(400));
+        let page = findings("long.toml", text.as_bytes(), &[finding(&text, "7")], &Paint::new(false));
+        assert!(page.lines().all(|line| width(line) < 130), "{page}");
+        assert!(page.contains("7, 2"));
+    }
+}

@@ -1,0 +1,100 @@
+//! What a command answers: one object for scripts, a few lines for people.
+
+use crate::clock::Clock;
+use crate::render::{self, Paint};
+use crate::screen::Screen;
+use crate::status::Status;
+use bridge::{Diagnostic, Severity};
+use serde_json::{Map, Value, json};
+
+/// The answer of a command.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// How it ended.
+    pub status: Status,
+    /// Fields of the object besides the common ones.
+    pub fields: Map<String, Value>,
+    /// Warnings as objects with `code` and `message`, and a place where they come from a file.
+    pub warnings: Vec<Value>,
+    /// Errors, likewise.
+    pub errors: Vec<Value>,
+    /// The answer in words.
+    pub summary: String,
+}
+
+impl Report {
+    /// An answer without fields yet.
+    pub fn new(status: Status) -> Report {
+        Report { status, fields: Map::new(), warnings: Vec::new(), errors: Vec::new(), summary: String::new() }
+    }
+
+    /// Adds a field.
+    pub fn with(mut self, key: &str, value: impl Into<Value>) -> Report {
+        self.fields.insert(key.to_owned(), value.into());
+        self
+    }
+
+    /// Sets the words.
+    pub fn saying(mut self, summary: impl Into<String>) -> Report {
+        self.summary = summary.into();
+        self
+    }
+
+    /// Adds what was found in a file.
+    pub fn add_findings(&mut self, name: &str, text: &[u8], list: &[Diagnostic]) {
+        for finding in list {
+            let value = finding_value(name, text, finding);
+            match finding.severity {
+                Severity::Error => self.errors.push(value),
+                Severity::Warning => self.warnings.push(value),
+            }
+        }
+    }
+
+    /// Adds a warning of the analysis and shows it.
+    pub fn warn(&mut self, screen: &mut Screen, code: &str, message: &str) {
+        self.warnings.push(json!({ "code": code, "message": message }));
+        if !screen.quiet {
+            screen.remark(&render::warning(code, message, &Paint::for_stderr()));
+        }
+    }
+
+    /// The object: the answer's fields with `schema`, `status`, `warnings`, `wall_seconds` and `threads`.
+    pub fn object(&self, schema: &str, clock: Clock) -> Value {
+        let mut object = self.fields.clone();
+        object.insert("schema".to_owned(), json!(schema));
+        object.insert("status".to_owned(), json!(self.status.name()));
+        object.insert("warnings".to_owned(), json!(self.warnings));
+        if !self.errors.is_empty() {
+            object.insert("errors".to_owned(), json!(self.errors));
+        }
+        object.insert("wall_seconds".to_owned(), json!(clock.seconds()));
+        object.insert("threads".to_owned(), json!(rayon::current_num_threads()));
+        Value::Object(object)
+    }
+}
+
+/// A finding as an object.
+fn finding_value(name: &str, text: &[u8], finding: &Diagnostic) -> Value {
+    let place = bridge::text::position(text, finding.range.start);
+    let mut value = json!({
+        "code": finding.code,
+        "message": finding.message,
+        "file": name,
+        "line": place.line,
+        "column": place.column,
+        "label": finding.label,
+    });
+    for (key, words) in [("note", &finding.note), ("help", &finding.help)] {
+        if let Some(words) = words {
+            value[key] = json!(words);
+        }
+    }
+    value
+}
+
+/// An object as text with a line break at its end.
+pub fn text_of(value: &Value) -> String {
+    // Maps with text keys and finite or null numbers always have a text.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}

@@ -1,0 +1,133 @@
+//! How a command ended: the words of `status`, each with its exit code and its card.
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// A load set the blocks moving without end.
+    Collapsed,
+    /// Every load up to the limit was carried.
+    StableToLastLoad,
+    /// A load neither came to rest nor collapsed.
+    Stalled,
+    /// The bridge does not stand under its own weight.
+    UnstableUnderSelfWeight,
+    /// No load collapses it.
+    Locks,
+    /// A stage used up its iterations.
+    StepLimit,
+    /// The method found no answer.
+    NotConverged,
+    /// Interrupted; can be resumed.
+    Cancelled,
+    /// Done.
+    Completed,
+    /// A check is not met.
+    Inadequate,
+    /// The input cannot be used.
+    UnusableInput,
+    /// The results could not be written.
+    NotWritten,
+}
+
+/// Every status, in the order of the manual.
+pub const ALL: [Status; 12] = [
+    Status::Collapsed,
+    Status::StableToLastLoad,
+    Status::Stalled,
+    Status::UnstableUnderSelfWeight,
+    Status::Locks,
+    Status::StepLimit,
+    Status::NotConverged,
+    Status::Cancelled,
+    Status::Completed,
+    Status::Inadequate,
+    Status::UnusableInput,
+    Status::NotWritten,
+];
+
+impl Status {
+    /// The word that scripts read.
+    pub fn name(self) -> &'static str {
+        self.row().0
+    }
+
+    /// The exit code of the command.
+    pub fn exit_code(self) -> u8 {
+        self.row().1
+    }
+
+    /// What it means, and what to do.
+    pub fn meaning(self) -> &'static str {
+        self.row().2
+    }
+
+    /// The status of this name.
+    pub fn named(name: &str) -> Option<Status> {
+        ALL.into_iter().find(|status| status.name() == name)
+    }
+
+    fn row(self) -> (&'static str, u8, &'static str) {
+        match self {
+            Status::Collapsed => {
+                ("collapsed", 0, "A load was found that makes a mechanism of the bridge: the answer of a collapse analysis.")
+            }
+            Status::StableToLastLoad => (
+                "stable-to-last-load",
+                0,
+                "Every load up to the largest one tried was carried. Raise `load_limit` in [analysis] to find the collapse load.",
+            ),
+            Status::Stalled => (
+                "stalled",
+                0,
+                "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. The last \
+                 stable load is sound; the collapse load lies above it. Another damping, or a smaller time step factor, often decides.",
+            ),
+            Status::UnstableUnderSelfWeight => (
+                "unstable-under-self-weight",
+                1,
+                "The blocks do not stand before any load is applied. Look at thickness, supports and densities, and at the picture.",
+            ),
+            Status::Locks => (
+                "locks",
+                0,
+                "The limit load has no bound: as rigid blocks with these joints the bridge cannot become a mechanism under this load. \
+                 Give the masonry a compressive strength, or let a support move.",
+            ),
+            Status::StepLimit => (
+                "step-limit",
+                3,
+                "A load step used up its iterations while it was still settling. Raise `step_limit` in [analysis], or choose another damping.",
+            ),
+            Status::NotConverged => (
+                "not-converged",
+                3,
+                "The method found no answer it can vouch for: a number stopped being finite, or the solver stopped short. The message \
+                 says where.",
+            ),
+            Status::Cancelled => (
+                "cancelled",
+                130,
+                "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers.",
+            ),
+            Status::Completed => ("completed", 0, "The command did what it was asked."),
+            Status::Inadequate => ("inadequate", 1, "The command finished, and a check or a verification case is not met."),
+            Status::UnusableInput => {
+                ("unusable-input", 2, "The input cannot be used; `errors` says what is wrong, where, and what to write instead.")
+            }
+            Status::NotWritten => ("not-written", 3, "The results could not be written; the message says where and why."),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_lead_back() {
+        for status in ALL {
+            assert_eq!(Status::named(status.name()), Some(status));
+        }
+        assert_eq!(Status::named("fine"), None);
+    }
+}

@@ -1,0 +1,96 @@
+//! Looks on a run: draws its progress, hears Ctrl-C, keeps its checkpoint.
+
+use crate::checkpoint::Checkpoint;
+use crate::failure::Failure;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use mechanics::watch::{Progress, Watch, Wish};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// A checkpoint is kept this often: seldom enough to cost nothing, often enough to lose nothing that hurts.
+const KEEP_EVERY: Duration = Duration::from_secs(2);
+/// Steps of the bar.
+const BAR: u64 = 1000;
+
+/// Whether somebody asked the command to stop. Signals reach a program, not a part of it: this is the one global.
+static STOP: AtomicBool = AtomicBool::new(false);
+
+/// Listens to Ctrl-C and to termination: the first asks the run to stop, the second ends the command at once.
+pub fn listen() {
+    let heard = ctrlc::set_handler(|| {
+        if STOP.swap(true, Ordering::SeqCst) {
+            std::process::exit(i32::from(crate::status::Status::Cancelled.exit_code()));
+        }
+    });
+    // Without a handler a signal ends the command as the system does; the last checkpoint stands either way.
+    drop(heard);
+}
+
+/// Whether the command was asked to stop.
+pub fn asked_to_stop() -> bool {
+    STOP.load(Ordering::SeqCst)
+}
+
+/// Looks on one run.
+pub struct Watcher {
+    bar: ProgressBar,
+    checkpoint: Option<Checkpoint>,
+    kept: Option<Instant>,
+    trouble: Option<Failure>,
+}
+
+impl Watcher {
+    /// Draws progress unless it is unwanted, and keeps a checkpoint where there is one to keep.
+    pub fn new(quiet: bool, checkpoint: Option<Checkpoint>) -> Watcher {
+        let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let bar = ProgressBar::with_draw_target(Some(BAR), target);
+        // The template is a constant that a test reads; without it the plain bar does.
+        if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
+            bar.set_style(style);
+        }
+        Watcher { bar, checkpoint, kept: None, trouble: None }
+    }
+
+    /// Whether a checkpoint of this run was kept.
+    pub fn has_kept(&self) -> bool {
+        self.kept.is_some()
+    }
+
+    /// Ends the drawing; tells what kept a checkpoint from being written.
+    pub fn finish(self) -> Option<Failure> {
+        self.bar.finish_and_clear();
+        self.trouble
+    }
+}
+
+const TEMPLATE: &str = "{elapsed:>4} {wide_bar} {percent:>3} %, {eta} left  {msg}";
+
+impl Watch for Watcher {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        if let Some(fraction) = progress.fraction {
+            self.bar.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
+        }
+        self.bar.set_message(format!("{}, {} steps", progress.stage, progress.steps));
+        if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+    }
+
+    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+        let Some(checkpoint) = &self.checkpoint else { return };
+        let due = self.kept.is_none_or(|kept| kept.elapsed() >= KEEP_EVERY);
+        if !due && !asked_to_stop() {
+            return;
+        }
+        match checkpoint.keep(&words()) {
+            Ok(()) => self.kept = Some(Instant::now()),
+            Err(failure) => self.trouble = Some(failure),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_bar_can_be_drawn() {
+        assert!(indicatif::ProgressStyle::with_template(super::TEMPLATE).is_ok());
+    }
+}
