@@ -28,49 +28,45 @@ impl Stretch {
 /// All stretches, from left to right.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extrados {
-    /// Stretches in order of x.
+    /// Flat backs in order of x: what carries cover and loads.
     pub stretches: Vec<Stretch>,
+    /// The curve of which the backs are chords, in points close together: what loads disperse to. It does not depend on
+    /// the number of voussoirs.
+    pub line: Vec<Vec2>,
 }
 
 impl Extrados {
-    /// Highest point [m].
+    /// Highest point of the curve [m].
     pub fn crown(&self) -> f64 {
-        self.stretches.iter().flat_map(|s| [s.left.y, s.right.y]).fold(f64::NEG_INFINITY, f64::max)
+        self.line.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max)
     }
-    /// Level at `x` [m]; beyond the ends that of the nearest end.
+    /// Level of the curve at `x` [m]; beyond the ends that of the nearest end.
     pub fn level(&self, x: f64) -> f64 {
-        let (Some(first), Some(last)) = (self.stretches.first(), self.stretches.last()) else { return 0.0 };
-        if x <= first.left.x {
-            return first.left.y;
+        let k = self.line.partition_point(|p| p.x < x);
+        match (k.checked_sub(1).and_then(|k| self.line.get(k)), self.line.get(k)) {
+            (Some(a), Some(b)) if b.x > a.x => a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x),
+            (_, Some(p)) | (Some(p), None) => p.y,
+            (None, None) => 0.0,
         }
-        if x >= last.right.x {
-            return last.right.y;
-        }
-        self.over(x).map_or(last.right.y, |s| s.at(x).y)
-    }
-    /// The stretch at `x` [m].
-    pub fn over(&self, x: f64) -> Option<&Stretch> {
-        self.stretches.iter().find(|s| s.left.x <= x && x <= s.right.x && s.right.x > s.left.x)
     }
     /// Where a ray from `from`, falling by `fall` per unit of x outwards in `direction` (-1 or +1), first meets the
-    /// extrados.
+    /// curve.
     pub fn meet(&self, from: Vec2, direction: f64, fall: f64) -> Vec2 {
-        let ray = |x: f64| from.y - fall * (x - from.x) * direction;
-        let mut corners: Vec<Vec2> = self.stretches.iter().flat_map(|s| [s.left, s.right]).collect();
-        corners.retain(|p| (p.x - from.x) * direction > 0.0);
-        if direction < 0.0 {
-            corners.reverse();
-        }
+        let clearance = |p: Vec2| from.y - fall * (p.x - from.x) * direction - p.y;
         let mut before = vec2(from.x, self.level(from.x));
-        for corner in corners {
-            let (clear, below) = (ray(before.x) - before.y, ray(corner.x) - corner.y);
+        let start = self.line.partition_point(|p| p.x < from.x);
+        let mut left = self.line[..start].iter().rev();
+        let mut right = self.line[start..].iter();
+        let outwards: &mut dyn Iterator<Item = &Vec2> = if direction < 0.0 { &mut left } else { &mut right };
+        for &point in outwards {
+            let (clear, below) = (clearance(before), clearance(point));
             if below <= 0.0 {
-                let t = if clear - below > 0.0 { clear / (clear - below) } else { 0.0 };
-                return before + (corner - before) * t.max(0.0);
+                let t = if clear > below { clear / (clear - below) } else { 0.0 };
+                return before + (point - before) * t.max(0.0);
             }
-            before = corner;
+            before = point;
         }
         // Beyond the last abutment the ground goes on level.
-        vec2(before.x + direction * (ray(before.x) - before.y).max(0.0) / fall, before.y)
+        vec2(before.x + direction * clearance(before).max(0.0) / fall, before.y)
     }
 }

@@ -160,7 +160,7 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let mut build = Build::new(bridge);
     let mut x = 0.0;
     let mut skewbacks = Vec::new();
-    let mut spans = Vec::new();
+    let (mut spans, mut lines) = (Vec::new(), Vec::new());
     for (i, span) in bridge.spans.iter().enumerate() {
         let curve =
             Curve::new(span, vec2(x, 0.0)).map_err(|reason| DiscretiseError::Intrados { span: i + 1, reason })?;
@@ -169,13 +169,15 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
             let (intrados, normal) = curve.at(share);
             Skewback { intrados, extrados: intrados + normal * total }
         }));
+        lines.push(rings::extrados(span, &curve));
         spans.push(rings::cut(i, span, &curve)?);
         x += span.span + bridge.piers.get(i).map_or(0.0, |p| p.width);
     }
     let last = bridge.spans.len();
     build.abutment(0, skewbacks[0][0], -1.0)?;
-    for (i, rings) in spans.into_iter().enumerate() {
+    for (i, (rings, line)) in spans.into_iter().zip(lines).enumerate() {
         build.span(i, rings);
+        build.extrados.line.extend(line);
         if let Some(pier) = bridge.piers.get(i) {
             build.pier(i + 1, pier, skewbacks[i][1], skewbacks[i + 1][0])?;
         }
@@ -227,6 +229,7 @@ impl<'a> Build<'a> {
         let group = self.groups.push(Origin::Abutment { support }.name());
         let block = self.block(outline, group, Held::FIXED, Origin::Abutment { support }, None);
         self.stretch(block, top, true);
+        self.extrados.line.extend(top);
         Ok(())
     }
 

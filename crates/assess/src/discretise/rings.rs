@@ -66,6 +66,20 @@ pub fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, Di
     Ok(rings)
 }
 
+/// Steps in which the curve of the extrados is drawn: chords so short depart from it by less than a thousandth of a
+/// millimetre.
+const FINE: usize = 1024;
+
+/// The extrados of the uppermost ring as a curve, from left to right.
+pub fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
+    let point = |i: usize| {
+        let share = i as f64 / FINE as f64;
+        let (point, normal) = curve.at(share);
+        point + normal * span.rings.iter().map(|r| thickness(r, share)).sum::<f64>()
+    };
+    (0..=FINE).map(point).collect()
+}
+
 /// Joints of every ring, with the backs of lower rings cut along the beds above them.
 fn joints(span: &Span, curve: &Curve) -> Vec<Joints> {
     let mut rings: Vec<Joints> = Vec::new();

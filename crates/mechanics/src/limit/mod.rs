@@ -1,1 +1,27 @@
-//! Limit analysis.
+//! Limit analysis of rigid blocks: the load at which the blocks become a mechanism.
+//!
+//! The static theorem makes it a convex program. Of all joint forces in equilibrium with the permanent loads and
+//! `factor` times the variable loads, and within the strength of every joint, find those with the largest factor:
+//!
+//! ```text
+//! maximise factor   subject to   B f + factor p + w = 0,   f within strength
+//! ```
+//!
+//! The multipliers of the equilibrium equations are the velocities of the collapse mechanism (Livesley 1978; Gilbert
+//! and Melbourne 1994). The geometry is that of the blocks as built, and joints are infinitely stiff.
+//!
+//! Read in the order of the method: [`joints`](self) gather the strength, `equilibrium` sets up `B`, `p` and `w`,
+//! `program` solves, `bounds` recomputes both bounds from what was returned, `mechanism` says what moves.
+
+mod bounds;
+mod collapse;
+mod equilibrium;
+mod joints;
+mod mechanism;
+mod outcome;
+mod program;
+mod settings;
+
+pub use collapse::collapse_load;
+pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForces, Resultant, Status};
+pub use settings::{ContactPoints, Friction, Settings};

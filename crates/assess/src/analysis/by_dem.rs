@@ -1,0 +1,297 @@
+//! Collapse by discrete elements.
+
+use super::places::{lines, moving, point, scaled};
+use super::report::{Collapse, DemReport, Status, SupportReport};
+use super::{AnalysisError, by_limit, notes, picture};
+use crate::discretise::{Discretised, discretise, laws};
+use crate::outcome::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
+use crate::warning::{self, Warning};
+use bridge::{Analysis, Bridge, ContactLength, Damping, Method};
+use mechanics::blocks::interfaces;
+use mechanics::dem;
+use mechanics::ids::{BlockId, Id};
+use mechanics::limit;
+use mechanics::plane::{Vec2, vec2};
+use mechanics::watch::Watch;
+
+/// How the plan wants the method done.
+pub fn settings(bridge: &Bridge) -> dem::Settings {
+    let plan = &bridge.plan;
+    dem::Settings {
+        damping: match plan.damping {
+            Damping::Local(share) => dem::Damping::Local(share),
+            Damping::Viscous(share) => dem::Damping::Viscous(share),
+            Damping::Adaptive => dem::Damping::Adaptive,
+        },
+        contact_length: match plan.contact_length {
+            ContactLength::Fixed => dem::ContactLength::Fixed,
+            ContactLength::Updated => dem::ContactLength::Updated,
+        },
+        tolerance: plan.tolerance,
+        step_limit: plan.step_limit,
+        time_step_factor: plan.time_step_factor,
+    }
+}
+
+/// Refuses joints without stiffness.
+pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
+    if !laws::has_stiffness(&laws::law(bridge, &bridge.joint)) {
+        return Err(AnalysisError::NoStiffness { joint: "joints" });
+    }
+    if bridge.spans.iter().any(|s| s.rings.len() > 1) && !laws::has_stiffness(&laws::law(bridge, &bridge.ring_joint)) {
+        return Err(AnalysisError::NoStiffness { joint: "joints between rings" });
+    }
+    Ok(())
+}
+
+/// Raises the loads of the file in steps until the blocks collapse.
+pub fn collapse_by_dem(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    require_stiffness(bridge)?;
+    let mut d = discretise(bridge)?;
+    d.loading.movements.clear();
+    if d.loading.variable.is_empty() {
+        return Err(AnalysisError::NoLoad);
+    }
+    let bound = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
+    let (mut chosen, plan) = (Vec::new(), &bridge.plan);
+    let missing = |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
+    let load_step = match (plan.load_step, bound) {
+        (Some(step), _) => step,
+        (None, Some(bound)) => {
+            let step = round_down(bound * d.reference_load / 20.0);
+            chosen.push(format!("load_step = {:.3} kN/m, about a twentieth of the limit load", step / 1e3));
+            step
+        }
+        _ => return Err(missing("load_step")),
+    };
+    let load_limit = match (plan.load_limit, bound) {
+        (Some(limit), _) => limit,
+        (None, Some(bound)) => {
+            let limit = load_step * (1.5 * bound * d.reference_load / load_step).ceil();
+            chosen.push(format!("load_limit = {:.1} kN/m, one and a half times the limit load", limit / 1e3));
+            limit
+        }
+        _ => return Err(missing("load_limit")),
+    };
+    let program = dem::Program {
+        increment: load_step / d.reference_load,
+        limit: load_limit / d.reference_load,
+        resolution: plan.resolution.map(|r| r / d.reference_load),
+        watched: d.watched,
+    };
+    let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
+    let mut c = report(bridge, &d, &outcome, "discrete elements", d.reference_load);
+    c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
+    c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
+    c.load_step = Some(load_step);
+    c.limit_load = bound.map(|f| f * d.reference_load);
+    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
+    notes::dem(bridge, &d, &mut c);
+    Ok(c)
+}
+
+/// Moves a support in steps until the blocks collapse, under the permanent loads alone.
+pub fn support_movement(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    require_stiffness(bridge)?;
+    let mut d = discretise(bridge)?;
+    let Some(movement) = bridge.plan.support_movement else {
+        return Err(AnalysisError::Missing { what: "support_movement", why: "which support moves, and where, is the question" });
+    };
+    let unknown = |what| AnalysisError::Missing { what, why: "how far a support may move depends on the bridge" };
+    let step = movement.increment.ok_or(unknown("increment of the support movement"))?;
+    let largest = movement.limit.ok_or(unknown("limit of the support movement"))?;
+    d.loading.variable.clear();
+    let program = dem::Program { increment: step, limit: largest, resolution: None, watched: d.watched };
+    let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
+    let mut c = report(bridge, &d, &outcome, "support movement", 1.0);
+    c.analysis = Analysis::SupportMovement;
+    c.support = Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
+    notes::dem(bridge, &d, &mut c);
+    c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
+    Ok(c)
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
+fn round_down(value: f64) -> f64 {
+    let decade = 10f64.powf(value.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|m| m * decade).find(|&v| v <= value).unwrap_or(decade)
+}
+
+/// How a run ended, for an engineer, and where it broke off.
+pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
+    match outcome.status {
+        dem::Status::Collapsed => (Status::Collapsed, None),
+        dem::Status::StableToLastLoad => (Status::StableToLastLoad, None),
+        dem::Status::Stalled => (Status::Stalled, None),
+        dem::Status::UnstableUnderSelfWeight => (Status::UnstableUnderSelfWeight, None),
+        dem::Status::StepLimit => (Status::StepLimit, None),
+        dem::Status::Cancelled => (Status::Cancelled, None),
+        dem::Status::NotFinite { block, step } => (Status::NotConverged, Some((block, step))),
+    }
+}
+
+fn damping(d: Damping) -> String {
+    match d {
+        Damping::Local(share) => format!("local, {share}"),
+        Damping::Viscous(share) => format!("viscous, {share} of critical"),
+        Damping::Adaptive => "adaptive viscous".into(),
+    }
+}
+
+/// Everything that does not depend on what was increased. `unit` turns the load factor into a load (or a movement).
+pub fn report(bridge: &Bridge, d: &Discretised, outcome: &dem::Outcome, title: &str, unit: f64) -> Collapse {
+    let (status, broken) = status(outcome);
+    let mut picture = picture::built(bridge, d, title);
+    draw(d, outcome, unit, &mut picture);
+    let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
+    let e = &outcome.energy;
+    let work = [e.gravity, e.loads, e.supports].iter().map(|w| w.abs()).sum::<f64>();
+    Collapse {
+        bridge: bridge.name.clone(),
+        width: bridge.width,
+        method: Method::Dem,
+        analysis: Analysis::Load,
+        status,
+        collapse_load: None,
+        last_stable_load: None,
+        load_step: None,
+        reference_load: d.reference_load,
+        limit_load: None,
+        hinges: picture.hinges.clone(),
+        sliding_joints: picture.sliding.clone(),
+        max_compressive_stress: Some(outcome.max_compressive_stress),
+        blocks: d.model.blocks.len(),
+        particles: 0,
+        contacts: at_rest.map_or(0, |f| f.contacts.len()),
+        tolerance: bridge.plan.tolerance,
+        seed: bridge.plan.seed,
+        dem: Some(DemReport {
+            iterations_total: outcome.iterations_total,
+            time_step: outcome.time_step,
+            critical_time_step: outcome.critical_time_step,
+            single_mass_time_step: outcome.single_mass_time_step,
+            damping: damping(bridge.plan.damping),
+            contact_length: match bridge.plan.contact_length {
+                ContactLength::Fixed => "fixed",
+                ContactLength::Updated => "updated",
+            },
+            energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
+            broken_at: broken.map(|(block, step)| (d.origins[block].name(), step)),
+        }),
+        limit: None,
+        thickness: None,
+        support: None,
+        block_names: d.origins.iter().map(|o| o.name()).collect(),
+        warnings: Vec::new(),
+        assumptions: Vec::new(),
+        picture,
+    }
+}
+
+/// Motion of each block between two frames.
+fn motions(from: Option<&dem::Frame>, to: &dem::Frame, d: &Discretised) -> Vec<Motion> {
+    d.model
+        .blocks
+        .pairs()
+        .map(|(id, block)| {
+            let now = to.poses[id];
+            let (start, turned) = match from.map(|f| f.poses[id]) {
+                Some(p) => (p.position, p.rotation.turn_back(vec2(now.rotation.cos, now.rotation.sin))),
+                None => (block.outline.centroid(), vec2(now.rotation.cos, now.rotation.sin)),
+            };
+            Motion { translation: point(now.position - start), rotation: turned.y.atan2(turned.x) }
+        })
+        .collect()
+}
+
+/// A collapse is drawn and its hinges are read once some block has moved this far from rest [m]: far beyond the elastic
+/// sag of a step, well before the joints of an arch jump out of place.
+const CLEARLY_MOVING: f64 = 0.02;
+
+fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: &mut Picture) {
+    picture.path = outcome
+        .path
+        .iter()
+        .map(|p| Step {
+            load: p.factor * unit,
+            displacement: point(p.displacement),
+            iterations: p.iterations,
+            unbalanced_ratio: p.unbalanced_ratio,
+            at_rest: p.at_rest,
+        })
+        .collect();
+    picture.last_stable = outcome.last_stable_frame;
+    picture.snapshots = outcome.frames.iter().map(|f| snapshot(d, f, unit)).collect();
+    let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
+    if let Some(frame) = at_rest {
+        picture.thrust_lines = thrust_lines(d, frame);
+    }
+    let falling = outcome.last_stable_frame.map_or(0, |k| k + 1);
+    let moved = |m: &Motion| m.translation[0].hypot(m.translation[1]);
+    let falls: Vec<Vec<Motion>> =
+        outcome.frames.iter().skip(falling).map(|f| motions(at_rest, f, d)).collect();
+    let clear = falls.iter().find(|m| m.iter().map(moved).fold(0.0, f64::max) >= CLEARLY_MOVING).or(falls.last());
+    let collapsed = matches!(
+        outcome.status,
+        dem::Status::Collapsed | dem::Status::UnstableUnderSelfWeight | dem::Status::Stalled
+    );
+    if let (true, Some(clear)) = (collapsed, clear) {
+        picture.mechanism = scaled(clear.clone());
+    }
+    if let (Some(mechanism), Ok(joints)) = (&picture.mechanism, interfaces(&d.model, TOUCHING)) {
+        let found = moving(d, &joints, mechanism);
+        picture.hinges = found.hinges;
+        picture.sliding = found.sliding;
+    }
+}
+
+/// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
+const TOUCHING: f64 = 1e-6;
+
+fn snapshot(d: &Discretised, frame: &dem::Frame, unit: f64) -> Snapshot {
+    Snapshot {
+        load: frame.factor * unit,
+        motions: motions(None, frame, d),
+        velocities: frame.velocities.iter().map(|&(v, _)| point(v)).collect(),
+        contacts: frame
+            .contacts
+            .iter()
+            .map(|c| ContactForce {
+                blocks: [c.first.index(), c.second.index()],
+                point: point(c.point),
+                normal: point(c.normal),
+                compression: c.compression,
+                shear: c.shear,
+                stress: c.compressive_stress(),
+                sliding: c.sliding,
+            })
+            .collect(),
+        stresses: frame.stresses.iter().copied().collect(),
+    }
+}
+
+/// Resultants of the contacts of each joint, which are sorted by blocks.
+fn thrust_lines(d: &Discretised, frame: &dem::Frame) -> Vec<Vec<ThrustPoint>> {
+    let joints = frame.contacts.chunk_by(|a, b| (a.first, a.second) == (b.first, b.second));
+    let points = joints.filter_map(|contacts| {
+        let total: f64 = contacts.iter().map(|c| c.compression).sum();
+        if total <= 0.0 {
+            return None;
+        }
+        let (mut at, mut force) = (Vec2::ZERO, Vec2::ZERO);
+        for c in contacts {
+            at += c.point * (c.compression / total);
+            force += c.normal * c.compression + c.normal.left() * c.shear;
+        }
+        Some((contacts[0].first, contacts[0].second, ThrustPoint { point: point(at), thrust: force.norm() }))
+    });
+    lines(d, points)
+}

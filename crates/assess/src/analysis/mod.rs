@@ -1,0 +1,79 @@
+//! Collapse analyses: a bridge, a plan, and what came of it.
+
+mod by_dem;
+mod by_limit;
+mod notes;
+mod picture;
+mod places;
+mod report;
+mod sweep;
+mod thickness;
+
+pub use by_dem::{collapse_by_dem, support_movement};
+pub use by_limit::collapse_by_limit;
+pub use report::{Collapse, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
+pub use sweep::{Sweep, SweepPoint, sweep};
+pub use thickness::thickness;
+
+use crate::discretise::DiscretiseError;
+use bridge::{Analysis, Bridge, Method};
+use mechanics::blocks::ModelError;
+use mechanics::watch::Watch;
+use thiserror::Error;
+
+/// Why an analysis cannot be set up. What the file must change is in the words.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum AnalysisError {
+    /// The bridge cannot be cut into blocks.
+    #[error(transparent)]
+    Discretise(#[from] DiscretiseError),
+    /// The blocks cannot be analysed.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The discrete element method needs a stiffness.
+    #[error("the discrete element method needs the normal and the shear stiffness of the {joint}: give them in the file")]
+    NoStiffness {
+        /// Which joint.
+        joint: &'static str,
+    },
+    /// There is no load to increase.
+    #[error("no load of the file reaches the rings: there is nothing to increase")]
+    NoLoad,
+    /// A number of the plan is missing that cannot be chosen from the bridge.
+    #[error("the plan gives no {what}: {why}")]
+    Missing {
+        /// Which entry.
+        what: &'static str,
+        /// Why it cannot be chosen.
+        why: &'static str,
+    },
+    /// The method does not do this analysis.
+    #[error("{analysis} is not an analysis of {method}: use --method {instead}")]
+    NotBy {
+        /// The analysis.
+        analysis: &'static str,
+        /// The method asked for.
+        method: &'static str,
+        /// The one that does it.
+        instead: &'static str,
+    },
+}
+
+/// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run
+/// of the same bridge.
+pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    match (bridge.plan.analysis, bridge.plan.method) {
+        (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
+        (Analysis::Load, Method::Dem) => collapse_by_dem(bridge, resume, watch),
+        (Analysis::Thickness, _) => thickness(bridge, watch),
+        (Analysis::SupportMovement, Method::Dem) => support_movement(bridge, resume, watch),
+        (Analysis::SupportMovement, Method::Limit) => Err(AnalysisError::NotBy {
+            analysis: "collapse by support movement",
+            method: "limit analysis of the bridge as built",
+            instead: "dem",
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests;

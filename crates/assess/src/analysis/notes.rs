@@ -1,0 +1,157 @@
+//! What a reader of a result must know: warnings with numbers, and what was assumed.
+
+use super::report::{Collapse, Status};
+use crate::discretise::Discretised;
+use crate::warning::{self, Warning};
+use bridge::{Bridge, ContactPoints, DispersalRule};
+
+/// Discrete elements usually lie up to this share below the limit load of the same blocks.
+const USUAL_GAP: f64 = 0.15;
+/// Both bounds of limit analysis must agree to this.
+const BOUNDS: f64 = 1e-6;
+
+/// Notes on a limit analysis.
+pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+    common(bridge, d, c);
+    let Some(report) = &c.limit else { return };
+    let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
+    assumptions.push("Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into());
+    match (report.friction, report.associated_load) {
+        ("associated", _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
+            warning::ASSOCIATED_SLIDING,
+            format!("{} joints slide in the mechanism and friction is associated: the load is an upper bound", c.sliding_joints.len()),
+        )),
+        ("associated", _) => assumptions.push("Friction is associated; no joint slides in the mechanism, so the rule does not matter.".into()),
+        (_, Some(load)) => assumptions.push(format!(
+            "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
+            load / 1e3
+        )),
+        _ => assumptions.push("Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006).".into()),
+    }
+    if bridge.plan.contact_points == ContactPoints::Rounded && bridge.masonry.rounding > 0.0 {
+        warnings.push(inset(bridge));
+    }
+    if let (Some(lower), Some(upper), "associated") = (report.lower_bound, report.upper_bound, report.friction)
+        && (upper - lower).abs() > BOUNDS * upper.abs()
+    {
+        warnings.push(Warning::new(
+            warning::BOUNDS_APART,
+            format!("lower bound {:.4} kN/m, upper bound {:.4} kN/m", lower / 1e3, upper / 1e3),
+        ));
+    }
+    c.warnings.extend(warnings);
+    c.assumptions.extend(assumptions);
+}
+
+/// Notes on a discrete element run.
+pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+    common(bridge, d, c);
+    c.assumptions.push(
+        "Rigid blocks in deformable point contact; loads follow their blocks and keep their direction; displacements are \
+         large."
+            .into(),
+    );
+    c.assumptions.push(
+        "collapse_load is the first load step that did not come to rest; last_stable_load is the last that did.".into(),
+    );
+    if bridge.masonry.rounding > 0.0 {
+        c.warnings.push(inset(bridge));
+    }
+    if c.status == Status::Collapsed && bridge.dispersal.rule == DispersalRule::InverseDepth {
+        c.warnings.push(Warning::new(
+            warning::PUBLISHED_STEP,
+            "Rouxinol, Providência and Lemos print the last stable step as collapse load of cases like this one",
+        ));
+    }
+    if let Some((block, step)) = c.dem.as_ref().and_then(|r| r.broken_at.clone()) {
+        c.warnings.push(Warning::new(warning::BROKEN, format!("the run broke off at {block}, iteration {step}")));
+    }
+    if let (Some(stress), Some(strength)) = (c.max_compressive_stress, bridge.masonry.compressive_strength)
+        && stress > strength
+    {
+        let message = format!("largest stress {:.2} MPa, strength {:.2} MPa", stress / 1e6, strength / 1e6);
+        c.warnings.push(Warning::new(warning::ABOVE_STRENGTH, message));
+    }
+    if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load) {
+        let share = stable / bound;
+        let next = c.collapse_load.unwrap_or(stable) / bound;
+        let message = format!(
+            "last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m ({:.0} %)",
+            stable / 1e3,
+            bound / 1e3,
+            100.0 * share
+        );
+        if share > 1.0 {
+            c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+        } else if c.collapse_load.is_some() && next < 1.0 - USUAL_GAP {
+            c.warnings.push(Warning::new(warning::FAR_BELOW_LIMIT, message));
+        }
+    }
+}
+
+fn inset(bridge: &Bridge) -> Warning {
+    let thickness: f64 = bridge.spans[0].rings.iter().map(|r| r.crown_thickness).sum();
+    let r = bridge.masonry.rounding;
+    Warning::new(
+        warning::INSET,
+        format!(
+            "contact points lie {:.1} mm inside the edges: {:.4} m of a ring of {:.4} m count",
+            1e3 * r,
+            thickness - 2.0 * r,
+            thickness
+        ),
+    )
+}
+
+/// Notes that do not depend on the method.
+fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+    for s in &d.spreads {
+        // A millimetre is what a survey resolves.
+        if s.shift.abs() > 1e-3 && s.to_ground.abs() < 1e-9 * s.strip.force.abs() {
+            c.warnings.push(Warning::new(
+                warning::SHIFTED_LOAD,
+                format!("the resultant of the load at {:.3} m moves by {:+.1} mm", s.strip.middle, 1e3 * s.shift),
+            ));
+        }
+        if s.to_ground > 1e-9 * s.strip.force {
+            let percent = 100.0 * s.to_ground / s.strip.force;
+            c.warnings.push(Warning::new(
+                warning::GROUND_LOAD,
+                format!("{percent:.1} % of the load at {:.3} m reaches the ground beside the rings", s.strip.middle),
+            ));
+        }
+    }
+    if bridge.masonry.compressive_strength.is_none() {
+        c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, "the file gives no compressive strength"));
+    }
+    if bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some() {
+        c.warnings.push(Warning::new(
+            warning::FILL_AS_WEIGHT,
+            "fill and backing act by their weight alone; their resistance is left out",
+        ));
+    }
+    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| format!("{:?}", l.name)).collect();
+    if !unloaded.is_empty() {
+        c.assumptions.push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
+    }
+    c.assumptions.push(match bridge.dispersal.rule {
+        DispersalRule::None => "Loads act straight down on the extrados.".into(),
+        DispersalRule::Uniform => {
+            format!("Loads spread {} vertical to 1 horizontal, uniform at the extrados.", bridge.dispersal.slope)
+        }
+        DispersalRule::InverseDepth => format!(
+            "Loads spread {} vertical to 1 horizontal; pressures at the two ends are inversely proportional to their depth \
+             (Rouxinol, Providência and Lemos, eq. 2).",
+            bridge.dispersal.slope
+        ),
+        DispersalRule::Boussinesq => format!(
+            "Loads spread as under a strip on an elastic half space, cut off at {} vertical to 1 horizontal and scaled to \
+             the whole force.",
+            bridge.dispersal.slope
+        ),
+    });
+    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+    if bridge.spans.len() > 1 {
+        c.assumptions.push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
+    }
+}

@@ -1,0 +1,55 @@
+//! The parts of a picture that every analysis shares.
+
+use super::places::point;
+use crate::discretise::{Discretised, cover};
+use crate::outcome::{ContactForce, LoadArrow, Picture, Shape};
+use bridge::Bridge;
+use mechanics::blocks::PointForce;
+use mechanics::ids::BlockId;
+use mechanics::plane::Vec2;
+
+/// Blocks, surface and loads of a bridge as built.
+pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
+    let shapes = d.model.blocks.pairs().map(|(id, block)| Shape {
+        outline: block.outline.vertices().iter().map(|&v| point(v)).collect(),
+        role: d.origins[id].role().to_string(),
+        held: block.held.is_fixed(),
+    });
+    Picture {
+        title: format!("{}: {title}", bridge.name),
+        shapes: shapes.collect(),
+        surface: cover::surface_line(bridge, &d.extrados).into_iter().map(point).collect(),
+        surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
+        loads: d
+            .loading
+            .variable
+            .iter()
+            .map(|f| LoadArrow { at: point(f.at), force: point(f.force) })
+            .collect(),
+        ..Picture::default()
+    }
+}
+
+/// Average stress of each block [Pa], tension positive (xx, yy, xy), from the forces on its surface: the divergence
+/// theorem. Its own weight acts in the centroid and does not count.
+pub fn stresses(d: &Discretised, contacts: &[ContactForce], loads: &[(PointForce, f64)]) -> Vec<[f64; 3]> {
+    let mut sums = vec![[0.0; 3]; d.model.blocks.len()];
+    let mut add = |block: usize, at: Vec2, force: Vec2| {
+        let arm = at - d.model.blocks.as_slice()[block].outline.centroid();
+        sums[block][0] += arm.x * force.x;
+        sums[block][1] += arm.y * force.y;
+        sums[block][2] += 0.5 * (arm.x * force.y + arm.y * force.x);
+    };
+    for c in contacts {
+        let normal = Vec2 { x: c.normal[0], y: c.normal[1] };
+        let on_second = normal * c.compression + normal.left() * c.shear;
+        let at = Vec2 { x: c.point[0], y: c.point[1] };
+        add(c.blocks[1], at, on_second);
+        add(c.blocks[0], at, -on_second);
+    }
+    for (load, factor) in loads {
+        let BlockId(block) = load.block;
+        add(block as usize, load.at, load.force * *factor);
+    }
+    sums.iter().zip(d.model.blocks.iter()).map(|(s, b)| s.map(|v| v / b.outline.area())).collect()
+}

@@ -1,0 +1,116 @@
+//! Joints of a discretised bridge: where they stand in it, how their sides move, which are hinges.
+
+use crate::discretise::{Discretised, Origin};
+use crate::outcome::{Hinge, HingeAt, Motion, Point};
+use mechanics::blocks::Interface;
+use mechanics::ids::{BlockId, Id};
+use mechanics::plane::{Vec2, vec2};
+
+/// A vector as results show it.
+pub fn point(v: Vec2) -> Point {
+    [v.x, v.y]
+}
+
+/// Span, ring and number (0 at the left springing) of the joint between two blocks of a ring or a ring and its
+/// support.
+pub fn joint_in_ring(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, usize, usize)> {
+    let voussoir = |o: Origin| match o {
+        Origin::Voussoir { span, ring, voussoir } => Some((span, ring, voussoir)),
+        _ => None,
+    };
+    match (voussoir(d.origins[a]), voussoir(d.origins[b])) {
+        (Some((s, r, i)), Some((t, q, j))) => (s == t && r == q && i.abs_diff(j) == 1).then(|| (s, r, i.max(j))),
+        (Some((s, r, i)), None) => Some((s, r, springing(d, a, b, i))),
+        (None, Some((s, r, j))) => Some((s, r, springing(d, b, a, j))),
+        (None, None) => None,
+    }
+}
+
+/// Number of the springing joint of voussoir `i`: 0 on the left, one more than the last voussoir on the right.
+fn springing(d: &Discretised, voussoir: BlockId, support: BlockId, i: usize) -> usize {
+    let middle = |b: BlockId| d.model.blocks[b].outline.centroid().x;
+    if middle(support) < middle(voussoir) { i } else { i + 1 }
+}
+
+/// At which edge of its ring a hinge of the joint between two blocks lies.
+pub fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> HingeAt {
+    if joint_in_ring(d, a, b).is_none() {
+        return HingeAt::Other;
+    }
+    let Some(faces) = d.faces[a].or(d.faces[b]) else { return HingeAt::Other };
+    let distance = |[p, q]: [Vec2; 2]| ((at - p).cross((q - p).unit())).abs();
+    if distance(faces.bed) <= distance(faces.back) { HingeAt::Intrados } else { HingeAt::Extrados }
+}
+
+/// A mechanism read from the motions of the blocks.
+#[derive(Debug, Clone, Default)]
+pub struct Moving {
+    /// Hinges, sorted as the interfaces.
+    pub hinges: Vec<Hinge>,
+    /// Middles of the joints that slide.
+    pub sliding: Vec<Point>,
+}
+
+/// A joint turns when its relative rotation is at least this share of the largest one. Elastic joints beside a hinge
+/// share some of its rotation; in the mechanisms of arches the hinges themselves differ by less than a factor of five.
+const TURNING: f64 = 0.2;
+/// A joint slides when its relative displacement along the tangent is at least this share of the largest displacement
+/// of any block.
+const SLIDING: f64 = 0.05;
+
+/// Hinges and sliding joints of motions scaled to a largest translation of 1 m.
+pub fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Moving {
+    let motion = |b: BlockId| motions[b.index()];
+    let turn = |j: &Interface| motion(j.second).rotation - motion(j.first).rotation;
+    let largest = joints.iter().map(|j| turn(j).abs()).fold(0.0, f64::max);
+    let mut found = Moving::default();
+    for j in joints {
+        let rotation = turn(j);
+        // A second side that turns counter-clockwise closes the far end along the tangent.
+        let closed = if rotation > 0.0 { j.points.len() - 1 } else { 0 };
+        let at = j.points[closed];
+        let velocity = |b: BlockId| {
+            let m = motion(b);
+            vec2(m.translation[0], m.translation[1]) + (at - d.model.blocks[b].outline.centroid()).left() * m.rotation
+        };
+        let apart = velocity(j.second) - velocity(j.first);
+        let opened = apart.dot(j.normal) > SLIDING;
+        if largest > 0.0 && rotation.abs() >= TURNING * largest && !opened && j.points.len() == 2 {
+            found.hinges.push(Hinge { point: point(at), edge: edge_at(d, j.first, j.second, at), rotation });
+        }
+        if apart.dot(j.normal.left()).abs() >= SLIDING && !opened {
+            let middle = j.points.iter().fold(Vec2::ZERO, |sum, &p| sum + p) * (1.0 / j.points.len() as f64);
+            found.sliding.push(point(middle));
+        }
+    }
+    found
+}
+
+/// Motions scaled so that the largest translation is 1 m; nothing where nothing moves.
+pub fn scaled(motions: Vec<Motion>) -> Option<Vec<Motion>> {
+    let size = |m: &Motion| m.translation[0].hypot(m.translation[1]);
+    let largest = motions.iter().map(size).fold(0.0, f64::max);
+    (largest > 1e-12).then(|| {
+        motions
+            .into_iter()
+            .map(|m| Motion { translation: m.translation.map(|t| t / largest), rotation: m.rotation / largest })
+            .collect()
+    })
+}
+
+/// Sorts points of joints into one polyline per span and ring, from left to right.
+pub fn lines<T: Copy>(d: &Discretised, points: impl Iterator<Item = (BlockId, BlockId, T)>) -> Vec<Vec<T>> {
+    let mut placed: Vec<_> =
+        points.filter_map(|(a, b, value)| joint_in_ring(d, a, b).map(|place| (place, value))).collect();
+    placed.sort_by_key(|(place, _)| *place);
+    let mut lines: Vec<Vec<T>> = Vec::new();
+    let mut before = None;
+    for ((span, ring, _), value) in placed {
+        if before != Some((span, ring)) {
+            lines.push(Vec::new());
+            before = Some((span, ring));
+        }
+        lines.last_mut().expect("a line was just started").push(value);
+    }
+    lines
+}

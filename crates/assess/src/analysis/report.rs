@@ -1,0 +1,186 @@
+//! What a collapse analysis found.
+
+use crate::outcome::{Hinge, Picture, Point};
+use crate::warning::Warning;
+use bridge::{Analysis, Method};
+
+/// How an analysis ended. All of these are answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// A load was found that makes a mechanism.
+    Collapsed,
+    /// Every load up to the limit was carried.
+    StableToLastLoad,
+    /// A load step neither came to rest nor collapsed.
+    Stalled,
+    /// The bridge does not stand under its own weight.
+    UnstableUnderSelfWeight,
+    /// The limit load is unbounded.
+    Locks,
+    /// A load step used up its iterations.
+    StepLimit,
+    /// The method did not reach its tolerance.
+    NotConverged,
+    /// Stopped by its onlooker.
+    Cancelled,
+    /// An analysis without a collapse load ended as it should.
+    Completed,
+}
+
+impl Status {
+    /// All of them, for tables and schemas.
+    pub const ALL: [Status; 9] = [
+        Status::Collapsed,
+        Status::StableToLastLoad,
+        Status::Stalled,
+        Status::UnstableUnderSelfWeight,
+        Status::Locks,
+        Status::StepLimit,
+        Status::NotConverged,
+        Status::Cancelled,
+        Status::Completed,
+    ];
+    /// The word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Collapsed => "collapsed",
+            Status::StableToLastLoad => "stable-to-last-load",
+            Status::Stalled => "stalled",
+            Status::UnstableUnderSelfWeight => "unstable-under-self-weight",
+            Status::Locks => "locks",
+            Status::StepLimit => "step-limit",
+            Status::NotConverged => "not-converged",
+            Status::Cancelled => "cancelled",
+            Status::Completed => "completed",
+        }
+    }
+    /// The exit code of the command: 0 finished, 1 finished and the bridge does not stand, 3 could not finish, 130
+    /// interrupted.
+    pub fn exit_code(self) -> u8 {
+        match self {
+            Status::Collapsed | Status::StableToLastLoad | Status::Stalled | Status::Locks | Status::Completed => 0,
+            Status::UnstableUnderSelfWeight => 1,
+            Status::StepLimit | Status::NotConverged => 3,
+            Status::Cancelled => 130,
+        }
+    }
+}
+
+/// What only the discrete element method reports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DemReport {
+    /// Iterations in all.
+    pub iterations_total: u64,
+    /// Time step used [s].
+    pub time_step: f64,
+    /// Critical time step from the largest eigenvalue [s].
+    pub critical_time_step: f64,
+    /// Critical time step from the one-degree-of-freedom estimate [s].
+    pub single_mass_time_step: f64,
+    /// Damping, in words.
+    pub damping: String,
+    /// Contact length, in words.
+    pub contact_length: &'static str,
+    /// What the energy account leaves unexplained, relative to the work done.
+    pub energy_drift: f64,
+    /// Where a run broke off: block and iteration.
+    pub broken_at: Option<(String, u64)>,
+}
+
+/// What only limit analysis reports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LimitReport {
+    /// The flow rule that the numbers belong to: "associated" or "non-associated".
+    pub friction: &'static str,
+    /// Lower bound, recomputed from the forces [N/m].
+    pub lower_bound: Option<f64>,
+    /// Upper bound, recomputed from the mechanism [N/m].
+    pub upper_bound: Option<f64>,
+    /// The associated collapse load beside a non-associated one [N/m].
+    pub associated_load: Option<f64>,
+    /// Largest out-of-balance force, relative to the permanent loads.
+    pub equilibrium_residual: f64,
+    /// Largest excess over the strength, relative to the permanent loads.
+    pub yield_violation: f64,
+    /// Iterations of the solver.
+    pub iterations: u32,
+}
+
+/// The least thickness that stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThicknessReport {
+    /// Share of the given thickness that just stands, and the largest that was seen not to.
+    pub factor: [f64; 2],
+    /// Least thickness of all rings together at the crown of the first span [m].
+    pub crown_thickness: f64,
+    /// The same over the radius of the ring's middle line, where the intrados is a circle.
+    pub over_mean_radius: Option<f64>,
+}
+
+/// The support movement that makes a mechanism.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SupportReport {
+    /// Last movement at which the bridge came to rest [m, or rad where only a rotation is given].
+    pub last_stable: Option<f64>,
+    /// Smallest movement at which it collapsed.
+    pub collapse: Option<f64>,
+    /// Increment.
+    pub step: f64,
+}
+
+/// The result of a collapse analysis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Collapse {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// Width of the barrel [m].
+    pub width: f64,
+    /// By which method.
+    pub method: Method,
+    /// Which analysis.
+    pub analysis: Analysis,
+    /// How it ended.
+    pub status: Status,
+    /// Load at collapse [N/m].
+    pub collapse_load: Option<f64>,
+    /// Largest load carried [N/m].
+    pub last_stable_load: Option<f64>,
+    /// Load increment [N/m].
+    pub load_step: Option<f64>,
+    /// Load of the file: a load factor of one [N/m].
+    pub reference_load: f64,
+    /// Limit load of the same blocks with infinitely stiff joints [N/m], beside a discrete element run.
+    pub limit_load: Option<f64>,
+    /// Hinges of the mechanism.
+    pub hinges: Vec<Hinge>,
+    /// Middles of joints that slide [m].
+    pub sliding_joints: Vec<Point>,
+    /// Largest compressive stress [Pa].
+    pub max_compressive_stress: Option<f64>,
+    /// Number of blocks.
+    pub blocks: usize,
+    /// Number of particles.
+    pub particles: usize,
+    /// Number of contact points.
+    pub contacts: usize,
+    /// Tolerance of the method.
+    pub tolerance: f64,
+    /// Seed of whatever is random.
+    pub seed: u64,
+    /// Discrete elements only.
+    pub dem: Option<DemReport>,
+    /// Limit analysis only.
+    pub limit: Option<LimitReport>,
+    /// Thickness analysis only.
+    pub thickness: Option<ThicknessReport>,
+    /// Support movement only.
+    pub support: Option<SupportReport>,
+    /// Names of the blocks, in the order of the picture's shapes.
+    pub block_names: Vec<String>,
+    /// What a reader should look at.
+    pub warnings: Vec<Warning>,
+    /// What the result assumes.
+    pub assumptions: Vec<String>,
+    /// Everything that figures and tables are made from.
+    pub picture: Picture,
+}

@@ -1,0 +1,110 @@
+//! Warnings of an analysis, each with a card that explains it.
+
+/// A warning.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Warning {
+    /// Stable code, `A…`.
+    pub code: &'static str,
+    /// What was found, with numbers.
+    pub message: String,
+}
+
+/// What a code means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Card {
+    /// The code.
+    pub code: &'static str,
+    /// In a few words.
+    pub title: &'static str,
+    /// Why it matters and what to do.
+    pub text: &'static str,
+}
+
+macro_rules! cards {
+    ($($(#[$meta:meta])* $name:ident = $code:literal, $title:literal, $text:literal;)*) => {
+        $($(#[$meta])* pub const $name: &str = $code;)*
+        /// Every card, in order of the codes.
+        pub const CARDS: &[Card] = &[$(Card { code: $code, title: $title, text: $text }),*];
+    };
+}
+
+cards! {
+    /// Associated friction where sliding takes part.
+    ASSOCIATED_SLIDING = "A101", "associated friction where joints slide",
+        "Limit analysis with associated friction lets a sliding joint open by the friction angle. Real joints do not, so \
+         where sliding takes part in the mechanism the load is an upper bound that can be half as much again as what the \
+         blocks carry. Use friction = \"non-associated\" or \"automatic\" in the plan, or the discrete element method \
+         (Gilbert, Casapulla and Ahmed 2006).";
+    /// The dispersal rule moves the load.
+    SHIFTED_LOAD = "A102", "the dispersal rule moves the load along the bridge",
+        "A pressure inversely proportional to depth (Rouxinol, Providência and Lemos, eq. 2) has the load's size but not \
+         its place: its centre lies nearer to the shallow end. The rule is applied as published; the message gives the \
+         distance. The rule \"none\" keeps the load where it stands.";
+    /// Part of the load goes to the ground.
+    GROUND_LOAD = "A103", "part of the load reaches the ground beside the rings",
+        "What disperses onto an abutment's upper face or beyond it does not act on the rings. The collapse load still \
+         counts the whole load on the road.";
+    /// Where the joints' contact points lie.
+    INSET = "A104", "contact points lie inside the edges",
+        "Blocks with rounded corners touch inside their edges by the radius of rounding, so the effective ring is thinner \
+         than drawn. At Bridgemill 10 mm at each edge take 5 % off the limit load (231.5 to 219.4 kN/m). State the inset \
+         with the load; contact_points = \"full-ring\" analyses the drawn thickness.";
+    /// The published load is the last stable one.
+    PUBLISHED_STEP = "A105", "which load step is called the collapse load",
+        "collapse_load is the first load that did not come to rest, last_stable_load the one before it. Rouxinol, \
+         Providência and Lemos print the last stable step as collapse load for their cases 1 and 2 (204.82 and \
+         325.30 kN/m), and the collapsing one for case 3.";
+    /// Discrete elements against the limit load.
+    ABOVE_LIMIT = "A106", "the discrete element load lies above the limit load",
+        "Deformable joints and displacements lower the load of an arch below the limit load of the same blocks as built, \
+         usually by 0 to 15 %. A load above it has a reason: friction that dilates less than assumed elsewhere, thrust \
+         lines that displacements improve, or a load step that is too coarse. Find it before using the number.";
+    /// Far below the limit load.
+    FAR_BELOW_LIMIT = "A107", "the discrete element load lies far below the limit load",
+        "More than 15 % below the limit load of the same blocks: soft joints, large displacements before collapse, or \
+         sliding that associated friction overestimates. Try stiffer joints to see which.";
+    /// A run broke off.
+    BROKEN = "A108", "the run broke off at a block",
+        "A number stopped being finite or a block ran away within one step. The message names the block and the \
+         iteration; a smaller time_step_factor or a look at that block's joints helps.";
+    /// The stress passes the strength.
+    ABOVE_STRENGTH = "A109", "stress above the compressive strength",
+        "The largest compressive stress at rest is above the strength of the masonry. With a strength in the file the \
+         contacts crush at it; the message compares the two.";
+    /// Crushing left out.
+    UNLIMITED_STRENGTH = "A110", "compressive strength without limit",
+        "The file gives no compressive strength, so hinges turn about a line without crushing. For a ring with a thrust \
+         of a tenth of its strength this overestimates the load by some per cent.";
+    /// Fill as weight alone.
+    FILL_AS_WEIGHT = "A111", "fill acts by its weight alone",
+        "Cover is weight and a path for loads; it does not push back on a ring that moves into it. Where fill is deep \
+         this is on the safe side: collapse loads of tests lie at 0.8 to 2.5 times such a calculation.";
+    /// Numbers chosen for the reader.
+    CHOSEN = "A112", "a number of the plan was chosen",
+        "The plan leaves a number of the method out (never a physical value), and it was chosen as the message says. \
+         Write it into the plan to keep it.";
+    /// Bounds apart.
+    BOUNDS_APART = "A113", "the bounds of limit analysis differ",
+        "The load recomputed from the forces and the load recomputed from the mechanism differ by more than the \
+         tolerance. Trust the lower one.";
+}
+
+impl Warning {
+    /// A warning with its message.
+    pub fn new(code: &'static str, message: impl Into<String>) -> Warning {
+        Warning { code, message: message.into() }
+    }
+}
+
+/// The card of a code.
+pub fn explain(code: &str) -> Option<&'static Card> {
+    CARDS.iter().find(|c| c.code.eq_ignore_ascii_case(code))
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn codes_are_unique_and_in_order() {
+        assert!(super::CARDS.windows(2).all(|w| w[0].code < w[1].code));
+    }
+}

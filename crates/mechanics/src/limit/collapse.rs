@@ -1,0 +1,165 @@
+//! The collapse load.
+
+use super::bounds;
+use super::equilibrium::Equilibrium;
+use super::joints::{Joint, Strength, joints};
+use super::mechanism::mechanism;
+use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
+use super::program::{Ending, Program, Solution};
+use super::settings::{Friction, Settings};
+use crate::blocks::{BlockModel, Interface, Loading, ModelError};
+use crate::plane::Vec2;
+
+/// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
+pub(super) const TOLERANCE: f64 = 1e-9;
+
+/// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
+pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
+    if model.blocks.iter().all(|b| b.held.is_fixed()) {
+        return Err(ModelError::NothingFree);
+    }
+    let (interfaces, joints) = joints(model, settings)?;
+    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
+    let found = largest_factor(&equilibrium, &joints, &strengths);
+    Ok(report(model, &equilibrium, &joints, &strengths, interfaces, &found))
+}
+
+/// A solved program and what it means.
+pub(super) struct Found {
+    pub status: Status,
+    pub solution: Solution,
+    pub iterations: u32,
+}
+
+/// Maximises the load factor, and asks what is wrong where there is no largest one.
+pub(super) fn largest_factor(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Found {
+    let program = Program {
+        equilibrium,
+        joints,
+        strengths,
+        drive: &equilibrium.variable,
+        rest: &equilibrium.permanent,
+        cap: None,
+        reward: Vec::new(),
+    };
+    let solution = program.solve(TOLERANCE);
+    let mut iterations = solution.iterations;
+    let solved = solution.ending == Ending::Solved;
+    let carried = carries_permanent(equilibrium, joints, strengths);
+    iterations += carried.iterations;
+    if carried.ending == Ending::Solved && carried.factor < 1.0 - 1e-6 {
+        return Found { status: Status::NoEquilibrium, solution: carried, iterations };
+    }
+    if solved && carried.ending == Ending::Solved {
+        return Found { status: Status::Solved, solution, iterations };
+    }
+    let locked = locks(equilibrium, joints, strengths);
+    iterations += locked.iterations;
+    let status = if locked.ending == Ending::Solved && locked.factor > 0.5 {
+        Status::Locks
+    } else {
+        Status::NotConverged
+    };
+    Found { status, solution, iterations }
+}
+
+/// The largest share of the permanent loads, up to all, that the joints carry. Always solvable: without loads no
+/// joint needs any force. Without cohesion and crushing the answer is all or nothing.
+fn carries_permanent(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
+    let rest = vec![0.0; equilibrium.rows];
+    let drive = &equilibrium.permanent;
+    Program { equilibrium, joints, strengths, drive, rest: &rest, cap: Some(1.0), reward: Vec::new() }.solve(1e-8)
+}
+
+/// Whether the variable loads alone can grow without end: forces that no strength limits carry them.
+fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
+    // Without any strength in force units the largest share is all or nothing; crushing limits every load.
+    let endless: Vec<Strength> = strengths
+        .iter()
+        .map(|s| Strength { tension: 0.0, cohesion: 0.0, crushing: if s.crushing.is_finite() { 0.0 } else { s.crushing }, ..*s })
+        .collect();
+    let rest = vec![0.0; equilibrium.rows];
+    let drive = &equilibrium.variable;
+    let crushes = endless.iter().any(|s| s.crushing == 0.0);
+    let cap = if crushes { Some(0.0) } else { Some(1.0) };
+    Program { equilibrium, joints, strengths: &endless, drive, rest: &rest, cap, reward: Vec::new() }.solve(1e-8)
+}
+
+pub(super) fn report(
+    model: &BlockModel,
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    interfaces: Vec<Interface>,
+    found: &Found,
+) -> Outcome {
+    let solution = &found.solution;
+    let mut outcome = Outcome {
+        status: found.status,
+        factor: None,
+        lower_bound: None,
+        upper_bound: None,
+        equilibrium_residual: 0.0,
+        yield_violation: 0.0,
+        flow_violation: 0.0,
+        interfaces,
+        forces: Vec::new(),
+        resultants: Vec::new(),
+        mechanism: None,
+        friction: Friction::Associated,
+        iterations: found.iterations,
+    };
+    if matches!(found.status, Status::Solved | Status::NoEquilibrium) {
+        outcome.mechanism = mechanism(model, equilibrium, joints, &solution.velocities);
+    }
+    if found.status == Status::Solved {
+        let scale = equilibrium.factor_scale;
+        outcome.factor = Some(solution.factor * scale);
+        outcome.lower_bound = outcome.factor;
+        let residual = equilibrium.residual(&solution.forces, solution.factor);
+        outcome.equilibrium_residual = residual.iter().fold(0.0, |m, r| m.max(r.abs()));
+        outcome.yield_violation = bounds::yield_violation(equilibrium, joints, strengths, &solution.forces);
+        let upper = bounds::upper(equilibrium, joints, strengths, &solution.velocities);
+        outcome.upper_bound = Some(upper.factor * scale);
+        let fastest = solution.velocities.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        outcome.flow_violation = upper.violation / fastest.max(f64::MIN_POSITIVE);
+        outcome.forces = joint_forces(equilibrium, joints, &solution.forces);
+        outcome.resultants = joints.iter().zip(&outcome.forces).map(|(j, f)| resultant(j, f)).collect();
+    }
+    outcome
+}
+
+/// Forces in newtons per metre, the shear shared in proportion to the compression.
+pub(super) fn joint_forces(equilibrium: &Equilibrium, joints: &[Joint], forces: &[f64]) -> Vec<JointForces> {
+    joints
+        .iter()
+        .zip(&equilibrium.first_column)
+        .map(|(joint, &c)| {
+            let n = joint.points.len();
+            let compressions: Vec<f64> = forces[c..c + n].iter().map(|f| f * equilibrium.force).collect();
+            let shear = forces[c + n] * equilibrium.force;
+            let total: f64 = compressions.iter().map(|c| c.abs()).sum();
+            let share = |c: f64| if total > 0.0 { c.abs() / total } else { 1.0 / n as f64 };
+            let points = joint.points.iter().zip(&compressions);
+            JointForces {
+                points: points
+                    .map(|(&at, &compression)| PointForces { at, compression, shear: shear * share(compression) })
+                    .collect(),
+                shear,
+            }
+        })
+        .collect()
+}
+
+/// The resultant of a joint in compression.
+pub(super) fn resultant(joint: &Joint, forces: &JointForces) -> Option<Resultant> {
+    let total = forces.compression();
+    let gross: f64 = forces.points.iter().map(|p| p.compression.abs()).sum();
+    // Below round-off of the force unit there is no line of action to speak of.
+    if total <= 1e-9 * gross || total <= 0.0 {
+        return None;
+    }
+    let at = forces.points.iter().fold(Vec2::ZERO, |sum, p| sum + p.at * (p.compression / total));
+    Some(Resultant { at, force: joint.normal * total + joint.tangent() * forces.shear })
+}

@@ -1,0 +1,169 @@
+//! The convex program, solved by Clarabel's interior-point method.
+
+use super::equilibrium::{Entry, Equilibrium};
+use super::joints::{Joint, Strength};
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT,
+    ZeroConeT,
+};
+
+/// `maximise reward . f + drive_reward * t` over joint forces `f` and a number `t`, subject to
+/// `B f + t drive + rest = 0`, `t <= cap` and the strength of the joints.
+pub(super) struct Program<'a> {
+    /// Geometry and units.
+    pub equilibrium: &'a Equilibrium,
+    /// Number of contact points and strength of each joint.
+    pub joints: &'a [Joint],
+    /// Strengths in place of the joints' own.
+    pub strengths: &'a [Strength],
+    /// What grows with `t`, scaled.
+    pub drive: &'a [f64],
+    /// What is there anyway, scaled.
+    pub rest: &'a [f64],
+    /// Largest `t`.
+    pub cap: Option<f64>,
+    /// What is wanted of the forces: column and weight. Empty to make `t` largest.
+    pub reward: Vec<Entry>,
+}
+
+/// How a program ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// To its tolerance.
+    Solved,
+    /// Anything else; not an answer by itself.
+    Unknown,
+}
+
+/// What a program returned, scaled.
+#[derive(Debug, Clone)]
+pub(super) struct Solution {
+    /// How it ended.
+    pub ending: Ending,
+    /// Forces: of each joint the compressions, then the shear.
+    pub forces: Vec<f64>,
+    /// The number `t`.
+    pub factor: f64,
+    /// Multipliers of the equilibrium equations.
+    pub velocities: Vec<f64>,
+    /// Iterations.
+    pub iterations: u32,
+}
+
+impl Program<'_> {
+    /// Solves to a relative gap and residual of `tolerance`.
+    pub fn solve(&self, tolerance: f64) -> Solution {
+        let forces = self.equilibrium.columns.len();
+        let (a, b, cones) = self.constraints();
+        let mut q = vec![0.0; forces + 1];
+        if self.reward.is_empty() {
+            q[forces] = -1.0;
+        }
+        for &(i, v) in &self.reward {
+            q[i] -= v;
+        }
+        let p = CscMatrix::zeros((forces + 1, forces + 1));
+        let settings = DefaultSettings {
+            verbose: false,
+            max_iter: 100,
+            tol_gap_abs: tolerance,
+            tol_gap_rel: tolerance,
+            tol_feas: tolerance,
+            max_threads: 1,
+            presolve_enable: false,
+            direct_solve_method: "qdldl".to_string(),
+            ..DefaultSettings::default()
+        };
+        let unknown = || Solution {
+            ending: Ending::Unknown,
+            forces: vec![0.0; forces],
+            factor: 0.0,
+            velocities: vec![0.0; self.equilibrium.rows],
+            iterations: 0,
+        };
+        let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
+            return unknown();
+        };
+        solver.solve();
+        let found = &solver.solution;
+        if found.x.iter().chain(&found.z).any(|v| !v.is_finite()) {
+            return unknown();
+        }
+        Solution {
+            ending: if found.status == SolverStatus::Solved { Ending::Solved } else { Ending::Unknown },
+            forces: found.x[..forces].to_vec(),
+            factor: found.x[forces],
+            velocities: found.z[..self.equilibrium.rows].to_vec(),
+            iterations: found.iterations,
+        }
+    }
+
+    /// `b - A x` lies in the cones: equations, then linear limits, then one parabola per contact point.
+    fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>, Vec<SupportedConeT<f64>>) {
+        let equations = self.equilibrium.rows;
+        let mut columns: Vec<Vec<Entry>> = self.equilibrium.columns.clone();
+        columns.push(self.drive.iter().copied().enumerate().filter(|&(_, v)| v != 0.0).collect());
+        let mut b: Vec<f64> = self.rest.iter().map(|r| -r).collect();
+        let last = columns.len() - 1;
+        let unit = self.equilibrium.force;
+        let mut limit = |columns: &mut Vec<Vec<Entry>>, at_least_zero: &[Entry], constant: f64| {
+            for &(column, v) in at_least_zero {
+                columns[column].push((b.len(), -v));
+            }
+            b.push(constant);
+        };
+        if let Some(cap) = self.cap {
+            limit(&mut columns, &[(last, -1.0)], cap);
+        }
+        for ((joint, strength), &c) in self.joints.iter().zip(self.strengths).zip(&self.equilibrium.first_column) {
+            let n = joint.points.len();
+            let curved = strength.curvature(n) > 0.0;
+            for k in (0..n).filter(|_| !curved) {
+                limit(&mut columns, &[(c + k, 1.0)], strength.tension / unit);
+            }
+            if strength.friction.is_finite() {
+                for sign in [1.0, -1.0] {
+                    let mut entries = vec![(c + n, sign)];
+                    entries.extend((0..n).map(|k| (c + k, strength.friction)));
+                    limit(&mut columns, &entries, strength.cohesion / unit);
+                }
+            }
+        }
+        let mut cones = vec![ZeroConeT(equations), NonnegativeConeT(0)];
+        for ((joint, strength), &c) in self.joints.iter().zip(self.strengths).zip(&self.equilibrium.first_column) {
+            let curvature = strength.curvature(joint.points.len()) * unit;
+            if curvature == 0.0 {
+                continue;
+            }
+            let tension = strength.tension / unit;
+            // (n' + q)^2 >= (n' - q)^2 + 4 q curvature total'^2, with q = curvature: balanced where total' is about 1.
+            for k in 0..2 {
+                limit(&mut columns, &[(c + k, 1.0)], tension + curvature);
+                limit(&mut columns, &[(c + k, 1.0)], tension - curvature);
+                let slope = 2.0 * curvature;
+                limit(&mut columns, &[(c, slope), (c + 1, slope)], 2.0 * slope * tension);
+                cones.push(SecondOrderConeT(3));
+            }
+        }
+        let curved = 3 * (cones.len() - 2);
+        cones[1] = NonnegativeConeT(b.len() - equations - curved);
+        (compressed(b.len(), &columns), b, cones)
+    }
+}
+
+fn compressed(rows: usize, columns: &[Vec<Entry>]) -> CscMatrix<f64> {
+    let entries: usize = columns.iter().map(Vec::len).sum();
+    let mut starts = Vec::with_capacity(columns.len() + 1);
+    let (mut indices, mut values) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
+    starts.push(0);
+    let mut sorted = Vec::new();
+    for column in columns {
+        sorted.clone_from(column);
+        sorted.sort_unstable_by_key(|e| e.0);
+        indices.extend(sorted.iter().map(|e| e.0));
+        values.extend(sorted.iter().map(|e| e.1));
+        starts.push(indices.len());
+    }
+    CscMatrix::new(rows, columns.len(), starts, indices, values)
+}

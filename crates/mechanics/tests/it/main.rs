@@ -1,0 +1,5 @@
+//! Integration tests of the crate, in one binary.
+
+mod limit_arch;
+mod limit_models;
+mod limit_walls;
