@@ -194,6 +194,9 @@ pub enum ModelError {
     /// Nothing is free to move.
     #[error("every block is held: there is nothing to analyse")]
     NothingFree,
+    /// The state to be taken up was kept for another model, or is damaged.
+    #[error("the kept state does not belong to this model, or is damaged")]
+    ForeignState,
     /// Two blocks share more than their surface.
     #[error("blocks {0} and {1} overlap by {2:.6} m where they are built")]
     Overlap(u32, u32, f64),

@@ -1,24 +1,27 @@
 //! Discrete elements: rigid blocks in deformable point contact, stepped in time to rest or to collapse.
+//!
+//! The method is that of Cundall (1971) for blocks as Rouxinol, Providência and Lemos use it for masonry arches:
+//! Newton's law for each block and a force-displacement law at each contact point, in turn, with numerical damping,
+//! until the out-of-balance force vanishes or the blocks keep moving.
 
+mod account;
+mod end;
+mod model;
 mod outcome;
+mod relax;
+mod run;
+mod search;
 mod settings;
+mod state;
+mod step;
+mod stiffness;
+mod touch;
+mod words;
 
+pub use account::{contacts, energy, frame, stresses};
+pub use model::Model;
 pub use outcome::{ContactState, Energy, Frame, Outcome, PathPoint, Status};
+pub use run::collapse;
 pub use settings::{ContactLength, Damping, Program, Settings};
-
-use crate::blocks::{BlockModel, Loading, ModelError};
-use crate::watch::Watch;
-
-/// Brings the blocks to rest under their own weight and the permanent forces, then raises the load factor in steps
-/// until they collapse or the limit is reached. `resume` takes up a state that [`Watch::keep`] was offered, for the
-/// same model, loading, program and settings; the numbers are those of an undisturbed run.
-pub fn collapse(
-    _model: &BlockModel,
-    _loading: &Loading,
-    _program: &Program,
-    _settings: &Settings,
-    _resume: Option<&[u64]>,
-    _watch: &mut dyn Watch,
-) -> Result<Outcome, ModelError> {
-    todo!("discrete element method")
-}
+pub use state::State;
+pub use step::{StepReport, Workspace, begin, step};

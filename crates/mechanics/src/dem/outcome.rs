@@ -18,8 +18,8 @@ pub enum Status {
     StepLimit,
     /// The onlooker stopped the run; its state can be resumed.
     Cancelled,
-    /// A number stopped being finite.
-    NotFinite {
+    /// A number stopped being finite, or a block ran away within one step.
+    Broken {
         /// The block where it was seen first.
         block: BlockId,
         /// The iteration.

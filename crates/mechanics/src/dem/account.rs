@@ -1,0 +1,164 @@
+//! What a state amounts to: out-of-balance force, energies, stresses, a frame to be drawn.
+
+use super::model::Model;
+use super::outcome::{ContactState, Energy, Frame};
+use super::state::State;
+use crate::ids::{BlockId, Id};
+use crate::plane::{Vec2, vec2};
+
+/// Sum over the free blocks of the out-of-balance force [N/m], moments counted at the radius of gyration, over the
+/// sum of the acting forces.
+pub(super) fn unbalanced_ratio(model: &Model, state: &State) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..model.len() {
+        let inverse = &model.inverse_mass[i];
+        if *inverse == [0.0; 3] {
+            continue;
+        }
+        let acting = model.acting(i, state.factor);
+        let f = &state.contact_forces[i];
+        let turn = &state.poses[i].rotation;
+        let force = [
+            f[0] + acting.force.x,
+            f[1] + acting.force.y,
+            (f[2] + turn.cos * acting.cross - turn.sin * acting.dot) / model.gyration[i],
+        ];
+        for c in 0..3 {
+            if inverse[c] > 0.0 {
+                sum += force[c].abs();
+            }
+        }
+    }
+    sum / model.acting_scale(state.factor)
+}
+
+/// Kinetic energy of the free blocks [J/m].
+pub(super) fn kinetic_energy(model: &Model, state: &State) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..model.len() {
+        for c in 0..3 {
+            if model.inverse_mass[i][c] > 0.0 {
+                sum += 0.5 * model.mass[i][c] * state.velocities[i][c].powi(2);
+            }
+        }
+    }
+    sum
+}
+
+/// The energy account since the blocks were built [J/m], at the half step at which velocities are known: positions
+/// and contact energies are taken half a step back and forth to it, so that the account closes in motion too.
+pub fn energy(model: &Model, state: &State) -> Energy {
+    let half = 0.5 * state.time_step;
+    let (mut gravity, mut loads, mut elastic) = (0.0, state.load_work, 0.0);
+    for i in 0..model.len() {
+        if model.inverse_mass[i] == [0.0; 3] {
+            continue;
+        }
+        let (v, f) = (&state.velocities[i], &state.contact_forces[i]);
+        let mut pose = state.poses[i];
+        pose.position -= vec2(v[0], v[1]) * half;
+        pose.rotation = pose.rotation.advanced(-v[2] * half);
+        let weight = model.weight[i].work(model.built[i], &pose);
+        gravity += weight;
+        loads += model.permanent[i].work(model.built[i], &pose) - weight;
+        loads += state.factor * model.variable[i].work(model.built[i], &pose);
+        elastic -= half * (0..3).map(|c| f[c] * v[c] * model.bodies[i].free[c]).sum::<f64>();
+    }
+    Energy {
+        gravity,
+        loads,
+        supports: state.support_work,
+        kinetic: kinetic_energy(model, state),
+        elastic: elastic + state.touches.iter().map(|t| t.elastic_energy()).sum::<f64>(),
+        dissipated: state.dissipated,
+        damped: state.damped,
+    }
+}
+
+/// Changes the load factor; the work that the loads have done so far is booked at the old one.
+pub(super) fn set_factor(model: &Model, state: &mut State, factor: f64) {
+    for i in 0..model.len() {
+        if model.inverse_mass[i] != [0.0; 3] {
+            state.load_work += (state.factor - factor) * model.variable[i].work(model.built[i], &state.poses[i]);
+        }
+    }
+    state.factor = factor;
+}
+
+/// Closed contacts, sorted by blocks; normals point from the lower to the higher id.
+pub fn contacts(state: &State) -> Vec<ContactState> {
+    let mut found = Vec::new();
+    for t in &state.touches {
+        let points = t.points(&state.poses[t.one as usize], &state.poses[t.two as usize]);
+        let (first, second) = t.ids();
+        let flip = first != t.one;
+        for k in 0..t.count as usize {
+            let m = &t.memory[k];
+            if m.closed {
+                found.push(ContactState {
+                    first: BlockId(first),
+                    second: BlockId(second),
+                    point: points.at(k, state.poses[t.one as usize].position),
+                    normal: if flip { -points.normal() } else { points.normal() },
+                    compression: m.compression,
+                    shear: m.shear,
+                    length: m.length,
+                    sliding: m.sliding,
+                });
+            }
+        }
+    }
+    found
+}
+
+/// Average stress of each block [Pa], tension positive, from the forces on its boundary: `1/A sum x (x) f`, by the
+/// divergence theorem (Potyondy and Cundall 2004). The mean of the two shear components is reported.
+pub fn stresses(model: &Model, state: &State, contacts: &[ContactState]) -> Vec<[f64; 3]> {
+    let mut sums = vec![[0.0; 3]; model.len()];
+    let mut add = |i: usize, at: Vec2, f: Vec2| {
+        let x = at - state.poses[i].position;
+        sums[i][0] += x.x * f.x;
+        sums[i][1] += x.y * f.y;
+        sums[i][2] += 0.5 * (x.x * f.y + x.y * f.x);
+    };
+    for c in contacts {
+        let f = c.normal * c.compression + c.normal.left() * c.shear;
+        add(c.second.index(), c.point, f);
+        add(c.first.index(), c.point, -f);
+    }
+    for i in 0..model.len() {
+        // Surface loads act on the boundary too; body forces act on the centroid and add nothing.
+        let surface = model.permanent[i].plus(&model.weight[i], -1.0).plus(&model.variable[i], state.factor);
+        let arm_work = [surface.dot, surface.cross];
+        if surface.force != Vec2::ZERO {
+            // Vertical resultants: x (x) f has the components x f_y and y f_y, which are cross and dot as built.
+            let turn = &state.poses[i].rotation;
+            let (dot, cross) =
+                (turn.cos * arm_work[0] + turn.sin * arm_work[1], turn.cos * arm_work[1] - turn.sin * arm_work[0]);
+            let f = surface.force;
+            let square = f.dot(f);
+            // The arm that gives this resultant its moment and its virial.
+            let arm = f * (dot / square) + f.right() * (cross / square);
+            sums[i][0] += arm.x * f.x;
+            sums[i][1] += arm.y * f.y;
+            sums[i][2] += 0.5 * (arm.x * f.y + arm.y * f.x);
+        }
+        for s in &mut sums[i] {
+            *s /= model.area[i];
+        }
+    }
+    sums
+}
+
+/// The state as a frame.
+pub fn frame(model: &Model, state: &State) -> Frame {
+    let contacts = contacts(state);
+    Frame {
+        factor: state.factor,
+        iterations: state.steps,
+        poses: state.poses.iter().copied().collect(),
+        velocities: state.velocities.iter().map(|&v| super::model::split(v)).collect(),
+        stresses: stresses(model, state, &contacts).into_iter().collect(),
+        contacts,
+    }
+}

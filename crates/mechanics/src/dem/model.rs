@@ -1,0 +1,189 @@
+//! What is fixed once a run is set up.
+
+use crate::blocks::{BlockModel, LawTable, Loading, ModelError, PointForce};
+use crate::ids::{BlockId, GroupId, Id, Table};
+use crate::plane::{Core, Pose, Vec2, vec2};
+
+/// Forces on one block that keep their direction while their points of application move with the block. The moment
+/// of force `F` at arm `a`, turned by `(cos, sin)`, is `cos (a x F) - sin (a . F)`, so two sums stand for any number
+/// of forces.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Resultant {
+    /// Sum of the forces [N/m].
+    pub force: Vec2,
+    /// Sum of `a x F` as built [N].
+    pub cross: f64,
+    /// Sum of `a . F` as built [N].
+    pub dot: f64,
+}
+
+impl Resultant {
+    fn add(&mut self, arm: Vec2, force: Vec2) {
+        self.force += force;
+        self.cross += arm.cross(force);
+        self.dot += arm.dot(force);
+    }
+    /// This resultant plus `factor` times another.
+    pub fn plus(&self, other: &Resultant, factor: f64) -> Resultant {
+        Resultant {
+            force: self.force + other.force * factor,
+            cross: self.cross + other.cross * factor,
+            dot: self.dot + other.dot * factor,
+        }
+    }
+    /// Work done since the block was built [J/m].
+    pub fn work(&self, built: Vec2, now: &Pose) -> f64 {
+        let c = now.rotation.cos - 1.0;
+        self.force.dot(now.position - built) + c * self.dot + now.rotation.sin * self.cross
+    }
+}
+
+/// What a step needs of one body, side by side in memory.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Body {
+    pub inverse_mass: [f64; 3],
+    pub mass: [f64; 3],
+    /// 1 for a free motion, 0 for a prevented one.
+    pub free: [f64; 3],
+    /// Distance of its farthest point from the centre of mass [m].
+    pub reach: f64,
+}
+
+/// Rigid bodies and what acts on them.
+#[derive(Debug, Clone)]
+pub struct Model {
+    pub(super) cores: Table<BlockId, Core>,
+    pub(super) groups: Vec<GroupId>,
+    pub(super) laws: LawTable,
+    /// Centre of mass of each block as built [m].
+    pub(super) built: Vec<Vec2>,
+    /// The same numbers as below, as the steps read them.
+    pub(super) bodies: Vec<Body>,
+    /// Mass [kg/m], twice, and moment of inertia [kg m].
+    pub(super) mass: Vec<[f64; 3]>,
+    /// Reciprocals of `mass`; zero for a prevented motion.
+    pub(super) inverse_mass: Vec<[f64; 3]>,
+    /// Radius of gyration [m].
+    pub(super) gyration: Vec<f64>,
+    pub(super) area: Vec<f64>,
+    /// Weight and permanent forces.
+    pub(super) permanent: Vec<Resultant>,
+    /// Weight alone.
+    pub(super) weight: Vec<Resultant>,
+    /// Variable forces at load factor 1.
+    pub(super) variable: Vec<Resultant>,
+    /// Imposed motion at load factor 1: translation [m], rotation [rad].
+    pub(super) movement: Vec<[f64; 3]>,
+    /// Mean side of the free blocks, the square root of their area [m].
+    pub(super) block_size: f64,
+    /// Smallest reach of a block [m].
+    pub(super) least_reach: f64,
+}
+
+impl Model {
+    /// Sets a model up; refuses blocks without mass or with rounding that leaves nothing of an edge.
+    pub fn new(model: &BlockModel, loading: &Loading) -> Result<Model, ModelError> {
+        let cores = model.cores()?;
+        let n = model.blocks.len();
+        let mut m = Model {
+            groups: model.blocks.iter().map(|b| b.group).collect(),
+            laws: model.laws.clone(),
+            built: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
+            bodies: Vec::with_capacity(n),
+            mass: Vec::with_capacity(n),
+            inverse_mass: Vec::with_capacity(n),
+            gyration: Vec::with_capacity(n),
+            area: Vec::with_capacity(n),
+            permanent: vec![Resultant::default(); n],
+            weight: vec![Resultant::default(); n],
+            variable: vec![Resultant::default(); n],
+            movement: vec![[0.0; 3]; n],
+            block_size: 0.0,
+            least_reach: cores.iter().map(|c| c.reach).fold(f64::INFINITY, f64::min),
+            cores,
+        };
+        for (id, block) in model.blocks.pairs() {
+            if !(block.density > 0.0 && block.density.is_finite()) {
+                return Err(ModelError::NotPositive { block: id.0, what: "density", value: block.density });
+            }
+            let area = block.outline.area();
+            let mass = block.density * area;
+            let inertia = block.density * block.outline.polar_moment();
+            let free = |held: bool, m: f64| if held { 0.0 } else { 1.0 / m };
+            m.area.push(area);
+            m.mass.push([mass, mass, inertia]);
+            m.gyration.push((inertia / mass).sqrt());
+            m.inverse_mass.push([
+                free(block.held.x, mass),
+                free(block.held.y, mass),
+                free(block.held.rotation, inertia),
+            ]);
+            let inverse_mass = m.inverse_mass[id.index()];
+            m.bodies.push(Body {
+                inverse_mass,
+                mass: [mass, mass, inertia],
+                free: inverse_mass.map(|i| f64::from(i > 0.0)),
+                reach: m.cores[id].reach,
+            });
+            m.weight[id.index()].add(Vec2::ZERO, model.gravity * mass);
+        }
+        let free: Vec<usize> = (0..n).filter(|&i| m.inverse_mass[i] != [0.0; 3]).collect();
+        if free.is_empty() {
+            return Err(ModelError::NothingFree);
+        }
+        m.block_size = free.iter().map(|&i| m.area[i].sqrt()).sum::<f64>() / free.len() as f64;
+        m.permanent.clone_from(&m.weight);
+        let add = |into: &mut [Resultant], forces: &[PointForce]| {
+            for f in forces {
+                let i = f.block.index();
+                into[i].add(f.at - m.built[i], f.force);
+            }
+        };
+        add(&mut m.permanent, &loading.permanent);
+        add(&mut m.variable, &loading.variable);
+        for motion in &loading.movements {
+            m.movement[motion.block.index()] = [motion.translation.x, motion.translation.y, motion.rotation];
+        }
+        Ok(m)
+    }
+
+    /// Number of blocks.
+    pub fn len(&self) -> usize {
+        self.mass.len()
+    }
+    /// Whether there is no block; never after [`Model::new`].
+    pub fn is_empty(&self) -> bool {
+        self.mass.is_empty()
+    }
+    /// What acts on block `i` at a load factor.
+    pub(super) fn acting(&self, i: usize, factor: f64) -> Resultant {
+        self.permanent[i].plus(&self.variable[i], factor)
+    }
+    /// Sum of the sizes of all forces that act on free blocks [N/m]: the scale of out-of-balance forces.
+    pub(super) fn acting_scale(&self, factor: f64) -> f64 {
+        (0..self.len())
+            .filter(|&i| self.inverse_mass[i] != [0.0; 3])
+            .map(|i| {
+                let f = |r: &Resultant| r.force.x.abs() + r.force.y.abs();
+                f(&self.permanent[i]) + factor.abs() * f(&self.variable[i])
+            })
+            .sum::<f64>()
+            .max(f64::MIN_POSITIVE)
+    }
+    /// Whether anything is moved by the load factor.
+    pub(super) fn moves_supports(&self) -> bool {
+        self.movement.iter().any(|m| *m != [0.0; 3])
+    }
+    /// Poses as built.
+    pub(super) fn poses(&self) -> Vec<Pose> {
+        self.built.iter().map(|&c| Pose::at(c)).collect()
+    }
+    pub(super) fn point_on(&self, block: BlockId, built: Vec2, pose: &Pose) -> Vec2 {
+        pose.place(built - self.built[block.index()])
+    }
+}
+
+/// The three components of a motion as a translation and a rotation.
+pub(super) fn split(v: [f64; 3]) -> (Vec2, f64) {
+    (vec2(v[0], v[1]), v[2])
+}

@@ -1,0 +1,237 @@
+//! The stages of a quasi-static run: self-weight, then loads in increments, then refinement below the increment.
+
+use super::account::{contacts, energy, frame, set_factor};
+use super::model::Model;
+use super::outcome::{Frame, Outcome, PathPoint, Status};
+use super::relax::{Settled, Stage, settle};
+use super::settings::{Damping, Program, Settings};
+use super::state::State;
+use super::step::{Workspace, begin, critical_time_step, step};
+use super::{stiffness, words};
+use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::watch::{Progress, Watch, Wish};
+
+/// Iterations between looks at the onlooker.
+const CHUNK: u64 = 5_000;
+
+/// Iterations over which a support movement is spread.
+const RAMP: u64 = 2_000;
+
+/// A run and all it has found so far; what a checkpoint holds.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Run {
+    pub state: State,
+    pub stage: Stage,
+    /// The state at the last factor that came to rest.
+    pub stable: Option<State>,
+    /// Factors between which the collapse lies.
+    pub low: Option<f64>,
+    pub high: Option<f64>,
+    /// Increments applied.
+    pub increments: u64,
+    pub path: Vec<PathPoint>,
+    pub frames: Vec<Frame>,
+    pub last_stable_frame: Option<u64>,
+    pub max_stress: f64,
+    /// Iterations spent on states that were given up when the run went back to a stable one.
+    pub given_up: u64,
+    pub stalled: bool,
+    pub critical_time_step: f64,
+    pub single_mass_time_step: f64,
+}
+
+/// Brings the blocks to rest under their own weight and the permanent forces, then raises the load factor in steps
+/// until they collapse or the limit is reached. `resume` takes up a state that [`Watch::keep`] was offered, for the
+/// same model, loading, program and settings; the numbers are those of an undisturbed run.
+pub fn collapse(
+    model: &BlockModel,
+    loading: &Loading,
+    program: &Program,
+    settings: &Settings,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Outcome, ModelError> {
+    let model = Model::new(model, loading)?;
+    let mut run = match resume {
+        Some(words) => words::decode(&model, words).ok_or(ModelError::ForeignState)?,
+        None => start(&model, settings),
+    };
+    let mut work = Workspace::default();
+    loop {
+        let settled = advance(&model, &mut run, &mut work, settings);
+        if let Settled::Going = settled {
+            watch.keep(&|| words::encode(&run));
+            if watch.look(&progress(&run, program)) == Wish::Stop {
+                watch.keep(&|| words::encode(&run));
+                return Ok(finish(&model, run, program, Some(Status::Cancelled)));
+            }
+            continue;
+        }
+        record(&model, &mut run, settled, program);
+        if let Some(status) = decide(&model, &mut run, settled, program, settings) {
+            return Ok(finish(&model, run, program, Some(status)));
+        }
+    }
+}
+
+fn start(model: &Model, settings: &Settings) -> Run {
+    let mut state = begin(model, settings);
+    let critical = critical_time_step(model, &state);
+    if let Damping::Viscous(share) = settings.damping {
+        for t in &mut state.touches {
+            t.memory.iter_mut().for_each(|m| m.closed = true);
+        }
+        state.viscosity = 2.0 * share * stiffness::smallest_frequency(model, &state);
+        for t in &mut state.touches {
+            t.memory.iter_mut().for_each(|m| m.closed = false);
+        }
+    }
+    Run {
+        stage: Stage::new(&state),
+        stable: None,
+        low: None,
+        high: None,
+        increments: 0,
+        path: Vec::new(),
+        frames: Vec::new(),
+        last_stable_frame: None,
+        max_stress: 0.0,
+        given_up: 0,
+        stalled: false,
+        critical_time_step: critical,
+        single_mass_time_step: stiffness::single_mass_time_step(model, &state),
+        state,
+    }
+}
+
+/// Runs the present stage for a while.
+fn advance(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings) -> Settled {
+    move_supports(model, run, work, settings);
+    let Run { state, stage, frames, .. } = run;
+    settle(model, state, stage, work, settings, CHUNK, &mut |s| frames.push(frame(model, s)))
+}
+
+/// Walks moved supports to where the load factor wants them, slowly enough not to knock.
+fn move_supports(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings) {
+    let change = run.state.factor - run.state.support_factor;
+    if !model.moves_supports() || change == 0.0 {
+        return;
+    }
+    let rate = change / (RAMP as f64 * run.state.time_step);
+    let walk = |state: &mut State, rate: f64| {
+        for (v, m) in state.velocities.iter_mut().zip(&model.movement) {
+            if *m != [0.0; 3] {
+                *v = [m[0] * rate, m[1] * rate, m[2] * rate];
+            }
+        }
+    };
+    walk(&mut run.state, rate);
+    for _ in 0..RAMP {
+        step(model, &mut run.state, work, settings);
+        let mut power = 0.0;
+        for i in 0..model.len() {
+            if model.movement[i] != [0.0; 3] {
+                for c in 0..3 {
+                    power -= run.state.contact_forces[i][c] * run.state.velocities[i][c];
+                }
+            }
+        }
+        run.state.support_work += power * run.state.time_step;
+    }
+    walk(&mut run.state, 0.0);
+    run.state.support_factor = run.state.factor;
+}
+
+/// Books the end of a stage.
+fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
+    let (block, point) = program.watched;
+    let now = model.point_on(block, point, &run.state.poses[block.0 as usize]);
+    run.path.push(PathPoint {
+        factor: run.state.factor,
+        displacement: now - point,
+        iterations: run.state.steps - run.stage.first_step,
+        unbalanced_ratio: run.stage.ratio,
+        at_rest: settled == Settled::AtRest,
+    });
+    if settled == Settled::AtRest {
+        let stress = contacts(&run.state).iter().map(|c| c.compressive_stress()).fold(0.0, f64::max);
+        run.max_stress = run.max_stress.max(stress);
+        // Pictures of a motion that came to rest after all are not those of a collapse.
+        let keep =
+            run.frames.iter().take_while(|f| f.factor < run.state.factor || f.factor == 0.0 && run.low.is_none());
+        let keep = keep.count();
+        run.frames.truncate(keep);
+        run.last_stable_frame = Some(run.frames.len() as u64);
+        run.frames.push(frame(model, &run.state));
+    }
+}
+
+/// What comes next: the next factor, or the end.
+fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _settings: &Settings) -> Option<Status> {
+    match settled {
+        Settled::AtRest => {
+            run.low = Some(run.state.factor);
+            run.stable = Some(run.state.clone());
+        }
+        Settled::Collapsed | Settled::Stalled => {
+            if run.low.is_none() {
+                return Some(Status::UnstableUnderSelfWeight);
+            }
+            run.high = Some(run.state.factor);
+            run.stalled = settled == Settled::Stalled;
+        }
+        Settled::StepLimit => return Some(Status::StepLimit),
+        Settled::Broken(block) => return Some(Status::Broken { block, step: run.state.steps }),
+        Settled::Going => return None,
+    }
+    let low = run.low.unwrap_or(0.0);
+    let next = match run.high {
+        None if run.increments as f64 * program.increment >= program.limit * (1.0 - 1e-12) => {
+            return Some(Status::StableToLastLoad);
+        }
+        None => {
+            run.increments += 1;
+            (run.increments as f64 * program.increment).min(program.limit)
+        }
+        Some(high) => match program.resolution {
+            Some(resolution) if high - low > resolution * (1.0 + 1e-9) => {
+                if settled != Settled::AtRest {
+                    let stable = run.stable.clone().expect("a stage came to rest before");
+                    run.given_up += run.state.steps - stable.steps;
+                    run.state = stable;
+                }
+                0.5 * (low + high)
+            }
+            _ => return Some(if run.stalled { Status::Stalled } else { Status::Collapsed }),
+        },
+    };
+    set_factor(model, &mut run.state, next);
+    run.stage = Stage::new(&run.state);
+    None
+}
+
+fn progress(run: &Run, program: &Program) -> Progress {
+    let share = run.state.factor / program.limit;
+    Progress {
+        stage: if run.low.is_none() { "self-weight".into() } else { format!("load factor {:.4}", run.state.factor) },
+        fraction: share.is_finite().then_some(share.clamp(0.0, 1.0)),
+        steps: run.state.steps + run.given_up,
+    }
+}
+
+fn finish(model: &Model, run: Run, _program: &Program, status: Option<Status>) -> Outcome {
+    Outcome {
+        status: status.unwrap_or(Status::Cancelled),
+        last_stable_factor: run.low,
+        collapse_factor: run.high,
+        iterations_total: run.state.steps + run.given_up,
+        time_step: run.state.time_step,
+        critical_time_step: run.critical_time_step,
+        single_mass_time_step: run.single_mass_time_step,
+        energy: energy(model, &run.state),
+        path: run.path,
+        frames: run.frames,
+        last_stable_frame: run.last_stable_frame.map(|i| i as usize),
+        max_compressive_stress: run.max_stress,
+    }
+}

@@ -1,0 +1,166 @@
+//! Which pairs may touch, and with which features. Pairs come and go; what their contact points remember stays.
+
+use super::model::Model;
+use super::settings::ContactLength;
+use super::state::State;
+use super::touch::{Memory, Touch};
+use crate::ids::{BlockId, Id};
+use crate::plane::{Pose, Vec2, meet};
+
+/// Distance by which boxes are grown in the search, as a share of the mean block size. A search is due when a block
+/// may have moved half of it.
+const SKIN: f64 = 0.05;
+
+/// Features are looked at again when a block may have moved this share of the smallest block's reach.
+const FEATURE_TRAVEL: f64 = 1e-3;
+
+/// A contact point keeps its memory when features change if it stays within this share of the smallest reach.
+const SAME_POINT: f64 = 0.02;
+
+/// Brings the list of touches up to date where the blocks may have moved far enough to need it. Returns whether
+/// pairs were added, so that the time step must be looked at again.
+pub(super) fn search(model: &Model, state: &mut State, contact_length: ContactLength) -> bool {
+    if state.travel > 0.5 * SKIN * model.block_size {
+        let added = find_pairs(model, state, contact_length);
+        state.travel = 0.0;
+        state.feature_travel = 0.0;
+        added
+    } else if state.feature_travel > FEATURE_TRAVEL * model.least_reach {
+        for k in 0..state.touches.len() {
+            let (a, b) = state.touches[k].ids();
+            renew(model, &state.poses, &mut state.touches[k], (a, b), contact_length);
+        }
+        state.feature_travel = 0.0;
+        false
+    } else {
+        false
+    }
+}
+
+/// Finds all pairs anew and merges them with the old list, so that memories survive.
+pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: ContactLength) -> bool {
+    let pairs = close_pairs(model, &state.poses, SKIN * model.block_size);
+    let old = std::mem::take(&mut state.touches);
+    let mut old = old.into_iter().peekable();
+    let mut added = false;
+    for (a, b) in pairs {
+        while old.peek().is_some_and(|t| t.ids() < (a, b)) {
+            let mut gone = old.next().expect("peeked");
+            state.dissipated += gone.forget();
+        }
+        let touch = if old.peek().is_some_and(|t| t.ids() == (a, b)) {
+            let mut touch = old.next().expect("peeked");
+            renew(model, &state.poses, &mut touch, (a, b), contact_length);
+            touch
+        } else {
+            added = true;
+            make(model, &state.poses, (a, b), contact_length)
+        };
+        state.touches.push(touch);
+    }
+    for mut gone in old {
+        state.dissipated += gone.forget();
+    }
+    added
+}
+
+/// Pairs of which at least one can move and whose boxes, grown by `skin` [m] in all, overlap; sorted. Sweeps along x.
+fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
+    let boxes: Vec<(Vec2, Vec2)> = (0..model.len()).map(|i| bounds(model, poses, i, 0.5 * skin)).collect();
+    let mut order: Vec<u32> = (0..model.len() as u32).collect();
+    order.sort_by(|&i, &j| boxes[i as usize].0.x.total_cmp(&boxes[j as usize].0.x).then(i.cmp(&j)));
+    let mut pairs = Vec::with_capacity(3 * model.len());
+    let held = |i: u32| model.inverse_mass[i as usize] == [0.0; 3];
+    for (k, &i) in order.iter().enumerate() {
+        let (low, high) = boxes[i as usize];
+        for &j in &order[k + 1..] {
+            let (other_low, other_high) = boxes[j as usize];
+            if other_low.x > high.x {
+                break;
+            }
+            if other_low.y <= high.y && low.y <= other_high.y && !(held(i) && held(j)) {
+                pairs.push((i.min(j), i.max(j)));
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+fn bounds(model: &Model, poses: &[Pose], i: usize, margin: f64) -> (Vec2, Vec2) {
+    let core = &model.cores[BlockId::new(i)];
+    let grow = core.radius + margin;
+    let (mut low, mut high) = (poses[i].position, poses[i].position);
+    for &v in &core.vertices {
+        let p = poses[i].place(v);
+        low = Vec2 { x: low.x.min(p.x), y: low.y.min(p.y) };
+        high = Vec2 { x: high.x.max(p.x), y: high.y.max(p.y) };
+    }
+    (Vec2 { x: low.x - grow, y: low.y - grow }, Vec2 { x: high.x + grow, y: high.y + grow })
+}
+
+/// A touch of a pair that was not close before.
+pub(super) fn make(model: &Model, poses: &[Pose], (a, b): (u32, u32), contact_length: ContactLength) -> Touch {
+    let mut touch = build(model, poses, (a, b), None);
+    let lengths = initial_lengths(model, poses, &touch, contact_length);
+    for (memory, length) in touch.memory.iter_mut().zip(lengths) {
+        *memory = Memory { length, ..Memory::default() };
+    }
+    touch
+}
+
+fn build(model: &Model, poses: &[Pose], (a, b): (u32, u32), previous: Option<&Touch>) -> Touch {
+    let (ia, ib) = (a as usize, b as usize);
+    let cores = (&model.cores[BlockId(a)], &model.cores[BlockId(b)]);
+    let meeting = meet(cores.0, &poses[ia], cores.1, &poses[ib], previous.map(|t| t.meeting));
+    let normal = meeting.manifold(cores.0, &poses[ia], cores.1, &poses[ib]).normal;
+    let distance = (poses[ib].position - poses[ia].position).dot(normal).abs();
+    let law = model.laws.between(model.groups[ia], model.groups[ib]);
+    let mut touch = Touch::new((a, b), meeting, cores, law, distance);
+    if let Some(old) = previous {
+        // Stiffness belongs to the contact from the moment it is made.
+        touch.normal_stiffness = old.normal_stiffness;
+        touch.shear_stiffness = old.shear_stiffness;
+    }
+    touch
+}
+
+fn initial_lengths(model: &Model, poses: &[Pose], touch: &Touch, contact_length: ContactLength) -> [f64; 2] {
+    let (one, two) = (touch.one as usize, touch.two as usize);
+    let law = model.laws.between(model.groups[one], model.groups[two]);
+    let half = 0.5 * touch.points(&poses[one], &poses[two]).stretch();
+    let length = match (contact_length, law.fixed_length) {
+        (ContactLength::Fixed, Some(length)) => length,
+        _ => half.max(law.least_length),
+    };
+    [length; 2]
+}
+
+/// Looks at the features of a pair again; memories go to the nearest point of the new features.
+fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), contact_length: ContactLength) {
+    let (a, b) = (ids.0 as usize, ids.1 as usize);
+    let cores = (&model.cores[BlockId(ids.0)], &model.cores[BlockId(ids.1)]);
+    if meet(cores.0, &poses[a], cores.1, &poses[b], Some(touch.meeting)) == touch.meeting {
+        return;
+    }
+    let mut next = build(model, poses, ids, Some(touch));
+    let lengths = initial_lengths(model, poses, &next, contact_length);
+    let before = touch.points(&poses[touch.one as usize], &poses[touch.two as usize]);
+    let after = next.points(&poses[next.one as usize], &poses[next.two as usize]);
+    let centres = (poses[touch.one as usize].position, poses[next.one as usize].position);
+    let reach = SAME_POINT * model.least_reach;
+    let distance = |old: usize, new: usize| (before.at(old, centres.0) - after.at(new, centres.1)).norm();
+    let mut taken = [false; 2];
+    for k in 0..next.count as usize {
+        let nearest =
+            (0..touch.count as usize).filter(|&j| !taken[j]).min_by(|&i, &j| distance(i, k).total_cmp(&distance(j, k)));
+        next.memory[k] = match nearest {
+            Some(j) if distance(j, k) <= reach => {
+                taken[j] = true;
+                touch.memory[j]
+            }
+            _ => Memory { length: lengths[k], ..Memory::default() },
+        };
+    }
+    *touch = next;
+}

@@ -1,0 +1,39 @@
+//! What a checkpoint must contain.
+
+use super::touch::Touch;
+use crate::plane::Pose;
+
+/// Everything that changes during a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Where each block is.
+    pub poses: Vec<Pose>,
+    /// Velocity [m/s], twice, and angular velocity [rad/s] of each block, half a step before the poses.
+    pub velocities: Vec<[f64; 3]>,
+    /// Forces [N/m], twice, and moment [N] that the contacts exert on each block.
+    pub(super) contact_forces: Vec<[f64; 3]>,
+    /// The same one step earlier.
+    pub(super) previous_forces: Vec<[f64; 3]>,
+    /// Pairs close enough to touch, sorted by their ids.
+    pub(super) touches: Vec<Touch>,
+    /// Load factor.
+    pub factor: f64,
+    /// Load factor at which supports stand; it follows `factor` when they are moved.
+    pub(super) support_factor: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Time step [s].
+    pub time_step: f64,
+    /// Largest distance that any point can have moved since pairs were last searched [m].
+    pub(super) travel: f64,
+    /// The same since the features of close pairs were last looked at [m].
+    pub(super) feature_travel: f64,
+    /// Damping coefficient of the adaptive and the viscous scheme [1/s].
+    pub(super) viscosity: f64,
+    /// Work that was done on the blocks by loads that have since changed [J/m], and by moved supports.
+    pub(super) load_work: f64,
+    pub(super) support_work: f64,
+    /// Energy lost in friction, crushing and opened contacts, and to damping [J/m].
+    pub(super) dissipated: f64,
+    pub(super) damped: f64,
+}

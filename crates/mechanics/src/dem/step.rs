@@ -1,0 +1,182 @@
+//! One step: search, resist, integrate.
+
+use super::model::{Model, Resultant};
+use super::search::{find_pairs, search};
+use super::settings::{ContactLength, Damping, Settings};
+use super::state::State;
+use super::stiffness;
+
+/// Scratch, disposable.
+#[derive(Debug, Clone, Default)]
+pub struct Workspace {
+    /// What acts on each block at `factor`.
+    acting: Vec<Resultant>,
+    factor: Option<f64>,
+}
+
+impl Workspace {
+    fn act(&mut self, model: &Model, factor: f64) {
+        if self.factor != Some(factor) {
+            self.acting = (0..model.len()).map(|i| model.acting(i, factor)).collect();
+            self.factor = Some(factor);
+        }
+    }
+}
+
+/// What one step tells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepReport {
+    /// A bound on how far any point moved in this step [m]; not finite if a number broke.
+    pub moved: f64,
+}
+
+/// The state in which the blocks are built: at rest, touching where they touch.
+pub fn begin(model: &Model, settings: &Settings) -> State {
+    let n = model.len();
+    let mut state = State {
+        poses: model.poses(),
+        velocities: vec![[0.0; 3]; n],
+        contact_forces: vec![[0.0; 3]; n],
+        previous_forces: vec![[0.0; 3]; n],
+        touches: Vec::new(),
+        factor: 0.0,
+        support_factor: 0.0,
+        steps: 0,
+        time_step: 0.0,
+        travel: 0.0,
+        feature_travel: 0.0,
+        viscosity: 0.0,
+        load_work: 0.0,
+        support_work: 0.0,
+        dissipated: 0.0,
+        damped: 0.0,
+    };
+    find_pairs(model, &mut state, settings.contact_length);
+    for touch in &mut state.touches {
+        for memory in &mut touch.memory {
+            memory.bonded = true;
+        }
+    }
+    state.time_step = settings.time_step_factor * critical_time_step(model, &state);
+    state
+}
+
+/// `2 / omega`, with the largest frequency of the contact stiffness system [s]. Bathe 1982.
+pub(super) fn critical_time_step(model: &Model, state: &State) -> f64 {
+    let omega = stiffness::largest_frequency(model, state);
+    // Without any contact nothing limits the step; a hundredth of a second resolves a fall.
+    if omega > 0.0 { 2.0 / omega } else { 0.01 }
+}
+
+/// One step of the discrete element method.
+#[inline]
+pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings) -> StepReport {
+    if search(model, state, settings.contact_length) {
+        state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state));
+    }
+    match settings.contact_length {
+        ContactLength::Fixed => resist::<false>(state),
+        ContactLength::Updated => resist::<true>(state),
+    }
+    work.act(model, state.factor);
+    match settings.damping {
+        Damping::Local(share) => integrate::<true>(model, state, work, share),
+        Damping::Viscous(_) => integrate::<false>(model, state, work, 0.0),
+        Damping::Adaptive => {
+            adapt(model, state);
+            integrate::<false>(model, state, work, 0.0)
+        }
+        Damping::None => {
+            state.viscosity = 0.0;
+            integrate::<false>(model, state, work, 0.0)
+        }
+    }
+}
+
+/// Contact forces from where the blocks are and how they got there, gathered per block in the fixed order of the
+/// touches.
+fn resist<const UPDATED: bool>(state: &mut State) {
+    let dt = state.time_step;
+    let (poses, velocities) = (&state.poses[..], &state.velocities[..]);
+    let forces = &mut state.contact_forces[..];
+    forces.fill([0.0; 3]);
+    let mut dissipated = 0.0;
+    for touch in &mut state.touches {
+        let (one, two) = (touch.one as usize, touch.two as usize);
+        let bodies = (&poses[one], &poses[two]);
+        if let Some(r) = touch.resist::<UPDATED>(bodies, (&velocities[one], &velocities[two]), dt) {
+            let on = &mut forces[one];
+            *on = [on[0] - r.force.x, on[1] - r.force.y, on[2] + r.on_one];
+            let on = &mut forces[two];
+            *on = [on[0] + r.force.x, on[1] + r.force.y, on[2] + r.on_two];
+            dissipated += r.dissipated;
+        }
+    }
+    state.dissipated += dissipated;
+}
+
+/// Newton's law, damped; positions follow the new velocities (central differences).
+fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64) -> StepReport {
+    let dt = state.time_step;
+    let viscosity = state.viscosity;
+    let half = 0.5 * viscosity * dt;
+    // Central differences with damping at mid-step: v' (1 + h) = v (1 - h) + a dt, h = viscosity dt / 2.
+    let (share, slow) = (1.0 / (1.0 + half), 2.0 * half / (1.0 + half));
+    let (mut fastest, mut check, mut damped) = (0.0_f64, 0.0, 0.0);
+    let bodies = state.poses.iter_mut().zip(&mut state.velocities).zip(&state.contact_forces);
+    for (((pose, v), contact), (acting, body)) in bodies.zip(work.acting.iter().zip(&model.bodies)) {
+        let force = [
+            contact[0] + acting.force.x,
+            contact[1] + acting.force.y,
+            contact[2] + pose.rotation.cos * acting.cross - pose.rotation.sin * acting.dot,
+        ];
+        for c in 0..3 {
+            let old = v[c];
+            // A prevented motion keeps the velocity that is imposed on it: no inverse mass, no damping.
+            if LOCAL {
+                let sign = f64::from(old > 0.0) - f64::from(old < 0.0);
+                let against = local * force[c].abs() * sign * body.free[c];
+                v[c] = old + (force[c] - against) * (body.inverse_mass[c] * dt);
+                damped += against * (0.5 * (old + v[c]));
+            } else {
+                let fade = slow * body.free[c];
+                v[c] = old + (force[c] * (body.inverse_mass[c] * dt) * share - fade * old);
+                let mean = 0.5 * (old + v[c]);
+                damped += viscosity * body.free[c] * body.mass[c] * mean * mean;
+            }
+        }
+        pose.position.x += v[0] * dt;
+        pose.position.y += v[1] * dt;
+        pose.rotation = pose.rotation.advanced(v[2] * dt);
+        let speed = v[0].abs() + v[1].abs() + v[2].abs() * body.reach;
+        fastest = fastest.max(speed);
+        check += speed;
+    }
+    state.damped += damped * dt;
+    let moved = fastest * dt;
+    state.travel += moved;
+    state.feature_travel += moved;
+    state.steps += 1;
+    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN } }
+}
+
+/// Sets the viscosity to 0.8 of critical at the frequency of the present motion, its Rayleigh quotient, for
+/// whatever still moves (Underwood 1983, Papadrakakis 1981). Bridgemill case 1 and 2 take 53,660 and 77,480 iterations
+/// at 1.0 of critical, 46,720 and 69,540 at 0.8, 59,720 and 90,160 at 0.5.
+fn adapt(model: &Model, state: &mut State) {
+    let (mut stiff, mut kinetic) = (0.0, 0.0);
+    let rows =
+        state.velocities.iter().zip(&model.bodies).zip(state.contact_forces.iter().zip(&mut state.previous_forces));
+    for ((v, body), (force, previous)) in rows {
+        for c in 0..3 {
+            let free = v[c] * body.free[c];
+            stiff -= free * (force[c] - previous[c]);
+            kinetic += free * v[c] * body.mass[c];
+        }
+        *previous = *force;
+    }
+    let square = stiff / (kinetic * state.time_step);
+    if kinetic > 0.0 && square.is_finite() {
+        state.viscosity = 1.6 * square.max(0.0).sqrt();
+    }
+}

@@ -1,0 +1,302 @@
+//! A run as plain 64-bit words, to the last bit, so that a stopped run goes on as if nothing had happened.
+//!
+//! Geometry that follows from the model (edges, laws) is not stored; decoding builds it again and refuses words that
+//! do not fit the model.
+
+use super::model::Model;
+use super::outcome::{ContactState, Frame, PathPoint};
+use super::relax::Stage;
+use super::run::Run;
+use super::state::State;
+use super::touch::{Memory, Touch};
+use crate::ids::{BlockId, Id, Table};
+use crate::plane::{Meeting, Pose, Rotation, Vec2};
+
+/// First word of every encoding; changes with the layout.
+const LAYOUT: u64 = 0x4558_5452_4144_0001;
+
+/// Something that can be written as words and read back.
+trait Words: Sized {
+    fn put(&self, to: &mut Vec<u64>);
+    fn take(from: &mut &[u64]) -> Option<Self>;
+}
+
+impl Words for u64 {
+    fn put(&self, to: &mut Vec<u64>) {
+        to.push(*self);
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        let (&first, rest) = from.split_first()?;
+        *from = rest;
+        Some(first)
+    }
+}
+
+impl Words for f64 {
+    fn put(&self, to: &mut Vec<u64>) {
+        to.push(self.to_bits());
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        u64::take(from).map(f64::from_bits)
+    }
+}
+
+impl Words for u32 {
+    fn put(&self, to: &mut Vec<u64>) {
+        to.push(u64::from(*self));
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        u64::take(from)?.try_into().ok()
+    }
+}
+
+impl Words for bool {
+    fn put(&self, to: &mut Vec<u64>) {
+        to.push(u64::from(*self));
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        match u64::take(from)? {
+            0 => Some(false),
+            1 => Some(true),
+            _ => None,
+        }
+    }
+}
+
+impl<T: Words> Words for Option<T> {
+    fn put(&self, to: &mut Vec<u64>) {
+        self.is_some().put(to);
+        if let Some(value) = self {
+            value.put(to);
+        }
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        Some(if bool::take(from)? { Some(T::take(from)?) } else { None })
+    }
+}
+
+impl<T: Words> Words for Vec<T> {
+    fn put(&self, to: &mut Vec<u64>) {
+        (self.len() as u64).put(to);
+        self.iter().for_each(|v| v.put(to));
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        let count = u64::take(from)?;
+        // Every element takes at least one word: a damaged count must not ask for the machine's memory.
+        if count > from.len() as u64 {
+            return None;
+        }
+        (0..count).map(|_| T::take(from)).collect()
+    }
+}
+
+impl<T: Words + Copy + Default, const N: usize> Words for [T; N] {
+    fn put(&self, to: &mut Vec<u64>) {
+        self.iter().for_each(|v| v.put(to));
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        let mut values = [T::default(); N];
+        for v in &mut values {
+            *v = T::take(from)?;
+        }
+        Some(values)
+    }
+}
+
+impl<A: Words, B: Words> Words for (A, B) {
+    fn put(&self, to: &mut Vec<u64>) {
+        self.0.put(to);
+        self.1.put(to);
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        Some((A::take(from)?, B::take(from)?))
+    }
+}
+
+impl<I: Id, T: Words> Words for Table<I, T> {
+    fn put(&self, to: &mut Vec<u64>) {
+        (self.len() as u64).put(to);
+        self.iter().for_each(|v| v.put(to));
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        Vec::take(from).map(|rows| rows.into_iter().collect())
+    }
+}
+
+macro_rules! fields {
+    ($($name:ident { $($field:ident),+ $(,)? })+) => {$(
+        impl Words for $name {
+            fn put(&self, to: &mut Vec<u64>) {
+                $(self.$field.put(to);)+
+            }
+            fn take(from: &mut &[u64]) -> Option<Self> {
+                Some($name { $($field: Words::take(from)?),+ })
+            }
+        }
+    )+};
+}
+
+fields! {
+    Vec2 { x, y }
+    Rotation { cos, sin }
+    Pose { position, rotation }
+    Memory { shear, crushed, length, compression, bonded, closed, sliding }
+    PathPoint { factor, displacement, iterations, unbalanced_ratio, at_rest }
+    ContactState { first, second, point, normal, compression, shear, length, sliding }
+    Frame { factor, iterations, poses, velocities, contacts, stresses }
+    Stage { start, first_step, window_least, best, idle_windows, window_displacement, ratio, next_picture }
+}
+
+impl Words for BlockId {
+    fn put(&self, to: &mut Vec<u64>) {
+        self.0.put(to);
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        u32::take(from).map(BlockId)
+    }
+}
+
+impl Words for Meeting {
+    fn put(&self, to: &mut Vec<u64>) {
+        let (kind, a, b) = match *self {
+            Meeting::Corner { first, second } => (0_u64, first, second),
+            Meeting::Face { flipped, reference, incident } => (1 + u64::from(flipped), reference, incident),
+        };
+        (kind, (a, b)).put(to);
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        let (kind, (a, b)): (u64, (u32, u32)) = Words::take(from)?;
+        match kind {
+            0 => Some(Meeting::Corner { first: a, second: b }),
+            1 | 2 => Some(Meeting::Face { flipped: kind == 2, reference: a, incident: b }),
+            _ => None,
+        }
+    }
+}
+
+/// A touch without what follows from the model.
+type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], (f64, f64)));
+
+fn store_touch(t: &Touch) -> StoredTouch {
+    ((t.ids(), t.meeting), (t.memory, (t.normal_stiffness, t.shear_stiffness)))
+}
+
+fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTouch) -> Option<Touch> {
+    let (a, b) = (ids.0 as usize, ids.1 as usize);
+    if a >= b || b >= model.len() {
+        return None;
+    }
+    let cores = (&model.cores[BlockId(ids.0)], &model.cores[BlockId(ids.1)]);
+    let (of_a, of_b) = match meeting {
+        Meeting::Corner { first, second } => (first, second),
+        Meeting::Face { flipped: false, reference, incident } => (reference, incident),
+        Meeting::Face { flipped: true, reference, incident } => (incident, reference),
+    };
+    if of_a as usize >= cores.0.len() || of_b as usize >= cores.1.len() {
+        return None;
+    }
+    let law = model.laws.between(model.groups[a], model.groups[b]);
+    let mut touch = Touch::new(ids, meeting, cores, law, 0.0);
+    touch.memory = memory;
+    (touch.normal_stiffness, touch.shear_stiffness) = stiffness;
+    Some(touch)
+}
+
+fn put_state(s: &State, to: &mut Vec<u64>) {
+    s.poses.put(to);
+    s.velocities.put(to);
+    s.contact_forces.put(to);
+    s.previous_forces.put(to);
+    s.touches.iter().map(store_touch).collect::<Vec<_>>().put(to);
+    s.steps.put(to);
+    [s.factor, s.support_factor, s.time_step, s.travel, s.feature_travel, s.viscosity].put(to);
+    [s.load_work, s.support_work, s.dissipated, s.damped].put(to);
+}
+
+fn take_state(model: &Model, from: &mut &[u64]) -> Option<State> {
+    let poses: Vec<Pose> = Words::take(from)?;
+    let velocities: Vec<[f64; 3]> = Words::take(from)?;
+    let contact_forces: Vec<[f64; 3]> = Words::take(from)?;
+    let previous_forces: Vec<[f64; 3]> = Words::take(from)?;
+    let fits = [poses.len(), velocities.len(), contact_forces.len(), previous_forces.len()];
+    if fits != [model.len(); 4] {
+        return None;
+    }
+    let stored: Vec<StoredTouch> = Words::take(from)?;
+    let touches = stored.into_iter().map(|t| rebuild_touch(model, t)).collect::<Option<_>>()?;
+    let steps = Words::take(from)?;
+    let [factor, support_factor, time_step, travel, feature_travel, viscosity] = Words::take(from)?;
+    let [load_work, support_work, dissipated, damped] = Words::take(from)?;
+    Some(State {
+        poses,
+        velocities,
+        contact_forces,
+        previous_forces,
+        touches,
+        factor,
+        support_factor,
+        steps,
+        time_step,
+        travel,
+        feature_travel,
+        viscosity,
+        load_work,
+        support_work,
+        dissipated,
+        damped,
+    })
+}
+
+/// The run as words.
+pub(super) fn encode(run: &Run) -> Vec<u64> {
+    let mut to = vec![LAYOUT];
+    put_state(&run.state, &mut to);
+    run.stable.is_some().put(&mut to);
+    if let Some(stable) = &run.stable {
+        put_state(stable, &mut to);
+    }
+    run.stage.put(&mut to);
+    (run.low, run.high).put(&mut to);
+    run.increments.put(&mut to);
+    run.path.put(&mut to);
+    run.frames.put(&mut to);
+    run.last_stable_frame.put(&mut to);
+    (run.given_up, run.stalled).put(&mut to);
+    [run.max_stress, run.critical_time_step, run.single_mass_time_step].put(&mut to);
+    to
+}
+
+/// The run that `words` hold, if they were written for this model.
+pub(super) fn decode(model: &Model, words: &[u64]) -> Option<Run> {
+    let mut words = words;
+    let from = &mut words;
+    if u64::take(from)? != LAYOUT {
+        return None;
+    }
+    let state = take_state(model, from)?;
+    let stable = if bool::take(from)? { Some(take_state(model, from)?) } else { None };
+    let stage = Words::take(from)?;
+    let (low, high) = Words::take(from)?;
+    let increments = Words::take(from)?;
+    let path = Words::take(from)?;
+    let frames = Words::take(from)?;
+    let last_stable_frame = Words::take(from)?;
+    let (given_up, stalled) = Words::take(from)?;
+    let [max_stress, critical_time_step, single_mass_time_step] = Words::take(from)?;
+    from.is_empty().then_some(Run {
+        state,
+        stage,
+        stable,
+        low,
+        high,
+        increments,
+        path,
+        frames,
+        last_stable_frame,
+        max_stress,
+        given_up,
+        stalled,
+        critical_time_step,
+        single_mass_time_step,
+    })
+}
