@@ -1,9 +1,11 @@
 //! The one place where a bridge meets its mechanics.
 
 pub mod analysis;
+pub mod checkpoint;
 pub mod discretise;
 pub mod outcome;
 pub mod warning;
+pub mod wire;
 
 #[cfg(test)]
 mod samples;

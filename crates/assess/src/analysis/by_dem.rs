@@ -58,7 +58,8 @@ pub fn collapse_by_dem(
     }
     let bound = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
     let (mut chosen, plan) = (Vec::new(), &bridge.plan);
-    let missing = |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
+    let missing =
+        |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
     let load_step = match (plan.load_step, bound) {
         (Some(step), _) => step,
         (None, Some(bound)) => {
@@ -103,7 +104,10 @@ pub fn support_movement(
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     let Some(movement) = bridge.plan.support_movement else {
-        return Err(AnalysisError::Missing { what: "support_movement", why: "which support moves, and where, is the question" });
+        return Err(AnalysisError::Missing {
+            what: "support_movement",
+            why: "which support moves, and where, is the question",
+        });
     };
     let unknown = |what| AnalysisError::Missing { what, why: "how far a support may move depends on the bridge" };
     let step = movement.increment.ok_or(unknown("increment of the support movement"))?;
@@ -113,7 +117,8 @@ pub fn support_movement(
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
     let mut c = report(bridge, &d, &outcome, "support movement", 1.0);
     c.analysis = Analysis::SupportMovement;
-    c.support = Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
+    c.support =
+        Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
     notes::dem(bridge, &d, &mut c);
     c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
     Ok(c)
@@ -134,7 +139,7 @@ pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
         dem::Status::UnstableUnderSelfWeight => (Status::UnstableUnderSelfWeight, None),
         dem::Status::StepLimit => (Status::StepLimit, None),
         dem::Status::Cancelled => (Status::Cancelled, None),
-        dem::Status::NotFinite { block, step } => (Status::NotConverged, Some((block, step))),
+        dem::Status::Broken { block, step } => (Status::NotConverged, Some((block, step))),
     }
 }
 
@@ -236,13 +241,10 @@ fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: &mut Pictur
     }
     let falling = outcome.last_stable_frame.map_or(0, |k| k + 1);
     let moved = |m: &Motion| m.translation[0].hypot(m.translation[1]);
-    let falls: Vec<Vec<Motion>> =
-        outcome.frames.iter().skip(falling).map(|f| motions(at_rest, f, d)).collect();
+    let falls: Vec<Vec<Motion>> = outcome.frames.iter().skip(falling).map(|f| motions(at_rest, f, d)).collect();
     let clear = falls.iter().find(|m| m.iter().map(moved).fold(0.0, f64::max) >= CLEARLY_MOVING).or(falls.last());
-    let collapsed = matches!(
-        outcome.status,
-        dem::Status::Collapsed | dem::Status::UnstableUnderSelfWeight | dem::Status::Stalled
-    );
+    let collapsed =
+        matches!(outcome.status, dem::Status::Collapsed | dem::Status::UnstableUnderSelfWeight | dem::Status::Stalled);
     if let (true, Some(clear)) = (collapsed, clear) {
         picture.mechanism = scaled(clear.clone());
     }

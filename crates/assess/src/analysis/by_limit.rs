@@ -38,7 +38,13 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
     // Beside a non-associated load the associated one is shown, never the other way round.
     let associated = (outcome.friction == limit::Friction::NonAssociated)
-        .then(|| limit::collapse_load(&d.model, &d.loading, &limit::Settings { friction: limit::Friction::Associated, ..settings }))
+        .then(|| {
+            limit::collapse_load(
+                &d.model,
+                &d.loading,
+                &limit::Settings { friction: limit::Friction::Associated, ..settings },
+            )
+        })
         .transpose()?
         .and_then(|o| o.factor);
     Ok(report(bridge, &d, &settings, &outcome, associated))
@@ -194,7 +200,8 @@ fn largest_stress(d: &Discretised, settings: &limit::Settings, outcome: &limit::
     let stress = |(joint, forces): (&Interface, &limit::JointForces)| {
         let [a, b] = forces.points[..] else { return None };
         let total = a.compression + b.compression;
-        let law: &ContactLaw = d.model.laws.between(d.model.blocks[joint.first].group, d.model.blocks[joint.second].group);
+        let law: &ContactLaw =
+            d.model.laws.between(d.model.blocks[joint.first].group, d.model.blocks[joint.second].group);
         let length = (b.at - a.at).norm();
         let nearer = a.compression.min(b.compression) / total * length;
         (total > 0.0).then(|| (total / (2.0 * nearer)).min(law.crushing))

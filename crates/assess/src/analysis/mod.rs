@@ -31,7 +31,9 @@ pub enum AnalysisError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// The discrete element method needs a stiffness.
-    #[error("the discrete element method needs the normal and the shear stiffness of the {joint}: give them in the file")]
+    #[error(
+        "the discrete element method needs the normal and the shear stiffness of the {joint}: give them in the file"
+    )]
     NoStiffness {
         /// Which joint.
         joint: &'static str,

@@ -15,7 +15,9 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     let Some(report) = &c.limit else { return };
     let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
-    assumptions.push("Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into());
+    assumptions.push(
+        "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
+    );
     match (report.friction, report.associated_load) {
         ("associated", _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
             warning::ASSOCIATED_SLIDING,
@@ -132,7 +134,8 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| format!("{:?}", l.name)).collect();
     if !unloaded.is_empty() {
-        c.assumptions.push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
+        c.assumptions
+            .push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
     }
     c.assumptions.push(match bridge.dispersal.rule {
         DispersalRule::None => "Loads act straight down on the extrados.".into(),
@@ -152,6 +155,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     });
     c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
     if bridge.spans.len() > 1 {
-        c.assumptions.push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
+        c.assumptions
+            .push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
     }
 }

@@ -20,12 +20,7 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         shapes: shapes.collect(),
         surface: cover::surface_line(bridge, &d.extrados).into_iter().map(point).collect(),
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
-        loads: d
-            .loading
-            .variable
-            .iter()
-            .map(|f| LoadArrow { at: point(f.at), force: point(f.force) })
-            .collect(),
+        loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
         ..Picture::default()
     }
 }

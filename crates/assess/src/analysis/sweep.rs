@@ -76,8 +76,14 @@ fn at(bridge: &Bridge, offset: f64, position: f64, subsets: bool) -> Result<Swee
     } else {
         vec![[0, axles - 1]]
     };
-    let mut worst =
-        SweepPoint { offset, position, status: Status::Locks, load_factor: None, collapse_load: None, axles: [0, axles - 1] };
+    let mut worst = SweepPoint {
+        offset,
+        position,
+        status: Status::Locks,
+        load_factor: None,
+        collapse_load: None,
+        axles: [0, axles - 1],
+    };
     for run in runs {
         let chosen = &d.spreads[run[0]..=run[1]];
         d.loading.variable = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();

@@ -1,33 +1,23 @@
-//! The intrados as the discretisation needs it: points and normals by share of the arc length.
+//! The intrados of a span where it stands in the bridge.
 
 use bridge::Span;
-use bridge::ring::Profile;
+use bridge::ring::{Intrados, Misfit};
 use mechanics::plane::{Vec2, vec2};
 
 /// A span's intrados from its left springing, which lies at `origin`.
 pub struct Curve {
-    radius: f64,
-    half_angle: f64,
-    centre: Vec2,
+    intrados: Intrados,
     origin: Vec2,
 }
 
 impl Curve {
     /// The intrados of `span`.
-    pub fn new(span: &Span, origin: Vec2) -> Result<Curve, String> {
-        let (l, r) = match span.profile {
-            Profile::Semicircular => (span.span, 0.5 * span.span),
-            _ => (span.span, span.rise),
-        };
-        let radius = (0.25 * l * l + r * r) / (2.0 * r);
-        let half_angle = (l / (2.0 * radius)).min(1.0).asin();
-        let half_angle = if r > radius { std::f64::consts::PI - half_angle } else { half_angle };
-        Ok(Curve { radius, half_angle, centre: vec2(0.5 * l, r - radius), origin })
+    pub fn new(span: &Span, origin: Vec2) -> Result<Curve, Misfit> {
+        Ok(Curve { intrados: Intrados::new(&span.profile, span.span, span.rise)?, origin })
     }
     /// Point and outward unit normal at a share of the arc length, 0 at the left springing and 1 at the right.
     pub fn at(&self, share: f64) -> (Vec2, Vec2) {
-        let a = self.half_angle * (2.0 * share - 1.0);
-        let n = vec2(a.sin(), a.cos());
-        (self.origin + self.centre + n * self.radius, n)
+        let station = self.intrados.at(share);
+        (self.origin + vec2(station.point[0], station.point[1]), vec2(station.normal[0], station.normal[1]))
     }
 }

@@ -9,6 +9,7 @@ mod rings;
 mod supports;
 
 use bridge::Bridge;
+use bridge::ring::Misfit;
 use curve::Curve;
 use dispersal::Spread;
 use extrados::{Extrados, Stretch};
@@ -138,12 +139,12 @@ pub enum DiscretiseError {
         width: f64,
     },
     /// The intrados of a span cannot be drawn.
-    #[error("span {span}: {reason}")]
+    #[error("the intrados of span {span} has no curve: {misfit:?}")]
     Intrados {
         /// Span, from 1.
         span: usize,
         /// Why.
-        reason: String,
+        misfit: Misfit,
     },
     /// The file moves a support that does not exist.
     #[error("support {support} does not exist: the last is {last}")]
@@ -163,7 +164,7 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let (mut spans, mut lines) = (Vec::new(), Vec::new());
     for (i, span) in bridge.spans.iter().enumerate() {
         let curve =
-            Curve::new(span, vec2(x, 0.0)).map_err(|reason| DiscretiseError::Intrados { span: i + 1, reason })?;
+            Curve::new(span, vec2(x, 0.0)).map_err(|misfit| DiscretiseError::Intrados { span: i + 1, misfit })?;
         let total: f64 = span.rings.iter().map(|r| r.springing_thickness).sum();
         skewbacks.push([0.0, 1.0].map(|share| {
             let (intrados, normal) = curve.at(share);

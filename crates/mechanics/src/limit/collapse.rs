@@ -4,6 +4,7 @@ use super::bounds;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength, joints};
 use super::mechanism::mechanism;
+use super::nonassociated::settle;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Ending, Program, Solution};
 use super::settings::{Friction, Settings};
@@ -22,7 +23,43 @@ pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings)
     let equilibrium = Equilibrium::new(model, loading, &joints);
     let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
     let found = largest_factor(&equilibrium, &joints, &strengths);
-    Ok(report(model, &equilibrium, &joints, &strengths, interfaces, &found))
+    let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
+    let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty()) || found.status == Status::Locks;
+    let level = match settings.friction {
+        Friction::Associated => false,
+        Friction::NonAssociated => true,
+        Friction::Automatic => slides,
+    };
+    if level && matches!(found.status, Status::Solved | Status::Locks) {
+        relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome);
+    }
+    Ok(outcome)
+}
+
+/// Puts the non-associated answer in place of the associated one.
+fn relax(
+    model: &BlockModel,
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    found: &Found,
+    outcome: &mut Outcome,
+) {
+    let associated = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
+    let settled = settle(equilibrium, joints, strengths, associated);
+    outcome.friction = Friction::NonAssociated;
+    let Some(settled) = settled else {
+        // Blocks that lock with dilatancy may still slide without: nothing is known of them.
+        outcome.status = Status::NotConverged;
+        (outcome.factor, outcome.lower_bound) = (None, None);
+        return;
+    };
+    let scale = equilibrium.factor_scale;
+    outcome.status = Status::Solved;
+    outcome.iterations += settled.iterations;
+    outcome.spread = Some(settled.spread.map(|f| f * scale));
+    state(equilibrium, joints, strengths, &settled.solution, outcome);
+    outcome.mechanism = mechanism(model, equilibrium, joints, &settled.solution.velocities);
 }
 
 /// A solved program and what it means.
@@ -42,6 +79,7 @@ pub(super) fn largest_factor(equilibrium: &Equilibrium, joints: &[Joint], streng
         rest: &equilibrium.permanent,
         cap: None,
         reward: Vec::new(),
+        price: 0.0,
     };
     let solution = program.solve(TOLERANCE);
     let mut iterations = solution.iterations;
@@ -69,7 +107,7 @@ pub(super) fn largest_factor(equilibrium: &Equilibrium, joints: &[Joint], streng
 fn carries_permanent(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
     let rest = vec![0.0; equilibrium.rows];
     let drive = &equilibrium.permanent;
-    Program { equilibrium, joints, strengths, drive, rest: &rest, cap: Some(1.0), reward: Vec::new() }.solve(1e-8)
+    Program { equilibrium, joints, strengths, drive, rest: &rest, cap: Some(1.0), reward: Vec::new(), price: 0.0 }.solve(1e-8)
 }
 
 /// Whether the variable loads alone can grow without end: forces that no strength limits carry them.
@@ -83,7 +121,7 @@ fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) ->
     let drive = &equilibrium.variable;
     let crushes = endless.iter().any(|s| s.crushing == 0.0);
     let cap = if crushes { Some(0.0) } else { Some(1.0) };
-    Program { equilibrium, joints, strengths: &endless, drive, rest: &rest, cap, reward: Vec::new() }.solve(1e-8)
+    Program { equilibrium, joints, strengths: &endless, drive, rest: &rest, cap, reward: Vec::new(), price: 0.0 }.solve(1e-8)
 }
 
 pub(super) fn report(
@@ -108,26 +146,39 @@ pub(super) fn report(
         resultants: Vec::new(),
         mechanism: None,
         friction: Friction::Associated,
+        associated_factor: None,
+        spread: None,
         iterations: found.iterations,
     };
     if matches!(found.status, Status::Solved | Status::NoEquilibrium) {
         outcome.mechanism = mechanism(model, equilibrium, joints, &solution.velocities);
     }
     if found.status == Status::Solved {
-        let scale = equilibrium.factor_scale;
-        outcome.factor = Some(solution.factor * scale);
-        outcome.lower_bound = outcome.factor;
-        let residual = equilibrium.residual(&solution.forces, solution.factor);
-        outcome.equilibrium_residual = residual.iter().fold(0.0, |m, r| m.max(r.abs()));
-        outcome.yield_violation = bounds::yield_violation(equilibrium, joints, strengths, &solution.forces);
+        state(equilibrium, joints, strengths, solution, &mut outcome);
+        outcome.associated_factor = outcome.factor;
         let upper = bounds::upper(equilibrium, joints, strengths, &solution.velocities);
-        outcome.upper_bound = Some(upper.factor * scale);
+        outcome.upper_bound = Some(upper.factor * equilibrium.factor_scale);
         let fastest = solution.velocities.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         outcome.flow_violation = upper.violation / fastest.max(f64::MIN_POSITIVE);
-        outcome.forces = joint_forces(equilibrium, joints, &solution.forces);
-        outcome.resultants = joints.iter().zip(&outcome.forces).map(|(j, f)| resultant(j, f)).collect();
     }
     outcome
+}
+
+/// The forces of a solution, and how far they are from being admissible.
+fn state(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    solution: &Solution,
+    outcome: &mut Outcome,
+) {
+    outcome.factor = Some(solution.factor * equilibrium.factor_scale);
+    outcome.lower_bound = outcome.factor;
+    let residual = equilibrium.residual(&solution.forces, solution.factor);
+    outcome.equilibrium_residual = residual.iter().fold(0.0, |m, r| m.max(r.abs()));
+    outcome.yield_violation = bounds::yield_violation(equilibrium, joints, strengths, &solution.forces);
+    outcome.forces = joint_forces(equilibrium, joints, &solution.forces);
+    outcome.resultants = joints.iter().zip(&outcome.forces).map(|(j, f)| resultant(j, f)).collect();
 }
 
 /// Forces in newtons per metre, the shear shared in proportion to the compression.

@@ -34,6 +34,8 @@ pub(super) struct Strength {
     pub cohesion: f64,
     /// Largest compression of the whole joint; infinite for no crushing.
     pub crushing: f64,
+    /// Largest shear whatever the compression; infinite but for the fictitious surfaces of non-associated friction.
+    pub most_shear: f64,
 }
 
 impl Joint {
@@ -80,6 +82,7 @@ fn joint(model: &BlockModel, settings: &Settings, face: &Interface) -> Joint {
             friction: law.friction,
             cohesion: law.cohesion * length,
             crushing: if settings.crushing { law.crushing * length } else { f64::INFINITY },
+            most_shear: f64::INFINITY,
         },
         points,
     }

@@ -18,6 +18,7 @@ mod collapse;
 mod equilibrium;
 mod joints;
 mod mechanism;
+mod nonassociated;
 mod outcome;
 mod program;
 mod settings;

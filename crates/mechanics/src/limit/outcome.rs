@@ -102,8 +102,8 @@ pub struct Outcome {
     /// Load factor recomputed from the forces, repaired to equilibrium; a lower bound as far as
     /// `equilibrium_residual` and `yield_violation` vanish.
     pub lower_bound: Option<f64>,
-    /// Load factor recomputed from the velocities by the work equation; an upper bound for joints with associated
-    /// flow as far as `flow_violation` vanishes.
+    /// Load factor recomputed from the velocities of the associated mechanism by the work equation; an upper bound, for
+    /// either flow rule, as far as `flow_violation` vanishes.
     pub upper_bound: Option<f64>,
     /// Largest out-of-balance force of the forces behind the lower bound, relative to all permanent loads.
     pub equilibrium_residual: f64,
@@ -121,6 +121,10 @@ pub struct Outcome {
     pub mechanism: Option<Mechanism>,
     /// The flow rule that the numbers belong to: never [`Friction::Automatic`].
     pub friction: Friction,
+    /// Load factor with associated friction, where it was found.
+    pub associated_factor: Option<f64>,
+    /// Lowest and highest load factor over the starts of the non-associated iteration; `factor` is the lowest.
+    pub spread: Option<[f64; 2]>,
     /// Iterations of the solver in all.
     pub iterations: u32,
 }

@@ -25,6 +25,8 @@ pub(super) struct Program<'a> {
     pub cap: Option<f64>,
     /// What is wanted of the forces: column and weight. Empty to make `t` largest.
     pub reward: Vec<Entry>,
+    /// Price of the squares of all compressions: picks one of many states of self-stress. Zero for a linear program.
+    pub price: f64,
 }
 
 /// How a program ended.
@@ -63,7 +65,7 @@ impl Program<'_> {
         for &(i, v) in &self.reward {
             q[i] -= v;
         }
-        let p = CscMatrix::zeros((forces + 1, forces + 1));
+        let p = self.prices(forces + 1);
         let settings = DefaultSettings {
             verbose: false,
             max_iter: 100,
@@ -99,6 +101,19 @@ impl Program<'_> {
         }
     }
 
+    fn prices(&self, size: usize) -> CscMatrix<f64> {
+        if self.price == 0.0 {
+            return CscMatrix::zeros((size, size));
+        }
+        let mut columns = vec![Vec::new(); size];
+        for (joint, &c) in self.joints.iter().zip(&self.equilibrium.first_column) {
+            for (k, column) in columns[c..c + joint.points.len()].iter_mut().enumerate() {
+                column.push((c + k, self.price));
+            }
+        }
+        compressed(size, &columns)
+    }
+
     /// `b - A x` lies in the cones: equations, then linear limits, then one parabola per contact point.
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>, Vec<SupportedConeT<f64>>) {
         let equations = self.equilibrium.rows;
@@ -127,6 +142,11 @@ impl Program<'_> {
                     let mut entries = vec![(c + n, sign)];
                     entries.extend((0..n).map(|k| (c + k, strength.friction)));
                     limit(&mut columns, &entries, strength.cohesion / unit);
+                }
+            }
+            if strength.most_shear.is_finite() {
+                for sign in [1.0, -1.0] {
+                    limit(&mut columns, &[(c + n, sign)], strength.most_shear / unit);
                 }
             }
         }

@@ -66,5 +66,10 @@ fn time() {
             std::hint::black_box(collapse_load(&model, &loading, &settings(ContactPoints::FullRing)).unwrap());
         }
         println!("{:?}", start.elapsed() / 20);
+        let start = std::time::Instant::now();
+        for _ in 0..20 {
+            std::hint::black_box(mechanics::blocks::interfaces(&model, 1e-6).unwrap());
+        }
+        println!("  interfaces {:?}", start.elapsed() / 20);
     }
 }

@@ -1,0 +1,62 @@
+//! The formats others rely on: JSON objects and CSV tables. The only serialisable types; keys carry their unit, a meaning
+//! that stands never changes.
+
+mod collapse;
+mod sweep;
+mod tables;
+
+pub use collapse::CollapseObject;
+pub use sweep::SweepObject;
+pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
+
+use serde::Serialize;
+
+/// A warning as results show it; `file`, `line` and `column` where it comes from a file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WarningObject {
+    /// Stable code.
+    pub code: String,
+    /// What was found.
+    pub message: String,
+    /// File.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Line, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// Column, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<usize>,
+}
+
+impl From<&crate::warning::Warning> for WarningObject {
+    fn from(w: &crate::warning::Warning) -> WarningObject {
+        WarningObject { code: w.code.to_string(), message: w.message.clone(), file: None, line: None, column: None }
+    }
+}
+
+/// What only the face that started an analysis knows.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Run {
+    /// Wall clock [s].
+    pub wall_seconds: f64,
+    /// Threads used.
+    pub threads: usize,
+    /// Warnings about the file, which come before those of the analysis.
+    pub file_warnings: Vec<WarningObject>,
+}
+
+/// Any object as JSON text, with a newline at its end.
+pub fn json<T: Serialize>(object: &T) -> String {
+    let mut text = serde_json::to_string_pretty(object).expect("numbers and strings always have a JSON form");
+    text.push('\n');
+    text
+}
+
+/// N/m in kN/m, or N in kN.
+fn kilo(value: f64) -> f64 {
+    value / 1e3
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,230 @@
+//! `extrados.collapse/1`.
+
+use super::{Run, WarningObject, kilo};
+use crate::analysis::Collapse;
+use crate::outcome::HingeAt;
+use bridge::{Analysis, Method};
+use serde::Serialize;
+
+/// The result of a collapse analysis.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CollapseObject {
+    schema: &'static str,
+    status: &'static str,
+    bridge: String,
+    method: &'static str,
+    analysis: &'static str,
+    collapse_load_kn_per_m: Option<f64>,
+    last_stable_load_kn_per_m: Option<f64>,
+    collapse_load_kn: Option<f64>,
+    last_stable_load_kn: Option<f64>,
+    load_step_kn_per_m: Option<f64>,
+    load_step_kn: Option<f64>,
+    reference_load_kn_per_m: f64,
+    limit_load_kn_per_m: Option<f64>,
+    width_m: f64,
+    hinges: Vec<Hinge>,
+    sliding_joints: Vec<Place>,
+    max_compressive_stress_mpa: Option<f64>,
+    blocks: usize,
+    particles: usize,
+    contacts: usize,
+    #[serde(flatten)]
+    dem: Option<Dem>,
+    #[serde(flatten)]
+    limit: Option<Limit>,
+    #[serde(flatten)]
+    thickness: Option<Thickness>,
+    #[serde(flatten)]
+    support: Option<Support>,
+    assumptions: Vec<String>,
+    warnings: Vec<WarningObject>,
+    tolerance: f64,
+    seed: u64,
+    threads: usize,
+    wall_seconds: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Hinge {
+    x_m: f64,
+    y_m: f64,
+    edge: &'static str,
+    rotation: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Place {
+    x_m: f64,
+    y_m: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Dem {
+    path: Vec<Step>,
+    iterations_total: u64,
+    time_step_s: f64,
+    critical_time_step_s: f64,
+    single_mass_time_step_s: f64,
+    damping: String,
+    contact_length: &'static str,
+    energy_drift: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Step {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_kn_per_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    movement: Option<f64>,
+    displacement_mm: f64,
+    displacement_x_mm: f64,
+    displacement_y_mm: f64,
+    iterations: u64,
+    unbalanced_ratio: f64,
+    at_rest: bool,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Limit {
+    friction: &'static str,
+    lower_bound_kn_per_m: Option<f64>,
+    upper_bound_kn_per_m: Option<f64>,
+    associated_load_kn_per_m: Option<f64>,
+    equilibrium_residual: f64,
+    yield_violation: f64,
+    solver_iterations: u32,
+    thrust_line: Vec<Thrust>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Thrust {
+    x_m: f64,
+    y_m: f64,
+    thrust_kn_per_m: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Thickness {
+    minimum_thickness_m: f64,
+    minimum_thickness_factor: f64,
+    thickness_factor_that_falls: f64,
+    minimum_thickness_over_mean_radius: Option<f64>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Support {
+    collapse_movement: Option<f64>,
+    last_stable_movement: Option<f64>,
+    movement_step: f64,
+}
+
+/// The word for an edge.
+pub fn edge(edge: HingeAt) -> &'static str {
+    match edge {
+        HingeAt::Intrados => "intrados",
+        HingeAt::Extrados => "extrados",
+        HingeAt::Other => "other",
+    }
+}
+
+impl CollapseObject {
+    /// The object for a result.
+    pub fn new(c: &Collapse, run: &Run) -> CollapseObject {
+        let total = |load: Option<f64>| load.map(|l| kilo(l * c.width));
+        let per_metre = |load: Option<f64>| load.map(kilo);
+        let moves = c.analysis == Analysis::SupportMovement;
+        let mut warnings = run.file_warnings.clone();
+        warnings.extend(c.warnings.iter().map(WarningObject::from));
+        CollapseObject {
+            schema: "extrados.collapse/1",
+            status: c.status.word(),
+            bridge: c.bridge.clone(),
+            method: match c.method {
+                Method::Dem => "dem",
+                Method::Limit => "limit",
+            },
+            analysis: match c.analysis {
+                Analysis::Load => "load",
+                Analysis::Thickness => "thickness",
+                Analysis::SupportMovement => "support-movement",
+            },
+            collapse_load_kn_per_m: per_metre(c.collapse_load),
+            last_stable_load_kn_per_m: per_metre(c.last_stable_load),
+            collapse_load_kn: total(c.collapse_load),
+            last_stable_load_kn: total(c.last_stable_load),
+            load_step_kn_per_m: per_metre(c.load_step),
+            load_step_kn: total(c.load_step),
+            reference_load_kn_per_m: kilo(c.reference_load),
+            limit_load_kn_per_m: per_metre(c.limit_load),
+            width_m: c.width,
+            hinges: c
+                .hinges
+                .iter()
+                .map(|h| Hinge { x_m: h.point[0], y_m: h.point[1], edge: edge(h.edge), rotation: h.rotation })
+                .collect(),
+            sliding_joints: c.sliding_joints.iter().map(|p| Place { x_m: p[0], y_m: p[1] }).collect(),
+            max_compressive_stress_mpa: c.max_compressive_stress.map(|s| s / 1e6),
+            blocks: c.blocks,
+            particles: c.particles,
+            contacts: c.contacts,
+            dem: c.dem.as_ref().map(|d| Dem {
+                path: c
+                    .picture
+                    .path
+                    .iter()
+                    .map(|s| Step {
+                        load_kn_per_m: (!moves).then(|| kilo(s.load)),
+                        movement: moves.then_some(s.load),
+                        displacement_mm: 1e3 * s.displacement[0].hypot(s.displacement[1]),
+                        displacement_x_mm: 1e3 * s.displacement[0],
+                        displacement_y_mm: 1e3 * s.displacement[1],
+                        iterations: s.iterations,
+                        unbalanced_ratio: s.unbalanced_ratio,
+                        at_rest: s.at_rest,
+                    })
+                    .collect(),
+                iterations_total: d.iterations_total,
+                time_step_s: d.time_step,
+                critical_time_step_s: d.critical_time_step,
+                single_mass_time_step_s: d.single_mass_time_step,
+                damping: d.damping.clone(),
+                contact_length: d.contact_length,
+                energy_drift: d.energy_drift,
+            }),
+            limit: c.limit.as_ref().map(|l| Limit {
+                friction: l.friction,
+                lower_bound_kn_per_m: per_metre(l.lower_bound),
+                upper_bound_kn_per_m: per_metre(l.upper_bound),
+                associated_load_kn_per_m: per_metre(l.associated_load),
+                equilibrium_residual: l.equilibrium_residual,
+                yield_violation: l.yield_violation,
+                solver_iterations: l.iterations,
+                thrust_line: c
+                    .picture
+                    .thrust_lines
+                    .iter()
+                    .flatten()
+                    .map(|p| Thrust { x_m: p.point[0], y_m: p.point[1], thrust_kn_per_m: kilo(p.thrust) })
+                    .collect(),
+            }),
+            thickness: c.thickness.as_ref().map(|t| Thickness {
+                minimum_thickness_m: t.crown_thickness,
+                minimum_thickness_factor: t.factor[1],
+                thickness_factor_that_falls: t.factor[0],
+                minimum_thickness_over_mean_radius: t.over_mean_radius,
+            }),
+            support: c.support.as_ref().map(|s| Support {
+                collapse_movement: s.collapse,
+                last_stable_movement: s.last_stable,
+                movement_step: s.step,
+            }),
+            assumptions: c.assumptions.clone(),
+            warnings,
+            tolerance: c.tolerance,
+            seed: c.seed,
+            threads: run.threads,
+            wall_seconds: run.wall_seconds,
+        }
+    }
+}

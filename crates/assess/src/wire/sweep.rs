@@ -1,0 +1,56 @@
+//! `extrados.sweep/1`.
+
+use super::{Run, WarningObject, kilo};
+use crate::analysis::{Sweep, SweepPoint};
+use serde::Serialize;
+
+/// The result of a sweep.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SweepObject {
+    schema: &'static str,
+    status: &'static str,
+    bridge: String,
+    governing: Option<Position>,
+    positions: Vec<Position>,
+    warnings: Vec<WarningObject>,
+    threads: usize,
+    wall_seconds: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Position {
+    position_m: f64,
+    offset_m: f64,
+    status: &'static str,
+    load_factor: Option<f64>,
+    collapse_load_kn_per_m: Option<f64>,
+    collapse_load_kn: Option<f64>,
+    first_axle: usize,
+    last_axle: usize,
+}
+
+impl SweepObject {
+    /// The object for a sweep over a bridge of the given name and width [m].
+    pub fn new(bridge: &str, width: f64, sweep: &Sweep, run: &Run) -> SweepObject {
+        let position = |p: &SweepPoint| Position {
+            position_m: p.position,
+            offset_m: p.offset,
+            status: p.status.word(),
+            load_factor: p.load_factor,
+            collapse_load_kn_per_m: p.collapse_load.map(kilo),
+            collapse_load_kn: p.collapse_load.map(|l| kilo(l * width)),
+            first_axle: p.axles[0] + 1,
+            last_axle: p.axles[1] + 1,
+        };
+        SweepObject {
+            schema: "extrados.sweep/1",
+            status: if sweep.governing.is_some() { "completed" } else { "undetermined" },
+            bridge: bridge.to_string(),
+            governing: sweep.governing.map(|k| position(&sweep.points[k])),
+            positions: sweep.points.iter().map(position).collect(),
+            warnings: run.file_warnings.clone(),
+            threads: run.threads,
+            wall_seconds: run.wall_seconds,
+        }
+    }
+}
