@@ -6,6 +6,7 @@ pub mod diagnostic;
 pub mod fields;
 mod findings;
 pub mod model;
+mod plausible;
 pub mod quantity;
 mod resolve;
 pub mod ring;
@@ -30,14 +31,14 @@ pub struct Read {
 }
 
 /// No bridge file is longer [bytes]; what is, is something else.
-const LONGEST: usize = 4 << 20;
+const LONGEST: usize = 1 << 20;
 
 /// Broken lines reported in one go; a file with more is no bridge file.
 const MOST_SYNTAX_ERRORS: usize = 20;
 
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
-    let mut findings = Findings::default();
+    let mut findings = Findings::of(text);
     let bridge = read_text(text, &mut findings);
     let bridge = if findings.any_error() { None } else { bridge };
     Read { bridge, diagnostics: findings.in_order(text.len()) }
@@ -48,7 +49,7 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
         findings.error(
             "B003",
             TextRange::new(0, 0),
-            format!("the file is {} MB long", bytes.len() >> 20),
+            format!("the file is {:.1} MB long", bytes.len() as f64 / 1e6),
             "a bridge file has a few kilobytes",
             "check that this is the bridge file",
         );

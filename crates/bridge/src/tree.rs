@@ -181,6 +181,7 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
     let wanted = match field.kind {
         Kind::Text => "text in quotes",
         Kind::Quantity(_) | Kind::LineLoad => "a number with its unit, in quotes",
+        Kind::QuantityOr(..) => "a number with its unit or a word, in quotes",
         Kind::Quantities(_) => "a list of numbers with units",
         Kind::Number => "a bare number",
         Kind::Count => "a whole number",

@@ -42,7 +42,7 @@ pub(super) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
 }
 
 /// "2:1", vertical to horizontal.
-fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64>> {
+pub(crate) fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64>> {
     let (field, raw) = table.entry("slope")?;
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
     let value = text.split_once(':').and_then(|(vertical, horizontal)| {

@@ -19,13 +19,16 @@ pub(super) struct General {
 
 /// A span and where its parts stand in the file.
 #[derive(Debug, Clone)]
-pub(super) struct PlacedSpan {
-    pub(super) span: Span,
+pub(crate) struct PlacedSpan {
+    pub(crate) span: Span,
     /// Where the shape is described.
-    pub(super) shape: TextRange,
+    pub(crate) shape: TextRange,
     /// Where each ring's thickness is described, and its voussoirs.
-    pub(super) rings: Vec<(TextRange, TextRange)>,
+    pub(crate) rings: Vec<(TextRange, TextRange)>,
 }
+
+/// Spans that are analysed as one structure; the longest masonry viaducts have a few hundred.
+const MOST_SPANS: u64 = 200;
 
 /// Standard value in bridge practice; the default of the field's card.
 const GRAVITY: f64 = 9.81;
@@ -43,12 +46,22 @@ pub(super) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
     if !file.has("span") {
         return None;
     }
-    let mut spans = Vec::new();
+    let mut spans: Vec<PlacedSpan> = Vec::new();
     let mut complete = true;
     for table in file.tables("span", findings) {
         let repeat = if table.has("repeat") { table.count("repeat", findings).map(|at| at.value) } else { Some(1) };
         let span = span(&table, findings);
         match span.zip(repeat) {
+            Some((_, repeat)) if spans.len() as u64 + repeat > MOST_SPANS => {
+                findings.error(
+                    "B212",
+                    table.range,
+                    format!("the bridge has more than {MOST_SPANS} spans"),
+                    "too many to analyse as one structure",
+                    "describe the part of the viaduct that acts together: a few spans on each side of the load",
+                );
+                return None;
+            }
             Some((span, repeat)) => spans.extend((0..repeat).map(|_| span.clone())),
             None => complete = false,
         }

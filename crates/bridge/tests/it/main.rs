@@ -1,3 +1,4 @@
 //! Reading whole files.
 
+mod files;
 mod reading;
