@@ -6,7 +6,7 @@ use super::joints::{Joint, Strength, joints};
 use super::mechanism::mechanism;
 use super::nonassociated::settle;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
-use super::program::{Ending, Program, Solution};
+use super::program::{Ending, Program, Role, Solution};
 use super::settings::{Friction, Settings};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
@@ -69,8 +69,37 @@ pub(super) struct Found {
     pub iterations: u32,
 }
 
+/// Whether the permanent loads are carried.
+pub(super) struct Carried {
+    /// `None` when the program was not solved.
+    carried: Option<bool>,
+    solution: Solution,
+}
+
+/// Asks whether the permanent loads are carried.
+pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Carried {
+    let solution = share_carried(equilibrium, joints, strengths);
+    let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
+    Carried { carried, solution }
+}
+
 /// Maximises the load factor, and asks what is wrong where there is no largest one.
 pub(super) fn largest_factor(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Found {
+    let carried = carried(equilibrium, joints, strengths);
+    let found = largest_factor_of_carried(equilibrium, joints, strengths, &carried);
+    Found { iterations: found.iterations + carried.solution.iterations, ..found }
+}
+
+/// The same where it is known whether the permanent loads are carried.
+pub(super) fn largest_factor_of_carried(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    stands: &Carried,
+) -> Found {
+    if stands.carried == Some(false) {
+        return Found { status: Status::NoEquilibrium, solution: stands.solution.clone(), iterations: 0 };
+    }
     let program = Program {
         equilibrium,
         joints,
@@ -80,34 +109,28 @@ pub(super) fn largest_factor(equilibrium: &Equilibrium, joints: &[Joint], streng
         cap: None,
         reward: Vec::new(),
         price: 0.0,
+        role: Role::Factor,
     };
     let solution = program.solve(TOLERANCE);
-    let mut iterations = solution.iterations;
-    let solved = solution.ending == Ending::Solved;
-    let carried = carries_permanent(equilibrium, joints, strengths);
-    iterations += carried.iterations;
-    if carried.ending == Ending::Solved && carried.factor < 1.0 - 1e-6 {
-        return Found { status: Status::NoEquilibrium, solution: carried, iterations };
-    }
-    if solved && carried.ending == Ending::Solved {
+    let iterations = solution.iterations;
+    if solution.ending == Ending::Solved && stands.carried == Some(true) {
         return Found { status: Status::Solved, solution, iterations };
     }
     let locked = locks(equilibrium, joints, strengths);
-    iterations += locked.iterations;
     let status = if locked.ending == Ending::Solved && locked.factor > 0.5 {
         Status::Locks
     } else {
         Status::NotConverged
     };
-    Found { status, solution, iterations }
+    Found { status, solution, iterations: iterations + locked.iterations }
 }
 
 /// The largest share of the permanent loads, up to all, that the joints carry. Always solvable: without loads no
 /// joint needs any force. Without cohesion and crushing the answer is all or nothing.
-fn carries_permanent(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
+fn share_carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
     let rest = vec![0.0; equilibrium.rows];
     let drive = &equilibrium.permanent;
-    Program { equilibrium, joints, strengths, drive, rest: &rest, cap: Some(1.0), reward: Vec::new(), price: 0.0 }.solve(1e-8)
+    Program { equilibrium, joints, strengths, drive, rest: &rest, cap: Some(1.0), reward: Vec::new(), price: 0.0, role: Role::Factor }.solve(1e-8)
 }
 
 /// Whether the variable loads alone can grow without end: forces that no strength limits carry them.
@@ -121,7 +144,7 @@ fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) ->
     let drive = &equilibrium.variable;
     let crushes = endless.iter().any(|s| s.crushing == 0.0);
     let cap = if crushes { Some(0.0) } else { Some(1.0) };
-    Program { equilibrium, joints, strengths: &endless, drive, rest: &rest, cap, reward: Vec::new(), price: 0.0 }.solve(1e-8)
+    Program { equilibrium, joints, strengths: &endless, drive, rest: &rest, cap, reward: Vec::new(), price: 0.0, role: Role::Factor }.solve(1e-8)
 }
 
 pub(super) fn report(

@@ -22,7 +22,11 @@ mod nonassociated;
 mod outcome;
 mod program;
 mod settings;
+mod sweep;
+mod thickness;
 
 pub use collapse::collapse_load;
 pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForces, Resultant, Status};
 pub use settings::{ContactPoints, Friction, Settings};
+pub use sweep::{Place, Sweep, sweep};
+pub use thickness::{LeastThickness, ThicknessStatus, minimum_thickness};

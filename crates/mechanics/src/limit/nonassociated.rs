@@ -16,7 +16,7 @@ use super::bounds::yield_violation;
 use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
-use super::program::{Ending, Program, Solution};
+use super::program::{Ending, Program, Role, Solution};
 
 /// Share of a joint's compression down to which the fictitious surface is level.
 const REACH: f64 = 0.3;
@@ -93,6 +93,7 @@ fn from(
             cap: None,
             reward: Vec::new(),
             price,
+            role: Role::Factor,
         }
         .solve(TOLERANCE);
         iterations += solution.iterations;

@@ -8,8 +8,8 @@ use clarabel::solver::{
     ZeroConeT,
 };
 
-/// `maximise reward . f + drive_reward * t` over joint forces `f` and a number `t`, subject to
-/// `B f + t drive + rest = 0`, `t <= cap` and the strength of the joints.
+/// Maximises a number `t`, or what `reward` says of the joint forces `f`, subject to `B f + t drive + rest = 0`,
+/// `t <= cap` and the strength of the joints.
 pub(super) struct Program<'a> {
     /// Geometry and units.
     pub equilibrium: &'a Equilibrium,
@@ -27,6 +27,20 @@ pub(super) struct Program<'a> {
     pub reward: Vec<Entry>,
     /// Price of the squares of all compressions: picks one of many states of self-stress. Zero for a linear program.
     pub price: f64,
+    /// What else `t` stands for.
+    pub role: Role,
+}
+
+/// What `t` stands for besides the multiplier of `drive`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// Nothing.
+    Factor,
+    /// A margin, scaled force, that every limit of every joint must keep; negative where a limit is exceeded.
+    Margin,
+    /// The unit of force: it multiplies every strength, is not negative, and the compression of this joint is one.
+    /// That makes a linear program of the ratio of a force to this compression.
+    UnitCompression(usize),
 }
 
 /// How a program ended.
@@ -122,31 +136,49 @@ impl Program<'_> {
         let mut b: Vec<f64> = self.rest.iter().map(|r| -r).collect();
         let last = columns.len() - 1;
         let unit = self.equilibrium.force;
-        let mut limit = |columns: &mut Vec<Vec<Entry>>, at_least_zero: &[Entry], constant: f64| {
+        let mut equations = equations;
+        if let Role::UnitCompression(joint) = self.role {
+            let c = self.equilibrium.first_column[joint];
+            for column in &mut columns[c..c + self.joints[joint].points.len()] {
+                column.push((equations, 1.0));
+            }
+            b.push(1.0);
+            equations += 1;
+        }
+        let role = self.role;
+        let mut limit = |columns: &mut Vec<Vec<Entry>>, at_least_zero: &[Entry], constant: f64, margin: bool| {
             for &(column, v) in at_least_zero {
                 columns[column].push((b.len(), -v));
             }
-            b.push(constant);
+            match role {
+                Role::Margin if margin => columns[last].push((b.len(), 1.0)),
+                Role::UnitCompression(_) if constant != 0.0 => columns[last].push((b.len(), -constant)),
+                _ => {}
+            }
+            b.push(if matches!(role, Role::UnitCompression(_)) { 0.0 } else { constant });
         };
+        if matches!(role, Role::UnitCompression(_)) {
+            limit(&mut columns, &[(last, 1.0)], 0.0, false);
+        }
         if let Some(cap) = self.cap {
-            limit(&mut columns, &[(last, -1.0)], cap);
+            limit(&mut columns, &[(last, -1.0)], cap, false);
         }
         for ((joint, strength), &c) in self.joints.iter().zip(self.strengths).zip(&self.equilibrium.first_column) {
             let n = joint.points.len();
             let curved = strength.curvature(n) > 0.0;
             for k in (0..n).filter(|_| !curved) {
-                limit(&mut columns, &[(c + k, 1.0)], strength.tension / unit);
+                limit(&mut columns, &[(c + k, 1.0)], strength.tension / unit, true);
             }
             if strength.friction.is_finite() {
                 for sign in [1.0, -1.0] {
                     let mut entries = vec![(c + n, sign)];
                     entries.extend((0..n).map(|k| (c + k, strength.friction)));
-                    limit(&mut columns, &entries, strength.cohesion / unit);
+                    limit(&mut columns, &entries, strength.cohesion / unit, true);
                 }
             }
             if strength.most_shear.is_finite() {
                 for sign in [1.0, -1.0] {
-                    limit(&mut columns, &[(c + n, sign)], strength.most_shear / unit);
+                    limit(&mut columns, &[(c + n, sign)], strength.most_shear / unit, true);
                 }
             }
         }
@@ -159,10 +191,10 @@ impl Program<'_> {
             let tension = strength.tension / unit;
             // (n' + q)^2 >= (n' - q)^2 + 4 q curvature total'^2, with q = curvature: balanced where total' is about 1.
             for k in 0..2 {
-                limit(&mut columns, &[(c + k, 1.0)], tension + curvature);
-                limit(&mut columns, &[(c + k, 1.0)], tension - curvature);
+                limit(&mut columns, &[(c + k, 1.0)], tension + curvature, true);
+                limit(&mut columns, &[(c + k, 1.0)], tension - curvature, true);
                 let slope = 2.0 * curvature;
-                limit(&mut columns, &[(c, slope), (c + 1, slope)], 2.0 * slope * tension);
+                limit(&mut columns, &[(c, slope), (c + 1, slope)], 2.0 * slope * tension, false);
                 cones.push(SecondOrderConeT(3));
             }
         }

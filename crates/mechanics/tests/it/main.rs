@@ -2,4 +2,5 @@
 
 mod limit_arch;
 mod limit_models;
+mod limit_thickness;
 mod limit_walls;

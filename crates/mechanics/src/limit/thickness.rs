@@ -1,0 +1,143 @@
+//! The least thickness at which the blocks stand.
+
+use super::collapse::TOLERANCE;
+use super::equilibrium::Equilibrium;
+use super::joints::joints;
+use super::mechanism::mechanism;
+use super::outcome::Mechanism;
+use super::program::{Ending, Program, Role};
+use super::settings::Settings;
+use crate::blocks::{BlockModel, Loading, ModelError};
+
+/// How the search for a thickness ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ThicknessStatus {
+    /// The least thickness was found.
+    Found,
+    /// The blocks stand even at the thinnest.
+    StandsAtThinnest,
+    /// The blocks fall even at the thickest.
+    FallsAtThickest,
+    /// A program was not solved to its tolerance.
+    NotConverged,
+}
+
+/// The least thickness and how the blocks fall below it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeastThickness {
+    /// How the search ended.
+    pub status: ThicknessStatus,
+    /// Thinnest found to stand and thickest found to fall [m]; their distance is the tolerance asked for.
+    pub stands: Option<f64>,
+    /// Thickest found to fall [m].
+    pub falls: Option<f64>,
+    /// How the blocks fall, at `stands`.
+    pub mechanism: Option<Mechanism>,
+    /// Programs solved.
+    pub trials: u32,
+}
+
+/// One thickness tried.
+struct Trial {
+    thickness: f64,
+    margin: f64,
+    mechanism: Option<Mechanism>,
+}
+
+/// Searches `between` two thicknesses [m], down to a bracket of `tolerance` [m], for the least one at which gravity,
+/// permanent loads and `factor` times the variable loads are carried. `make` builds the model of a thickness.
+///
+/// The search runs on a margin, not on a yes or no: the force by which every contact point can be kept compressed and
+/// every joint from sliding. It changes sign at the least thickness and is continuous there. Equilibrium alone is
+/// asked for, so the flow rule of sliding plays no part.
+pub fn minimum_thickness(
+    between: [f64; 2],
+    tolerance: f64,
+    factor: f64,
+    settings: &Settings,
+    make: impl Fn(f64) -> (BlockModel, Loading),
+) -> Result<LeastThickness, ModelError> {
+    let mut trials = 0;
+    let mut attempt = |thickness: f64| {
+        trials += 1;
+        let (model, loading) = make(thickness);
+        margin(&model, &loading, factor, settings).map(|found| {
+            found.map(|(margin, mechanism)| Trial { thickness, margin, mechanism })
+        })
+    };
+    let nothing = |status| LeastThickness { status, stands: None, falls: None, mechanism: None, trials: 0 };
+    let not_converged = || nothing(ThicknessStatus::NotConverged);
+    let (Some(mut thin), Some(mut thick)) = (attempt(between[0])?, attempt(between[1])?) else {
+        return Ok(not_converged());
+    };
+    if thick.margin < -STANDS {
+        let falls = Some(thick.thickness);
+        return Ok(LeastThickness { falls, mechanism: thick.mechanism, trials, ..nothing(ThicknessStatus::FallsAtThickest) });
+    }
+    if thin.margin >= -STANDS {
+        let stands = Some(thin.thickness);
+        return Ok(LeastThickness { stands, trials, ..nothing(ThicknessStatus::StandsAtThinnest) });
+    }
+    // The secant of the margins, with the Illinois rule against one end that never moves, kept a little inside.
+    let (mut low, mut high) = (thin.margin, thick.margin.max(0.0));
+    let mut last = 0;
+    while thick.thickness - thin.thickness > tolerance {
+        let width = thick.thickness - thin.thickness;
+        let secant = thin.thickness - low * width / (high - low);
+        let inset = (0.4 * tolerance).max(0.01 * width).min(0.5 * width);
+        let next = secant.clamp(thin.thickness + inset, thick.thickness - inset);
+        let Some(trial) = attempt(next)? else { return Ok(not_converged()) };
+        if trial.margin >= -STANDS {
+            high = trial.margin.max(0.0);
+            low *= if last == 1 { 0.5 } else { 1.0 };
+            (thick, last) = (trial, 1);
+        } else {
+            low = trial.margin;
+            high *= if last == -1 { 0.5 } else { 1.0 };
+            (thin, last) = (trial, -1);
+        }
+    }
+    Ok(LeastThickness {
+        status: ThicknessStatus::Found,
+        stands: Some(thick.thickness),
+        falls: Some(thin.thickness),
+        mechanism: thin.mechanism,
+        trials,
+    })
+}
+
+/// Margins down to this, relative to the permanent loads, are nought to the tolerance of the solver.
+const STANDS: f64 = 1e-8;
+
+/// The scaled margin and the motion that limits it; `None` when the program was not solved.
+fn margin(
+    model: &BlockModel,
+    loading: &Loading,
+    factor: f64,
+    settings: &Settings,
+) -> Result<Option<(f64, Option<Mechanism>)>, ModelError> {
+    if model.blocks.iter().all(|b| b.held.is_fixed()) {
+        return Err(ModelError::NothingFree);
+    }
+    let (_, joints) = joints(model, settings)?;
+    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let strengths: Vec<_> = joints.iter().map(|j| j.strength).collect();
+    let factor = factor / equilibrium.factor_scale;
+    let rest: Vec<f64> = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
+    let nothing = vec![0.0; equilibrium.rows];
+    let program = Program {
+        equilibrium: &equilibrium,
+        joints: &joints,
+        strengths: &strengths,
+        drive: &nothing,
+        rest: &rest,
+        // A margin of the whole weight at every contact is more than anyone asks for, and keeps the program bounded.
+        cap: Some(1.0),
+        reward: Vec::new(),
+        price: 0.0,
+        role: Role::Margin,
+    };
+    let solution = program.solve(TOLERANCE);
+    Ok((solution.ending == Ending::Solved)
+        .then(|| (solution.factor, mechanism(model, &equilibrium, &joints, &solution.velocities))))
+}
