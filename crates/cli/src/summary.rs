@@ -5,6 +5,9 @@ use assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
 use std::fmt::Write;
 
+/// More hinges than this are a table, not a line.
+const MOST_HINGES: usize = 10;
+
 /// What was found, what it rests on, where the rest is.
 pub fn collapse(found: &Collapse, out: &str) -> String {
     let mut page = format!("{}: {}\n\n", found.bridge, title(found));
@@ -100,9 +103,12 @@ fn movement(page: &mut String, found: &Collapse) {
 }
 
 fn mechanism(page: &mut String, found: &Collapse) {
-    if !found.hinges.is_empty() {
+    let count = found.hinges.len();
+    if count > MOST_HINGES {
+        let _ = writeln!(page, "  {:<22}  {count}, see hinges.csv", "hinges");
+    } else if count > 0 {
         let places: Vec<String> = found.hinges.iter().map(hinge).collect();
-        let _ = writeln!(page, "  {:<22}  {} at x = {} m", "hinges", found.hinges.len(), places.join(", "));
+        let _ = writeln!(page, "  {:<22}  {count} at x [m] = {}", "hinges", places.join(", "));
     }
     if !found.sliding_joints.is_empty() {
         let _ = writeln!(page, "  {:<22}  {}", "sliding joints", found.sliding_joints.len());
