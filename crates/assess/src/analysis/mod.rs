@@ -9,7 +9,7 @@ mod report;
 mod sweep;
 mod thickness;
 
-pub use by_dem::{collapse_by_dem, support_movement};
+pub use by_dem::{collapse_by_dem, status as dem_status, support_movement};
 pub use by_limit::collapse_by_limit;
 pub use report::{Collapse, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
 pub use sweep::{Sweep, SweepPoint, sweep};

@@ -33,8 +33,19 @@ pub(super) struct Equilibrium {
 }
 
 impl Equilibrium {
-    /// Sets up the equations.
+    /// Sets up the equations of the blocks as built.
     pub fn new(model: &BlockModel, loading: &Loading, joints: &[Joint]) -> Equilibrium {
+        let centroids = model.blocks.iter().map(|b| b.outline.centroid()).collect();
+        Equilibrium::placed(model, &centroids, loading, joints)
+    }
+
+    /// Sets up the equations of blocks whose centroids, forces and joints have moved to where they are given.
+    pub fn placed(
+        model: &BlockModel,
+        centroids: &Table<BlockId, Vec2>,
+        loading: &Loading,
+        joints: &[Joint],
+    ) -> Equilibrium {
         let mut rows = 0;
         let row: Table<BlockId, [Option<usize>; 3]> = model
             .blocks
@@ -48,7 +59,6 @@ impl Equilibrium {
                 })
             })
             .collect();
-        let centroids: Table<BlockId, Vec2> = model.blocks.iter().map(|b| b.outline.centroid()).collect();
         let length = unit_of_length(model, joints);
         let mut this = Equilibrium {
             rows,
@@ -84,7 +94,7 @@ impl Equilibrium {
         add(&loading.permanent, &mut permanent);
         let mut variable = vec![0.0; rows];
         add(&loading.variable, &mut variable);
-        this.scale(permanent, variable);
+        this.scale(permanent, variable, least_strength(joints));
         this
     }
 
@@ -98,15 +108,15 @@ impl Equilibrium {
         }
     }
 
-    fn scale(&mut self, permanent: Vec<f64>, variable: Vec<f64>) {
+    fn scale(&mut self, permanent: Vec<f64>, variable: Vec<f64>, strength: Option<f64>) {
         let size = |v: &[f64]| v.iter().map(|x| x.abs()).sum::<f64>();
         let (w, p) = (size(&permanent), size(&variable));
-        self.force = if w > 0.0 {
-            w
-        } else if p > 0.0 {
-            p
-        } else {
-            1.0
+        // Without permanent loads the strength says how large the forces become; without either nothing does.
+        self.force = match strength {
+            _ if w > 0.0 => w,
+            Some(strength) => strength,
+            None if p > 0.0 => p,
+            None => 1.0,
         };
         self.factor_scale = if p > 0.0 { self.force / p } else { 1.0 };
         self.permanent = permanent.iter().map(|x| x / self.force).collect();
@@ -164,3 +174,9 @@ fn unit_of_length(model: &BlockModel, joints: &[Joint]) -> f64 {
     }
 }
 
+
+/// The least strength of any joint that is a force by itself [N/m].
+fn least_strength(joints: &[Joint]) -> Option<f64> {
+    let forces = joints.iter().flat_map(|j| [j.strength.tension, j.strength.cohesion, j.strength.crushing]);
+    forces.filter(|f| f.is_finite() && *f > 0.0).min_by(f64::total_cmp)
+}

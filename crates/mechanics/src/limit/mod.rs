@@ -22,11 +22,15 @@ mod nonassociated;
 mod outcome;
 mod program;
 mod settings;
+mod support_movement;
 mod sweep;
 mod thickness;
+mod thrust_zone;
 
 pub use collapse::collapse_load;
 pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForces, Resultant, Status};
 pub use settings::{ContactPoints, Friction, Settings};
+pub use support_movement::{Increments, MovementOutcome, MovementStatus, MovementStep, support_movement};
 pub use sweep::{Place, Sweep, sweep};
 pub use thickness::{LeastThickness, ThicknessStatus, minimum_thickness};
+pub use thrust_zone::{ThrustZone, thrust_zone};

@@ -1,0 +1,226 @@
+//! What a `case.toml` says.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// What a case is compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// A closed form.
+    Exact,
+    /// A theory with approximations of its own.
+    Analytical,
+    /// Another program, or a published numerical result.
+    Benchmark,
+    /// A test.
+    Experiment,
+    /// This program's own past.
+    Regression,
+}
+
+/// How long it takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Class {
+    /// Seconds: run with every test.
+    Quick,
+    /// Longer: run when asked.
+    Slow,
+}
+
+/// Whether it is expected to hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Standing {
+    /// It holds; anything else is a failure.
+    Holds,
+    /// It does not hold yet; the reason is in `reason`.
+    Open,
+}
+
+/// A number or a word.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A word, compared letter by letter.
+    Word(String),
+}
+
+/// One expectation.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Expect {
+    /// Key of the result object; `hinges.1.edge` reaches inside, `hinges.length` counts.
+    pub quantity: String,
+    /// What it should be; with `at_most` or `at_least` a bound.
+    pub value: Option<Value>,
+    /// Unit, for the reader.
+    #[serde(default)]
+    pub unit: String,
+    /// Largest deviation, in the unit.
+    pub tolerance: Option<f64>,
+    /// Largest deviation relative to the value.
+    pub relative: Option<f64>,
+    /// Upper bound instead of a value.
+    pub at_most: Option<f64>,
+    /// Lower bound instead of a value.
+    pub at_least: Option<f64>,
+    /// Reason for the tolerance.
+    pub why: String,
+}
+
+/// Changes to an input: dotted keys with their new value.
+pub type Changes = BTreeMap<String, toml::Value>;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: String,
+    kind: Kind,
+    source: String,
+    class: Class,
+    status: Standing,
+    reason: Option<String>,
+    input: Option<String>,
+    #[serde(default)]
+    set: Changes,
+    expect: Vec<Expect>,
+    #[serde(default)]
+    errata: Vec<String>,
+    bite: Option<Changes>,
+}
+
+/// A case, ready to run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Family and case: the last two folder names.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// What it is compared with.
+    pub kind: Kind,
+    /// Citation, page, table, equation.
+    pub source: String,
+    /// How long it takes.
+    pub class: Class,
+    /// Why it does not hold yet; `None` where it holds.
+    pub open: Option<String>,
+    /// What is expected.
+    pub expect: Vec<Expect>,
+    /// What the source says that cannot be right, and what is used.
+    pub errata: Vec<String>,
+    /// A change that must break at least one expectation.
+    pub bite: Option<Changes>,
+    /// Path of the input.
+    pub input: PathBuf,
+    /// The input after the case's own changes.
+    pub document: toml::Table,
+}
+
+/// Why a case cannot be run: a defect of the case.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{path}: {reason}")]
+pub struct CaseError {
+    /// The file.
+    pub path: String,
+    /// What is wrong.
+    pub reason: String,
+}
+
+impl Case {
+    /// Reads the case in `folder`.
+    pub fn read(folder: &Path) -> Result<Case, CaseError> {
+        let path = folder.join("case.toml");
+        let wrong = |path: &Path, reason: String| CaseError { path: path.display().to_string(), reason };
+        let load = |path: &Path| fs::read_to_string(path).map_err(|e| wrong(path, e.to_string()));
+        let file: File = toml::from_str(&load(&path)?).map_err(|e| wrong(&path, e.to_string()))?;
+        if let Some(bad) = file.expect.iter().find(|e| !e.is_complete()) {
+            let reason = format!("{}: give a number with a tolerance, a word, or a bound", bad.quantity);
+            return Err(wrong(&path, reason));
+        }
+        let open = match (file.status, file.reason) {
+            (Standing::Open, None) => return Err(wrong(&path, "an open case gives its reason".into())),
+            (Standing::Open, reason) => reason,
+            (Standing::Holds, _) => None,
+        };
+        if file.class == Class::Quick && file.bite.is_none() {
+            return Err(wrong(&path, "a quick case has a [bite]: a change that must make it fail".into()));
+        }
+        let input = match &file.input {
+            Some(name) => folder.join(name),
+            None => ["bridge.toml", "blocks.toml"]
+                .map(|n| folder.join(n))
+                .into_iter()
+                .find(|p| p.is_file())
+                .ok_or_else(|| wrong(&path, "there is neither bridge.toml nor blocks.toml beside it".into()))?,
+        };
+        let mut document: toml::Table = load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
+        change(&mut document, &file.set).map_err(|reason| wrong(&path, reason))?;
+        let part = |p: Option<&Path>| p.and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
+        let name = [part(folder.parent()), part(Some(folder))].into_iter().flatten().collect::<Vec<_>>().join("/");
+        Ok(Case {
+            name,
+            title: file.title,
+            kind: file.kind,
+            source: file.source,
+            class: file.class,
+            open,
+            expect: file.expect,
+            errata: file.errata,
+            bite: file.bite,
+            input,
+            document,
+        })
+    }
+}
+
+impl Expect {
+    fn is_complete(&self) -> bool {
+        let bounded = self.at_most.is_some() || self.at_least.is_some();
+        let close = self.tolerance.is_some() || self.relative.is_some();
+        !self.why.is_empty()
+            && match &self.value {
+                Some(Value::Number(_)) => close && !bounded,
+                Some(Value::Word(_)) => !close && !bounded,
+                None => bounded && !close,
+            }
+    }
+}
+
+/// Applies changes to a document. A key that is missing at its last place is added; `"remove"` under the key `-name`
+/// takes it away.
+pub fn change(document: &mut toml::Table, changes: &Changes) -> Result<(), String> {
+    for (key, value) in changes {
+        let mut at = &mut *document;
+        let parts: Vec<&str> = key.split('.').collect();
+        let (last, inner) = parts.split_last().expect("splitting gives at least one part");
+        let mut rest = inner.iter().peekable();
+        while let Some(part) = rest.next() {
+            let next = at.get_mut(*part).ok_or_else(|| format!("the input has no {part} of {key}"))?;
+            at = match next {
+                toml::Value::Table(table) => table,
+                toml::Value::Array(rows) => {
+                    let index = rest.next().and_then(|i| i.parse::<usize>().ok());
+                    let row = index.and_then(|i| rows.get_mut(i)).and_then(toml::Value::as_table_mut);
+                    row.ok_or_else(|| format!("{key}: after {part} comes the number of a row, from 0"))?
+                }
+                _ => return Err(format!("{part} of {key} is a value, not a table")),
+            };
+        }
+        match last.strip_prefix('-') {
+            Some(name) => {
+                at.remove(name).ok_or_else(|| format!("the input has no {key} to remove"))?;
+            }
+            None => {
+                at.insert((*last).to_string(), value.clone());
+            }
+        }
+    }
+    Ok(())
+}

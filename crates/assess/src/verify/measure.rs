@@ -1,0 +1,70 @@
+//! Runs a case's input and finds the quantities it speaks of.
+
+use super::blocks::Blocks;
+use crate::analysis;
+use crate::wire::{CollapseObject, Run};
+use mechanics::watch::Unwatched;
+use serde_json::Value as Json;
+
+/// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, bare blocks otherwise.
+pub fn measure(document: &toml::Table) -> Result<Json, String> {
+    if !document.contains_key("bridge") && !document.contains_key("span") {
+        let blocks: Blocks = toml::Value::Table(document.clone()).try_into().map_err(|e| format!("blocks: {e}"))?;
+        return blocks.run();
+    }
+    let text = toml::to_string(document).map_err(|e| e.to_string())?;
+    let read = bridge::read(text.as_bytes());
+    let Some(bridge) = read.bridge else {
+        let errors = read.diagnostics.iter().filter(|d| d.severity == bridge::Severity::Error);
+        let said: Vec<String> = errors.map(|d| format!("{} {} ({})", d.code, d.message, d.label)).collect();
+        return Err(said.join("; "));
+    };
+    let found = analysis::collapse(&bridge, None, &mut Unwatched).map_err(|e| e.to_string())?;
+    let object = CollapseObject::new(&found, &Run::default());
+    let mut value = serde_json::to_value(&object).map_err(|e| e.to_string())?;
+    if let Json::Object(keys) = &mut value {
+        keys.extend(derived(&bridge, &found));
+    }
+    Ok(value)
+}
+
+/// Quantities that cases ask for and results need not repeat.
+fn derived(bridge: &bridge::Bridge, c: &analysis::Collapse) -> Vec<(String, Json)> {
+    let mut found = Vec::new();
+    let span = &bridge.spans[0];
+    // Angle of the haunch hinge from the crown, for circles: the intrados hinge above the springings nearest to them.
+    let radius = (0.25 * span.span * span.span + span.rise * span.rise) / (2.0 * span.rise);
+    let angle = |p: [f64; 2]| (p[0] - 0.5 * span.span).atan2(p[1] - span.rise + radius).to_degrees().abs();
+    let haunches = c.hinges.iter().filter(|h| h.edge == crate::outcome::HingeAt::Intrados).map(|h| angle(h.point));
+    if let Some(haunch) = haunches.reduce(f64::max) {
+        found.push(("haunch_hinge_from_crown_deg".to_string(), haunch.into()));
+    }
+    let edges: Vec<&str> = c
+        .hinges
+        .iter()
+        .map(|h| match h.edge {
+            crate::outcome::HingeAt::Intrados => "I",
+            crate::outcome::HingeAt::Extrados => "E",
+            crate::outcome::HingeAt::Other => "O",
+        })
+        .collect();
+    found.push(("hinge_edges".to_string(), edges.concat().into()));
+    if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load) {
+        found.push(("last_stable_over_limit_load".to_string(), (stable / bound).into()));
+    }
+    found
+}
+
+/// A quantity of a result: keys and row numbers joined by points; `length` counts rows.
+pub fn find<'a>(result: &'a Json, quantity: &str) -> Option<std::borrow::Cow<'a, Json>> {
+    let mut at = result;
+    for part in quantity.split('.') {
+        at = match at {
+            Json::Array(rows) if part == "length" => return Some(std::borrow::Cow::Owned(rows.len().into())),
+            Json::Array(rows) => rows.get(part.parse::<usize>().ok()?)?,
+            Json::Object(keys) => keys.get(part)?,
+            _ => return None,
+        };
+    }
+    Some(std::borrow::Cow::Borrowed(at))
+}

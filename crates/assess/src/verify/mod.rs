@@ -1,0 +1,39 @@
+//! Verification cases as data: one folder a case, read, run and judged here, for the test harness, the command and the
+//! manual alike.
+//!
+//! A case folder holds `case.toml` (what is expected, from where, how closely and why) and its input: `bridge.toml`, an
+//! ordinary bridge file, or `blocks.toml`, bare blocks for benchmarks that are no bridges. The input may also be named
+//! by `input`, relative to the folder, so that an example is its own case.
+
+mod blocks;
+mod case;
+mod judge;
+mod manual;
+mod measure;
+
+pub use case::{Case, CaseError, Class, Expect, Kind, Value};
+pub use judge::{Finding, Judged, Verdict, run};
+pub use manual::{manual, table};
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folders below `root` that hold a case, in order of their names.
+pub fn discover(root: &Path) -> std::io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    let mut open = vec![root.to_path_buf()];
+    while let Some(folder) = open.pop() {
+        if folder.join("case.toml").is_file() {
+            found.push(folder);
+            continue;
+        }
+        for entry in fs::read_dir(&folder)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                open.push(path);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}

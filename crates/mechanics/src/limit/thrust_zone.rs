@@ -1,0 +1,111 @@
+//! Where the line of thrust can lie under a load that is carried.
+
+use super::collapse::{TOLERANCE, joint_forces, resultant};
+use super::equilibrium::{Entry, Equilibrium};
+use super::joints::{Joint, Strength, joints};
+use super::outcome::Resultant;
+use super::program::{Ending, Program, Role};
+use super::settings::Settings;
+use crate::blocks::{BlockModel, Interface, Loading, ModelError};
+use crate::plane::Vec2;
+
+/// Extreme states of equilibrium under a given load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ThrustZone {
+    /// The joints, between which blocks and where.
+    pub interfaces: Vec<Interface>,
+    /// Of each joint the lowest and the highest place of its resultant, along `normal.left()` [m]; `None` where the
+    /// joint cannot be compressed, or the load is not carried. Neighbouring joints reach theirs in different states.
+    pub reach: Vec<Option<[Vec2; 2]>>,
+    /// Line of thrust of the state with the least compression summed over all joints.
+    pub least_thrust: Option<Vec<Option<Resultant>>>,
+    /// Line of thrust of the state with the greatest compression summed over all joints; `None` where it has no end.
+    pub greatest_thrust: Option<Vec<Option<Resultant>>>,
+}
+
+/// The zone in which the line of thrust can lie under gravity, the permanent loads and `factor` times the variable
+/// ones.
+pub fn thrust_zone(
+    model: &BlockModel,
+    loading: &Loading,
+    factor: f64,
+    settings: &Settings,
+) -> Result<ThrustZone, ModelError> {
+    if model.blocks.iter().all(|b| b.held.is_fixed()) {
+        return Err(ModelError::NothingFree);
+    }
+    let (interfaces, joints) = joints(model, settings)?;
+    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
+    let factor = factor / equilibrium.factor_scale;
+    let loads: Vec<f64> = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
+    let zone = Zone { equilibrium: &equilibrium, joints: &joints, strengths: &strengths, loads: &loads };
+    let reach = (0..joints.len())
+        .map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?]))
+        .collect();
+    Ok(ThrustZone {
+        interfaces,
+        reach,
+        least_thrust: zone.line(-1.0),
+        greatest_thrust: zone.line(1.0),
+    })
+}
+
+struct Zone<'a> {
+    equilibrium: &'a Equilibrium,
+    joints: &'a [Joint],
+    strengths: &'a [Strength],
+    loads: &'a [f64],
+}
+
+impl Zone<'_> {
+    /// Farthest place of the resultant of joint `j` to one side of its tangent. A ratio of two forces, moment over
+    /// compression, made linear by taking the compression as the unit of force (Charnes and Cooper 1962).
+    fn extreme(&self, j: usize, side: f64) -> Option<Vec2> {
+        let joint = &self.joints[j];
+        let c = self.equilibrium.first_column[j];
+        if joint.points.len() < 2 {
+            return joint.points.first().copied();
+        }
+        let nothing = vec![0.0; self.equilibrium.rows];
+        let solution = Program {
+            equilibrium: self.equilibrium,
+            joints: self.joints,
+            strengths: self.strengths,
+            drive: self.loads,
+            rest: &nothing,
+            cap: None,
+            reward: vec![(c, -side), (c + 1, side)],
+            price: 0.0,
+            role: Role::UnitCompression(j),
+        }
+        .solve(TOLERANCE);
+        let share = solution.forces[c + 1];
+        (solution.ending == Ending::Solved).then(|| joint.points[0] * (1.0 - share) + joint.points[1] * share)
+    }
+
+    /// The line of thrust with the greatest sum of compressions (`sign` 1) or the least (-1).
+    fn line(&self, sign: f64) -> Option<Vec<Option<Resultant>>> {
+        let nothing = vec![0.0; self.equilibrium.rows];
+        let mut reward: Vec<Entry> = Vec::new();
+        for (joint, &c) in self.joints.iter().zip(&self.equilibrium.first_column) {
+            reward.extend((c..c + joint.points.len()).map(|column| (column, sign)));
+        }
+        let solution = Program {
+            equilibrium: self.equilibrium,
+            joints: self.joints,
+            strengths: self.strengths,
+            drive: &nothing,
+            rest: self.loads,
+            // `t` has no part in this program.
+            cap: Some(0.0),
+            reward,
+            price: 0.0,
+            role: Role::Factor,
+        }
+        .solve(TOLERANCE);
+        let forces = joint_forces(self.equilibrium, self.joints, &solution.forces);
+        (solution.ending == Ending::Solved)
+            .then(|| self.joints.iter().zip(&forces).map(|(j, f)| resultant(j, f)).collect())
+    }
+}
