@@ -106,3 +106,26 @@ fn the_road_must_say_how_loads_spread() {
         show_all(&format!("{TINY}cover = {{ layer = \"fill\", thickness = \"0.2 m\", density = \"1900 kg/m^3\" }}\n"));
     assert!(shown.contains("error[B011]: the file has no [dispersal]"), "{shown}");
 }
+
+#[test]
+fn ring_joints_deform_as_well() {
+    let shown = show_all(&VIADUCT.replace("normal_stiffness = \"10 GPa/m\"\n", ""));
+    assert!(shown.contains("to [ring_joint], or choose"), "{shown}");
+}
+
+/// Hundreds of warnings do not hide an error.
+#[test]
+fn an_error_outranks_warnings() {
+    let layer = "[[cover]]\nlayer = \"ballast\"\nthickness = \"1 mm\"\ndensity = \"100 kg/m^3\"\n";
+    let file = CASE_1.replace("[dispersal]\n", &(layer.repeat(900) + "[dispersal]\n"));
+    assert_eq!(read(file.as_bytes()).diagnostics.len(), 500);
+    let file = file.replace("load_step = \"100 kN\"", "load_limit = \"1 kN\"\nload_step = \"100 kN\"");
+    assert!(show_all(&file).contains("error[B405]"));
+    assert!(read(file.as_bytes()).bridge.is_none());
+}
+
+#[test]
+fn other_systems_write_other_line_ends_and_marks() {
+    assert_eq!(show_all(&CASE_1.replace('\n', "\r\n")), "");
+    assert_eq!(show_all(&format!("\u{feff}{CASE_1}")), "");
+}

@@ -103,3 +103,11 @@ fn written_documents_are_up_to_date() {
         );
     }
 }
+
+#[test]
+fn example_of_the_guide_reads() {
+    let guide = include_str!("../../../../docs/input/README.md");
+    let example = guide.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    assert_eq!(show_all(example), "");
+    assert!(read(example.as_bytes()).bridge.is_some());
+}
