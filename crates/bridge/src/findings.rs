@@ -81,8 +81,11 @@ impl Findings {
     }
 
     /// Drops findings that only follow from text that could not be read.
-    pub(crate) fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
-        self.list.retain(keep);
+    pub(crate) fn retain(&mut self, keep: impl Fn(&Diagnostic, usize) -> bool) {
+        let ends = std::mem::take(&mut self.line_ends);
+        let line = |place: TextRange| 1 + ends.partition_point(|end| *end < place.start);
+        self.list.retain(|finding| keep(finding, line(finding.range)));
+        self.line_ends = ends;
     }
 
     /// All findings in the order of the file, cut to its length, each once.

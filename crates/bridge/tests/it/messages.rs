@@ -129,3 +129,15 @@ fn other_systems_write_other_line_ends_and_marks() {
     assert_eq!(show_all(&CASE_1.replace('\n', "\r\n")), "");
     assert_eq!(show_all(&format!("\u{feff}{CASE_1}")), "");
 }
+
+#[test]
+fn bounds_are_told_in_the_engineers_unit() {
+    let shown = show_all(&CASE_1.replace("35.6 deg", "95 deg"));
+    assert!(shown.contains("it must be at most 89 deg"), "{shown}");
+}
+
+#[test]
+fn what_is_left_of_a_broken_line_means_nothing() {
+    let shown = show_all(&CASE_1.replace("rise = \"2.85 m\"", "rise = 2.85 m\""));
+    assert!(shown.contains("error[B002]") && shown.matches("error[").count() == 1, "{shown}");
+}
