@@ -136,11 +136,10 @@ fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspa
             if LOCAL {
                 // The damping force opposes the mean of the old and the new velocity, so that it never gives energy:
                 // opposing the old one alone would stiffen contacts up to (1 + share) times and make every step above
-                // 1 / sqrt(1 + share) of the critical one unstable. Where the full force would turn the mean round,
-                // it stops at zero.
+                // 1 / sqrt(1 + share) of the critical one unstable. It is never larger than what takes out the most.
                 let push = force[c] * (body.inverse_mass[c] * dt);
                 let most = local * push.abs();
-                let against = (old + old + push).max(-most).min(most);
+                let against = (old + 0.5 * push).max(-most).min(most);
                 v[c] = old + push - against;
                 damped += against * body.mass[c] * (0.5 * (old + v[c]));
             } else {
