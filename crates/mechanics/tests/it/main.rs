@@ -1,5 +1,6 @@
 //! Integration tests of the crate, in one binary.
 
+mod dem_bridgemill;
 mod dem_contacts;
 mod dem_dynamics;
 mod dem_friction;
