@@ -30,7 +30,7 @@ fn springs(model: &Model, state: &State, closed_only: bool) -> Vec<Spring> {
             let (a1, a2) = (at - p1.position, at - p2.position);
             for (direction, stiffness) in [(points.normal(), t.normal_stiffness), (points.direction, t.shear_stiffness)]
             {
-                let root = (stiffness * t.memory[k].length).sqrt();
+                let root = (stiffness * t.memory[k].length.max(t.half_joint)).sqrt();
                 let scaled = |sign: f64, arm: f64, i: usize| {
                     let m = &model.inverse_mass[i];
                     [

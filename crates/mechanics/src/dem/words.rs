@@ -176,10 +176,10 @@ impl Words for Meeting {
 }
 
 /// A touch without what follows from the model.
-type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], (f64, f64)));
+type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], [f64; 3]));
 
 fn store_touch(t: &Touch) -> StoredTouch {
-    ((t.ids(), t.meeting), (t.memory, (t.normal_stiffness, t.shear_stiffness)))
+    ((t.ids(), t.meeting), (t.memory, [t.normal_stiffness, t.shear_stiffness, t.half_joint]))
 }
 
 fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTouch) -> Option<Touch> {
@@ -199,7 +199,7 @@ fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTou
     let law = model.laws.between(model.groups[a], model.groups[b]);
     let mut touch = Touch::new(ids, meeting, cores, law, 0.0);
     touch.memory = memory;
-    (touch.normal_stiffness, touch.shear_stiffness) = stiffness;
+    [touch.normal_stiffness, touch.shear_stiffness, touch.half_joint] = stiffness;
     Some(touch)
 }
 

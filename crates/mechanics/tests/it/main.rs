@@ -4,4 +4,5 @@ mod dem_bridgemill;
 mod dem_contacts;
 mod dem_dynamics;
 mod dem_friction;
+mod dem_resume;
 mod dem_support;
