@@ -4,5 +4,6 @@ mod dem_bridgemill;
 mod dem_contacts;
 mod dem_dynamics;
 mod dem_friction;
+mod dem_laws;
 mod dem_resume;
 mod dem_support;
