@@ -73,7 +73,7 @@ pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: Conta
 }
 
 /// Pairs of which at least one can move and whose boxes, grown by `skin` [m] in all, overlap; sorted. Sweeps along x.
-fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
+pub(super) fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
     let boxes: Vec<(Vec2, Vec2)> = (0..model.len()).map(|i| bounds(model, poses, i, 0.5 * skin)).collect();
     let mut order: Vec<u32> = (0..model.len() as u32).collect();
     order.sort_by(|&i, &j| boxes[i as usize].0.x.total_cmp(&boxes[j as usize].0.x).then(i.cmp(&j)));
