@@ -5,7 +5,7 @@ use super::fingerprint::fingerprint;
 use super::model::Model;
 use super::outcome::{Frame, Outcome, PathPoint, Status};
 use super::relax::{Settled, Stage, settle};
-use super::settings::{Damping, Program, Settings};
+use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin, critical_time_step, step};
 use super::{stiffness, words};
@@ -77,17 +77,8 @@ pub fn collapse(
 }
 
 fn start(model: &Model, settings: &Settings) -> Run {
-    let mut state = begin(model, settings);
+    let state = begin(model, settings);
     let critical = critical_time_step(model, &state);
-    if let Damping::Viscous(share) = settings.damping {
-        for t in &mut state.touches {
-            t.memory.iter_mut().for_each(|m| m.closed = true);
-        }
-        state.viscosity = 2.0 * share * stiffness::smallest_frequency(model, &state);
-        for t in &mut state.touches {
-            t.memory.iter_mut().for_each(|m| m.closed = false);
-        }
-    }
     Run {
         stage: Stage::new(&state),
         stable: None,
@@ -121,9 +112,11 @@ fn move_supports(model: &Model, run: &mut Run, work: &mut Workspace, settings: &
     }
     let rate = change / (RAMP as f64 * run.state.time_step);
     let walk = |state: &mut State, rate: f64| {
-        for (v, m) in state.velocities.iter_mut().zip(&model.movement) {
-            if *m != [0.0; 3] {
-                *v = [m[0] * rate, m[1] * rate, m[2] * rate];
+        for ((v, m), inverse) in state.velocities.iter_mut().zip(&model.movement).zip(&model.inverse_mass) {
+            for c in 0..3 {
+                if inverse[c] == 0.0 {
+                    v[c] = m[c] * rate;
+                }
             }
         }
     };
@@ -132,8 +125,8 @@ fn move_supports(model: &Model, run: &mut Run, work: &mut Workspace, settings: &
         step(model, &mut run.state, work, settings);
         let mut power = 0.0;
         for i in 0..model.len() {
-            if model.movement[i] != [0.0; 3] {
-                for c in 0..3 {
+            for c in 0..3 {
+                if model.movement[i][c] != 0.0 {
                     power -= run.state.contact_forces[i][c] * run.state.velocities[i][c];
                 }
             }

@@ -58,6 +58,9 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
         }
     }
     state.time_step = settings.time_step_factor * critical_time_step(model, &state);
+    if let Damping::Viscous(share) = settings.damping {
+        state.viscosity = 2.0 * share * stiffness::smallest_frequency(model, &state);
+    }
     state
 }
 

@@ -99,6 +99,10 @@ impl Points {
     pub fn normal(&self) -> Vec2 {
         self.direction.right()
     }
+    /// Force on `two` per unit of compression at point `k`.
+    pub fn push(&self, k: usize) -> Vec2 {
+        self.normal() * self.pushes[k].y + self.direction * self.pushes[k].x
+    }
     /// Distance between the two points along the edge [m].
     pub fn stretch(&self) -> f64 {
         self.s[1] - self.s[0]

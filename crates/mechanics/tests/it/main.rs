@@ -6,4 +6,5 @@ mod dem_dynamics;
 mod dem_friction;
 mod dem_laws;
 mod dem_resume;
+mod dem_stress;
 mod dem_support;
