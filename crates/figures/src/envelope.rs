@@ -43,7 +43,7 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
     let ceiling = largest.min(5.0 * governing.1.abs().max(1e-300));
     let y = Ticks::over(unit(governing.1.min(0.0)), unit(ceiling), 6);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("envelope");
     let second = match quantity {
         Quantity::Factor => "Load factor at collapse over the position of the load",
         Quantity::Load => "Collapse load over the position of the load",

@@ -33,7 +33,7 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
         .within(built.grown(0.6 * size))
         .grown(0.015 * size);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("collapse");
     draw::define_hatch(&mut sheet);
     let top = sheet.title(&picture.title, "Collapse, displacements at true scale");
     let panels: Vec<Option<usize>> = std::iter::once(None).chain(chosen.iter().copied().map(Some)).collect();

@@ -32,7 +32,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     let scale = if largest > 0.0 { SHARE * size / largest } else { 0.0 };
     let place = |k: usize| moved(&picture.shapes[k], motions[k], scale, Turn::Small);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("mechanism");
     draw::define_hatch(&mut sheet);
     let second = match picture.collapse_load {
         Some(load) if picture.moves_supports => format!("Mechanism at a support movement of {}", words::metres(load)),
@@ -49,6 +49,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     draw::ghost(&mut sheet, &view, &picture.shapes);
     draw::blocks(&mut sheet, &view, &picture.shapes, place);
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
+    draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::load_arrows(&mut sheet, &view, picture, Some((motions, scale)));
 
     let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];

@@ -16,7 +16,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         return None;
     }
     let built = as_built(&picture.shapes)?;
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("thrust");
     draw::define_hatch(&mut sheet);
     let second = match picture.collapse_load {
         Some(load) if !picture.moves_supports => format!("Line of thrust at collapse, {}", words::force(load)),

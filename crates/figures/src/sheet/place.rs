@@ -29,6 +29,9 @@ impl Sheet {
     /// Sets a label near `at`, where it covers no other text and as little else as can be; a thin line leads to it
     /// where it stands off.
     pub fn label(&mut self, at: Spot, text: &str, style: Style, room: Room) {
+        if at.iter().any(|c| !c.is_finite()) {
+            return;
+        }
         let mut best: Option<(f64, Spot, Style, f64)> = None;
         for (ring, &distance) in [0.0, 9.0, 18.0, 30.0, 44.0, 60.0, 80.0, 105.0].iter().enumerate() {
             for step in 0..16 {
@@ -107,7 +110,7 @@ mod tests {
 
     #[test]
     fn labels_of_one_point_do_not_cover_each_other() {
-        let mut sheet = Sheet::new();
+        let mut sheet = Sheet::new("try");
         for k in 0..8 {
             sheet.label([400.0, 200.0], &format!("{k} extrados"), Style::on_drawing(), Room::between(0.0, 400.0));
         }
@@ -120,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_label_at_the_edge_stays_on_the_sheet() {
-        let mut sheet = Sheet::new();
+        let mut sheet = Sheet::new("try");
         sheet.label([WIDTH - MARGIN, 20.0], "a long label at the edge", Style::default(), Room::between(0.0, 60.0));
         assert!(sheet.texts()[0].right <= WIDTH - MARGIN + 1e-9);
     }
