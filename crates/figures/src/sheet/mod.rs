@@ -135,7 +135,7 @@ pub struct Sheet {
     name: String,
     body: String,
     texts: Vec<Area>,
-    obstacles: Vec<Area>,
+    obstacles: Vec<(Area, f64)>,
 }
 
 impl Sheet {
@@ -294,7 +294,11 @@ impl Sheet {
 
     /// Something that a label had better not cover.
     pub fn avoid(&mut self, area: Area) {
-        self.obstacles.push(area);
+        self.obstacles.push((area, 1.0));
+    }
+    /// Something that a label may cover where there is no better place.
+    pub fn avoid_lightly(&mut self, area: Area) {
+        self.obstacles.push((area, 0.3));
     }
     /// Where every text lies.
     #[cfg(test)]
