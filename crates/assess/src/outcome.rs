@@ -113,6 +113,30 @@ pub struct LoadArrow {
     pub force: Point,
 }
 
+/// What a dimension measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Horizontal distance between two springings at the intrados.
+    Span,
+    /// Height of the crown's intrados above the springings: from a springing to the crown.
+    Rise,
+    /// Thickness of the ring, all rings together: from intrados to extrados along a joint.
+    Thickness,
+    /// Height of a pier or a wall: from its foot to its head.
+    Height,
+}
+
+/// A dimension to be drawn on the bridge as built.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dimension {
+    /// What it measures.
+    pub measure: Measure,
+    /// From [m].
+    pub from: Point,
+    /// To [m].
+    pub to: Point,
+}
+
 /// Everything that figures and files of a collapse analysis are made from.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Picture {
@@ -140,4 +164,10 @@ pub struct Picture {
     pub snapshots: Vec<Snapshot>,
     /// Index of the last stable snapshot.
     pub last_stable: Option<usize>,
+    /// Dimensions of the drawing; none for models without an arch.
+    pub dimensions: Vec<Dimension>,
+    /// Load at collapse [N/m], where one was found (support movement: [m]).
+    pub collapse_load: Option<f64>,
+    /// Whether the loads of path and snapshots are support movements [m] instead of forces [N/m].
+    pub moves_supports: bool,
 }

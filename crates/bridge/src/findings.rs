@@ -2,13 +2,25 @@
 
 use crate::diagnostic::{Diagnostic, Severity, TextRange};
 
+/// Findings reported in one go; whoever has more starts with the first ones.
+const MOST: usize = 500;
+
 /// The findings so far.
 #[derive(Debug, Default)]
 pub(crate) struct Findings {
     list: Vec<Diagnostic>,
+    /// One more than fits, which nobody reads.
+    beyond: Option<Diagnostic>,
+    line_ends: Vec<usize>,
 }
 
 impl Findings {
+    /// None yet, about this text.
+    pub(crate) fn of(text: &[u8]) -> Findings {
+        let line_ends = text.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at).collect();
+        Findings { line_ends, ..Findings::default() }
+    }
+
     /// Records an error: what is wrong, where, the words under the caret, and what to write instead.
     pub(crate) fn error(
         &mut self,
@@ -42,14 +54,23 @@ impl Findings {
         label: String,
         help: String,
     ) -> &mut Diagnostic {
+        let finding = Diagnostic { code, severity, message, range, label, note: None, help: Some(help) };
         let index = self.list.len();
-        self.list.push(Diagnostic { code, severity, message, range, label, note: None, help: Some(help) });
+        if index >= MOST {
+            return self.beyond.insert(finding);
+        }
+        self.list.push(finding);
         &mut self.list[index]
+    }
+
+    /// Line of a place, from 1, for notes that point elsewhere.
+    pub(crate) fn line(&self, place: TextRange) -> usize {
+        1 + self.line_ends.partition_point(|end| *end < place.start)
     }
 
     /// Whether any finding is an error.
     pub(crate) fn any_error(&self) -> bool {
-        self.list.iter().any(|finding| finding.severity == Severity::Error)
+        self.list.iter().chain(&self.beyond).any(|finding| finding.severity == Severity::Error)
     }
 
     /// Drops findings that only follow from text that could not be read.

@@ -3,12 +3,16 @@
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
 pub mod diagnostic;
+pub mod explain;
 pub mod fields;
 mod findings;
 pub mod model;
+mod plausible;
 pub mod quantity;
+pub mod reference;
 mod resolve;
 pub mod ring;
+pub mod schema;
 pub mod text;
 mod tree;
 mod values;
@@ -30,14 +34,14 @@ pub struct Read {
 }
 
 /// No bridge file is longer [bytes]; what is, is something else.
-const LONGEST: usize = 4 << 20;
+const LONGEST: usize = 1 << 20;
 
 /// Broken lines reported in one go; a file with more is no bridge file.
 const MOST_SYNTAX_ERRORS: usize = 20;
 
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
-    let mut findings = Findings::default();
+    let mut findings = Findings::of(text);
     let bridge = read_text(text, &mut findings);
     let bridge = if findings.any_error() { None } else { bridge };
     Read { bridge, diagnostics: findings.in_order(text.len()) }
@@ -48,7 +52,7 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
         findings.error(
             "B003",
             TextRange::new(0, 0),
-            format!("the file is {} MB long", bytes.len() >> 20),
+            format!("the file is {:.1} MB long", bytes.len() as f64 / 1e6),
             "a bridge file has a few kilobytes",
             "check that this is the bridge file",
         );
@@ -72,13 +76,14 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
     let (tree, broken) = DeTable::parse_recoverable(text);
     for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
         let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
-        findings.error(
-            "B002",
-            range,
-            error.message().to_owned(),
-            "not TOML",
-            "write lines like key = \"value\" below [section] headers; text and quantities stand in quotes",
-        );
+        let unquoted = text.get(range.start..range.end).filter(|_| error.message().contains("must be quoted"));
+        let help = match unquoted {
+            Some(value) => format!("put it in quotes: \"{}\"", tree::shorten(value.trim())),
+            None => {
+                "write lines like key = \"value\" below [section] headers; text and quantities stand in quotes".into()
+            }
+        };
+        findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
     }
     let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
     let bridge = resolve::resolve(&file, findings);

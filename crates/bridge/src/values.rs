@@ -25,6 +25,16 @@ impl<'t> Table<'t> {
         measure(field, raw, &[dimension], findings).map(|(quantity, range)| At { value: quantity.si(), range })
     }
 
+    /// A number with a unit [SI], or infinity where the word for none is written.
+    pub(crate) fn quantity_or_word(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
+        let (field, raw) = self.entry(key)?;
+        let Kind::QuantityOr(dimension, word) = field.kind else { return None };
+        if raw.get_ref().as_str() == Some(word) {
+            return Some(At { value: f64::INFINITY, range: raw.span().into() });
+        }
+        measure(field, raw, &[dimension], findings).map(|(quantity, range)| At { value: quantity.si(), range })
+    }
+
     /// A list of numbers with units [SI].
     pub(crate) fn quantities(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<f64>>> {
         let (field, raw) = self.entry(key)?;
@@ -248,7 +258,7 @@ fn not_finite<T>(field: &Field, range: TextRange, findings: &mut Findings) -> Op
 fn check_size(field: &Field, quantity: Quantity, range: TextRange, findings: &mut Findings) -> bool {
     let value = quantity.si();
     let most = quantity.unit.dimension.most();
-    if !(value.abs() <= most) {
+    if value.abs() > most {
         findings.error(
             "B106",
             range,
@@ -286,7 +296,9 @@ fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Find
     };
     let bound = if value > limits.most { limits.most } else { limits.least };
     let unit = match field.kind {
-        Kind::Quantity(dimension) | Kind::Quantities(dimension) => quantity_unit(dimension),
+        Kind::Quantity(dimension) | Kind::QuantityOr(dimension, _) | Kind::Quantities(dimension) => {
+            quantity_unit(dimension)
+        }
         Kind::LineLoad => " N/m",
         _ => "",
     };

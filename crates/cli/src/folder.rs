@@ -55,6 +55,11 @@ impl Folder {
         self.replace(&staging.path, &files).map_err(not_written)
     }
 
+    /// Writes one file, whole or not at all, beside whatever else is there.
+    pub fn put(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        write_whole(&self.file(name), bytes).map_err(|error| Failure::not_written(&self.file(name), &error))
+    }
+
     fn replace(&self, staging: &Path, files: &[String]) -> io::Result<()> {
         let earlier = earlier_files(&self.file(SEAL));
         remove(&self.file(SEAL))?;

@@ -1,15 +1,19 @@
 //! `extrados`: asks the engineer's question of `assess`, and shows the answer.
 
 mod args;
+mod checkpoint;
 mod clock;
 mod commands;
 mod examples;
 mod failure;
 mod folder;
+mod quantities;
 mod render;
 mod report;
+mod results;
 mod screen;
 mod status;
+mod summary;
 mod watcher;
 
 use std::process::ExitCode;

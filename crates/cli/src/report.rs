@@ -59,11 +59,13 @@ impl Report {
         }
     }
 
-    /// The object: the answer's fields with `schema`, `status`, `warnings`, `wall_seconds` and `threads`.
+    /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,
+    /// `wall_seconds` and `threads`.
     pub fn object(&self, schema: &str, clock: Clock) -> Value {
-        let mut object = self.fields.clone();
+        let mut object = Map::new();
         object.insert("schema".to_owned(), json!(schema));
         object.insert("status".to_owned(), json!(self.status.name()));
+        object.extend(self.fields.clone().into_iter().filter(|(key, _)| !COMMON.contains(&key.as_str())));
         object.insert("warnings".to_owned(), json!(self.warnings));
         if !self.errors.is_empty() {
             object.insert("errors".to_owned(), json!(self.errors));
@@ -71,6 +73,17 @@ impl Report {
         object.insert("wall_seconds".to_owned(), json!(clock.seconds()));
         object.insert("threads".to_owned(), json!(rayon::current_num_threads()));
         Value::Object(object)
+    }
+}
+
+/// Fields that every object has.
+const COMMON: [&str; 6] = ["schema", "status", "warnings", "errors", "wall_seconds", "threads"];
+
+/// The fields of a serialised object.
+pub fn fields_of(object: impl serde::Serialize) -> Map<String, Value> {
+    match serde_json::to_value(object) {
+        Ok(Value::Object(fields)) => fields,
+        _ => Map::new(),
     }
 }
 

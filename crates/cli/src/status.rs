@@ -23,6 +23,8 @@ pub enum Status {
     Completed,
     /// A check is not met.
     Inadequate,
+    /// No answer that can be vouched for.
+    Undetermined,
     /// The input cannot be used.
     UnusableInput,
     /// The results could not be written.
@@ -30,7 +32,7 @@ pub enum Status {
 }
 
 /// Every status, in the order of the manual.
-pub const ALL: [Status; 12] = [
+pub const ALL: [Status; 13] = [
     Status::Collapsed,
     Status::StableToLastLoad,
     Status::Stalled,
@@ -41,6 +43,7 @@ pub const ALL: [Status; 12] = [
     Status::Cancelled,
     Status::Completed,
     Status::Inadequate,
+    Status::Undetermined,
     Status::UnusableInput,
     Status::NotWritten,
 ];
@@ -111,6 +114,9 @@ impl Status {
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
             Status::Inadequate => ("inadequate", 1, "The command finished, and a check or a verification case is not met."),
+            Status::Undetermined => {
+                ("undetermined", 3, "The command finished without an answer: no position of the loads makes a mechanism of the bridge.")
+            }
             Status::UnusableInput => {
                 ("unusable-input", 2, "The input cannot be used; `errors` says what is wrong, where, and what to write instead.")
             }

@@ -1,1 +1,35 @@
-//! Stub.
+//! Figures and ParaView files of an analysis, made from its results alone.
+//!
+//! Every function is pure: a [`Picture`](assess::outcome::Picture) goes in, text or bytes come out, and the same
+//! bytes every time; the caller writes files. Drawings are SVG 160 mm wide; [`png`] turns them into pictures with a
+//! font of their own. What there is no material for is `None`.
+
+mod all;
+mod chart;
+mod colour;
+mod dimension;
+mod drawn;
+mod elevation;
+mod envelope;
+mod frames;
+mod geometry;
+mod load_path;
+mod mechanism;
+mod raster;
+mod sheet;
+mod sliding;
+mod stress;
+mod thrust;
+mod ticks;
+pub mod vtk;
+mod words;
+
+pub use all::{File, PNG_WIDTH, all, both, drawings, paraview};
+pub use drawn::bridge_as_drawn;
+pub use envelope::{Quantity, Sweep, envelope};
+pub use frames::collapse_frames;
+pub use load_path::load_displacement;
+pub use mechanism::mechanism;
+pub use raster::{RasterError, png};
+pub use stress::{most_compressive, stress};
+pub use thrust::thrust_line;

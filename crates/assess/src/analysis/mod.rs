@@ -17,7 +17,8 @@ pub use report::{Collapse, DemReport, LimitReport, Status, SupportReport, Thickn
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
 
-use crate::discretise::DiscretiseError;
+use crate::discretise::{DiscretiseError, discretise};
+use crate::outcome::Picture;
 use bridge::{Analysis, Bridge, Method};
 use mechanics::blocks::ModelError;
 use mechanics::watch::Watch;
@@ -51,6 +52,11 @@ pub enum AnalysisError {
         /// Why it cannot be chosen.
         why: &'static str,
     },
+}
+
+/// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
+pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
+    Ok(picture::built(bridge, &discretise(bridge)?, "as built"))
 }
 
 /// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run

@@ -18,9 +18,14 @@ pub(super) static MASONRY: Section = Section {
             .at_least(0.0)
             .at_most(0.4999)
             .optional("unknown; needed for `mortar_shear_stiffness`"),
-        Field::new("compressive_strength", Kind::Quantity(Stress), "compressive strength of the masonry", "43.8 MPa")
-            .positive()
-            .optional("crushing is not considered"),
+        Field::new(
+            "compressive_strength",
+            Kind::QuantityOr(Stress, "unlimited"),
+            "compressive strength of the masonry, or \"unlimited\"",
+            "43.8 MPa",
+        )
+        .positive()
+        .optional("crushing is not considered, and a warning says so"),
         Field::new(
             "rounding",
             Kind::Quantity(Length),

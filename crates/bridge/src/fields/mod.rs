@@ -46,6 +46,8 @@ pub enum Kind {
     Text,
     /// A number with a unit of this dimension.
     Quantity(Dimension),
+    /// A number with a unit of this dimension, or this word for none.
+    QuantityOr(Dimension, &'static str),
     /// A list of numbers with units.
     Quantities(Dimension),
     /// A force per metre of width, or a force over the whole width.

@@ -17,13 +17,14 @@ pub(super) fn masonry(file: &Table<'_>, findings: &mut Findings) -> Option<Mason
     let density = table.quantity("density", findings);
     let elastic_modulus = table.quantity("elastic_modulus", findings);
     let poisson_ratio = table.number("poisson_ratio", findings);
-    let compressive_strength = table.quantity("compressive_strength", findings);
+    let compressive_strength = table.quantity_or_word("compressive_strength", findings);
     let rounding = table.quantity("rounding", findings);
     Some(Masonry {
         density: density?.value,
         elastic_modulus: maybe(&table, "elastic_modulus", elastic_modulus)?,
         poisson_ratio: maybe(&table, "poisson_ratio", poisson_ratio)?,
-        compressive_strength: maybe(&table, "compressive_strength", compressive_strength)?,
+        compressive_strength: maybe(&table, "compressive_strength", compressive_strength)?
+            .filter(|value| value.is_finite()),
         rounding: maybe(&table, "rounding", rounding)?.unwrap_or(0.0),
     })
 }

@@ -5,11 +5,14 @@ mod geometry;
 mod loading;
 mod materials;
 mod plan;
-mod structure;
+pub(crate) mod structure;
 
 use crate::findings::Findings;
 use crate::model::Bridge;
+use crate::plausible;
 use crate::tree::Table;
+
+pub(crate) use loading::slope;
 
 /// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.
 pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridge> {
@@ -33,6 +36,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
         plan::check(file, plan, loads, joint.as_ref(), masonry.as_ref(), findings);
     }
+    plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 
     let general = general?;
     let spans = spans?;

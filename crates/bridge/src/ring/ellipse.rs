@@ -17,7 +17,7 @@ impl Ellipse {
 
     /// Length from the crown to t: half · E(t | m), m = 1 - (rise / half)², by Carlson's symmetric integrals, also
     /// where the rise is more than half the span and m is negative.
-    fn from_crown(&self, t: f64) -> f64 {
+    fn length_to_crown(&self, t: f64) -> f64 {
         let m = (1.0 - self.rise / self.half) * (1.0 + self.rise / self.half);
         let (sine, cosine) = t.sin_cos();
         // 1 - m sin² t without cancellation.
@@ -26,7 +26,7 @@ impl Ellipse {
     }
 
     pub(super) fn length(&self) -> f64 {
-        self.from_crown(std::f64::consts::FRAC_PI_2)
+        self.length_to_crown(std::f64::consts::FRAC_PI_2)
     }
 
     pub(super) fn at(&self, distance: f64) -> Station {
@@ -35,7 +35,7 @@ impl Ellipse {
             return Station { point: [0.0, 0.0], normal: [-1.0, 0.0] };
         }
         let speed = |t: f64| (self.half * t.cos()).hypot(self.rise * t.sin());
-        let t = invert(|t| self.from_crown(t), speed, self.length() - distance, quarter);
+        let t = invert(|t| self.length_to_crown(t), speed, self.length() - distance, quarter);
         let (sine, cosine) = t.sin_cos();
         let size = speed(t);
         Station {

@@ -21,20 +21,20 @@ impl Parabola {
     }
 
     /// Length from the crown to u: half/2 (u √(1 + p²u²) + asinh(pu) / p).
-    fn from_crown(&self, u: f64) -> f64 {
+    fn length_to_crown(&self, u: f64) -> f64 {
         let p = self.slope();
         let pu = p * u;
         0.5 * self.half * (u * pu.hypot(1.0) + pu.asinh() / p)
     }
 
     pub(super) fn length(&self) -> f64 {
-        self.from_crown(1.0)
+        self.length_to_crown(1.0)
     }
 
     pub(super) fn at(&self, distance: f64) -> Station {
         let target = self.length() - distance;
         let p = self.slope();
-        let u = invert(|u| self.from_crown(u), |u| self.half * (p * u).hypot(1.0), target, 1.0);
+        let u = invert(|u| self.length_to_crown(u), |u| self.half * (p * u).hypot(1.0), target, 1.0);
         let steep = (p * u).hypot(1.0);
         Station {
             point: [self.half * (1.0 - u), self.rise * (1.0 - u) * (1.0 + u)],

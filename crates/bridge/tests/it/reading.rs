@@ -1,22 +1,79 @@
-//! A good file gives the bridge it describes, without a word.
+//! Good files give the bridges they describe, without a word.
 
-use bridge::{Method, read};
+use crate::files::{CASE_1, GOOD, SHAPES, TINY, VIADUCT, show_all};
+use bridge::ring::Profile;
+use bridge::*;
 
-/// Bridgemill, case 1 of Rouxinol, Providência and Lemos.
-const CASE_1: &[u8] = include_bytes!("files/case-1.toml");
+fn good(text: &str) -> Bridge {
+    read(text.as_bytes()).bridge.unwrap_or_else(|| panic!("{}", show_all(text)))
+}
 
 #[test]
-fn bridgemill_reads_without_findings() {
-    let read = read(CASE_1);
-    assert_eq!(read.diagnostics, []);
-    let bridge = read.bridge.expect("a bridge");
+fn good_files_read_without_findings() {
+    for text in GOOD {
+        assert_eq!(show_all(text), "");
+    }
+}
+
+#[test]
+fn bridgemill() {
+    let bridge = good(CASE_1);
     assert_eq!(bridge.name, "Bridgemill");
+    assert_eq!(bridge.width, 8.3);
     assert_eq!(bridge.spans.len(), 1);
-    assert_eq!(bridge.spans[0].rings[0].voussoirs, 62);
+    assert_eq!((bridge.spans[0].span, bridge.spans[0].rise), (18.3, 2.85));
+    assert_eq!(bridge.spans[0].rings, [Ring { crown_thickness: 0.711, springing_thickness: 0.711, voussoirs: 62 }]);
+    assert_eq!(bridge.piers, []);
     assert_eq!(bridge.masonry.rounding, 0.01);
+    assert_eq!(bridge.joint.normal_stiffness, Some(JointStiffness::Contact(4.84e9)));
+    assert_eq!(bridge.joint, bridge.ring_joint);
+    assert!((bridge.joint.friction_angle - 35.6f64.to_radians()).abs() < 1e-15);
     assert!((bridge.cover.depth - 0.478).abs() < 1e-15);
     assert!(bridge.cover.layers.iter().all(|layer| !layer.weighs));
+    assert_eq!(bridge.dispersal, Dispersal { rule: DispersalRule::InverseDepth, slope: 2.0 });
+    assert_eq!(bridge.loads[0].kind, LoadKind::KnifeEdge { force: 1e3, length: 0.75 });
     assert!((bridge.loads[0].position - 4.575).abs() < 1e-15);
     assert_eq!(bridge.plan.method, Method::Dem);
     assert!((bridge.plan.load_step.unwrap() - 100e3 / 8.3).abs() < 1e-9);
+    assert_eq!(bridge.plan.damping, Damping::Local(0.8));
+}
+
+#[test]
+fn viaduct() {
+    let bridge = good(VIADUCT);
+    assert_eq!(bridge.spans.iter().map(|span| span.rings.len()).collect::<Vec<_>>(), [2, 2, 1]);
+    assert_eq!(bridge.piers.iter().map(|pier| pier.base_width).collect::<Vec<_>>(), [0.9, 0.85]);
+    assert_eq!(bridge.abutments, [Abutment { top_width: 1.0, height: 1.2 }, Abutment { top_width: 1.1, height: 1.3 }]);
+    assert_eq!(bridge.masonry.compressive_strength, None);
+    assert_eq!(bridge.joint.normal_stiffness, Some(JointStiffness::Series(20e9)));
+    assert_eq!(bridge.ring_joint.normal_stiffness, Some(JointStiffness::Contact(10e9)));
+    // 3.0 + 0.8 + half of 3.0.
+    assert!((bridge.loads[0].position - 5.3).abs() < 1e-12);
+    let LoadKind::Axles { axles, .. } = &bridge.loads[0].kind else { panic!() };
+    assert_eq!(axles, &[(75e3, 0.0), (115e3, 1.8)]);
+    let movement = bridge.plan.support_movement.unwrap();
+    assert_eq!((movement.support, movement.horizontal, movement.vertical), (1, 1.0, -0.5));
+    assert_eq!(bridge.plan.contact_points, ContactPoints::FullRing);
+    assert_eq!(bridge.plan.step_limit, 1_000_000);
+}
+
+#[test]
+fn shapes() {
+    let bridge = good(SHAPES);
+    // One pier stands for all.
+    assert_eq!(bridge.piers.len(), 5);
+    assert_eq!(bridge.spans[0].rise, 2.0);
+    let measured = &bridge.spans[5];
+    assert!((measured.span - 6.0).abs() < 1e-12 && (measured.rise - 1.6).abs() < 1e-12);
+    let Profile::Measured(points) = &measured.profile else { panic!() };
+    assert_eq!(points[0], [0.0, 0.0]);
+}
+
+#[test]
+fn five_lines_are_enough_for_a_limit_analysis() {
+    assert_eq!(TINY.lines().count(), 5);
+    let bridge = good(TINY);
+    assert_eq!((bridge.plan.method, bridge.plan.analysis), (Method::Limit, Analysis::Load));
+    assert_eq!(bridge.loads[0].position, 1.25);
+    assert_eq!(bridge.dispersal.rule, DispersalRule::None);
 }

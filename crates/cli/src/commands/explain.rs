@@ -47,7 +47,7 @@ fn list() -> Report {
 /// Every card there is: of files, of analyses, of the command, of its statuses.
 fn all() -> Vec<Card> {
     let mut cards = Vec::new();
-    for card in bridge::CARDS {
+    for card in [] as [failure::Card; 0] {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }
     for card in assess::warning::CARDS {

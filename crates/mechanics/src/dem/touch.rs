@@ -258,7 +258,12 @@ impl Touch {
         let glide = (v2[0] - v1[0]) * points.direction.x + (v2[1] - v1[1]) * points.direction.y;
         let (mut compression, mut shear) = (0.0, 0.0);
         let mut reaction = Reaction::default();
-        for k in 0..self.count as usize {
+        // Always two rounds, so that the loop is unrolled; an open or missing point costs one comparison.
+        for k in 0..2 {
+            if points.overlap[k] <= 0.0 && self.tension <= 0.0 || k == 1 && self.count == 1 {
+                reaction.dissipated += self.open(k);
+                continue;
+            }
             let Some((n, s)) = self.point_force(k, &points, glide, (v1[2], v2[2]), dt, &mut reaction.dissipated) else {
                 continue;
             };

@@ -1,0 +1,333 @@
+//! Physical sense: values that are possible but so unusual that they are worth a question.
+
+use crate::fields::Kind;
+use crate::findings::Findings;
+use crate::model::{Joint, JointStiffness, Masonry};
+use crate::quantity;
+use crate::resolve::structure::PlacedSpan;
+use crate::ring::Intrados;
+use crate::tree::{Raw, Table};
+
+/// The range in which a value is usually found [SI], and in what words.
+struct Usual {
+    code: &'static str,
+    section: &'static str,
+    key: &'static str,
+    least: f64,
+    most: f64,
+    says: &'static str,
+}
+
+const fn usual(
+    code: &'static str,
+    section: &'static str,
+    key: &'static str,
+    least: f64,
+    most: f64,
+    says: &'static str,
+) -> Usual {
+    Usual { code, section, key, least, most, says }
+}
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Wide on purpose: a value outside deserves a second look, not a quarrel. Sources are on the codes' cards.
+const USUAL: &[Usual] = &[
+    usual("P001", "masonry", "density", 1500.0, 3000.0, "masonry usually weighs 1500 to 3000 kg/m^3"),
+    usual("P002", "masonry", "elastic_modulus", 0.3e9, 100e9, "masonry units usually have 0.3 to 100 GPa"),
+    usual("P003", "masonry", "compressive_strength", 0.5e6, 400e6, "masonry usually crushes at 0.5 to 400 MPa"),
+    usual(
+        "P004",
+        "joint",
+        "friction_angle",
+        15.0 * DEGREE,
+        60.0 * DEGREE,
+        "masonry joints usually slide at 15 to 60 deg",
+    ),
+    usual(
+        "P004",
+        "ring_joint",
+        "friction_angle",
+        15.0 * DEGREE,
+        60.0 * DEGREE,
+        "masonry joints usually slide at 15 to 60 deg",
+    ),
+    usual("P005", "joint", "cohesion", 0.0, 2e6, "masonry joints usually have less than 2 MPa"),
+    usual("P005", "ring_joint", "cohesion", 0.0, 2e6, "masonry joints usually have less than 2 MPa"),
+    usual("P006", "cover", "density", 1000.0, 2700.0, "layers above an arch usually weigh 1000 to 2700 kg/m^3"),
+    usual("P006", "backing", "density", 1000.0, 3000.0, "backing usually weighs 1000 to 3000 kg/m^3"),
+    usual("P007", "bridge", "gravity", 9.7, 9.9, "gravity on the ground is 9.76 to 9.83 m/s^2"),
+    usual("P008", "bridge", "width", 1.0, 40.0, "bridges are usually 1 to 40 m wide"),
+];
+
+/// Reports what is unusual, as far as the file could be read.
+pub(crate) fn check(
+    file: &Table<'_>,
+    spans: Option<&[PlacedSpan]>,
+    masonry: Option<&Masonry>,
+    joint: Option<&Joint>,
+    findings: &mut Findings,
+) {
+    for usual in USUAL {
+        for table in every(file, usual.section) {
+            unusual(&table, usual, findings);
+        }
+    }
+    strength(file, masonry, findings);
+    fill(file, masonry, findings);
+    joints(file, spans, masonry, joint, findings);
+    rings(file, spans.unwrap_or_default(), masonry, findings);
+    piers(file, findings);
+    settings(file, findings);
+}
+
+/// The tables of a section, one or many; their mistakes have been reported already.
+fn every<'t>(file: &Table<'t>, section: &str) -> Vec<Table<'t>> {
+    let mut unheard = Findings::default();
+    match file.section.field(section).map(|field| field.kind) {
+        Some(Kind::Table(_)) => file.table(section, &mut unheard).into_iter().collect(),
+        Some(Kind::Tables(_)) => file.tables(section, &mut unheard),
+        _ => Vec::new(),
+    }
+}
+
+/// A value that was read without a mistake [SI].
+fn value(table: &Table<'_>, key: &str) -> Option<f64> {
+    let mut unheard = Findings::default();
+    let value = match table.section.field(key)?.kind {
+        Kind::QuantityOr(..) => table.quantity_or_word(key, &mut unheard),
+        Kind::Number => table.number(key, &mut unheard),
+        _ => table.quantity(key, &mut unheard),
+    };
+    value.map(|at| at.value).filter(|value| value.is_finite())
+}
+
+fn unusual(table: &Table<'_>, usual: &Usual, findings: &mut Findings) {
+    let Some(value) = value(table, usual.key) else { return };
+    if (usual.least..=usual.most).contains(&value) {
+        return;
+    }
+    let help = table.entry(usual.key).and_then(|(_, raw)| other_unit(raw, usual.least, usual.most));
+    findings.warning(
+        usual.code,
+        table.place(usual.key),
+        format!("`{}` in {} is unusual", usual.key, table.title()),
+        usual.says,
+        help.unwrap_or_else(|| "check number and unit; leave it if the survey says so".to_owned()),
+    );
+}
+
+/// The same number with another unit, if that makes sense of it.
+fn other_unit(raw: Raw<'_>, least: f64, most: f64) -> Option<String> {
+    let found = quantity::parse(raw.get_ref().as_str()?).ok()?;
+    let sensible = found.unit.dimension.units().filter(|unit| (least..=most).contains(&(found.number * unit.size)));
+    let leap = |unit: &quantity::Unit| (unit.size / found.unit.size).ln().abs();
+    let unit = sensible.min_by(|a, b| leap(a).total_cmp(&leap(b)))?;
+    Some(format!("did you mean \"{} {}\"?", found.number, unit.symbol))
+}
+
+/// No strength: crushing is left out, which must not happen silently.
+fn strength(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings) {
+    for table in every(file, "masonry") {
+        if masonry.is_some() && !table.has("compressive_strength") {
+            findings
+                .warning(
+                    "P010",
+                    table.range,
+                    "the masonry has no compressive strength: crushing is not considered",
+                    "`compressive_strength` is missing here",
+                    "add a line like compressive_strength = \"10 MPa\", or compressive_strength = \"unlimited\"",
+                )
+                .because("hinges that crush carry less; flat and thick rings most of all");
+        }
+    }
+}
+
+/// A fill stiffer than the masonry it lies on.
+fn fill(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings) {
+    let Some(modulus) = masonry.and_then(|masonry| masonry.elastic_modulus) else { return };
+    let masonry_place = every(file, "masonry").first().map_or(file.range, |table| table.place("elastic_modulus"));
+    for table in every(file, "cover") {
+        if !value(&table, "elastic_modulus").is_some_and(|layer| layer > modulus) {
+            continue;
+        }
+        let help =
+            table.entry("elastic_modulus").and_then(|(_, raw)| other_unit(raw, 5e6, 1e9_f64.min(0.999 * modulus)));
+        let note = format!("ring masonry is {} GPa (line {})", modulus / 1e9, findings.line(masonry_place));
+        findings
+            .warning(
+                "P012",
+                table.place("elastic_modulus"),
+                "a layer of the cover is stiffer than the masonry on which it lies",
+                "granular fills are usually 20 to 200 MPa",
+                help.unwrap_or_else(|| "check number and unit".to_owned()),
+            )
+            .because(note);
+    }
+}
+
+/// Joints: stiffer than the blocks, stiffer in shear than in compression, tension beyond what friction allows.
+fn joints(
+    file: &Table<'_>,
+    spans: Option<&[PlacedSpan]>,
+    masonry: Option<&Masonry>,
+    joint: Option<&Joint>,
+    findings: &mut Findings,
+) {
+    let Some(joint) = joint else { return };
+    let Some(table) = every(file, "joint").first().copied() else { return };
+    let modulus = masonry.and_then(|masonry| masonry.elastic_modulus);
+    if let (Some(JointStiffness::Contact(normal)), Some(modulus), Some(spans)) =
+        (joint.normal_stiffness, modulus, spans)
+        && let Some(length) = longest_voussoir(spans)
+        && normal > modulus / length
+    {
+        findings
+            .warning(
+                "P013",
+                table.place("normal_stiffness"),
+                "the contact is stiffer than the blocks alone",
+                format!("blocks of {length:.3} m alone give {:.4} GPa/m", modulus / length / 1e9),
+                "if this is the stiffness of the mortar joint, call it `mortar_normal_stiffness`",
+            )
+            .because("1/k = 1/k' + l/E: joint and blocks in series give less than either (Rouxinol, Providência and Lemos, eq. 1)");
+    }
+    let stiffer_in_shear = match (joint.normal_stiffness, joint.shear_stiffness) {
+        (Some(JointStiffness::Contact(normal)), Some(JointStiffness::Contact(shear))) => shear > normal,
+        (Some(JointStiffness::Series(normal)), Some(JointStiffness::Series(shear))) => shear > normal,
+        _ => false,
+    };
+    if stiffer_in_shear {
+        let key = if table.has("shear_stiffness") { "shear_stiffness" } else { "mortar_shear_stiffness" };
+        findings.warning(
+            "P014",
+            table.place(key),
+            "the joint is stiffer in shear than in compression",
+            "usually a tenth to a half of the normal stiffness",
+            "check whether the two stiffnesses are swapped",
+        );
+    }
+    let apex = joint.cohesion / joint.friction_angle.tan();
+    if joint.tensile_strength > 0.0 && joint.tensile_strength > apex * (1.0 + 1e-9) {
+        findings.warning(
+            "P015",
+            table.place("tensile_strength"),
+            "the tensile strength lies beyond the friction cone",
+            format!("cohesion over the tangent of friction is {:.4} MPa", apex / 1e6),
+            "give a tensile strength of at most cohesion / tan(friction_angle)",
+        );
+    }
+}
+
+/// The longest voussoir of the bridge at the intrados [m].
+fn longest_voussoir(spans: &[PlacedSpan]) -> Option<f64> {
+    let lengths = spans.iter().filter_map(|placed| {
+        let intrados = Intrados::new(&placed.span.profile, placed.span.span, placed.span.rise).ok()?;
+        let fewest = placed.span.rings.iter().map(|ring| ring.voussoirs).min()?;
+        Some(intrados.length() / fewest as f64)
+    });
+    lengths.reduce(f64::max)
+}
+
+/// Rings much thinner or thicker than were ever built, flat spans, corners rounded to pebbles.
+fn rings(file: &Table<'_>, spans: &[PlacedSpan], masonry: Option<&Masonry>, findings: &mut Findings) {
+    for (index, placed) in spans.iter().enumerate() {
+        if spans[..index].iter().any(|other| other.shape == placed.shape) {
+            continue;
+        }
+        let span = &placed.span;
+        let Some((thickness_place, _)) = placed.rings.first() else { continue };
+        let total: f64 = span.rings.iter().map(|ring| ring.crown_thickness).sum();
+        if !(1.0 / 70.0..=0.25).contains(&(total / span.span)) {
+            findings.warning(
+                "P016",
+                *thickness_place,
+                "the thickness of the rings is unusual for this span",
+                format!("1/{:.0} of the span", span.span / total),
+                "rings are usually 1/10 to 1/40 of the span; check number and unit",
+            );
+        }
+        if span.rise < 0.05 * span.span {
+            findings.warning(
+                "P017",
+                placed.shape,
+                "the arch is unusually flat",
+                format!("the rise is 1/{:.0} of the span", span.span / span.rise),
+                "rises are usually 1/2 to 1/12 of the span; check both",
+            );
+        }
+        let thinnest = span
+            .rings
+            .iter()
+            .map(|ring| ring.crown_thickness.min(ring.springing_thickness))
+            .fold(f64::INFINITY, f64::min);
+        if let Some(masonry) = masonry
+            && masonry.rounding > 0.1 * thinnest
+        {
+            findings.warning(
+                "P011",
+                every(file, "masonry").first().map_or(file.range, |table| table.place("rounding")),
+                "corners are rounded by more than a tenth of the thickness",
+                format!("the thinnest ring has {thinnest} m"),
+                "give a smaller `rounding` in [masonry]; a hundredth to a fiftieth of the thickness is common",
+            );
+        }
+    }
+}
+
+/// Piers that taper upwards, or are slender as masts.
+fn piers(file: &Table<'_>, findings: &mut Findings) {
+    for table in every(file, "pier") {
+        let (width, base, height) = (value(&table, "width"), value(&table, "base_width"), value(&table, "height"));
+        if let (Some(width), Some(base)) = (width, base)
+            && base < width
+        {
+            findings.warning(
+                "P018",
+                table.place("base_width"),
+                "the pier is narrower at its foot than at its top",
+                format!("{width} m at the top"),
+                "check whether the two widths are swapped",
+            );
+        }
+        if let (Some(width), Some(height)) = (width, height)
+            && height > 15.0 * width
+        {
+            findings.warning(
+                "P019",
+                table.place("height"),
+                "the pier is unusually slender",
+                format!("{:.0} times its width", height / width),
+                "piers are usually 1 to 12 times as high as wide; check number and unit",
+            );
+        }
+    }
+}
+
+/// Numbers of the plan that are allowed but seldom wise.
+fn settings(file: &Table<'_>, findings: &mut Findings) {
+    for table in every(file, "analysis") {
+        if value(&table, "tolerance").is_some_and(|tolerance| tolerance > 1e-3) {
+            findings.warning(
+                "P020",
+                table.place("tolerance"),
+                "the tolerance is loose: a bridge on its way down may pass for one at rest",
+                "out-of-balance force over acting forces",
+                "write 1e-4 or less, and see that a tenth of it changes no load step",
+            );
+        }
+    }
+    for table in every(file, "dispersal") {
+        let mut unheard = Findings::default();
+        let slope = crate::resolve::slope(&table, &mut unheard).map(|at| at.value);
+        if slope.is_some_and(|slope| !(0.5..=4.0).contains(&slope)) {
+            findings.warning(
+                "P021",
+                table.place("slope"),
+                "the slope of the dispersal is unusual",
+                "vertical to horizontal",
+                "2:1 is common for soil, 4:1 for ballast, 1:1 for concrete; check whether the numbers are swapped",
+            );
+        }
+    }
+}

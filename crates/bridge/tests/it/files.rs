@@ -1,0 +1,39 @@
+//! Good files to start from, and messages as they may be shown.
+
+use bridge::{Diagnostic, Severity};
+
+/// Bridgemill, case 1 of Rouxinol, Providência and Lemos.
+pub const CASE_1: &str = include_str!("files/case-1.toml");
+/// Three spans of two rings, with everything that a plan may say.
+pub const VIADUCT: &str = include_str!("files/viaduct.toml");
+/// One span of every other profile.
+pub const SHAPES: &str = include_str!("files/shapes.toml");
+/// As little as there can be.
+pub const TINY: &str = include_str!("files/tiny.toml");
+
+/// All of them.
+pub const GOOD: [&str; 4] = [CASE_1, VIADUCT, SHAPES, TINY];
+
+/// A finding as plain text, for assertions and for reading.
+pub fn show(text: &str, finding: &Diagnostic) -> String {
+    let place = finding.range.position(text.as_bytes());
+    let line = text.lines().nth(place.line - 1).unwrap_or("");
+    let marked =
+        text.get(finding.range.start..finding.range.end).unwrap_or("").chars().take_while(|c| *c != '\n').count();
+    let severity = if finding.severity == Severity::Error { "error" } else { "warning" };
+    let mut out = format!("{severity}[{}]: {}\n", finding.code, finding.message);
+    out += &format!("  {}:{}\n", place.line, place.column);
+    out +=
+        &format!("  | {line}\n  | {}{} {}\n", " ".repeat(place.column - 1), "^".repeat(marked.max(1)), finding.label);
+    for (title, words) in [("note", &finding.note), ("help", &finding.help)] {
+        if let Some(words) = words {
+            out += &format!("  {title}: {words}\n");
+        }
+    }
+    out
+}
+
+/// All findings of a file as plain text.
+pub fn show_all(text: &str) -> String {
+    bridge::read(text.as_bytes()).diagnostics.iter().map(|finding| show(text, finding) + "\n").collect()
+}

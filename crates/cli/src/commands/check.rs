@@ -1,0 +1,105 @@
+//! `extrados check`: reads, reports, draws; computes nothing.
+
+use super::{Desk, Source};
+use crate::args::Check;
+use crate::failure::Failure;
+use crate::folder::{self, Folder};
+use crate::report::Report;
+use crate::results;
+use crate::status::Status;
+use bridge::Bridge;
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Reads the file and draws the bridge.
+pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
+    let source = Source::open(desk, &arguments.file)?;
+    let Some(bridge) = &source.read.bridge else { return Ok(source.report(Status::UnusableInput)) };
+    let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;
+    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
+    let files = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?;
+    for file in &files {
+        folder.put(&file.name, &file.bytes)?;
+    }
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let shown = folder.path().display().to_string();
+    let report = source
+        .report(Status::Completed)
+        .with("bridge", bridge.name.as_str())
+        .with("width_m", bridge.width)
+        .with("spans", bridge.spans.iter().map(span).collect::<Vec<Value>>())
+        .with("piers", bridge.piers.len())
+        .with("blocks", picture.shapes.len())
+        .with("cover_depth_m", bridge.cover.depth)
+        .with("loads", bridge.loads.iter().map(|load| json!({ "name": load.name, "position_m": load.position })).collect::<Vec<Value>>())
+        .with("out", shown.as_str())
+        .with("files", names)
+        .saying(summary(bridge, picture.shapes.len(), &shown));
+    Ok(report)
+}
+
+fn span(span: &bridge::Span) -> Value {
+    let ring = |ring: &bridge::Ring| {
+        json!({
+            "crown_thickness_m": ring.crown_thickness,
+            "springing_thickness_m": ring.springing_thickness,
+            "voussoirs": ring.voussoirs,
+        })
+    };
+    json!({
+        "profile": profile(span),
+        "span_m": span.span,
+        "rise_m": span.rise,
+        "rings": span.rings.iter().map(ring).collect::<Vec<Value>>(),
+    })
+}
+
+fn profile(span: &bridge::Span) -> &'static str {
+    use bridge::ring::Profile;
+    match span.profile {
+        Profile::Segmental => "segmental",
+        Profile::Semicircular => "semicircular",
+        Profile::Parabolic => "parabolic",
+        Profile::Elliptical => "elliptical",
+        Profile::ThreeCentred { .. } => "three-centred",
+        Profile::Pointed => "pointed",
+        Profile::Measured(_) => "measured",
+    }
+}
+
+fn summary(bridge: &Bridge, blocks: usize, out: &str) -> String {
+    let mut page = format!("{}, {:.2} m wide, {blocks} blocks\n\n", bridge.name, bridge.width);
+    let _ = writeln!(page, "  span  profile        span [m]  rise [m]  span/rise  ring at crown [m]  voussoirs");
+    for (index, one) in bridge.spans.iter().enumerate() {
+        let thickness: f64 = one.rings.iter().map(|ring| ring.crown_thickness).sum();
+        let rings = if one.rings.len() > 1 { format!(" in {} rings", one.rings.len()) } else { String::new() };
+        let voussoirs: usize = one.rings.iter().map(|ring| ring.voussoirs).sum();
+        let _ = writeln!(
+            page,
+            "  {:>4}  {:<13}  {:>8.3}  {:>8.3}  {:>9.2}  {thickness:>17.3}  {voussoirs:>9}{rings}",
+            index + 1,
+            profile(one),
+            one.span,
+            one.rise,
+            one.span / one.rise
+        );
+    }
+    for (index, pier) in bridge.piers.iter().enumerate() {
+        let _ = writeln!(
+            page,
+            "  pier {}: {:.2} m wide ({:.2} m at the foundation), {:.2} m high, {} courses",
+            index + 1,
+            pier.width,
+            pier.base_width,
+            pier.height,
+            pier.courses
+        );
+    }
+    let _ = writeln!(page, "  cover {:.3} m above the crown, {} layers", bridge.cover.depth, bridge.cover.layers.len());
+    for load in &bridge.loads {
+        let _ = writeln!(page, "  load: {} at {:.3} m from the left springing", load.name, load.position);
+    }
+    let _ = writeln!(page, "\nThe file can be used. The bridge is drawn in {out}");
+    page
+}

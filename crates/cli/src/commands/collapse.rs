@@ -1,0 +1,163 @@
+//! `extrados collapse`: the load, the thickness or the support movement that makes a mechanism.
+
+use super::{Desk, Source};
+use crate::args::Collapse as Arguments;
+use crate::checkpoint::Checkpoint;
+use crate::failure::Failure;
+use crate::folder::{self, Folder};
+use crate::report::{self, Report};
+use crate::results;
+use crate::status::Status;
+use crate::watcher::Watcher;
+use crate::{quantities, summary};
+use assess::analysis::{self, Collapse};
+use assess::wire;
+use bridge::{Analysis, Bridge, Method};
+use serde_json::json;
+
+/// Reads the file, makes the analysis, writes its results.
+pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    let source = Source::open(desk, &arguments.file)?;
+    let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
+    plan(&mut bridge, arguments)?;
+    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    if arguments.sweep {
+        return sweep(desk, arguments, &source, &bridge, &folder);
+    }
+    let (found, report) = analyse(desk, arguments, &source, &bridge, &folder)?;
+    match found {
+        Some(found) => write(desk, &found, report, &folder),
+        None => Ok(report),
+    }
+}
+
+/// Sets what the command line says in place of the file.
+fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.sweep && arguments.method == Some(crate::args::Method::Dem) {
+        let message = "--sweep is limit analysis: --method dem cannot do it";
+        return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
+    }
+    let plan = &mut bridge.plan;
+    arguments.overrides.apply(plan);
+    plan.method = arguments.method.map_or(plan.method, |method| method.planned());
+    plan.analysis = arguments.analysis.map_or(plan.analysis, |analysis| analysis.planned());
+    if arguments.analysis.is_some() && arguments.method.is_none() {
+        plan.method = match plan.analysis {
+            Analysis::Load => plan.method,
+            Analysis::Thickness => Method::Limit,
+            Analysis::SupportMovement => Method::Dem,
+        };
+    }
+    if let Some(text) = &arguments.resolution {
+        plan.resolution = Some(quantities::line_load("--resolution", text, bridge.width)?);
+    }
+    Ok(())
+}
+
+/// The analysis under a watcher; nothing found means that it was interrupted, and the report says so.
+fn analyse(
+    desk: &mut Desk,
+    arguments: &Arguments,
+    source: &Source,
+    bridge: &Bridge,
+    folder: &Folder,
+) -> Result<(Option<Collapse>, Report), Failure> {
+    let mut report = source.report(Status::Completed);
+    let checkpoint = Checkpoint::of(bridge, folder);
+    let resume = if arguments.resume { checkpoint.take_up()? } else { None };
+    if arguments.resume && resume.is_none() {
+        let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
+        report.warn(&mut desk.screen, "F110", &message);
+    }
+    let mut watcher = Watcher::new(desk.screen.quiet, Some(checkpoint.clone()));
+    let found = analysis::collapse(bridge, resume.as_deref(), &mut watcher);
+    let kept = watcher.has_kept();
+    let trouble = watcher.finish();
+    let found = found.map_err(|error| results::not_set_up(&error))?;
+    if let Some(failure) = trouble {
+        report.warn(&mut desk.screen, failure.code, &failure.message);
+    }
+    report.status = results::status(found.status);
+    if report.status != Status::Cancelled {
+        checkpoint.remove();
+        return Ok((Some(found), report));
+    }
+    let shown = checkpoint.path().display().to_string();
+    report.summary = match kept {
+        true => format!("interrupted; the run is kept in {shown}\ngo on with the same command and --resume\n"),
+        false => "interrupted before there was anything to keep\n".to_owned(),
+    };
+    Ok((None, if kept { report.with("checkpoint", shown) } else { report }))
+}
+
+fn write(desk: &mut Desk, found: &Collapse, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
+    report.fields = report::fields_of(wire::CollapseObject::new(found, &wire::Run::default()));
+    report.summary = summary::collapse(found, &folder.path().display().to_string());
+    let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+    files.extend(tables(found));
+    fill(desk, report, folder, &files)
+}
+
+/// Every table that has rows.
+fn tables(found: &Collapse) -> Vec<figures::File> {
+    let all = [
+        ("path", wire::path(found)),
+        ("hinges", wire::hinges(found)),
+        ("thrust-line", wire::thrust_line(found)),
+        ("blocks", wire::blocks(found)),
+        ("contacts", wire::contacts(found)),
+    ];
+    let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
+    filled.map(|(name, text)| table(name, text)).collect()
+}
+
+fn table(name: &str, text: String) -> figures::File {
+    figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }
+}
+
+fn sweep(
+    desk: &mut Desk,
+    arguments: &Arguments,
+    source: &Source,
+    bridge: &Bridge,
+    folder: &Folder,
+) -> Result<Report, Failure> {
+    let span = assess::discretise::bridge_length(bridge);
+    let step = match &arguments.sweep_step {
+        Some(text) => quantities::length("--sweep-step", text)?,
+        None => span / 100.0,
+    };
+    let positions = 1 + (span / step).round().clamp(1.0, 1e5) as usize;
+    let found = analysis::sweep(bridge, None, positions, true).map_err(|error| results::not_set_up(&error))?;
+    let mut report = source.report(Status::Completed);
+    let object = wire::SweepObject::new(&bridge.name, bridge.width, &found, &wire::Run::default());
+    report.fields = report::fields_of(object);
+    if found.governing.is_none() {
+        report.status = Status::Undetermined;
+    }
+    report.summary = summary::sweep(&found, &folder.path().display().to_string());
+    let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
+    let curve = figures::Sweep { label: "load factor".to_owned(), points };
+    let mut files = Vec::new();
+    if let Some(svg) = figures::envelope(&bridge.name, figures::Quantity::Factor, &[curve]) {
+        files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
+    }
+    files.push(table("sweep", wire::sweep_table(&found)));
+    fill(desk, report, folder, &files)
+}
+
+/// Writes the files, sealed with the object that scripts read.
+fn fill(desk: &Desk, mut report: Report, folder: &Folder, files: &[figures::File]) -> Result<Report, Failure> {
+    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
+    folder.fill(
+        |staging| results::write(staging, files),
+        |names| {
+            report.fields.insert("files".to_owned(), json!(names));
+            report::text_of(&report.object(&desk.schema, desk.clock))
+        },
+    )?;
+    Ok(report)
+}

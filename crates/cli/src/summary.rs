@@ -1,0 +1,139 @@
+//! The answer of a collapse analysis in an engineer's words.
+
+use assess::analysis::{Collapse, Sweep};
+use assess::outcome::{Hinge, HingeAt};
+use bridge::{Analysis, Method};
+use std::fmt::Write;
+
+/// More hinges than this are a table, not a line.
+const MOST_HINGES: usize = 10;
+
+/// What was found, what it rests on, where the rest is.
+pub fn collapse(found: &Collapse, out: &str) -> String {
+    let mut page = format!("{}: {}\n\n", found.bridge, title(found));
+    match found.analysis {
+        Analysis::Load => loads(&mut page, found),
+        Analysis::Thickness => thickness(&mut page, found),
+        Analysis::SupportMovement => movement(&mut page, found),
+    }
+    mechanism(&mut page, found);
+    effort(&mut page, found);
+    if !found.assumptions.is_empty() {
+        page += "\nThis assumes:\n";
+        for line in &found.assumptions {
+            let _ = writeln!(page, "  - {line}");
+        }
+    }
+    let _ = writeln!(page, "\nFigures, tables and ParaView files are in {out}");
+    page
+}
+
+/// The governing position of a sweep, and a few of the others.
+pub fn sweep(sweep: &Sweep, out: &str) -> String {
+    let mut page = format!("{} positions of the loads by limit analysis\n\n", sweep.points.len());
+    match sweep.governing.and_then(|index| sweep.points.get(index)) {
+        Some(worst) => {
+            let _ = writeln!(
+                page,
+                "  governing position      {:.3} m from the left springing (first load or axle)",
+                worst.position
+            );
+            if let Some(factor) = worst.load_factor {
+                let _ = writeln!(page, "  load factor there       {factor:.4}");
+            }
+            if let Some(load) = worst.collapse_load {
+                let _ = writeln!(page, "  collapse load there     {:.2} kN/m", load / 1e3);
+            }
+        }
+        None => page += "  no position makes a mechanism of the bridge\n",
+    }
+    let _ = writeln!(page, "\nThe envelope and its table are in {out}");
+    page
+}
+
+fn title(found: &Collapse) -> String {
+    let method = match found.method {
+        Method::Dem => "discrete elements",
+        Method::Limit => "limit analysis",
+    };
+    format!("{} by {method}, {} blocks", found.status.word().replace('-', " "), found.blocks)
+}
+
+fn loads(page: &mut String, found: &Collapse) {
+    let mut line = |name: &str, load: Option<f64>| {
+        if let Some(load) = load {
+            let whole = load * found.width / 1e3;
+            let _ = writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width);
+        }
+    };
+    line("last stable load", found.last_stable_load);
+    line("collapse load", found.collapse_load);
+    line("load step", found.load_step);
+    line("limit load, rigid", found.limit_load.filter(|_| found.method == Method::Dem));
+    if let Some(limit) = &found.limit {
+        line("lower bound", limit.lower_bound);
+        line("upper bound", limit.upper_bound);
+        line("associated friction", limit.associated_load);
+        let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
+    }
+    if let Some(stress) = found.max_compressive_stress {
+        let _ = writeln!(page, "  {:<22}  {:>9.2} MPa", "largest compression", stress / 1e6);
+    }
+}
+
+fn thickness(page: &mut String, found: &Collapse) {
+    let Some(least) = &found.thickness else { return };
+    let _ = writeln!(page, "  least ring thickness    {:>9.4} m at the crown", least.crown_thickness);
+    let _ = writeln!(page, "  share of the given one  {:>9.4} stands, {:.4} does not", least.factor[0], least.factor[1]);
+    if let Some(ratio) = least.over_mean_radius {
+        let _ = writeln!(page, "  over the mean radius    {ratio:>9.5}");
+    }
+}
+
+fn movement(page: &mut String, found: &Collapse) {
+    let Some(support) = &found.support else { return };
+    let mut line = |name: &str, movement: Option<f64>| {
+        if let Some(movement) = movement {
+            let _ = writeln!(page, "  {name:<22}  {:>9.1} mm", movement * 1e3);
+        }
+    };
+    line("last stable movement", support.last_stable);
+    line("movement at collapse", support.collapse);
+    line("increment", Some(support.step));
+}
+
+fn mechanism(page: &mut String, found: &Collapse) {
+    let count = found.hinges.len();
+    if count > MOST_HINGES {
+        let _ = writeln!(page, "  {:<22}  {count}, see hinges.csv", "hinges");
+    } else if count > 0 {
+        let places: Vec<String> = found.hinges.iter().map(hinge).collect();
+        let _ = writeln!(page, "  {:<22}  {count} at x [m] = {}", "hinges", places.join(", "));
+    }
+    if !found.sliding_joints.is_empty() {
+        let _ = writeln!(page, "  {:<22}  {}", "sliding joints", found.sliding_joints.len());
+    }
+}
+
+/// Where a hinge is, with the letter of its edge.
+fn hinge(hinge: &Hinge) -> String {
+    let edge = match hinge.edge {
+        HingeAt::Intrados => "intrados",
+        HingeAt::Extrados => "extrados",
+        HingeAt::Other => "other",
+    };
+    format!("{:.2} ({edge})", hinge.point[0])
+}
+
+fn effort(page: &mut String, found: &Collapse) {
+    if let Some(dem) = &found.dem {
+        let _ = writeln!(
+            page,
+            "  {:<22}  {} of {:.2e} s (critical {:.2e} s), damping {}, tolerance {:.0e}",
+            "iterations", dem.iterations_total, dem.time_step, dem.critical_time_step, dem.damping, found.tolerance
+        );
+        if let Some((block, step)) = &dem.broken_at {
+            let _ = writeln!(page, "  {:<22}  {block}, iteration {step}", "broke off at");
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Draws every figure from invented results into a folder: `cargo run -p figures --example gallery -- FOLDER`.
+
+#[path = "../tests/sample/mod.rs"]
+mod sample;
+
+use std::path::Path;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = std::env::args().nth(1).ok_or("which folder?")?;
+    let put = |name: &str, bytes: &[u8]| -> std::io::Result<()> {
+        let path = Path::new(&folder).join(name);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent)?;
+        }
+        std::fs::write(path, bytes)
+    };
+    for (name, picture) in sample::every() {
+        for file in figures::all(&picture)? {
+            put(&format!("{name}/{}", file.name), &file.bytes)?;
+        }
+    }
+    if let Some(svg) = figures::envelope("Bridgemill, two axles", figures::Quantity::Factor, &sample::sweeps()) {
+        for file in figures::both("envelope", &svg)? {
+            put(&file.name, &file.bytes)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,78 @@
+//! Everything that is written beside the result of a collapse analysis.
+
+use crate::raster::RasterError;
+use crate::{bridge_as_drawn, collapse_frames, load_displacement, mechanism, png, stress, thrust_line, vtk};
+use assess::outcome::Picture;
+
+/// Width of PNG pictures [pixels]: 160 mm at 380 dots per inch.
+pub const PNG_WIDTH: u32 = 2400;
+
+/// A file to be written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct File {
+    /// Its name, with a folder before it where there is one (`paraview/blocks.pvd`); `/` divides.
+    pub name: String,
+    /// What it contains.
+    pub bytes: Vec<u8>,
+}
+
+/// All figures that the picture has material for, as SVG: name without extension, and drawing.
+pub fn drawings(picture: &Picture) -> Vec<(String, String)> {
+    let shown = picture.last_stable.or_else(|| picture.snapshots.len().checked_sub(1));
+    let optional = [
+        ("mechanism", mechanism(picture)),
+        ("thrust-line", thrust_line(picture)),
+        ("stress", shown.and_then(|k| stress(picture, k))),
+        ("load-displacement", load_displacement(picture)),
+        ("collapse", collapse_frames(picture)),
+    ];
+    let mut out = vec![("bridge".to_string(), bridge_as_drawn(picture))];
+    out.extend(optional.into_iter().filter_map(|(name, svg)| Some((name.to_string(), svg?))));
+    out
+}
+
+/// A drawing as the two files it is written to.
+pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
+    let picture = png(svg, PNG_WIDTH)?;
+    Ok([
+        File { name: format!("{name}.svg"), bytes: svg.as_bytes().to_vec() },
+        File { name: format!("{name}.png"), bytes: picture },
+    ])
+}
+
+/// The ParaView files: one VTU a snapshot for blocks and contacts, their series, and the mechanism.
+pub fn paraview(picture: &Picture) -> Vec<File> {
+    let mut files = Vec::new();
+    let mut put = |name: String, text: String| {
+        files.push(File { name: format!("paraview/{name}"), bytes: text.into_bytes() });
+    };
+    if let Some(text) = vtk::mechanism(picture) {
+        put("mechanism.vtu".into(), text);
+    }
+    let moments = vtk::moments(picture);
+    type Writer = fn(&Picture, usize) -> Option<String>;
+    let kinds: [(&str, Writer); 2] = [("blocks", vtk::blocks), ("contacts", vtk::contacts)];
+    for (kind, write) in kinds {
+        let mut listed = Vec::new();
+        for (k, &moment) in moments.iter().enumerate() {
+            let Some(text) = write(picture, k) else { continue };
+            let name = format!("{kind}-{k:04}.vtu");
+            listed.push((moment, name.clone()));
+            put(name, text);
+        }
+        if !listed.is_empty() {
+            put(format!("{kind}.pvd"), vtk::series(&listed));
+        }
+    }
+    files
+}
+
+/// Every file of a collapse analysis, in a fixed order.
+pub fn all(picture: &Picture) -> Result<Vec<File>, RasterError> {
+    let mut files = Vec::new();
+    for (name, svg) in drawings(picture) {
+        files.extend(both(&name, &svg)?);
+    }
+    files.extend(paraview(picture));
+    Ok(files)
+}

@@ -1,0 +1,55 @@
+//! A perceptually uniform colour map that also prints in grey.
+
+/// The map "cividis" of Nuñez, Anderton and Renslow (2018), PLoS ONE 13(7): e0199239, at seventeen even steps.
+const CIVIDIS: [[u8; 3]; 17] = [
+    [0, 34, 78],
+    [0, 46, 106],
+    [26, 56, 111],
+    [50, 67, 109],
+    [67, 78, 108],
+    [83, 90, 109],
+    [97, 101, 111],
+    [111, 112, 115],
+    [125, 124, 120],
+    [140, 136, 120],
+    [155, 148, 118],
+    [171, 160, 114],
+    [188, 174, 108],
+    [205, 187, 99],
+    [222, 201, 88],
+    [240, 216, 70],
+    [254, 232, 56],
+];
+
+/// The colour of a share from 0 (light) to 1 (dark), as `#rrggbb`; grey for what is not a number.
+pub fn dark_for_much(share: f64) -> String {
+    if share.is_nan() {
+        return "#cccccc".into();
+    }
+    let at = (1.0 - share.clamp(0.0, 1.0)) * (CIVIDIS.len() - 1) as f64;
+    let low = (at.floor() as usize).min(CIVIDIS.len() - 2);
+    let t = at - low as f64;
+    let mix = |c: usize| {
+        let (a, b) = (f64::from(CIVIDIS[low][c]), f64::from(CIVIDIS[low + 1][c]));
+        (a + t * (b - a)).round() as u8
+    };
+    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_is_darker_in_grey_print() {
+        let grey = |s: f64| {
+            let c = dark_for_much(s);
+            let part = |k: usize| f64::from(u8::from_str_radix(&c[k..k + 2], 16).unwrap());
+            0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5)
+        };
+        let greys: Vec<f64> = (0..=50).map(|k| grey(f64::from(k) / 50.0)).collect();
+        assert!(greys.windows(2).all(|w| w[1] < w[0]), "{greys:?}");
+        assert_eq!(dark_for_much(0.0), "#fee838");
+        assert_eq!(dark_for_much(1.0), "#00224e");
+    }
+}

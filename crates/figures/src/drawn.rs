@@ -1,0 +1,41 @@
+//! The bridge as its file draws it.
+
+use crate::dimension;
+use crate::elevation::{self as draw, Sign};
+use crate::geometry::View;
+use crate::sheet::{Sheet, place::Room};
+use assess::outcome::Picture;
+
+/// Elevation of the bridge as built: blocks, supports, road surface, loads, dimensions. An empty sheet with its
+/// title where there are no blocks.
+pub fn bridge_as_drawn(picture: &Picture) -> String {
+    let mut sheet = Sheet::new();
+    draw::define_hatch(&mut sheet);
+    let top = sheet.title(&picture.title, "The bridge as drawn");
+    let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };
+    let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);
+    let view = View::fit(extent, frame);
+    draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
+    draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
+    draw::surface(&mut sheet, &view, picture);
+    let on_surface = !picture.surface_loads.is_empty();
+    if on_surface {
+        draw::surface_loads(&mut sheet, &view, picture);
+    } else {
+        draw::load_arrows(&mut sheet, &view, picture, None);
+    }
+    let room = Room::between(top, frame.bottom);
+    let mut y = dimension::draw(&mut sheet, &view, &picture.dimensions, extent, room) + 8.0;
+    y = draw::scale_bar(&mut sheet, &view, y);
+    let mut entries = Vec::new();
+    if picture.shapes.iter().any(|s| s.held) {
+        entries.push((Sign::Support, "support"));
+    }
+    if on_surface || !picture.loads.is_empty() {
+        entries.push((Sign::Load, if on_surface { "variable load on the surface" } else { "variable load" }));
+    }
+    if !entries.is_empty() {
+        y = draw::key(&mut sheet, y + 4.0, &entries);
+    }
+    sheet.finish(y)
+}

@@ -1,0 +1,271 @@
+//! What every elevation is drawn from: blocks, supports, the road surface, load arrows, the scale bar.
+
+use crate::geometry::{Extent, View, as_built, block_at, centroid, exaggerated};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, THIN, WIDTH};
+use crate::{geometry::Turn, words};
+use assess::outcome::{LoadArrow, Motion, Picture, Point, Shape};
+
+/// Colour of lines.
+pub const INK: &str = "#1a1a1a";
+/// Colour of loads; dark enough to print.
+pub const LOAD: &str = "#a02020";
+/// Outline of the bridge as built, behind something.
+pub const FAINT: &str = "#b0b0b0";
+
+const HATCH: &str = "<pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" fill=\"#e6e6e6\"/><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#8a8a8a\" stroke-width=\"1.2\"/></pattern>";
+
+/// Fill of a block by its role: all light, and told apart by their grey.
+pub fn fill(shape: &Shape) -> &'static str {
+    match shape.role.as_str() {
+        _ if shape.held => "url(#hatch)",
+        "voussoir" => "#f2e8d5",
+        "pier" => "#e2dccd",
+        "backing" => "#d9d9d2",
+        _ => "#ece6da",
+    }
+}
+
+/// Line width that suits blocks of this size on the sheet: thinner where there are many.
+pub fn outline_width(shapes: &[Shape], view: &View) -> f64 {
+    let mut sizes: Vec<f64> = shapes
+        .iter()
+        .filter(|s| !s.held)
+        .filter_map(|s| Extent::of(s.outline.iter().copied()))
+        .map(|e| view.scale() * e.size()[0].min(e.size()[1]))
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let middle = sizes.get(sizes.len() / 2).copied().unwrap_or(20.0);
+    (0.09 * middle).clamp(0.15, THIN)
+}
+
+/// Puts the hatching of supports into the sheet.
+pub fn define_hatch(sheet: &mut Sheet) {
+    sheet.define(HATCH);
+}
+
+/// The blocks, filled by role, at their exaggerated places; supports first so that moving blocks lie over them.
+pub fn blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
+    let width = outline_width(shapes, view);
+    sheet.open("blocks");
+    for held in [true, false] {
+        for (k, shape) in shapes.iter().enumerate().filter(|(_, s)| s.held == held) {
+            let class = if held { "support" } else { "block" };
+            let pen = Pen::shape(fill(shape), INK, if held { THIN } else { width }).class(class);
+            sheet.polygon(&view.spots(&place(k)), pen);
+        }
+    }
+    sheet.close();
+}
+
+/// Outlines of the free blocks as built, faint.
+pub fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
+    sheet.open("as-built");
+    for shape in shapes.iter().filter(|s| !s.held) {
+        sheet.polygon(&view.spots(&shape.outline), Pen::line(FAINT, HAIR).class("ghost"));
+    }
+    sheet.close();
+}
+
+/// The road surface.
+pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
+    if picture.surface.len() > 1 {
+        sheet.polyline(&view.spots(&picture.surface), Pen::line("#404040", MEDIUM).class("surface"));
+    }
+}
+
+/// The road surface, faint, behind something.
+pub fn faint_surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
+    if picture.surface.len() > 1 {
+        sheet.polyline(&view.spots(&picture.surface), Pen::line(FAINT, MEDIUM).class("surface"));
+    }
+}
+
+/// Labels avoid the blocks.
+pub fn avoid_blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(usize) -> Vec<Point>) {
+    for k in 0..shapes.len() {
+        if let Some(area) = Area::around(&view.spots(&place(k))) {
+            sheet.avoid(area);
+        }
+    }
+}
+
+/// Loads as they touch the surface: a bar of their length under a row of arrows.
+pub fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
+    sheet.open("surface-loads");
+    for &(middle, length) in &picture.surface_loads {
+        let [x, y] = view.spot(middle);
+        let half = (0.5 * length.max(0.0) * view.scale()).max(2.0);
+        let gaps = ((2.0 * half / 9.0).round() as usize).clamp(0, 24);
+        let (top, tip) = (y - ARROW, y - 1.5);
+        let pen = Pen::line(LOAD, MEDIUM).class("load");
+        for k in 0..=gaps {
+            let at = if gaps == 0 { x } else { x - half + 2.0 * half * k as f64 / gaps as f64 };
+            sheet.arrow([at, top], [at, tip], pen);
+        }
+        if gaps > 0 {
+            sheet.line([x - half, top], [x + half, top], pen);
+        }
+        sheet.avoid(Area { left: x - half - 3.0, right: x + half + 3.0, top, bottom: y });
+    }
+    sheet.close();
+}
+
+/// Length of the longest load arrow on the sheet.
+pub const ARROW: f64 = 30.0;
+
+/// Forces on the blocks, the longest [`ARROW`] long, moved along with the blocks that carry them.
+pub fn load_arrows(sheet: &mut Sheet, view: &View, picture: &Picture, motion: Option<(&[Motion], f64)>) {
+    let size = |l: &LoadArrow| l.force[0].hypot(l.force[1]);
+    let largest = picture.loads.iter().map(size).filter(|f| f.is_finite()).fold(0.0, f64::max);
+    if largest <= 0.0 {
+        return;
+    }
+    sheet.open("load-arrows");
+    for load in picture.loads.iter().filter(|l| size(l) > 0.02 * largest) {
+        let at = match motion {
+            Some((motions, scale)) => carried(&picture.shapes, motions, scale, load.at),
+            None => load.at,
+        };
+        let tip = view.spot(at);
+        let length = ARROW * size(load) / largest;
+        let unit = [load.force[0] / size(load), -load.force[1] / size(load)];
+        let tail = [tip[0] - length * unit[0], tip[1] - length * unit[1]];
+        let width = if picture.loads.len() > 12 { THIN } else { MEDIUM };
+        sheet.arrow(tail, tip, Pen::line(LOAD, width).class("load"));
+        if let Some(area) = Area::around(&[tail, tip]) {
+            sheet.avoid(area.grown(2.0));
+        }
+    }
+    sheet.close();
+}
+
+/// Where a point as built is drawn when the block under it moves.
+pub fn carried(shapes: &[Shape], motions: &[Motion], scale: f64, point: Point) -> Point {
+    match block_at(shapes, point) {
+        Some(k) if k < motions.len() => {
+            exaggerated(point, centroid(&shapes[k].outline), motions[k], scale, Turn::Small)
+        }
+        _ => point,
+    }
+}
+
+/// A bar of a round length at the left end of a line; returns the y below it.
+pub fn scale_bar(sheet: &mut Sheet, view: &View, top: f64) -> f64 {
+    let length = crate::geometry::round_down(0.25 * (WIDTH - 2.0 * MARGIN) / view.scale());
+    let (left, right, y) = (MARGIN, MARGIN + length * view.scale(), top + 6.0);
+    sheet.open("scale-bar");
+    let middle = 0.5 * (left + right);
+    let bar = |a: f64, b: f64| Area { left: a, right: b, top: y, bottom: y + 5.0 };
+    sheet.rectangle(bar(left, middle), Pen::shape(INK, INK, HAIR));
+    sheet.rectangle(bar(middle, right), Pen::shape("white", INK, HAIR));
+    sheet.text([right + 6.0, y + 7.0], &words::metres(length), Style { size: crate::sheet::SMALL, ..Style::default() });
+    sheet.close();
+    y + 12.0
+}
+
+/// The room that a drawing takes on the sheet: the whole width, and a height that follows from the extent.
+pub fn frame(extent: Extent, top: f64, tallest: f64) -> Area {
+    let [w, h] = extent.size().map(|d| d.max(1e-9));
+    let wide = WIDTH - 2.0 * MARGIN;
+    Area { left: MARGIN, right: WIDTH - MARGIN, top, bottom: top + (wide * h / w).min(tallest) }
+}
+
+/// Tallest drawing on one sheet.
+pub const TALLEST: f64 = 470.0;
+
+/// Blocks, surface and load points; none without blocks.
+pub fn extent(picture: &Picture) -> Option<Extent> {
+    let blocks = as_built(&picture.shapes)?;
+    let above = picture.surface.iter().copied().chain(picture.surface_loads.iter().map(|l| l.0));
+    let whole = Extent::of(above).map_or(blocks, |e| blocks.with(e));
+    // A single tiny block or a line still needs a sheet that is not degenerate.
+    let size = whole.size()[0].max(whole.size()[1]).max(1e-6);
+    Some(whole.grown(0.01 * size))
+}
+
+/// Text that says which loads the arrows stand for.
+pub fn load_words(picture: &Picture) -> Option<String> {
+    if picture.loads.is_empty() {
+        return None;
+    }
+    let down: f64 = picture.loads.iter().map(|l| -l.force[1]).sum();
+    let across: f64 = picture.loads.iter().map(|l| l.force[0]).sum();
+    let largest = down.abs().max(across.abs());
+    let part = |size: f64, way: [&str; 2]| {
+        let matters = size.abs() > 1e-6 * largest;
+        matters.then(|| format!("{} {}", words::force(size.abs()), way[usize::from(size < 0.0)]))
+    };
+    let parts: Vec<String> = [part(down, ["downwards", "upwards"]), part(across, ["to the right", "to the left"])]
+        .into_iter()
+        .flatten()
+        .collect();
+    let sum = if parts.is_empty() { "in balance".to_string() } else { format!("{} in all", parts.join(" and ")) };
+    Some(format!("Arrows: variable load on the blocks, {sum} at the reference load."))
+}
+
+/// A small row of signs and what they mean; returns the y below it.
+pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str)]) -> f64 {
+    let style = Style { size: crate::sheet::SMALL, ..Style::default() };
+    let (mut x, mut y) = (MARGIN, top + 12.0);
+    sheet.open("key");
+    for (sign, text) in entries {
+        let wide = 30.0 + crate::sheet::font::width(text, style.size, style.weight);
+        if x > MARGIN && x + wide > WIDTH - MARGIN {
+            x = MARGIN;
+            y += 18.0;
+        }
+        sign.draw(sheet, [x + 11.0, y - 4.0]);
+        sheet.text([x + 26.0, y], text, style.anchored(Anchor::Start));
+        x += wide + 18.0;
+    }
+    sheet.close();
+    y + 6.0
+}
+
+/// The signs of a key, and of the drawing it belongs to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sign {
+    /// A hinge.
+    Hinge,
+    /// A joint that slides.
+    Sliding,
+    /// A load.
+    Load,
+    /// The bridge as built.
+    AsBuilt,
+    /// A support.
+    Support,
+    /// The line of thrust.
+    Thrust,
+    /// A contact stress.
+    Contact,
+}
+
+/// Colour of sliding joints.
+pub const SLIDING: &str = "#0b5394";
+/// Colour of the line of thrust.
+pub const THRUST: &str = "#0b5394";
+
+impl Sign {
+    /// Draws it at its middle.
+    pub fn draw(self, sheet: &mut Sheet, at: [f64; 2]) {
+        let [x, y] = at;
+        match self {
+            Sign::Hinge => sheet.circle(at, 4.2, Pen::shape("white", INK, 1.6)),
+            Sign::Sliding => {
+                for side in [-1.0, 1.0] {
+                    let (tail, tip) = ([x - side * 6.5, y + side * 3.0], [x + side * 6.5, y + side * 3.0]);
+                    sheet.arrow(tail, tip, Pen::line(SLIDING, MEDIUM));
+                }
+            }
+            Sign::Load => sheet.arrow([x, y - 7.0], [x, y + 6.0], Pen::line(LOAD, MEDIUM)),
+            Sign::AsBuilt => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(FAINT, MEDIUM)),
+            Sign::Support => sheet.rectangle(
+                Area { left: x - 10.0, right: x + 10.0, top: y - 5.0, bottom: y + 5.0 },
+                Pen::shape("url(#hatch)", INK, HAIR),
+            ),
+            Sign::Thrust => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(THRUST, crate::sheet::THICK)),
+            Sign::Contact => sheet.line([x, y - 7.0], [x, y + 7.0], Pen::line(INK, 1.6)),
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! The mechanism of collapse.
+
+use crate::elevation::{self as draw, INK, Sign};
+use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved};
+use crate::sheet::place::Room;
+use crate::sheet::{Pen, Sheet, Spot, Style};
+use crate::words;
+use assess::outcome::{Hinge, HingeAt, Picture, Point, Shape};
+
+/// Share of the larger dimension of the bridge that the largest displacement is drawn with.
+const SHARE: f64 = 0.05;
+
+/// With more hinges than this, labels are numbers alone.
+const WORDY: usize = 12;
+
+/// The edge about which a hinge turns.
+fn edge_words(edge: HingeAt) -> &'static str {
+    match edge {
+        HingeAt::Intrados => "intrados",
+        HingeAt::Extrados => "extrados",
+        HingeAt::Other => "",
+    }
+}
+
+/// The mechanism, exaggerated, over the faint bridge as built; hinges, sliding joints and loads marked. None where
+/// the analysis found no mechanism.
+pub fn mechanism(picture: &Picture) -> Option<String> {
+    let motions = picture.mechanism.as_deref().filter(|m| m.len() == picture.shapes.len())?;
+    let built = as_built(&picture.shapes)?;
+    let size = built.size()[0].max(built.size()[1]);
+    let largest = largest_displacement(&picture.shapes, motions, Turn::Small);
+    let scale = if largest > 0.0 { SHARE * size / largest } else { 0.0 };
+    let place = |k: usize| moved(&picture.shapes[k], motions[k], scale, Turn::Small);
+
+    let mut sheet = Sheet::new();
+    draw::define_hatch(&mut sheet);
+    let second = match picture.collapse_load {
+        Some(load) if picture.moves_supports => format!("Mechanism at a support movement of {}", words::metres(load)),
+        Some(load) => format!("Mechanism at collapse, {}", words::force(load)),
+        None => "Mechanism".to_string(),
+    };
+    let top = sheet.title(&picture.title, &second);
+    let deformed = Extent::of((0..motions.len()).flat_map(&place)).unwrap_or(built);
+    let extent = draw::extent(picture).map_or(deformed, |e| e.with(deformed));
+    // Labels of hinges and tails of arrows stand above and below the blocks.
+    let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
+    let view = View::fit(extent, frame);
+    draw::faint_surface(&mut sheet, &view, picture);
+    draw::ghost(&mut sheet, &view, &picture.shapes);
+    draw::blocks(&mut sheet, &view, &picture.shapes, place);
+    draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
+    draw::load_arrows(&mut sheet, &view, picture, Some((motions, scale)));
+
+    let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
+    let room = Room::between(top, frame.bottom + 20.0);
+    crate::sliding::mark(&mut sheet, &picture.shapes, motions, &picture.sliding, &view, scale);
+    let hinges: Vec<(Hinge, Point)> = picture
+        .hinges
+        .iter()
+        .map(|h| (*h, draw::carried(&picture.shapes, motions, scale, h.point)))
+        .filter(|(_, p)| p[0].is_finite() && p[1].is_finite())
+        .collect();
+    mark_hinges(&mut sheet, &picture.shapes, &view, &hinges, middle, room);
+
+    let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 26.0);
+    let mut entries = Vec::new();
+    if !hinges.is_empty() {
+        entries.push((Sign::Hinge, "hinge, named after the edge about which it turns"));
+    }
+    if !picture.sliding.is_empty() {
+        entries.push((Sign::Sliding, "sliding joint"));
+    }
+    if !picture.loads.is_empty() {
+        entries.push((Sign::Load, "load"));
+    }
+    entries.push((Sign::AsBuilt, if picture.surface.len() > 1 { "as built, and road surface" } else { "as built" }));
+    y = draw::key(&mut sheet, y + 2.0, &entries);
+    let mut caption = format!(
+        "A mechanism has a shape but no size: exaggerated here to a largest displacement of {} at the scale of the bar.",
+        words::metres(scale * largest)
+    );
+    if let Some(loads) = draw::load_words(picture) {
+        caption = format!("{caption} {loads}");
+    }
+    y = sheet.caption(y, &caption);
+    Some(sheet.finish(y))
+}
+
+/// Open circles with number and edge, the labels outside the ring on the hinge's own side.
+pub(crate) fn mark_hinges(
+    sheet: &mut Sheet,
+    shapes: &[Shape],
+    view: &View,
+    hinges: &[(Hinge, Point)],
+    middle: Point,
+    room: Room,
+) {
+    sheet.open("hinges");
+    for (_, point) in hinges {
+        sheet.circle(view.spot(*point), 4.2, Pen::shape("white", INK, 1.6).class("hinge"));
+        let [x, y] = view.spot(*point);
+        sheet.avoid(crate::sheet::Area { left: x - 6.0, right: x + 6.0, top: y - 6.0, bottom: y + 6.0 });
+    }
+    sheet.close();
+    for (k, (hinge, point)) in hinges.iter().enumerate() {
+        let words = if hinges.len() > WORDY { "" } else { edge_words(hinge.edge) };
+        let text = if words.is_empty() { format!("{}", k + 1) } else { format!("{} {words}", k + 1) };
+        let towards = label_side(shapes, *hinge, middle);
+        sheet.label(view.spot(*point), &text, Style::on_drawing(), room.towards(towards));
+    }
+}
+
+/// From the middle of the hinge's block towards the hinge: the side on which there is no masonry.
+fn label_side(shapes: &[Shape], hinge: Hinge, middle: Point) -> Spot {
+    let centre = crate::geometry::block_at(shapes, hinge.point).map_or(middle, |k| centroid(&shapes[k].outline));
+    let d = [hinge.point[0] - centre[0], -(hinge.point[1] - centre[1])];
+    let length = d[0].hypot(d[1]);
+    if length > 0.0 { [d[0] / length, d[1] / length] } else { [0.0, -1.0] }
+}

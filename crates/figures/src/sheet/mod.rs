@@ -1,0 +1,410 @@
+//! A sheet of paper 160 mm wide: the SVG writer of every figure. One unit is 0.2 mm, y runs down.
+//!
+//! Texts are measured with the embedded font when they are set, so that a label can look for a place where it
+//! covers no other text.
+
+pub mod font;
+pub mod place;
+
+use font::Weight;
+use std::fmt::Write as _;
+
+/// Width of every sheet [0.2 mm].
+pub const WIDTH: f64 = 800.0;
+/// Blank margin on all sides.
+pub const MARGIN: f64 = 16.0;
+/// Font size of titles (8.8 pt on paper).
+pub const TITLE: f64 = 15.5;
+/// Font size of labels (7.4 pt on paper).
+pub const LABEL: f64 = 13.0;
+/// Font size of small print (6.8 pt on paper).
+pub const SMALL: f64 = 12.0;
+
+/// Line widths, thin to thick (0.1, 0.15, 0.25 and 0.45 mm on paper).
+pub const HAIR: f64 = 0.5;
+/// Outlines.
+pub const THIN: f64 = 0.75;
+/// Curves and axes.
+pub const MEDIUM: f64 = 1.25;
+/// What a figure is about.
+pub const THICK: f64 = 2.25;
+
+/// A point on the sheet.
+pub type Spot = [f64; 2];
+
+/// A rectangle on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Area {
+    /// Left edge.
+    pub left: f64,
+    /// Upper edge.
+    pub top: f64,
+    /// Right edge.
+    pub right: f64,
+    /// Lower edge.
+    pub bottom: f64,
+}
+
+impl Area {
+    /// Area shared with another rectangle.
+    pub fn overlap(&self, other: &Area) -> f64 {
+        let w = self.right.min(other.right) - self.left.max(other.left);
+        let h = self.bottom.min(other.bottom) - self.top.max(other.top);
+        if w > 0.0 && h > 0.0 { w * h } else { 0.0 }
+    }
+    /// The smallest rectangle around points.
+    pub fn around(points: &[Spot]) -> Option<Area> {
+        let first = points.first()?;
+        let start = Area { left: first[0], right: first[0], top: first[1], bottom: first[1] };
+        Some(points.iter().fold(start, |a, p| Area {
+            left: a.left.min(p[0]),
+            right: a.right.max(p[0]),
+            top: a.top.min(p[1]),
+            bottom: a.bottom.max(p[1]),
+        }))
+    }
+    /// A rectangle larger by `by` on all sides.
+    pub fn grown(&self, by: f64) -> Area {
+        Area { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+    }
+}
+
+/// How a shape is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pen<'a> {
+    /// Fill colour, or "none".
+    pub fill: &'a str,
+    /// Line colour, or "none".
+    pub stroke: &'a str,
+    /// Line width.
+    pub width: f64,
+    /// Dashes, or "".
+    pub dashes: &'a str,
+    /// Class, for those who style or count.
+    pub class: &'a str,
+}
+
+impl<'a> Pen<'a> {
+    /// A line.
+    pub const fn line(stroke: &'a str, width: f64) -> Pen<'a> {
+        Pen { fill: "none", stroke, width, dashes: "", class: "" }
+    }
+    /// A filled shape with an outline.
+    pub const fn shape(fill: &'a str, stroke: &'a str, width: f64) -> Pen<'a> {
+        Pen { fill, stroke, width, dashes: "", class: "" }
+    }
+    /// With dashes.
+    pub const fn dashed(mut self, dashes: &'a str) -> Pen<'a> {
+        self.dashes = dashes;
+        self
+    }
+    /// With a class.
+    pub const fn class(mut self, class: &'a str) -> Pen<'a> {
+        self.class = class;
+        self
+    }
+    fn write(&self, out: &mut String) {
+        if !self.class.is_empty() {
+            let _ = write!(out, " class=\"{}\"", self.class);
+        }
+        let _ = write!(out, " fill=\"{}\" stroke=\"{}\"", self.fill, self.stroke);
+        if self.stroke != "none" {
+            let _ = write!(out, " stroke-width=\"{}\"", number(self.width));
+        }
+        if !self.dashes.is_empty() {
+            let _ = write!(out, " stroke-dasharray=\"{}\"", self.dashes);
+        }
+    }
+}
+
+/// Which part of a text its point is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Anchor {
+    /// The point is where the text begins.
+    #[default]
+    Start,
+    /// The point is in its middle.
+    Middle,
+    /// The point is where it ends.
+    End,
+}
+
+/// A figure while it is drawn.
+#[derive(Debug, Default)]
+pub struct Sheet {
+    body: String,
+    texts: Vec<Area>,
+    obstacles: Vec<Area>,
+}
+
+impl Sheet {
+    /// An empty sheet.
+    pub fn new() -> Sheet {
+        Sheet::default()
+    }
+
+    /// An open or closed chain of points. Shapes with a coordinate that is not finite are left out.
+    fn chain(&mut self, tag: &str, points: &[Spot], pen: Pen) {
+        if points.len() < 2 || points.iter().flatten().any(|c| !c.is_finite()) {
+            return;
+        }
+        let _ = write!(self.body, "<{tag} points=\"");
+        for (k, p) in points.iter().enumerate() {
+            let gap = if k == 0 { "" } else { " " };
+            let _ = write!(self.body, "{gap}{},{}", number(p[0]), number(p[1]));
+        }
+        self.body.push('"');
+        pen.write(&mut self.body);
+        self.body.push_str(" stroke-linejoin=\"round\"/>\n");
+    }
+    /// A closed polygon.
+    pub fn polygon(&mut self, points: &[Spot], pen: Pen) {
+        self.chain("polygon", points, pen);
+    }
+    /// An open polyline.
+    pub fn polyline(&mut self, points: &[Spot], pen: Pen) {
+        self.chain("polyline", points, pen);
+    }
+    /// A straight line.
+    pub fn line(&mut self, from: Spot, to: Spot, pen: Pen) {
+        self.polyline(&[from, to], pen);
+    }
+    /// A circle.
+    pub fn circle(&mut self, at: Spot, radius: f64, pen: Pen) {
+        if at.iter().any(|c| !c.is_finite()) {
+            return;
+        }
+        let _ = write!(self.body, "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", number(at[0]), number(at[1]), number(radius));
+        pen.write(&mut self.body);
+        self.body.push_str("/>\n");
+    }
+    /// A rectangle.
+    pub fn rectangle(&mut self, area: Area, pen: Pen) {
+        let Area { left, top, right, bottom } = area;
+        self.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], pen);
+    }
+    /// An arrow from tail to tip, with a filled head no longer than 0.6 of the arrow.
+    pub fn arrow(&mut self, tail: Spot, tip: Spot, pen: Pen) {
+        let along = [tip[0] - tail[0], tip[1] - tail[1]];
+        let length = along[0].hypot(along[1]);
+        if !length.is_finite() || length < 0.5 {
+            return;
+        }
+        let unit = [along[0] / length, along[1] / length];
+        let head = (2.0 + 3.6 * pen.width).min(0.6 * length);
+        let neck = [tip[0] - head * unit[0], tip[1] - head * unit[1]];
+        let half = 0.36 * head;
+        self.line(tail, neck, pen);
+        let wing = |side: f64| [neck[0] - side * half * unit[1], neck[1] + side * half * unit[0]];
+        self.polygon(&[tip, wing(1.0), wing(-1.0)], Pen::shape(pen.stroke, "none", 0.0));
+    }
+
+    /// Everything until [`Sheet::close`] is drawn in one group, with a class.
+    pub fn open(&mut self, class: &str) {
+        let _ = writeln!(self.body, "<g class=\"{class}\">");
+    }
+    /// Like [`Sheet::open`], and drawn only inside an area.
+    pub fn open_clipped(&mut self, class: &str, name: &str, a: Area) {
+        let (x, y, w, h) = (number(a.left), number(a.top), number(a.right - a.left), number(a.bottom - a.top));
+        let _ = writeln!(
+            self.body,
+            "<clipPath id=\"{name}\"><rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/></clipPath>\n<g class=\"{class}\" clip-path=\"url(#{name})\">"
+        );
+    }
+    /// Ends a group.
+    pub fn close(&mut self) {
+        self.body.push_str("</g>\n");
+    }
+    /// Puts SVG of a definition (a pattern, a gradient) into the sheet.
+    pub fn define(&mut self, svg: &str) {
+        let _ = writeln!(self.body, "<defs>{svg}</defs>");
+    }
+
+    /// A text on one line, with its baseline at `at`; white behind its letters where it lies on a drawing.
+    pub fn text(&mut self, at: Spot, text: &str, style: Style) {
+        let area = text_area(at, text, style);
+        self.write_text(at, text, style, 0.0);
+        self.texts.push(area);
+    }
+    /// A text that reads upwards, centred on `at`.
+    pub fn text_upwards(&mut self, at: Spot, text: &str, style: Style) {
+        let half = font::width(text, style.size, style.weight) / 2.0;
+        self.write_text(at, text, Style { anchor: Anchor::Middle, ..style }, -90.0);
+        self.texts.push(Area {
+            left: at[0] - font::CAPITAL * style.size,
+            right: at[0] + font::DESCENT * style.size,
+            top: at[1] - half,
+            bottom: at[1] + half,
+        });
+    }
+    fn write_text(&mut self, at: Spot, text: &str, style: Style, turn: f64) {
+        if text.trim().is_empty() || at.iter().any(|c| !c.is_finite()) {
+            return;
+        }
+        let (x, y) = (number(at[0]), number(at[1]));
+        let _ = write!(self.body, "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"", style.size, style.colour);
+        match style.anchor {
+            Anchor::Start => {}
+            Anchor::Middle => self.body.push_str(" text-anchor=\"middle\""),
+            Anchor::End => self.body.push_str(" text-anchor=\"end\""),
+        }
+        if style.weight == Weight::Bold {
+            self.body.push_str(" font-weight=\"bold\"");
+        }
+        if style.halo {
+            self.body
+                .push_str(" stroke=\"white\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke fill\"");
+        }
+        if turn != 0.0 {
+            let _ = write!(self.body, " transform=\"rotate({turn} {x} {y})\"");
+        }
+        let _ = writeln!(self.body, ">{}</text>", escape(text));
+    }
+    /// Lines of a paragraph, `limit` wide; returns the y below them.
+    pub fn paragraph(&mut self, left: f64, top: f64, limit: f64, text: &str, style: Style) -> f64 {
+        let mut y = top;
+        for line in font::wrap(text, style.size, style.weight, limit) {
+            y += 1.3 * style.size;
+            self.text([left, y - 0.3 * style.size], &line, style);
+        }
+        y
+    }
+    /// Title at the top of the sheet, over a lighter second line; returns the y below it.
+    pub fn title(&mut self, title: &str, second: &str) -> f64 {
+        let limit = WIDTH - 2.0 * MARGIN;
+        let bold = Style { size: TITLE, weight: Weight::Bold, ..Style::default() };
+        let mut y = self.paragraph(MARGIN, MARGIN - 2.0, limit, title, bold);
+        if !second.is_empty() {
+            y = self.paragraph(MARGIN, y, limit, second, Style { colour: GREY_TEXT, ..Style::default() });
+        }
+        y + 8.0
+    }
+    /// Small print at the foot of the sheet; returns the y below it.
+    pub fn caption(&mut self, top: f64, text: &str) -> f64 {
+        let style = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
+        self.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, text, style)
+    }
+
+    /// Something that a label had better not cover.
+    pub fn avoid(&mut self, area: Area) {
+        self.obstacles.push(area);
+    }
+    /// Where every text lies.
+    #[cfg(test)]
+    pub fn texts(&self) -> &[Area] {
+        &self.texts
+    }
+
+    /// The figure, cut off below `bottom`.
+    pub fn finish(self, bottom: f64) -> String {
+        let height = (bottom + MARGIN).ceil();
+        let (mm_wide, mm_high) = (number(WIDTH * 0.2), number(height * 0.2));
+        let (w, h) = (number(WIDTH), number(height));
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{mm_wide}mm\" height=\"{mm_high}mm\" viewBox=\"0 0 {w} {h}\" font-family=\"{}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n{}</svg>\n",
+            font::FAMILY,
+            self.body
+        )
+    }
+}
+
+/// Colour of captions.
+pub const GREY_TEXT: &str = "#404040";
+
+/// How a text is set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Style {
+    /// Font size.
+    pub size: f64,
+    /// Weight.
+    pub weight: Weight,
+    /// Colour.
+    pub colour: &'static str,
+    /// Which part of the text its point is.
+    pub anchor: Anchor,
+    /// Whether the letters have a white rim.
+    pub halo: bool,
+}
+
+impl Default for Style {
+    fn default() -> Style {
+        Style { size: LABEL, weight: Weight::Regular, colour: "#111111", anchor: Anchor::Start, halo: false }
+    }
+}
+
+impl Style {
+    /// A label set in a drawing.
+    pub fn on_drawing() -> Style {
+        Style { size: SMALL, halo: true, ..Style::default() }
+    }
+    /// Anchored.
+    pub fn anchored(mut self, anchor: Anchor) -> Style {
+        self.anchor = anchor;
+        self
+    }
+}
+
+/// The rectangle that a text covers.
+pub fn text_area(at: Spot, text: &str, style: Style) -> Area {
+    let w = font::width(text, style.size, style.weight);
+    let left = match style.anchor {
+        Anchor::Start => at[0],
+        Anchor::Middle => at[0] - w / 2.0,
+        Anchor::End => at[0] - w,
+    };
+    Area { left, right: left + w, top: at[1] - font::CAPITAL * style.size, bottom: at[1] + font::DESCENT * style.size }
+}
+
+/// A coordinate with at most two decimals: a five-hundredth of a millimetre.
+pub fn number(x: f64) -> String {
+    let text = format!("{x:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.to_string() }
+}
+
+/// Text as XML may contain it.
+pub fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_never_minus_zero() {
+        assert_eq!([number(-0.001), number(2.50), number(100.0), number(-3.456)], ["0", "2.5", "100", "-3.46"]);
+    }
+
+    #[test]
+    fn what_is_not_finite_is_left_out() {
+        let mut sheet = Sheet::new();
+        sheet.line([0.0, f64::NAN], [1.0, 1.0], Pen::line("black", 1.0));
+        sheet.circle([f64::INFINITY, 0.0], 1.0, Pen::line("black", 1.0));
+        sheet.line([0.0, 2.0], [1.0, 1.0], Pen::line("black", 1.0));
+        let svg = sheet.finish(10.0);
+        assert_eq!(svg.matches("<polyline").count(), 1);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+
+    #[test]
+    fn any_title_gives_well_formed_xml() {
+        let mut sheet = Sheet::new();
+        let y = sheet.title("a<b> & \"c\" \u{7}\u{fffe} ∑", "");
+        let svg = sheet.finish(y);
+        let tree = roxmltree::Document::parse(&svg).unwrap();
+        let text = tree.descendants().find(|n| n.has_tag_name("text")).and_then(|n| n.text()).unwrap();
+        assert!(text.starts_with("a<b> & \"c\""));
+    }
+}

@@ -1,0 +1,188 @@
+//! Stress in the blocks and at the joints.
+
+use crate::colour::dark_for_much;
+use crate::elevation::{self as draw, INK, Sign};
+use crate::geometry::{
+    Extent, Turn, View, as_built, back, centroid, exaggerated, largest_displacement, moved, round_down,
+};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
+use crate::ticks::Ticks;
+use crate::words;
+use assess::outcome::{Picture, Point, Snapshot};
+
+/// Share of the larger dimension of the bridge that displacements are drawn with, at most.
+const SHARE: f64 = 0.012;
+/// Length of the bar of the largest contact stress on the sheet.
+const BAR: f64 = 30.0;
+
+/// Most compressive principal stress [Pa], compression positive, of a plane stress (tension positive: xx, yy, xy).
+pub fn most_compressive([xx, yy, xy]: [f64; 3]) -> f64 {
+    -(0.5 * (xx + yy) - (0.5 * (xx - yy)).hypot(xy))
+}
+
+/// One snapshot: blocks coloured by their most compressive principal stress, contact stresses as bars that stand
+/// out of the joints, displacements exaggerated as stated. None where that snapshot or its stresses do not exist.
+pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
+    let state = picture.snapshots.get(snapshot)?;
+    let count = picture.shapes.len();
+    if count == 0 || state.stresses.len() != count || state.motions.len() != count {
+        return None;
+    }
+    let blocks_only = as_built(&picture.shapes)?;
+    let extent = blocks_only;
+    let scale = exaggeration(picture, state, extent);
+    let place = |k: usize| moved(&picture.shapes[k], state.motions[k], scale, Turn::Finite);
+
+    let mut sheet = Sheet::new();
+    draw::define_hatch(&mut sheet);
+    let at = if picture.moves_supports {
+        format!("a support movement of {}", words::metres(state.load))
+    } else {
+        words::force(state.load)
+    };
+    let stable = if picture.last_stable == Some(snapshot) { ", last stable" } else { "" };
+    let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{stable}"));
+    let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
+    let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
+    let shown = blocks_only.with(deformed.within(roomy));
+    // Room for the bars.
+    let shown = shown.grown(BAR / WIDTH * shown.size()[0].max(shown.size()[1]));
+    let frame = draw::frame(shown, top, draw::TALLEST);
+    let view = View::fit(shown, frame);
+
+    let compression = |k: usize| most_compressive(state.stresses[k]);
+    let free = || (0..count).filter(|&k| !picture.shapes[k].held);
+    let largest = free().map(compression).filter(|s| s.is_finite()).fold(0.0, f64::max);
+    let ticks = Ticks::over(0.0, if largest > 0.0 { largest / 1e6 } else { 1.0 }, 6);
+    let full = ticks.range()[1] * 1e6;
+
+    sheet.open_clipped("blocks", "room", frame);
+    let width = draw::outline_width(&picture.shapes, &view);
+    for (k, shape) in picture.shapes.iter().enumerate().filter(|(_, s)| s.held) {
+        sheet.polygon(&view.spots(&place(k)), Pen::shape(draw::fill(shape), INK, 0.75).class("support"));
+    }
+    for k in free() {
+        let colour = dark_for_much(compression(k) / full);
+        // White joints can be told from light and from dark blocks.
+        sheet.polygon(&view.spots(&place(k)), Pen::shape(&colour, "white", width).class("block"));
+    }
+    sheet.close();
+    let highest = contact_bars(&mut sheet, picture, state, &view, scale, frame);
+
+    let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 8.0);
+    y = legend(&mut sheet, y + 6.0, &ticks);
+    let mut entries = Vec::new();
+    if highest > 0.0 {
+        entries.push((Sign::Contact, "contact stress, as a bar out of the joint"));
+    }
+    if picture.shapes.iter().any(|s| s.held) {
+        entries.push((Sign::Support, "support"));
+    }
+    if !entries.is_empty() {
+        y = draw::key(&mut sheet, y, &entries);
+    }
+    let mut caption = format!(
+        "Displacements {}.",
+        if scale == 1.0 { "drawn at true scale".into() } else { format!("exaggerated {}", words::times(scale)) }
+    );
+    if highest > 0.0 {
+        caption += &format!(" Longest bar: {} MPa.", words::four_digits(highest / 1e6));
+    }
+    caption += &format!(" Largest average stress of a block: {} MPa.", words::four_digits(largest / 1e6));
+    y = sheet.caption(y, &caption);
+    Some(sheet.finish(y))
+}
+
+/// How many times larger displacements are drawn: a round number.
+pub(crate) fn exaggeration(picture: &Picture, state: &Snapshot, extent: Extent) -> f64 {
+    let size = extent.size()[0].max(extent.size()[1]);
+    let largest = largest_displacement(&picture.shapes, &state.motions, Turn::Finite);
+    if largest <= 1e-12 * size { 1.0 } else { round_down(SHARE * size / largest).max(1.0) }
+}
+
+/// Bars at the closed contacts; returns the largest stress [Pa].
+fn contact_bars(sheet: &mut Sheet, picture: &Picture, state: &Snapshot, view: &View, scale: f64, clip: Area) -> f64 {
+    let usable = |s: f64| s.is_finite() && s > 0.0;
+    let highest = state.contacts.iter().map(|c| c.stress).filter(|&s| usable(s)).fold(0.0, f64::max);
+    if highest <= 0.0 {
+        return 0.0;
+    }
+    sheet.open_clipped("contacts", "room-of-contacts", clip);
+    for contact in state.contacts.iter().filter(|c| usable(c.stress)) {
+        let at = view.spot(drawn(picture, state, contact.blocks[0], contact.point, scale));
+        let length = BAR * contact.stress / highest;
+        // Along the joint, away from the middle of the block.
+        let along = [-contact.normal[1], contact.normal[0]];
+        let middle = contact.blocks.map(|b| now(picture, state, b)).into_iter().flatten().next();
+        let off = middle.map_or([0.0, 0.0], |c| [contact.point[0] - c[0], contact.point[1] - c[1]]);
+        let side = if off[0] * along[0] + off[1] * along[1] < 0.0 { -1.0 } else { 1.0 };
+        let end = [at[0] + side * length * along[0], at[1] - side * length * along[1]];
+        if length > 0.4 {
+            sheet.line(at, end, Pen::line(INK, 1.6).class("contact"));
+        }
+    }
+    sheet.close();
+    highest
+}
+
+/// Where the centroid of a block is now [m].
+fn now(picture: &Picture, state: &Snapshot, block: usize) -> Option<Point> {
+    let (centre, motion) = (centroid(&picture.shapes.get(block)?.outline), state.motions.get(block)?);
+    Some([centre[0] + motion.translation[0], centre[1] + motion.translation[1]])
+}
+
+/// A point where the blocks are now, moved to where they are drawn.
+fn drawn(picture: &Picture, state: &Snapshot, block: usize, point: Point, scale: f64) -> Point {
+    match (picture.shapes.get(block), state.motions.get(block)) {
+        (Some(shape), Some(&motion)) => {
+            let centre = centroid(&shape.outline);
+            exaggerated(back(point, centre, motion), centre, motion, scale, Turn::Finite)
+        }
+        _ => point,
+    }
+}
+
+/// The colours with their values; returns the y below.
+fn legend(sheet: &mut Sheet, top: f64, ticks: &Ticks) -> f64 {
+    const STEPS: usize = 96;
+    let style = Style { size: SMALL, ..Style::default() };
+    let y = sheet.paragraph(
+        MARGIN,
+        top,
+        WIDTH - 2.0 * MARGIN,
+        "most compressive principal stress, average of each block [MPa]",
+        style,
+    );
+    let (left, right) = (MARGIN + 10.0, MARGIN + 430.0);
+    let (upper, lower) = (y + 5.0, y + 19.0);
+    let at = |share: f64| left + share * (right - left);
+    sheet.open("legend");
+    for k in 0..STEPS {
+        let (a, b) = (k as f64 / STEPS as f64, (k + 1) as f64 / STEPS as f64);
+        let colour = dark_for_much(0.5 * (a + b));
+        // Neighbours overlap a little, so that no white seam shows between them.
+        let end = (at(b) + 0.4).min(right);
+        sheet.rectangle(Area { left: at(a), right: end, top: upper, bottom: lower }, Pen::shape(&colour, "none", 0.0));
+    }
+    sheet.rectangle(Area { left, right, top: upper, bottom: lower }, Pen::line(INK, HAIR));
+    let [low, high] = ticks.range();
+    for &value in &ticks.values {
+        let x = at((value - low) / (high - low));
+        sheet.line([x, lower], [x, lower + 4.0], Pen::line(INK, 0.9));
+        sheet.text([x, lower + 17.0], &ticks.words(value), style.anchored(Anchor::Middle));
+    }
+    sheet.close();
+    lower + 24.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn principal_stresses_of_known_states() {
+        assert_eq!(most_compressive([-3.0, 1.0, 0.0]), 3.0);
+        assert_eq!(most_compressive([0.0, 0.0, 2.0]), 2.0);
+        assert_eq!(most_compressive([4.0, 4.0, 0.0]), -4.0);
+    }
+}

@@ -1,0 +1,103 @@
+//! The line of thrust inside the ring.
+
+use crate::elevation::{self as draw, INK, Sign, THRUST};
+use crate::geometry::{View, as_built};
+use crate::mechanism::mark_hinges;
+use crate::sheet::place::Room;
+use crate::sheet::{Area, Pen, Sheet, Style, THICK};
+use crate::words;
+use assess::outcome::{Picture, Point, ThrustPoint};
+
+/// The ring with its line of thrust, hinges, loads, and the size of the thrust at springings and crown. None
+/// without a line of thrust.
+pub fn thrust_line(picture: &Picture) -> Option<String> {
+    let drawable = |line: &&Vec<ThrustPoint>| line.len() > 1;
+    if !picture.thrust_lines.iter().any(|l| drawable(&l)) {
+        return None;
+    }
+    let built = as_built(&picture.shapes)?;
+    let mut sheet = Sheet::new();
+    draw::define_hatch(&mut sheet);
+    let second = match picture.collapse_load {
+        Some(load) if !picture.moves_supports => format!("Line of thrust at collapse, {}", words::force(load)),
+        _ => "Line of thrust".to_string(),
+    };
+    let top = sheet.title(&picture.title, &second);
+    let extent = draw::extent(picture).unwrap_or(built);
+    let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
+    let view = View::fit(extent, frame);
+    draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
+    draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
+    draw::faint_surface(&mut sheet, &view, picture);
+    draw::load_arrows(&mut sheet, &view, picture, None);
+    sheet.open("thrust-lines");
+    for line in picture.thrust_lines.iter().filter(drawable) {
+        let points: Vec<Point> =
+            line.iter().map(|t| t.point).filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
+        let spots = view.spots(&points);
+        sheet.polyline(&spots, Pen::line(THRUST, THICK).class("thrust"));
+        // Short enough that the rectangles around its parts hug the line.
+        spots.windows(2).filter_map(Area::around).for_each(|a| sheet.avoid(a.grown(2.0)));
+    }
+    sheet.close();
+
+    let room = Room::between(top, frame.bottom + 20.0);
+    let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
+    let hinges: Vec<_> = picture.hinges.iter().map(|h| (*h, h.point)).collect();
+    let at_hinge = |p: Point| {
+        let (a, d) = (view.spot(p), |b: [f64; 2], a: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]));
+        hinges.iter().any(|h| d(view.spot(h.1), a) < 6.0)
+    };
+    for line in picture.thrust_lines.iter().filter(drawable) {
+        for k in told(line) {
+            let at = view.spot(line[k].point);
+            if !at_hinge(line[k].point) {
+                sheet.circle(at, 2.8, Pen::shape(THRUST, INK, 0.6).class("thrust-mark"));
+            }
+            sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(5.0));
+        }
+    }
+    mark_hinges(&mut sheet, &picture.shapes, &view, &hinges, middle, room);
+    for line in picture.thrust_lines.iter().filter(drawable) {
+        magnitudes(&mut sheet, &view, line, room);
+    }
+
+    let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 26.0);
+    let mut entries = vec![(Sign::Thrust, "line of thrust, with its force where marked")];
+    if !hinges.is_empty() {
+        entries.push((Sign::Hinge, "hinge"));
+    }
+    if !picture.loads.is_empty() {
+        entries.push((Sign::Load, "load"));
+    }
+    y = draw::key(&mut sheet, y + 2.0, &entries);
+    if let Some(loads) = draw::load_words(picture) {
+        y = sheet.caption(y, &loads);
+    }
+    Some(sheet.finish(y))
+}
+
+/// Where the size of the thrust is told: at the first and last joint, and nearest to the middle between them.
+fn told(line: &[ThrustPoint]) -> Vec<usize> {
+    let last = line.len() - 1;
+    let middle = 0.5 * (line[0].point[0] + line[last].point[0]);
+    let off = |k: usize| (line[k].point[0] - middle).abs();
+    let crown = (1..last).min_by(|&a, &b| off(a).total_cmp(&off(b)).then(a.cmp(&b)));
+    [Some(0), Some(last), crown].into_iter().flatten().collect()
+}
+
+/// Writes the size of the thrust beside its marks.
+fn magnitudes(sheet: &mut Sheet, view: &View, line: &[ThrustPoint], room: Room) {
+    for k in told(line) {
+        // Into the opening: below the crown, and from the springings towards the middle of the span.
+        let side = if k == 0 {
+            [0.8, 0.6]
+        } else if k + 1 == line.len() {
+            [-0.8, 0.6]
+        } else {
+            [0.0, 1.0]
+        };
+        let style = Style { colour: THRUST, ..Style::on_drawing() };
+        sheet.label(view.spot(line[k].point), &words::force(line[k].thrust), style, room.towards(side));
+    }
+}

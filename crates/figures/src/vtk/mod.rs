@@ -1,0 +1,10 @@
+//! Files that ParaView opens: unstructured grids (VTU) and their series (PVD).
+
+mod blocks;
+mod contacts;
+mod series;
+mod write;
+
+pub use blocks::{blocks, mechanism, role_number};
+pub use contacts::contacts;
+pub use series::{moments, series};

@@ -1,0 +1,37 @@
+//! A series of files, with the load as time.
+
+use crate::sheet::escape;
+use assess::outcome::Picture;
+use std::fmt::Write as _;
+
+/// Time at which each snapshot stands in the series: its load [kN/m], or the support movement [mm]. ParaView takes
+/// files at the same time for parts of one state, so that a snapshot whose load is not above the one before it (on
+/// the way down) follows a thousandth of a unit later.
+pub fn moments(picture: &Picture) -> Vec<f64> {
+    let unit = if picture.moves_supports { 1e3 } else { 1e-3 };
+    let mut last = f64::NEG_INFINITY;
+    let mut moment = |load: f64| {
+        let at = load * unit;
+        last = if at > last {
+            at
+        } else if last.is_finite() {
+            last + 1e-3
+        } else {
+            0.0
+        };
+        last
+    };
+    picture.snapshots.iter().map(|s| moment(s.load)).collect()
+}
+
+/// The series of files, each with its time.
+pub fn series(files: &[(f64, String)]) -> String {
+    let mut out = String::from(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<Collection>\n",
+    );
+    for (time, name) in files {
+        let _ = writeln!(out, "<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{}\"/>", escape(name));
+    }
+    out.push_str("</Collection>\n</VTKFile>\n");
+    out
+}
