@@ -97,6 +97,9 @@ pub struct Collapse {
     /// Take up the checkpoint of an interrupted run
     #[arg(long)]
     pub resume: bool,
+    /// Keep a checkpoint this often
+    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds)]
+    pub keep_every: f64,
     /// What to set in place of the file's plan.
     #[command(flatten)]
     pub overrides: Overrides,
@@ -156,6 +159,9 @@ pub struct Verify {
     /// Slow cases too
     #[arg(long)]
     pub slow: bool,
+    /// Write the verification manual to this file (Markdown)
+    #[arg(long, value_name = "FILE")]
+    pub manual: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -326,6 +332,13 @@ fn damping(text: &str) -> Result<bridge::Damping, String> {
         ("adaptive", Some(_)) => Err("adaptive damping finds its own intensity: give no share".to_owned()),
         _ => Err("write local, viscous or adaptive, such as local:0.8".to_owned()),
     }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|seconds| *seconds >= 0.0 && *seconds <= 1e6)
+        .ok_or_else(|| "write a number of seconds, such as 2".to_owned())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -14,6 +14,7 @@ use assess::analysis::{self, Collapse};
 use assess::wire;
 use bridge::{Analysis, Bridge, Method};
 use serde_json::json;
+use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
@@ -69,7 +70,7 @@ fn analyse(
         let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
         report.warn(&mut desk.screen, "F110", &message);
     }
-    let mut watcher = Watcher::new(desk.screen.quiet, Some(checkpoint.clone()));
+    let mut watcher = Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
     let found = analysis::collapse(bridge, resume.as_deref(), &mut watcher);
     let kept = watcher.has_kept();
     let trouble = watcher.finish();
