@@ -3,13 +3,16 @@
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
 pub mod diagnostic;
+pub mod explain;
 pub mod fields;
 mod findings;
 pub mod model;
 mod plausible;
 pub mod quantity;
+pub mod reference;
 mod resolve;
 pub mod ring;
+pub mod schema;
 pub mod text;
 mod tree;
 mod values;
@@ -73,13 +76,14 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
     let (tree, broken) = DeTable::parse_recoverable(text);
     for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
         let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
-        findings.error(
-            "B002",
-            range,
-            error.message().to_owned(),
-            "not TOML",
-            "write lines like key = \"value\" below [section] headers; text and quantities stand in quotes",
-        );
+        let unquoted = text.get(range.start..range.end).filter(|_| error.message().contains("must be quoted"));
+        let help = match unquoted {
+            Some(value) => format!("put it in quotes: \"{}\"", tree::shorten(value.trim())),
+            None => {
+                "write lines like key = \"value\" below [section] headers; text and quantities stand in quotes".into()
+            }
+        };
+        findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
     }
     let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
     let bridge = resolve::resolve(&file, findings);

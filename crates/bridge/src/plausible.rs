@@ -76,7 +76,7 @@ pub(crate) fn check(
     strength(file, masonry, findings);
     fill(file, masonry, findings);
     joints(file, spans, masonry, joint, findings);
-    rings(spans.unwrap_or_default(), masonry, findings);
+    rings(file, spans.unwrap_or_default(), masonry, findings);
     piers(file, findings);
     settings(file, findings);
 }
@@ -120,7 +120,9 @@ fn unusual(table: &Table<'_>, usual: &Usual, findings: &mut Findings) {
 /// The same number with another unit, if that makes sense of it.
 fn other_unit(raw: Raw<'_>, least: f64, most: f64) -> Option<String> {
     let found = quantity::parse(raw.get_ref().as_str()?).ok()?;
-    let unit = found.unit.dimension.units().find(|unit| (least..=most).contains(&(found.number * unit.size)))?;
+    let sensible = found.unit.dimension.units().filter(|unit| (least..=most).contains(&(found.number * unit.size)));
+    let leap = |unit: &quantity::Unit| (unit.size / found.unit.size).ln().abs();
+    let unit = sensible.min_by(|a, b| leap(a).total_cmp(&leap(b)))?;
     Some(format!("did you mean \"{} {}\"?", found.number, unit.symbol))
 }
 
@@ -228,7 +230,7 @@ fn longest_voussoir(spans: &[PlacedSpan]) -> Option<f64> {
 }
 
 /// Rings much thinner or thicker than were ever built, flat spans, corners rounded to pebbles.
-fn rings(spans: &[PlacedSpan], masonry: Option<&Masonry>, findings: &mut Findings) {
+fn rings(file: &Table<'_>, spans: &[PlacedSpan], masonry: Option<&Masonry>, findings: &mut Findings) {
     for (index, placed) in spans.iter().enumerate() {
         if spans[..index].iter().any(|other| other.shape == placed.shape) {
             continue;
@@ -264,9 +266,9 @@ fn rings(spans: &[PlacedSpan], masonry: Option<&Masonry>, findings: &mut Finding
         {
             findings.warning(
                 "P011",
-                *thickness_place,
+                every(file, "masonry").first().map_or(file.range, |table| table.place("rounding")),
                 "corners are rounded by more than a tenth of the thickness",
-                format!("radius {} m", masonry.rounding),
+                format!("the thinnest ring has {thinnest} m"),
                 "give a smaller `rounding` in [masonry]; a hundredth to a fiftieth of the thickness is common",
             );
         }

@@ -36,15 +36,17 @@ impl<'t> Table<'t> {
         findings: &mut Findings,
     ) -> Table<'t> {
         let table = Table { section, entries, range };
+        let mut misspelt = Vec::new();
         for (key, _) in entries.iter() {
             match section.field(key.get_ref()) {
-                None => unknown_key(section, key.get_ref(), key.span().into(), findings),
+                None => misspelt.extend(unknown_key(section, key.get_ref(), key.span().into(), findings)),
                 Some(field) if !table.applies(field) => table.out_of_place(field, key.span().into(), findings),
                 Some(_) => {}
             }
         }
         for field in section.fields {
-            if field.need == Need::Required && table.applies(field) && !table.has(field.key) {
+            let written = table.has(field.key) || misspelt.contains(&field.key);
+            if field.need == Need::Required && table.applies(field) && !written {
                 table.missing(field, findings);
             }
         }
@@ -212,11 +214,18 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
     None
 }
 
-fn unknown_key(section: &'static Section, key: &str, range: TextRange, findings: &mut Findings) {
+/// Reports an unknown key; returns the known one that was probably meant.
+fn unknown_key(
+    section: &'static Section,
+    key: &str,
+    range: TextRange,
+    findings: &mut Findings,
+) -> Option<&'static str> {
     let known = section.fields.iter().map(|field| field.key);
     let elsewhere =
         crate::fields::sections().into_iter().find(|other| !other.path.is_empty() && other.field(key).is_some());
-    let (label, help) = if let Some(near) = nearest(key, known.clone()) {
+    let near = nearest(key, known.clone());
+    let (label, help) = if let Some(near) = near {
         (format!("did you mean `{near}`?"), format!("write `{near}`"))
     } else if let Some(other) = elsewhere {
         (format!("belongs in {}", title(other)), format!("move this line to {}", title(other)))
@@ -225,6 +234,7 @@ fn unknown_key(section: &'static Section, key: &str, range: TextRange, findings:
         (format!("not a key of {}", title(section)), format!("{} knows {list}", title(section)))
     };
     findings.error("B010", range, format!("unknown key `{}` in {}", shorten(key), title(section)), label, help);
+    near
 }
 
 /// The known word nearest to what was written, if it is near enough to be a slip.

@@ -86,7 +86,7 @@ pub(super) static SPAN: Section = Section {
             .optional("one ring, described in the span itself"),
         Field::new("repeat", Kind::Count, "how many spans like this follow one another", "3")
             .at_least(1.0)
-            .at_most(100.0)
+            .at_most(1000.0)
             .default("1"),
     ],
 };

@@ -44,21 +44,13 @@ pub(super) fn check(
     let mut seen = Vec::new();
     let mut skewbacks = Vec::new();
     for placed in spans {
-        let Ok(intrados) = Intrados::new(&placed.span.profile, placed.span.span, placed.span.rise) else {
-            findings.error(
-                "B204",
-                placed.shape,
-                "the measured points turn too sharply for a smooth intrados",
-                "no curve leads through them",
-                "check the points, or add some where the curve bends",
-            );
-            return;
-        };
+        // Spans whose profile has no curve have been reported, and are not here.
+        let Ok(intrados) = Intrados::new(&placed.span.profile, placed.span.span, placed.span.rise) else { return };
         skewbacks.push(intrados.at(0.0));
         // Repeated spans are checked once.
         if !seen.contains(&placed.shape) {
             seen.push(placed.shape);
-            rings(placed, &intrados, masonry, joint, findings);
+            rings(file, placed, &intrados, masonry, joint, findings);
         }
     }
     check_piers(file, spans, piers, &skewbacks, findings);
@@ -67,6 +59,7 @@ pub(super) fn check(
 
 /// Every voussoir must be a block: its two joints must not cross, and rounding must leave a face.
 fn rings(
+    file: &Table<'_>,
     placed: &PlacedSpan,
     intrados: &Intrados,
     masonry: Option<&Masonry>,
@@ -74,6 +67,9 @@ fn rings(
     findings: &mut Findings,
 ) {
     let span = &placed.span;
+    let mut unheard = Findings::default();
+    let mut place =
+        |section: &str, key: &str| file.table(section, &mut unheard).map_or(file.range, |table| table.place(key));
     let (mut crown, mut springing) = (0.0, 0.0);
     for (ring, (thickness_place, count_place)) in span.rings.iter().zip(&placed.rings) {
         let inside = [springing, crown];
@@ -107,17 +103,17 @@ fn rings(
             if 2.0 * masonry.rounding >= thinnest {
                 findings.error(
                     "B207",
-                    *thickness_place,
+                    place("masonry", "rounding"),
                     "rounded corners leave nothing of the joint",
-                    format!("joint {thinnest} m, corners of radius {} m at both ends", masonry.rounding),
+                    format!("twice this is no less than the thinnest joint, {thinnest} m"),
                     "give a smaller `rounding` in [masonry]; a fiftieth of the thickness is common",
                 );
             } else if 2.0 * masonry.rounding >= shortest {
                 findings.error(
                     "B207",
-                    *count_place,
+                    place("masonry", "rounding"),
                     "rounded corners are longer than the voussoirs",
-                    format!("shortest edge {shortest:.4} m, corners of radius {} m at both ends", masonry.rounding),
+                    format!("twice this is no less than the shortest edge, {shortest:.4} m"),
                     "use fewer voussoirs, or a smaller `rounding` in [masonry]",
                 );
             }
@@ -127,9 +123,9 @@ fn rings(
         {
             findings.error(
                 "B208",
-                *thickness_place,
+                place("joint", "fixed_length"),
                 "a contact point stands for more than the whole joint",
-                format!("joint {thinnest} m, `fixed_length` {length} m"),
+                format!("the thinnest joint has {thinnest} m"),
                 "give a `fixed_length` in [joint] of about half the thickness, or leave it out",
             );
         }
@@ -138,9 +134,9 @@ fn rings(
         {
             findings.error(
                 "B208",
-                *thickness_place,
+                place("joint", "least_length"),
                 "the least length of a contact point is more than the whole joint",
-                format!("joint {thinnest} m, `least_length` {length} m"),
+                format!("the thinnest joint has {thinnest} m"),
                 "give a `least_length` in [joint] of about a tenth of the thickness, or leave it out",
             );
         }

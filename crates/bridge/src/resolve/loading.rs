@@ -137,7 +137,7 @@ fn shape(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Opti
                     spacings.range,
                     format!("{} axles have {} spacings", forces.value.len(), spacings.value.len()),
                     "one spacing between each two axles",
-                    format!("give {} spacings", forces.value.len().saturating_sub(1)),
+                    format!("give as many spacings as axles, less one: {}", forces.value.len().saturating_sub(1)),
                 );
                 return None;
             }
@@ -207,7 +207,11 @@ fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
                 range,
                 "there is no such span",
                 format!("the bridge has {spans}"),
-                format!("name a span from 1 to {spans}, counted from the left"),
+                if spans == 1 {
+                    "write \"1/4 of span 1\"".to_owned()
+                } else {
+                    format!("name a span from 1 to {spans}, counted from the left")
+                },
             );
             return None;
         }

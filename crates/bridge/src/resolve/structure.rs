@@ -6,7 +6,7 @@ use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Abutment, Pier, Ring, Span};
 use crate::quantity::Dimension;
-use crate::ring::{Misfit, Profile};
+use crate::ring::{Intrados, Misfit, Profile};
 use crate::tree::{At, Table, wrong_type};
 use crate::values::measure;
 
@@ -77,11 +77,14 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
     let points = points(table, findings);
     let rings = rings(table, findings);
 
+    let mut places = Vec::new();
     let (profile, span, rise) = match profile?.value {
         "measured" => {
             let points = points?;
-            let origin = points.value.first().copied().unwrap_or_default();
-            let moved: Vec<[f64; 2]> = points.value.iter().map(|p| [p[0] - origin[0], p[1] - origin[1]]).collect();
+            let origin = points.value.first().map_or([0.0; 2], |first| first.value);
+            let moved = |point: &At<[f64; 2]>| [point.value[0] - origin[0], point.value[1] - origin[1]];
+            let moved: Vec<[f64; 2]> = points.value.iter().map(moved).collect();
+            places = points.value.iter().map(|point| point.range).collect();
             let span = moved.last().map_or(0.0, |last| last[0]);
             let rise = moved.iter().map(|point| point[1]).fold(0.0, f64::max);
             (Profile::Measured(moved), At { value: span, range: points.range }, At { value: rise, range: points.range })
@@ -96,8 +99,8 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
         "pointed" => (Profile::Pointed, span?, rise?),
         _ => (Profile::Segmental, span?, rise?),
     };
-    if let Err(misfit) = profile.check(span.value, rise.value) {
-        report(misfit, table, span, rise, findings);
+    if let Err(misfit) = Intrados::new(&profile, span.value, rise.value) {
+        report(misfit, table, span, rise, &places, findings);
         return None;
     }
     let (rings, places) = rings?.into_iter().unzip();
@@ -106,7 +109,15 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
 }
 
 /// Says what is impossible about a profile, and where.
-pub(super) fn report(misfit: Misfit, table: &Table<'_>, span: At<f64>, rise: At<f64>, findings: &mut Findings) {
+fn report(
+    misfit: Misfit,
+    table: &Table<'_>,
+    span: At<f64>,
+    rise: At<f64>,
+    places: &[TextRange],
+    findings: &mut Findings,
+) {
+    let nth = |index: usize| places.get(index).copied().unwrap_or(table.place("points"));
     let half = 0.5 * span.value;
     let points = table.place("points");
     let (range, code, message, label, help) = match misfit {
@@ -153,28 +164,28 @@ pub(super) fn report(misfit: Misfit, table: &Table<'_>, span: At<f64>, rise: At<
             "add points of the survey; ten or more draw a good curve".to_owned(),
         ),
         Misfit::NotLeftToRight(index) => (
-            points,
+            nth(index),
             "B204",
             format!("measured point {} does not lie to the right of the one before", index + 1),
             "points run from the left to the right springing".to_owned(),
             "sort the points by their first coordinate and remove duplicates".to_owned(),
         ),
         Misfit::NotLevel => (
-            points,
+            places.last().copied().unwrap_or(points),
             "B204",
             "the two springings of a measured profile are not level".to_owned(),
             "first and last point must differ by no more than 1 mm in height".to_owned(),
             "end the survey at equal levels, or correct the heights for the slope of the levelling line".to_owned(),
         ),
         Misfit::BelowSpringing(index) => (
-            points,
+            nth(index),
             "B204",
             format!("measured point {} is not above the springings", index + 1),
             "an intrados lies above the line between its springings".to_owned(),
             "check the sign of the heights: up is positive".to_owned(),
         ),
         Misfit::Folded(index) => (
-            points,
+            nth(index),
             "B204",
             format!("no smooth curve leads to measured point {}", index + 1),
             "the points turn too sharply here".to_owned(),
@@ -192,7 +203,7 @@ pub(super) fn report(misfit: Misfit, table: &Table<'_>, span: At<f64>, rise: At<
 }
 
 /// Surveyed points [m].
-fn points(table: &Table<'_>, findings: &mut Findings) -> Option<At<Vec<[f64; 2]>>> {
+fn points(table: &Table<'_>, findings: &mut Findings) -> Option<At<Vec<At<[f64; 2]>>>> {
     let (field, raw) = table.entry("points")?;
     let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
     let mut points = Vec::new();
@@ -216,7 +227,7 @@ fn points(table: &Table<'_>, findings: &mut Findings) -> Option<At<Vec<[f64; 2]>
         let x = measure(field, x, &[Dimension::Length], findings);
         let y = measure(field, y, &[Dimension::Length], findings);
         match x.zip(y) {
-            Some(((x, _), (y, _))) => points.push([x.si(), y.si()]),
+            Some(((x, _), (y, _))) => points.push(At { value: [x.si(), y.si()], range: item.span().into() }),
             None => complete = false,
         }
     }

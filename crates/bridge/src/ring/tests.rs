@@ -84,7 +84,7 @@ fn three_centred_arcs_meet_without_a_kink() {
     let station = intrados.at(haunch / intrados.length());
     close(station.normal[0], -junction.sin());
     close(station.point[0], haunch_radius - haunch_radius * junction.sin());
-    assert_eq!(intrados.at(0.0).normal[1].abs() < EXACT, true);
+    assert!(intrados.at(0.0).normal[1].abs() < EXACT);
 }
 
 #[test]

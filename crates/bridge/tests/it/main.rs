@@ -1,4 +1,6 @@
 //! Reading whole files.
 
+mod cards;
 mod files;
 mod reading;
+mod reference;

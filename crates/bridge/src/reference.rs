@@ -1,0 +1,95 @@
+//! The input reference, `docs/input/reference.md`; made from the field cards.
+
+use std::fmt::Write;
+
+use crate::fields::{Field, Kind, Need, Section, sections};
+use crate::quantity::Dimension;
+use crate::tree::title;
+
+/// The reference as Markdown.
+pub fn reference() -> String {
+    let mut out = String::from(
+        "# The bridge file\n\n\
+         Generated from the field cards of the reader; a test keeps it up to date.\n\n\
+         A bridge file is TOML: `[section]` headers and `key = value` lines. Quantities are text with a unit, \
+         `\"18.30 m\"`; bare numbers are refused where there is a dimension. Span and rise are measured at the \
+         intrados, always. Values that belong to the bridge have no defaults, numerical settings have. A section that \
+         may stand several times is written `[[section]]`. `extrados schema` prints the same as a JSON Schema, \
+         `extrados explain CODE` tells what a message means.\n\n",
+    );
+    units(&mut out);
+    for section in sections().into_iter().filter(|section| !section.path.is_empty()) {
+        describe(section, &mut out);
+    }
+    out
+}
+
+fn units(out: &mut String) {
+    out.push_str("## Units\n\n| Quantity | Units |\n|---|---|\n");
+    for dimension in [
+        Dimension::Length,
+        Dimension::Angle,
+        Dimension::Density,
+        Dimension::Stress,
+        Dimension::JointStiffness,
+        Dimension::Force,
+        Dimension::LineLoad,
+        Dimension::Acceleration,
+        Dimension::AngleRate,
+    ] {
+        let symbols: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.symbol)).collect();
+        line(
+            out,
+            &format!(
+                "| {} | {} |",
+                dimension.name().trim_start_matches("a ").trim_start_matches("an "),
+                symbols.join(", ")
+            ),
+        );
+    }
+    out.push_str("\nExponents may be written `m^3`, `m3` or `m³`. Capitals matter: `MPa`, not `mpa`.\n\n");
+}
+
+fn describe(section: &Section, out: &mut String) {
+    line(out, &format!("## `{}`\n\n{}\n", title(section), section.doc));
+    out.push_str("| Key | Value | Needed | Meaning |\n|---|---|---|---|\n");
+    for field in section.fields {
+        line(out, &format!("| `{}` | {} | {} | {} |", field.key, value(field), need(field), meaning(field)));
+    }
+    out.push('\n');
+    for field in section.fields {
+        let Kind::Word(words) = field.kind else { continue };
+        line(out, &format!("`{}` is one of\n", field.key));
+        for word in words {
+            line(out, &format!("- `\"{}\"`: {}", word.word, word.doc));
+        }
+        out.push('\n');
+    }
+}
+
+fn meaning(field: &Field) -> String {
+    let Some((key, words)) = field.only else { return field.doc.to_owned() };
+    let list: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    format!("{} (only with `{key}` {})", field.doc, list.join(", "))
+}
+
+fn value(field: &Field) -> String {
+    match field.kind {
+        Kind::Table(section) | Kind::Tables(section) => format!("see `{}`", title(section)),
+        Kind::Word(_) => format!("a word, as `{}`", field.example_literal()),
+        _ => format!("`{}`", field.example_literal()),
+    }
+}
+
+fn need(field: &Field) -> String {
+    match field.need {
+        Need::Required => "yes".to_owned(),
+        Need::Optional(meaning) => format!("no: {meaning}"),
+        Need::Default(value) => format!("no: `{value}`"),
+    }
+}
+
+fn line(out: &mut String, text: &str) {
+    // Writing to a string cannot fail.
+    let _ = writeln!(out, "{text}");
+}

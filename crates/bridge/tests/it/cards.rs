@@ -1,0 +1,85 @@
+//! Every code has a card, and every card's example raises its code.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use bridge::explain::cards;
+use bridge::read;
+
+use crate::files::{GOOD, show_all};
+
+/// Codes in quotes in the sources, cards left out.
+fn codes_raised(folder: &Path, found: &mut BTreeSet<String>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            if !path.ends_with("explain") {
+                codes_raised(&path, found);
+            }
+            continue;
+        }
+        if path.ends_with("explain.rs") {
+            continue;
+        }
+        let source = std::fs::read_to_string(&path).unwrap();
+        for piece in source.split('"') {
+            let digits = piece.strip_prefix(['B', 'P']).unwrap_or("");
+            if digits.len() == 3 && digits.bytes().all(|byte| byte.is_ascii_digit()) {
+                found.insert(piece.to_owned());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_code_has_a_card_and_every_card_a_code() {
+    let mut raised = BTreeSet::new();
+    codes_raised(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut raised);
+    let carded: BTreeSet<String> = cards().map(|card| card.code.to_owned()).collect();
+    assert_eq!(raised, carded);
+}
+
+#[test]
+fn every_card_bites() {
+    for card in cards() {
+        // Two cards are about the file, not about lines in it.
+        let files: Vec<Vec<u8>> = match card.code {
+            "B001" => vec![b"[bridge]\nname = \"Pont de Pal\xe9\"\n".to_vec()],
+            "B003" => vec![vec![b'#'; 2 << 20]],
+            _ => GOOD
+                .iter()
+                .filter(|good| good.contains(card.right))
+                .map(|good| good.replacen(card.right, card.wrong, 1).into_bytes())
+                .collect(),
+        };
+        assert!(!files.is_empty(), "{}: no good file holds what the card calls right", card.code);
+        let raised = files.iter().any(|file| read(file).diagnostics.iter().any(|finding| finding.code == card.code));
+        let found: String = files.iter().map(|file| show_all(&String::from_utf8_lossy(file))).collect();
+        assert!(raised, "{} is not raised by its example; found\n{found}", card.code);
+    }
+}
+
+#[test]
+fn every_finding_says_where_and_what_to_do() {
+    for card in cards() {
+        for good in GOOD.iter().filter(|good| good.contains(card.right)) {
+            let file = good.replacen(card.right, card.wrong, 1);
+            for finding in read(file.as_bytes()).diagnostics {
+                assert!(finding.range.end <= file.len() && finding.range.start <= finding.range.end);
+                assert!(!finding.message.is_empty() && !finding.label.is_empty(), "{finding:?}");
+                assert!(finding.help.as_ref().is_some_and(|help| !help.is_empty()), "{finding:?}");
+            }
+        }
+    }
+}
+
+/// Prints what every card's example gives; for reading: `cargo test -p bridge show_every_message -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints for reading, checks nothing"]
+#[allow(clippy::print_stdout)]
+fn show_every_message() {
+    for card in cards() {
+        let good = GOOD.iter().find(|good| good.contains(card.right)).unwrap_or(&GOOD[0]);
+        println!("=== {} {}\n{}", card.code, card.title, show_all(&good.replacen(card.right, card.wrong, 1)));
+    }
+}
