@@ -5,6 +5,35 @@ use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
 use crate::ticks::Ticks;
 
+/// One axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis<'a> {
+    /// What it measures, with its unit.
+    pub name: &'a str,
+    /// First and last value.
+    pub range: [f64; 2],
+    /// Ticks within the range.
+    pub ticks: Ticks,
+}
+
+impl<'a> Axis<'a> {
+    /// From the first to the last tick.
+    pub fn round(name: &'a str, ticks: Ticks) -> Axis<'a> {
+        Axis { name, range: ticks.range(), ticks }
+    }
+    /// Exactly from `low` to `high`, with about `count` steps.
+    pub fn exact(name: &'a str, low: f64, high: f64, count: usize) -> Axis<'a> {
+        let ticks = Ticks::over(low, high, count);
+        // Without width there is nothing to be exact about.
+        let inside = ticks.inside(low, high);
+        if high > low && inside.values.len() > 1 {
+            Axis { name, range: [low, high], ticks: inside }
+        } else {
+            Axis::round(name, ticks)
+        }
+    }
+}
+
 /// The plane of a chart on the sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axes {
@@ -16,36 +45,40 @@ pub struct Axes {
 
 impl Axes {
     /// Draws frame, grid, ticks and names below `top`. Returns the axes and the y below their name.
-    pub fn draw(sheet: &mut Sheet, top: f64, height: f64, x: (&str, &Ticks), y: (&str, &Ticks)) -> (Axes, f64) {
+    pub fn draw(sheet: &mut Sheet, top: f64, height: f64, x: &Axis, y: &Axis) -> (Axes, f64) {
         let small = Style { size: SMALL, ..Style::default() };
-        let widest =
-            y.1.values.iter().map(|&v| font::width(&y.1.words(v), small.size, small.weight)).fold(0.0, f64::max);
+        let widest = y
+            .ticks
+            .values
+            .iter()
+            .map(|&v| font::width(&y.ticks.words(v), small.size, small.weight))
+            .fold(0.0, f64::max);
         let area = Area {
             left: MARGIN + 24.0 + widest + 8.0,
             right: WIDTH - MARGIN - 16.0,
             top: top + 6.0,
             bottom: top + 6.0 + height,
         };
-        let axes = Axes { area, x: x.1.range(), y: y.1.range() };
+        let axes = Axes { area, x: x.range, y: y.range };
         sheet.open("axes");
-        for &v in &x.1.values {
+        for &v in &x.ticks.values {
             let [at, _] = axes.spot(v, axes.y[0]);
             sheet.line([at, area.top], [at, area.bottom], Pen::line("#d8d8d8", HAIR));
             sheet.line([at, area.bottom], [at, area.bottom + 5.0], Pen::line(INK, 0.9));
-            sheet.text([at, area.bottom + 19.0], &x.1.words(v), small.anchored(Anchor::Middle));
+            sheet.text([at, area.bottom + 19.0], &x.ticks.words(v), small.anchored(Anchor::Middle));
         }
-        for &v in &y.1.values {
+        for &v in &y.ticks.values {
             let [_, at] = axes.spot(axes.x[0], v);
             sheet.line([area.left, at], [area.right, at], Pen::line("#d8d8d8", HAIR));
             sheet.line([area.left - 5.0, at], [area.left, at], Pen::line(INK, 0.9));
-            sheet.text([area.left - 8.0, at + 4.4], &y.1.words(v), small.anchored(Anchor::End));
+            sheet.text([area.left - 8.0, at + 4.4], &y.ticks.words(v), small.anchored(Anchor::End));
         }
         sheet.rectangle(area, Pen::line(INK, 0.9));
         let name = Style::default().anchored(Anchor::Middle);
-        sheet.text([0.5 * (area.left + area.right), area.bottom + 40.0], x.0, name);
-        sheet.text_upwards([MARGIN + 12.0, 0.5 * (area.top + area.bottom)], y.0, name);
+        sheet.text([0.5 * (area.left + area.right), area.bottom + 40.0], x.name, name);
+        sheet.text_upwards([MARGIN + 12.0, 0.5 * (area.top + area.bottom)], y.name, name);
         sheet.close();
-        (axes, area.bottom + 46.0)
+        (axes, area.bottom + 50.0)
     }
     /// Where a value is drawn.
     pub fn spot(&self, x: f64, y: f64) -> Spot {

@@ -3,7 +3,7 @@
 use crate::elevation::INK;
 use crate::geometry::{Extent, View};
 use crate::sheet::place::Room;
-use crate::sheet::{Anchor, HAIR, Pen, SMALL, Sheet, Spot, Style};
+use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Spot, Style};
 use crate::words;
 use assess::outcome::{Dimension, Measure};
 
@@ -22,8 +22,8 @@ pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[Dimension], extent: Ex
     for d in dimensions {
         match d.measure {
             Measure::Span => {}
-            Measure::Rise => upright(sheet, view, d, d.to[0]),
-            Measure::Height => upright(sheet, view, d, d.from[0]),
+            Measure::Rise => upright(sheet, view, d, d.to[0], room),
+            Measure::Height => upright(sheet, view, d, d.from[0], room),
             Measure::Thickness => thickness(sheet, view, d, room),
         }
     }
@@ -49,7 +49,7 @@ fn span(sheet: &mut Sheet, view: &View, d: &Dimension, y: f64) {
 }
 
 /// A vertical dimension at a given place along the bridge.
-fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64) {
+fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64, room: Room) {
     let (low, high) = (d.from[1].min(d.to[1]), d.from[1].max(d.to[1]));
     let (a, b) = (view.spot([x, low]), view.spot([x, high]));
     let from = view.spot(d.from);
@@ -62,12 +62,10 @@ fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64) {
     tick(sheet, a);
     tick(sheet, b);
     let text = words::metres(high - low);
-    let style = Style { size: SMALL, ..Style::on_drawing() };
-    if a[1] - b[1] > 26.0 {
-        sheet.text([a[0] + 6.0, 0.5 * (a[1] + b[1]) + 4.5], &text, style);
-    } else {
-        sheet.text([a[0] + 6.0, a[1] + 16.0], &text, style);
-    }
+    // The line itself keeps texts away.
+    sheet.avoid(Area { left: a[0] - 2.0, right: a[0] + 2.0, top: b[1], bottom: a[1] });
+    let room = Room { clear: 6.0, ..room }.towards([1.0, 0.0]);
+    sheet.label([a[0], 0.5 * (a[1] + b[1])], &text, Style::on_drawing(), room);
 }
 
 /// Two arrows that press on the ring from both sides, with the value on the intrados' side.
@@ -84,5 +82,5 @@ fn thickness(sheet: &mut Sheet, view: &View, d: &Dimension, room: Room) {
     sheet.arrow(off(a, -24.0), a, Pen::line(INK, 0.9));
     let text = words::metres((d.to[0] - d.from[0]).hypot(d.to[1] - d.from[1]));
     let room = Room { clear: 4.0, ..room }.towards([-unit[0], -unit[1]]);
-    sheet.label(off(a, -24.0), &text, Style { size: SMALL, ..Style::on_drawing() }, room);
+    sheet.label(off(a, -24.0), &text, Style::on_drawing(), room);
 }

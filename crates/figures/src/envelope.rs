@@ -1,6 +1,6 @@
 //! Collapse load over the position of a moving load.
 
-use crate::chart::{Axes, Entry, Mark, key};
+use crate::chart::{Axes, Axis, Entry, Mark, key};
 use crate::elevation::INK;
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
@@ -29,6 +29,7 @@ pub struct Sweep {
 /// Line colours and dashes, told apart in grey print by their dashes.
 const STYLES: [(&str, &str); 4] = [("#0b5394", ""), ("#a02020", "9 4"), ("#3d3d3d", "2.5 3"), ("#7a6a00", "10 3 2 3")];
 const HEIGHT: f64 = 340.0;
+const X_NAME: &str = "position of the reference point along the bridge [m]";
 
 /// The curves, with the least value of all marked as governing. None without a finite point.
 pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<String> {
@@ -40,10 +41,9 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
     let (low_x, high_x) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |r, p| (r.0.min(p.0), r.1.max(p.0)));
     let largest = points().map(|p| p.1).fold(0.0_f64, f64::max);
     let ceiling = largest.min(5.0 * governing.1.abs().max(1e-300));
-    let x = Ticks::over(low_x, high_x, 8);
-    let y = Ticks::over(governing.1.min(0.0) * unit(1.0), unit(ceiling), 6);
+    let y = Ticks::over(unit(governing.1.min(0.0)), unit(ceiling), 6);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("envelope");
     let second = match quantity {
         Quantity::Factor => "Load factor at collapse over the position of the load",
         Quantity::Load => "Collapse load over the position of the load",
@@ -54,7 +54,7 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
         Quantity::Load => "collapse load [kN/m]",
     };
     let (axes, mut bottom) =
-        Axes::draw(&mut sheet, top, HEIGHT, ("position of the reference point along the bridge [m]", &x), (y_name, &y));
+        Axes::draw(&mut sheet, top, HEIGHT, &Axis::exact(X_NAME, low_x, high_x, 8), &Axis::round(y_name, y));
     sheet.open_clipped("curves", "plane", axes.area);
     for (k, sweep) in sweeps.iter().enumerate() {
         let (colour, dashes) = STYLES[k % STYLES.len()];

@@ -17,6 +17,7 @@ mod load_path;
 mod mechanism;
 mod raster;
 mod sheet;
+mod sliding;
 mod stress;
 mod thrust;
 mod ticks;

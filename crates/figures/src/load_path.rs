@@ -1,9 +1,9 @@
 //! Load against displacement.
 
-use crate::chart::{Axes, Entry, Mark, key};
+use crate::chart::{Axes, Axis, Entry, Mark, key};
 use crate::elevation::INK;
 use crate::sheet::place::Room;
-use crate::sheet::{MEDIUM, Pen, Sheet, Spot, Style};
+use crate::sheet::{Pen, Sheet, Spot, Style};
 use crate::ticks::Ticks;
 use crate::words;
 use assess::outcome::{Picture, Step};
@@ -34,17 +34,18 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
     let loads = range(&mut steps.iter().map(|s| load(s)));
     let y = Ticks::over(loads[0], loads[1] + 0.04 * (loads[1] - loads[0]), 6);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("load");
     let second =
         if picture.moves_supports { "Support movement against displacement" } else { "Load against displacement" };
     let top = sheet.title(&picture.title, second);
     let x_name = "vertical displacement of the watched point, down positive [mm]";
     let y_name = if picture.moves_supports { "support movement [mm]" } else { "load [kN/m]" };
-    let (axes, y_below) = Axes::draw(&mut sheet, top, HEIGHT, (x_name, &x), (y_name, &y));
+    let (axes, y_below) = Axes::draw(&mut sheet, top, HEIGHT, &Axis::round(x_name, x), &Axis::round(y_name, y));
 
     let spots: Vec<Spot> = steps.iter().map(|s| axes.spot(sink(s), load(s))).collect();
     let inside = |p: &Spot| p[0] >= axes.area.left - 0.5 && p[0] <= axes.area.right + 0.5;
     let stay: Vec<Spot> = spots.iter().copied().take_while(inside).collect();
+    let mut leaving = None;
     sheet.open("curve");
     sheet.polyline(&stay, Pen::line(CURVE, 1.8).class("path"));
     let leaves = stay.len() < spots.len();
@@ -55,6 +56,7 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
         let tip = [edge, last[1] + share * (out[1] - last[1])];
         sheet.arrow(last, tip, Pen::line(CURVE, 1.8).dashed("6 4").class("leaves"));
         axes.avoid_curve(&mut sheet, &[last, tip]);
+        leaving = Some(([0.5 * (last[0] + tip[0]), 0.5 * (last[1] + tip[1])], steps[stay.len()]));
     }
     sheet.close();
     axes.avoid_curve(&mut sheet, &stay);
@@ -75,9 +77,15 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
         let room = Room { area: axes.area.grown(-5.0), towards: [0.7, 0.7], clear: 13.0 };
         sheet.label(spots[k], &format!("last stable: {size}"), Style::on_drawing(), room);
     }
+    if let Some((at, step)) = leaving {
+        let size = if picture.moves_supports { words::metres(step.load) } else { words::force(step.load) };
+        let text = if step.at_rest { size } else { format!("{size}: did not come to rest") };
+        let room = Room { area: axes.area.grown(-5.0), towards: [0.0, -1.0], clear: 6.0 };
+        sheet.label(at, &text, Style::on_drawing(), room);
+    }
 
     let mut entries = vec![Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "came to rest" }];
-    if steps.iter().any(|s| !s.at_rest) {
+    if steps.iter().zip(&spots).any(|(s, p)| !s.at_rest && inside(p)) {
         entries.push(Entry { line: None, mark: Some((Mark::Hollow, CURVE)), text: "did not come to rest" });
     }
     if last_stable.is_some() {
@@ -93,7 +101,6 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
         );
         bottom = sheet.caption(bottom, &text);
     }
-    let _ = MEDIUM;
     Some(sheet.finish(bottom))
 }
 

@@ -1,7 +1,7 @@
 //! The mechanism of collapse.
 
 use crate::elevation::{self as draw, INK, Sign};
-use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved, round_down};
+use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved};
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
 use crate::words;
@@ -10,7 +10,10 @@ use assess::outcome::{Hinge, HingeAt, Picture, Point, Shape};
 /// Share of the larger dimension of the bridge that the largest displacement is drawn with.
 const SHARE: f64 = 0.05;
 
-/// Words for the edge at which a hinge opens... turns.
+/// With more hinges than this, labels are numbers alone.
+const WORDY: usize = 12;
+
+/// The edge about which a hinge turns.
 fn edge_words(edge: HingeAt) -> &'static str {
     match edge {
         HingeAt::Intrados => "intrados",
@@ -29,7 +32,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     let scale = if largest > 0.0 { SHARE * size / largest } else { 0.0 };
     let place = |k: usize| moved(&picture.shapes[k], motions[k], scale, Turn::Small);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("mechanism");
     draw::define_hatch(&mut sheet);
     let second = match picture.collapse_load {
         Some(load) if picture.moves_supports => format!("Mechanism at a support movement of {}", words::metres(load)),
@@ -40,17 +43,18 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     let deformed = Extent::of((0..motions.len()).flat_map(&place)).unwrap_or(built);
     let extent = draw::extent(picture).map_or(deformed, |e| e.with(deformed));
     // Labels of hinges and tails of arrows stand above and below the blocks.
-    let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);
+    let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
     let view = View::fit(extent, frame);
+    draw::faint_surface(&mut sheet, &view, picture);
     draw::ghost(&mut sheet, &view, &picture.shapes);
     draw::blocks(&mut sheet, &view, &picture.shapes, place);
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
-    draw::surface(&mut sheet, &view, picture);
+    draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::load_arrows(&mut sheet, &view, picture, Some((motions, scale)));
 
     let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
-    let room = Room::between(top, frame.bottom + 22.0);
-    sliding_joints(&mut sheet, picture, &view, |p| draw::carried(&picture.shapes, motions, scale, p));
+    let room = Room::between(top, frame.bottom + 20.0);
+    crate::sliding::mark(&mut sheet, &picture.shapes, motions, &picture.sliding, &view, scale);
     let hinges: Vec<(Hinge, Point)> = picture
         .hinges
         .iter()
@@ -70,23 +74,17 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     if !picture.loads.is_empty() {
         entries.push((Sign::Load, "load"));
     }
-    entries.push((Sign::AsBuilt, "as built"));
+    entries.push((Sign::AsBuilt, if picture.surface.len() > 1 { "as built, and road surface" } else { "as built" }));
     y = draw::key(&mut sheet, y + 2.0, &entries);
-    // Scale of the picture: the mechanism has no size of its own, so the size chosen is stated.
-    let drawn = words::metres(round_to_three(scale * largest));
     let mut caption = format!(
-        "A mechanism has a shape but no size: it is drawn with a largest displacement of {drawn} at the scale of the bridge."
+        "A mechanism has a shape but no size: exaggerated here to a largest displacement of {} at the scale of the bar.",
+        words::metres(scale * largest)
     );
     if let Some(loads) = draw::load_words(picture) {
         caption = format!("{caption} {loads}");
     }
     y = sheet.caption(y, &caption);
     Some(sheet.finish(y))
-}
-
-fn round_to_three(x: f64) -> f64 {
-    let unit = round_down(x) / 100.0;
-    if unit > 0.0 { (x / unit).round() * unit } else { x }
 }
 
 /// Open circles with number and edge, the labels outside the ring on the hinge's own side.
@@ -106,7 +104,7 @@ pub(crate) fn mark_hinges(
     }
     sheet.close();
     for (k, (hinge, point)) in hinges.iter().enumerate() {
-        let words = edge_words(hinge.edge);
+        let words = if hinges.len() > WORDY { "" } else { edge_words(hinge.edge) };
         let text = if words.is_empty() { format!("{}", k + 1) } else { format!("{} {words}", k + 1) };
         let towards = label_side(shapes, *hinge, middle);
         sheet.label(view.spot(*point), &text, Style::on_drawing(), room.towards(towards));
@@ -119,40 +117,4 @@ fn label_side(shapes: &[Shape], hinge: Hinge, middle: Point) -> Spot {
     let d = [hinge.point[0] - centre[0], -(hinge.point[1] - centre[1])];
     let length = d[0].hypot(d[1]);
     if length > 0.0 { [d[0] / length, d[1] / length] } else { [0.0, -1.0] }
-}
-
-/// Two arrows along each joint that slides.
-fn sliding_joints(sheet: &mut Sheet, picture: &Picture, view: &View, place: impl Fn(Point) -> Point) {
-    sheet.open("sliding");
-    for &point in &picture.sliding {
-        let at = view.spot(place(point));
-        let along = joint_direction(&picture.shapes, point);
-        let unit = [along[0], -along[1]];
-        let across = [-unit[1], unit[0]];
-        for side in [-1.0, 1.0] {
-            let offset = |by: f64| {
-                [at[0] + side * (by * unit[0] + 3.2 * across[0]), at[1] + side * (by * unit[1] + 3.2 * across[1])]
-            };
-            sheet.arrow(offset(-8.0), offset(8.0), Pen::line(draw::SLIDING, 1.5).class("sliding"));
-        }
-        let area = crate::sheet::Area { left: at[0], right: at[0], top: at[1], bottom: at[1] };
-        sheet.avoid(area.grown(9.0));
-    }
-    sheet.close();
-}
-
-/// Direction of the block edge nearest to a point.
-fn joint_direction(shapes: &[Shape], point: Point) -> Point {
-    let mut best = (f64::INFINITY, [1.0, 0.0]);
-    for shape in shapes {
-        for (k, &p) in shape.outline.iter().enumerate() {
-            let q = shape.outline[(k + 1) % shape.outline.len()];
-            let d = crate::geometry::distance(point, &[p, q]);
-            let length = (q[0] - p[0]).hypot(q[1] - p[1]);
-            if d + 1e-12 < best.0 && length > 0.0 {
-                best = (d, [(q[0] - p[0]) / length, (q[1] - p[1]) / length]);
-            }
-        }
-    }
-    best.1
 }

@@ -2,35 +2,39 @@
 
 use crate::colour::dark_for_much;
 use crate::elevation::{self as draw, INK, Sign};
-use crate::geometry::{Extent, Turn, View, back, centroid, exaggerated, largest_displacement, moved, round_down};
+use crate::geometry::{
+    Extent, Turn, View, as_built, back, centroid, exaggerated, largest_displacement, moved, round_down,
+};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
 use assess::outcome::{Picture, Point, Snapshot};
 
 /// Share of the larger dimension of the bridge that displacements are drawn with, at most.
-const SHARE: f64 = 0.02;
+const SHARE: f64 = 0.012;
 /// Length of the bar of the largest contact stress on the sheet.
-const BAR: f64 = 26.0;
+const BAR: f64 = 30.0;
 
 /// Most compressive principal stress [Pa], compression positive, of a plane stress (tension positive: xx, yy, xy).
 pub fn most_compressive([xx, yy, xy]: [f64; 3]) -> f64 {
-    -(0.5 * (xx + yy) - (0.5 * (xx - yy)).hypot(xy))
+    // Adding zero takes the sign off a negative zero.
+    (0.5 * (xx - yy)).hypot(xy) - 0.5 * (xx + yy) + 0.0
 }
 
-/// One snapshot: blocks coloured by their most compressive principal stress, contact stresses as bars along the
-/// normal, displacements exaggerated as stated. None where that snapshot or its stresses do not exist.
+/// One snapshot: blocks coloured by their most compressive principal stress, contact stresses as bars that stand
+/// out of the joints, displacements exaggerated as stated. None where that snapshot or its stresses do not exist.
 pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let state = picture.snapshots.get(snapshot)?;
     let count = picture.shapes.len();
     if count == 0 || state.stresses.len() != count || state.motions.len() != count {
         return None;
     }
-    let extent = draw::extent(picture)?;
+    let blocks_only = as_built(&picture.shapes)?;
+    let extent = blocks_only;
     let scale = exaggeration(picture, state, extent);
     let place = |k: usize| moved(&picture.shapes[k], state.motions[k], scale, Turn::Finite);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new(&format!("stress-{snapshot}"));
     draw::define_hatch(&mut sheet);
     let at = if picture.moves_supports {
         format!("a support movement of {}", words::metres(state.load))
@@ -41,8 +45,11 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{stable}"));
     let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
     let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
-    let frame = draw::frame(extent.with(deformed.within(roomy)), top, draw::TALLEST);
-    let view = View::fit(extent.with(deformed.within(roomy)), frame);
+    let shown = blocks_only.with(deformed.within(roomy));
+    // Room for the bars.
+    let shown = shown.grown(BAR / WIDTH * shown.size()[0].max(shown.size()[1]));
+    let frame = draw::frame(shown, top, draw::TALLEST);
+    let view = View::fit(shown, frame);
 
     let compression = |k: usize| most_compressive(state.stresses[k]);
     let free = || (0..count).filter(|&k| !picture.shapes[k].held);
@@ -53,11 +60,13 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     sheet.open_clipped("blocks", "room", frame);
     let width = draw::outline_width(&picture.shapes, &view);
     for (k, shape) in picture.shapes.iter().enumerate().filter(|(_, s)| s.held) {
-        sheet.polygon(&view.spots(&place(k)), Pen::shape(draw::fill(shape), INK, 0.75).class("support"));
+        let fill = draw::fill(&sheet, shape);
+        sheet.polygon(&view.spots(&place(k)), Pen::shape(&fill, INK, 0.75).class("support"));
     }
     for k in free() {
         let colour = dark_for_much(compression(k) / full);
-        sheet.polygon(&view.spots(&place(k)), Pen::shape(&colour, INK, width).class("block"));
+        // White joints can be told from light and from dark blocks.
+        sheet.polygon(&view.spots(&place(k)), Pen::shape(&colour, "white", width).class("block"));
     }
     sheet.close();
     let highest = contact_bars(&mut sheet, picture, state, &view, scale, frame);
@@ -66,7 +75,7 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     y = legend(&mut sheet, y + 6.0, &ticks);
     let mut entries = Vec::new();
     if highest > 0.0 {
-        entries.push((Sign::Contact, "contact stress along the joint's normal"));
+        entries.push((Sign::Contact, "contact stress, as a bar out of the joint"));
     }
     if picture.shapes.iter().any(|s| s.held) {
         entries.push((Sign::Support, "support"));
@@ -74,8 +83,10 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     if !entries.is_empty() {
         y = draw::key(&mut sheet, y, &entries);
     }
-    let mut caption =
-        format!("Displacements drawn {}.", if scale == 1.0 { "at true scale".into() } else { words::times(scale) });
+    let mut caption = format!(
+        "Displacements {}.",
+        if scale == 1.0 { "drawn at true scale".into() } else { format!("exaggerated {}", words::times(scale)) }
+    );
     if highest > 0.0 {
         caption += &format!(" Longest bar: {} MPa.", words::four_digits(highest / 1e6));
     }
@@ -101,16 +112,26 @@ fn contact_bars(sheet: &mut Sheet, picture: &Picture, state: &Snapshot, view: &V
     sheet.open_clipped("contacts", "room-of-contacts", clip);
     for contact in state.contacts.iter().filter(|c| usable(c.stress)) {
         let at = view.spot(drawn(picture, state, contact.blocks[0], contact.point, scale));
-        let half = 0.5 * BAR * contact.stress / highest;
-        let unit = [contact.normal[0], -contact.normal[1]];
-        let end = |s: f64| [at[0] + s * half * unit[0], at[1] + s * half * unit[1]];
-        if half > 0.2 {
-            sheet.line(end(-1.0), end(1.0), Pen::line("white", 3.4));
-            sheet.line(end(-1.0), end(1.0), Pen::line(INK, 1.8).class("contact"));
+        let length = BAR * contact.stress / highest;
+        // Along the joint, away from the middle of the block.
+        let along = [-contact.normal[1], contact.normal[0]];
+        let free = |b: &&usize| picture.shapes.get(**b).is_some_and(|s| !s.held);
+        let middle = contact.blocks.iter().find(free).and_then(|&b| now(picture, state, b));
+        let off = middle.map_or([0.0, 0.0], |c| [contact.point[0] - c[0], contact.point[1] - c[1]]);
+        let side = if off[0] * along[0] + off[1] * along[1] < 0.0 { -1.0 } else { 1.0 };
+        let end = [at[0] + side * length * along[0], at[1] - side * length * along[1]];
+        if length > 0.4 {
+            sheet.line(at, end, Pen::line(INK, 1.6).class("contact"));
         }
     }
     sheet.close();
     highest
+}
+
+/// Where the centroid of a block is now [m].
+fn now(picture: &Picture, state: &Snapshot, block: usize) -> Option<Point> {
+    let (centre, motion) = (centroid(&picture.shapes.get(block)?.outline), state.motions.get(block)?);
+    Some([centre[0] + motion.translation[0], centre[1] + motion.translation[1]])
 }
 
 /// A point where the blocks are now, moved to where they are drawn.

@@ -16,7 +16,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         return None;
     }
     let built = as_built(&picture.shapes)?;
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("thrust");
     draw::define_hatch(&mut sheet);
     let second = match picture.collapse_load {
         Some(load) if !picture.moves_supports => format!("Line of thrust at collapse, {}", words::force(load)),
@@ -24,23 +24,39 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     };
     let top = sheet.title(&picture.title, &second);
     let extent = draw::extent(picture).unwrap_or(built);
-    let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);
+    let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
     let view = View::fit(extent, frame);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
-    draw::surface(&mut sheet, &view, picture);
+    draw::faint_surface(&mut sheet, &view, picture);
     draw::load_arrows(&mut sheet, &view, picture, None);
     sheet.open("thrust-lines");
     for line in picture.thrust_lines.iter().filter(drawable) {
         let points: Vec<Point> =
             line.iter().map(|t| t.point).filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
-        sheet.polyline(&view.spots(&points), Pen::line(THRUST, THICK).class("thrust"));
+        let spots = view.spots(&points);
+        sheet.polyline(&spots, Pen::line(THRUST, THICK).class("thrust"));
+        // Short enough that the rectangles around its parts hug the line.
+        spots.windows(2).filter_map(Area::around).for_each(|a| sheet.avoid(a.grown(2.0)));
     }
     sheet.close();
 
-    let room = Room::between(top, frame.bottom + 22.0);
+    let room = Room::between(top, frame.bottom + 20.0);
     let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
     let hinges: Vec<_> = picture.hinges.iter().map(|h| (*h, h.point)).collect();
+    let at_hinge = |p: Point| {
+        let (a, d) = (view.spot(p), |b: [f64; 2], a: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]));
+        hinges.iter().any(|h| d(view.spot(h.1), a) < 6.0)
+    };
+    for line in picture.thrust_lines.iter().filter(drawable) {
+        for k in told(line) {
+            let at = view.spot(line[k].point);
+            if !at_hinge(line[k].point) {
+                sheet.circle(at, 2.8, Pen::shape(THRUST, INK, 0.6).class("thrust-mark"));
+            }
+            sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(5.0));
+        }
+    }
     mark_hinges(&mut sheet, &picture.shapes, &view, &hinges, middle, room);
     for line in picture.thrust_lines.iter().filter(drawable) {
         magnitudes(&mut sheet, &view, line, room);
@@ -61,17 +77,18 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     Some(sheet.finish(y))
 }
 
-/// Size of the thrust at the first and last joint and where the line is highest.
+/// Where the size of the thrust is told: at the first and last joint, and nearest to the middle between them.
+fn told(line: &[ThrustPoint]) -> Vec<usize> {
+    let last = line.len() - 1;
+    let middle = 0.5 * (line[0].point[0] + line[last].point[0]);
+    let off = |k: usize| (line[k].point[0] - middle).abs();
+    let crown = (1..last).min_by(|&a, &b| off(a).total_cmp(&off(b)).then(a.cmp(&b)));
+    [Some(0), Some(last), crown].into_iter().flatten().collect()
+}
+
+/// Writes the size of the thrust beside its marks.
 fn magnitudes(sheet: &mut Sheet, view: &View, line: &[ThrustPoint], room: Room) {
-    let highest = (0..line.len()).max_by(|&a, &b| line[a].point[1].total_cmp(&line[b].point[1]).then(b.cmp(&a)));
-    let mut marked = vec![0, line.len() - 1];
-    if let Some(k) = highest.filter(|k| !marked.contains(k)) {
-        marked.push(k);
-    }
-    for k in marked {
-        let at = view.spot(line[k].point);
-        sheet.circle(at, 2.6, Pen::shape(THRUST, INK, 0.6).class("thrust-mark"));
-        sheet.avoid(Area { left: at[0] - 4.0, right: at[0] + 4.0, top: at[1] - 4.0, bottom: at[1] + 4.0 });
+    for k in told(line) {
         // Into the opening: below the crown, and from the springings towards the middle of the span.
         let side = if k == 0 {
             [0.8, 0.6]
@@ -81,6 +98,6 @@ fn magnitudes(sheet: &mut Sheet, view: &View, line: &[ThrustPoint], room: Room) 
             [0.0, 1.0]
         };
         let style = Style { colour: THRUST, ..Style::on_drawing() };
-        sheet.label(at, &words::force(line[k].thrust), style, room.towards(side));
+        sheet.label(view.spot(line[k].point), &words::force(line[k].thrust), style, room.towards(side));
     }
 }

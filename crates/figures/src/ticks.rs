@@ -35,6 +35,12 @@ impl Ticks {
         let decimals = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 12.0) as usize;
         Ticks { values: (first..=last).map(|k| k as f64 * step).collect(), decimals }
     }
+    /// The same ticks, those outside a range left out.
+    pub fn inside(&self, low: f64, high: f64) -> Ticks {
+        let slack = 1e-9 * (high - low).abs();
+        let values = self.values.iter().copied().filter(|&v| v >= low - slack && v <= high + slack).collect();
+        Ticks { values, decimals: self.decimals }
+    }
     /// First and last value.
     pub fn range(&self) -> [f64; 2] {
         [self.values[0], self.values[self.values.len() - 1]]

@@ -29,6 +29,9 @@ impl Sheet {
     /// Sets a label near `at`, where it covers no other text and as little else as can be; a thin line leads to it
     /// where it stands off.
     pub fn label(&mut self, at: Spot, text: &str, style: Style, room: Room) {
+        if at.iter().any(|c| !c.is_finite()) {
+            return;
+        }
         let mut best: Option<(f64, Spot, Style, f64)> = None;
         for (ring, &distance) in [0.0, 9.0, 18.0, 30.0, 44.0, 60.0, 80.0, 105.0].iter().enumerate() {
             for step in 0..16 {
@@ -48,17 +51,18 @@ impl Sheet {
                 let candidate = Style { anchor, ..style };
                 let area = text_area(spot, text, candidate);
                 let astray = 1.0 - (c * room.towards[0] + s * room.towards[1]);
-                let cost = self.cost(area, room.area) + 6.0 * ring as f64 + 14.0 * astray;
+                let cost = self.cost(area, room.area)
+                    + self.leader_cost(leader(at, area, room.clear, distance))
+                    + 6.0 * ring as f64
+                    + 14.0 * astray;
                 if best.as_ref().is_none_or(|b| cost < b.0 - 1e-9) {
                     best = Some((cost, spot, candidate, distance));
                 }
             }
         }
         let Some((_, spot, style, distance)) = best else { return };
-        if distance > 15.0 {
-            let area = text_area(spot, text, style).grown(1.5);
-            let near = [at[0].clamp(area.left, area.right), at[1].clamp(area.top, area.bottom)];
-            self.line(at, near, Pen::line("#555555", HAIR).class("leader"));
+        if let Some([from, to]) = leader(at, text_area(spot, text, style), room.clear, distance) {
+            self.line(from, to, Pen::line("#555555", HAIR).class("leader"));
         }
         self.text(spot, text, style);
     }
@@ -71,8 +75,33 @@ impl Sheet {
         let over_text: f64 = self.texts.iter().map(|t| t.overlap(&area.grown(2.5))).sum();
         let size = (area.right - area.left) * (area.bottom - area.top);
         let over_drawing: f64 = self.obstacles.iter().map(|o| o.overlap(&area)).sum();
-        1e4 * outside + 1e3 * over_text + 60.0 * over_drawing / size.max(1.0)
+        1e4 * outside + 1e3 * over_text + 160.0 * over_drawing / size.max(1.0)
     }
+
+    /// A leader had better not run through texts, nor far over the drawing.
+    fn leader_cost(&self, leader: Option<[Spot; 2]>) -> f64 {
+        let Some([from, to]) = leader else { return 0.0 };
+        let through = |k: i32, areas: &[Area]| {
+            let t = f64::from(k) / 6.0;
+            let at = [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])];
+            let dot = Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(1.0);
+            areas.iter().any(|a| a.overlap(&dot) > 0.0)
+        };
+        (0..6).map(|k| 400.0 * f64::from(through(k, &self.texts)) + 5.0 * f64::from(through(k, &self.obstacles))).sum()
+    }
+}
+
+/// The line from beside a point to the nearest place of its text, where the text stands off.
+fn leader(at: Spot, text: Area, clear: f64, distance: f64) -> Option<[Spot; 2]> {
+    if distance < 8.0 {
+        return None;
+    }
+    let text = text.grown(1.5);
+    let near = [at[0].clamp(text.left, text.right), at[1].clamp(text.top, text.bottom)];
+    let way = [near[0] - at[0], near[1] - at[1]];
+    let length = way[0].hypot(way[1]);
+    let start = (clear - 2.5).max(0.0);
+    (length > start + 2.0).then(|| [[at[0] + start * way[0] / length, at[1] + start * way[1] / length], near])
 }
 
 #[cfg(test)]
@@ -81,7 +110,7 @@ mod tests {
 
     #[test]
     fn labels_of_one_point_do_not_cover_each_other() {
-        let mut sheet = Sheet::new();
+        let mut sheet = Sheet::new("try");
         for k in 0..8 {
             sheet.label([400.0, 200.0], &format!("{k} extrados"), Style::on_drawing(), Room::between(0.0, 400.0));
         }
@@ -94,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_label_at_the_edge_stays_on_the_sheet() {
-        let mut sheet = Sheet::new();
+        let mut sheet = Sheet::new("try");
         sheet.label([WIDTH - MARGIN, 20.0], "a long label at the edge", Style::default(), Room::between(0.0, 60.0));
         assert!(sheet.texts()[0].right <= WIDTH - MARGIN + 1e-9);
     }
