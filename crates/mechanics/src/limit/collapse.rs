@@ -1,6 +1,7 @@
 //! The collapse load.
 
 use super::bounds;
+use super::compliance::{Resistance, Stiffness};
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength, joints};
 use super::mechanism::mechanism;
@@ -76,8 +77,14 @@ pub(super) struct Carried {
     solution: Solution,
 }
 
-/// Asks whether the permanent loads are carried.
+/// Asks whether the permanent loads are carried. Any state of equilibrium within strength proves it; the elastic one
+/// is tried before a program looks for the best.
 pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Carried {
+    if let Some(forces) = elastic_state(equilibrium, joints, strengths) {
+        let velocities = vec![0.0; equilibrium.rows];
+        let solution = Solution { ending: Ending::Solved, forces, factor: 1.0, velocities, iterations: 0 };
+        return Carried { carried: Some(true), solution };
+    }
     let solution = share_carried(equilibrium, joints, strengths);
     let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
     Carried { carried, solution }
@@ -117,12 +124,26 @@ pub(super) fn largest_factor_of_carried(
         return Found { status: Status::Solved, solution, iterations };
     }
     let locked = locks(equilibrium, joints, strengths);
-    let status = if locked.ending == Ending::Solved && locked.factor > 0.5 {
-        Status::Locks
-    } else {
-        Status::NotConverged
-    };
+    let status =
+        if locked.ending == Ending::Solved && locked.factor > 0.5 { Status::Locks } else { Status::NotConverged };
     Found { status, solution, iterations: iterations + locked.iterations }
+}
+
+/// The forces of elastic joints under the permanent loads, if no joint exceeds its strength.
+fn elastic_state(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Option<Vec<f64>> {
+    let alike: Vec<Resistance> = joints.iter().map(|_| [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).collect();
+    let mut stiffness = Stiffness::new(equilibrium, joints, &alike)?;
+    let mut forces = vec![0.0; equilibrium.columns.len()];
+    // The second pass takes out what the first leaves of the loads.
+    for _ in 0..2 {
+        let left: Vec<f64> = equilibrium.residual(&forces, 0.0).iter().map(|r| -r).collect();
+        let velocities = stiffness.solve(&left);
+        for (f, d) in forces.iter_mut().zip(stiffness.forces(&velocities)) {
+            *f += d;
+        }
+    }
+    let left = equilibrium.residual(&forces, 0.0).iter().fold(0.0f64, |m, r| m.max(r.abs()));
+    (left < 1e-12 && bounds::yield_violation(equilibrium, joints, strengths, &forces) <= 0.0).then_some(forces)
 }
 
 /// The largest share of the permanent loads, up to all, that the joints carry. Always solvable: without loads no
@@ -130,7 +151,18 @@ pub(super) fn largest_factor_of_carried(
 fn share_carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Solution {
     let rest = vec![0.0; equilibrium.rows];
     let drive = &equilibrium.permanent;
-    Program { equilibrium, joints, strengths, drive, rest: &rest, cap: Some(1.0), reward: Vec::new(), price: 0.0, role: Role::Factor }.solve(1e-8)
+    Program {
+        equilibrium,
+        joints,
+        strengths,
+        drive,
+        rest: &rest,
+        cap: Some(1.0),
+        reward: Vec::new(),
+        price: 0.0,
+        role: Role::Factor,
+    }
+    .solve(1e-8)
 }
 
 /// Whether the variable loads alone can grow without end: forces that no strength limits carry them.
@@ -138,13 +170,29 @@ fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) ->
     // Without any strength in force units the largest share is all or nothing; crushing limits every load.
     let endless: Vec<Strength> = strengths
         .iter()
-        .map(|s| Strength { tension: 0.0, cohesion: 0.0, crushing: if s.crushing.is_finite() { 0.0 } else { s.crushing }, ..*s })
+        .map(|s| Strength {
+            tension: 0.0,
+            cohesion: 0.0,
+            crushing: if s.crushing.is_finite() { 0.0 } else { s.crushing },
+            ..*s
+        })
         .collect();
     let rest = vec![0.0; equilibrium.rows];
     let drive = &equilibrium.variable;
     let crushes = endless.iter().any(|s| s.crushing == 0.0);
     let cap = if crushes { Some(0.0) } else { Some(1.0) };
-    Program { equilibrium, joints, strengths: &endless, drive, rest: &rest, cap, reward: Vec::new(), price: 0.0, role: Role::Factor }.solve(1e-8)
+    Program {
+        equilibrium,
+        joints,
+        strengths: &endless,
+        drive,
+        rest: &rest,
+        cap,
+        reward: Vec::new(),
+        price: 0.0,
+        role: Role::Factor,
+    }
+    .solve(1e-8)
 }
 
 pub(super) fn report(
@@ -179,10 +227,9 @@ pub(super) fn report(
     if found.status == Status::Solved {
         state(equilibrium, joints, strengths, solution, &mut outcome);
         outcome.associated_factor = outcome.factor;
-        let upper = bounds::upper(equilibrium, joints, strengths, &solution.velocities);
+        let upper = bounds::least_upper(equilibrium, joints, strengths, &solution.forces, &solution.velocities);
         outcome.upper_bound = Some(upper.factor * equilibrium.factor_scale);
-        let fastest = solution.velocities.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        outcome.flow_violation = upper.violation / fastest.max(f64::MIN_POSITIVE);
+        outcome.flow_violation = upper.violation;
     }
     outcome
 }

@@ -174,7 +174,6 @@ fn unit_of_length(model: &BlockModel, joints: &[Joint]) -> f64 {
     }
 }
 
-
 /// The least strength of any joint that is a force by itself [N/m].
 fn least_strength(joints: &[Joint]) -> Option<f64> {
     let forces = joints.iter().flat_map(|j| [j.strength.tension, j.strength.cohesion, j.strength.crushing]);

@@ -36,9 +36,8 @@ pub(super) fn mechanism(
     for (index, joint) in joints.iter().enumerate() {
         let (v1, w1) = velocities[joint.first];
         let (v2, w2) = velocities[joint.second];
-        let relative = |at: Vec2| {
-            v2 + (at - centroids[joint.second]).left() * w2 - v1 - (at - centroids[joint.first]).left() * w1
-        };
+        let relative =
+            |at: Vec2| v2 + (at - centroids[joint.second]).left() * w2 - v1 - (at - centroids[joint.first]).left() * w1;
         let openings: Vec<f64> = joint.points.iter().map(|&at| relative(at).dot(joint.normal)).collect();
         let mut closed = 0;
         for k in 1..openings.len() {

@@ -15,6 +15,7 @@
 
 mod bounds;
 mod collapse;
+mod compliance;
 mod equilibrium;
 mod joints;
 mod mechanism;

@@ -200,7 +200,11 @@ impl Chain<'_> {
                 let closed = least(&gaps);
                 let (a, b) = pairs[closed];
                 Placed {
-                    joint: Joint { normal, points: pairs.iter().map(|(a, b)| (*a + *b) * 0.5).collect(), ..joint.clone() },
+                    joint: Joint {
+                        normal,
+                        points: pairs.iter().map(|(a, b)| (*a + *b) * 0.5).collect(),
+                        ..joint.clone()
+                    },
                     offset: (b - a).dot(normal.left()) - state.slipped[index],
                     gaps,
                 }

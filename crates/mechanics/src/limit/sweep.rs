@@ -83,7 +83,9 @@ fn place(
     if status == Status::Solved {
         place.factor = Some(solution.factor * scale);
         place.associated_factor = place.factor;
-        place.upper_bound = Some(bounds::upper(equilibrium, joints, strengths, &solution.velocities).factor * scale);
+        place.upper_bound = Some(
+            bounds::least_upper(equilibrium, joints, strengths, &solution.forces, &solution.velocities).factor * scale,
+        );
     }
     let level = match settings.friction {
         Friction::Associated => false,

@@ -61,9 +61,8 @@ pub fn minimum_thickness(
     let mut attempt = |thickness: f64| {
         trials += 1;
         let (model, loading) = make(thickness);
-        margin(&model, &loading, factor, settings).map(|found| {
-            found.map(|(margin, mechanism)| Trial { thickness, margin, mechanism })
-        })
+        margin(&model, &loading, factor, settings)
+            .map(|found| found.map(|(margin, mechanism)| Trial { thickness, margin, mechanism }))
     };
     let nothing = |status| LeastThickness { status, stands: None, falls: None, mechanism: None, trials: 0 };
     let not_converged = || nothing(ThicknessStatus::NotConverged);
@@ -72,7 +71,12 @@ pub fn minimum_thickness(
     };
     if thick.margin < -STANDS {
         let falls = Some(thick.thickness);
-        return Ok(LeastThickness { falls, mechanism: thick.mechanism, trials, ..nothing(ThicknessStatus::FallsAtThickest) });
+        return Ok(LeastThickness {
+            falls,
+            mechanism: thick.mechanism,
+            trials,
+            ..nothing(ThicknessStatus::FallsAtThickest)
+        });
     }
     if thin.margin >= -STANDS {
         let stands = Some(thin.thickness);

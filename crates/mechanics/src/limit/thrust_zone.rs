@@ -38,17 +38,11 @@ pub fn thrust_zone(
     let equilibrium = Equilibrium::new(model, loading, &joints);
     let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
     let factor = factor / equilibrium.factor_scale;
-    let loads: Vec<f64> = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
+    let loads: Vec<f64> =
+        equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
     let zone = Zone { equilibrium: &equilibrium, joints: &joints, strengths: &strengths, loads: &loads };
-    let reach = (0..joints.len())
-        .map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?]))
-        .collect();
-    Ok(ThrustZone {
-        interfaces,
-        reach,
-        least_thrust: zone.line(-1.0),
-        greatest_thrust: zone.line(1.0),
-    })
+    let reach = (0..joints.len()).map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?])).collect();
+    Ok(ThrustZone { interfaces, reach, least_thrust: zone.line(-1.0), greatest_thrust: zone.line(1.0) })
 }
 
 struct Zone<'a> {

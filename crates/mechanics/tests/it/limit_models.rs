@@ -181,4 +181,3 @@ pub fn sideways(model: &BlockModel) -> Vec<PointForce> {
         })
         .collect()
 }
-

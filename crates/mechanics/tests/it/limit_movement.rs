@@ -10,10 +10,7 @@ use mechanics::plane::{Polygon, Vec2, vec2};
 fn a_block_on_a_tilting_base_falls_at_its_slenderness() {
     let ground = Polygon::rectangle(vec2(-0.375, -1.0), 1.0, 1.0).unwrap();
     let tower = Polygon::rectangle(vec2(0.0, 0.0), 0.25, 1.0).unwrap();
-    let model = model(
-        vec![block(ground, 0.0, 1.0, Held::FIXED), block(tower, 0.0, 2000.0, Held::FREE)],
-        dry(0.7),
-    );
+    let model = model(vec![block(ground, 0.0, 1.0, Held::FIXED), block(tower, 0.0, 2000.0, Held::FREE)], dry(0.7));
     let tilt = Movement { block: BlockId::new(0), translation: Vec2::ZERO, rotation: 1.0 };
     let loading = Loading { movements: vec![tilt], ..Loading::default() };
     let increments = Increments { largest: 1.0, step: 2e-3, resolution: 1e-6 };
@@ -38,9 +35,20 @@ fn a_semicircle_spreads_on_three_hinges_and_falls() {
     for (step, n) in [(2e-3, 30), (1e-3, 30), (5e-4, 30)] {
         let start = std::time::Instant::now();
         let found = spread(step, n);
-        println!("{step} {n} {:?} {} {:?} {} {:?}", found.status, found.stands, found.falls, found.path.len(), start.elapsed());
-        for h in &found.hinges { println!("   {} {} {:?} {}", h.joint, h.point, h.at, h.rotation); }
-        for p in found.path.iter().step_by(1 + found.path.len() / 10) { println!("   {} {:?}", p.factor, p.reaction); }
+        println!(
+            "{step} {n} {:?} {} {:?} {} {:?}",
+            found.status,
+            found.stands,
+            found.falls,
+            found.path.len(),
+            start.elapsed()
+        );
+        for h in &found.hinges {
+            println!("   {} {} {:?} {}", h.joint, h.point, h.at, h.rotation);
+        }
+        for p in found.path.iter().step_by(1 + found.path.len() / 10) {
+            println!("   {} {:?}", p.factor, p.reaction);
+        }
     }
     let ring = Ring::semicircle(30, 0.15, 2.0);
     let zone = thrust_zone(&ring.model(), &Loading::default(), 0.0, &Settings::default()).unwrap();

@@ -105,7 +105,10 @@ fn a_section_of_finite_strength_carries_the_textbook_moment() {
         ..Loading::default()
     };
     let outcome = collapse_load(&model, &loading, &settings).unwrap();
-    println!("{:?} {:?} {:?} {:e} {:e}", outcome.status, outcome.factor, outcome.upper_bound, outcome.yield_violation, outcome.equilibrium_residual);
+    println!(
+        "{:?} {:?} {:?} {:e} {:e}",
+        outcome.status, outcome.factor, outcome.upper_bound, outcome.yield_violation, outcome.equilibrium_residual
+    );
     assert!((outcome.factor.unwrap() * 2.75 / 261_641.734 - 1.0).abs() < 1e-6, "{:?}", outcome.factor);
     assert!((outcome.upper_bound.unwrap() * 2.75 / 261_641.734 - 1.0).abs() < 1e-6);
     // And the squash load, 7821 kN.

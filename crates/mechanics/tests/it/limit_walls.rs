@@ -20,7 +20,17 @@ fn ferris_and_tin_loi_associated() {
         let settings = Settings { friction: Friction::Associated, ..Settings::default() };
         let start = std::time::Instant::now();
         let outcome = collapse_load(&model, &loading, &settings).unwrap();
-        println!("{:?} {:?} {} {:?} {:?} {:e} {:e} {:e}", outcome.status, outcome.factor, outcome.interfaces.len(), outcome.upper_bound, start.elapsed(), outcome.equilibrium_residual, outcome.yield_violation, outcome.flow_violation);
+        println!(
+            "{:?} {:?} {} {:?} {:?} {:e} {:e} {:e}",
+            outcome.status,
+            outcome.factor,
+            outcome.interfaces.len(),
+            outcome.upper_bound,
+            start.elapsed(),
+            outcome.equilibrium_residual,
+            outcome.yield_violation,
+            outcome.flow_violation
+        );
         assert_eq!(outcome.status, Status::Solved);
         assert_eq!(model.blocks.len() - 1, blocks);
         assert_eq!(outcome.interfaces.len(), joints);
@@ -41,6 +51,15 @@ fn ferris_and_tin_loi_without_dilatancy() {
         let (model, loading) = wall(courses, 0.4, 0.175, 0.65);
         let start = std::time::Instant::now();
         let outcome = collapse_load(&model, &loading, &Settings::default()).unwrap();
-        println!("{:?} {:?} {:?} {:?} {} {:?} {:e}", published, outcome.status, outcome.factor, outcome.spread, outcome.iterations, start.elapsed(), outcome.yield_violation);
+        println!(
+            "{:?} {:?} {:?} {:?} {} {:?} {:e}",
+            published,
+            outcome.status,
+            outcome.factor,
+            outcome.spread,
+            outcome.iterations,
+            start.elapsed(),
+            outcome.yield_violation
+        );
     }
 }

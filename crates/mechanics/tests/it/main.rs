@@ -3,6 +3,7 @@
 mod limit_arch;
 mod limit_models;
 mod limit_movement;
+mod limit_oracle;
 mod limit_section;
 mod limit_thickness;
 mod limit_walls;

@@ -1,0 +1,86 @@
+//! `K = sum B_j C_j B_j^T`: the stiffness of the blocks when each joint resists by a small matrix `C_j`. With `C_j = 1`
+//! it gives an elastic state; with projections it takes out of velocities what a mechanism must not do.
+
+use super::equilibrium::Equilibrium;
+use super::joints::Joint;
+use clarabel::algebra::CscMatrix;
+use clarabel::qdldl::QDLDLFactorisation;
+
+/// A symmetric matrix for the forces of one joint: compressions, then the shear.
+pub(super) type Resistance = [[f64; 3]; 3];
+
+/// Added to the diagonal of `K`, whose entries are of the order of one: far below the smallest stiffness of a chain of
+/// a thousand blocks, far above round-off.
+const SHIFT: f64 = 1e-12;
+
+/// `K`, factorised, together with what it was made from.
+pub(super) struct Stiffness<'a> {
+    equilibrium: &'a Equilibrium,
+    joints: &'a [Joint],
+    resistances: &'a [Resistance],
+    factor: QDLDLFactorisation,
+}
+
+impl<'a> Stiffness<'a> {
+    /// Factorises; `None` where that fails.
+    pub fn new(equilibrium: &'a Equilibrium, joints: &'a [Joint], resistances: &'a [Resistance]) -> Option<Self> {
+        let (mut rows, mut columns, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        let mut push = |i: usize, j: usize, v: f64| {
+            rows.push(i);
+            columns.push(j);
+            values.push(v);
+        };
+        for ((joint, &c), resistance) in joints.iter().zip(&equilibrium.first_column).zip(resistances) {
+            // The equations that the joint takes part in, and its part in each.
+            let mut part: Vec<(usize, [f64; 3])> = Vec::with_capacity(6);
+            for k in 0..joint.forces() {
+                for &(i, v) in &equilibrium.columns[c + k] {
+                    match part.iter_mut().find(|p| p.0 == i) {
+                        Some(p) => p.1[k] += v,
+                        None => {
+                            let mut row = [0.0; 3];
+                            row[k] = v;
+                            part.push((i, row));
+                        }
+                    }
+                }
+            }
+            for (i, a) in &part {
+                let scaled = apply(resistance, *a);
+                for (j, b) in part.iter().filter(|(j, _)| j >= i) {
+                    push(*i, *j, scaled.iter().zip(b).map(|(x, y)| x * y).sum());
+                }
+            }
+        }
+        for i in 0..equilibrium.rows {
+            push(i, i, SHIFT);
+        }
+        let n = equilibrium.rows;
+        let matrix = CscMatrix::new_from_triplets(n, n, rows, columns, values);
+        let factor = QDLDLFactorisation::new(&matrix, None).ok()?;
+        Some(Stiffness { equilibrium, joints, resistances, factor })
+    }
+
+    /// Solves `(K + SHIFT) x = b`.
+    pub fn solve(&mut self, b: &[f64]) -> Vec<f64> {
+        let mut x = b.to_vec();
+        self.factor.solve(&mut x);
+        x
+    }
+
+    /// Joint forces `C_j B_j^T u` of velocities `u`.
+    pub fn forces(&self, velocities: &[f64]) -> Vec<f64> {
+        let mut forces = self.equilibrium.deformations(velocities);
+        for ((joint, &c), resistance) in self.joints.iter().zip(&self.equilibrium.first_column).zip(self.resistances) {
+            let n = joint.forces();
+            let mut one = [0.0; 3];
+            one[..n].copy_from_slice(&forces[c..c + n]);
+            forces[c..c + n].copy_from_slice(&apply(resistance, one)[..n]);
+        }
+        forces
+    }
+}
+
+fn apply(m: &Resistance, v: [f64; 3]) -> [f64; 3] {
+    m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+}
