@@ -126,6 +126,7 @@ fn sweep(
     bridge: &Bridge,
     folder: &Folder,
 ) -> Result<Report, Failure> {
+    desk.schema = "extrados.sweep/1".to_owned();
     let span = assess::discretise::bridge_length(bridge);
     let step = match &arguments.sweep_step {
         Some(text) => quantities::length("--sweep-step", text)?,

@@ -31,11 +31,12 @@ fn every_mistake_is_shown_with_line_caret_and_remedy() {
     assert_eq!(ending.code, Some(2));
     assert!(ending.stdout.is_empty());
     for part in [
+        "error[B402]: there is no load to bring the bridge to collapse",
         "error[B104]: expected a length, found a pressure",
         "  slips.toml:8:8\n  8 | rise = \"2.85 GPa\"\n    |        ^^^^^^^^^^ rise is measured from springing to crown, on the intrados\n  help: write \"2.85 m\"",
         "slips.toml:9:1\n  9 | thicknes = \"0.711 m\"\n    | ^^^^^^^^ ",
         "slips.toml:14:11\n 14 | density = 2100\n    |           ^^^^ ",
-        "slips.toml: 3 errors; the file cannot be used\n",
+        "slips.toml: 4 errors; the file cannot be used\n",
     ] {
         assert!(ending.stderr.contains(part), "{part}\n--- is not in ---\n{}", ending.stderr);
     }
