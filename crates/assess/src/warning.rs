@@ -73,8 +73,9 @@ cards! {
          contacts crush at it; the message compares the two.";
     /// Crushing left out.
     UNLIMITED_STRENGTH = "A110", "compressive strength without limit",
-        "The file gives no compressive strength, so hinges turn about a line without crushing. For a ring with a thrust \
-         of a tenth of its strength this overestimates the load by some per cent.";
+        "Hinges turn about a line: collapse_load of limit analysis takes the compressive strength as unlimited. Where the \
+         file gives a strength, crushing_load is the load with it, from thrust blocks at that strength; the difference \
+         grows with the thrust. Where the file gives none, nothing can be said about crushing.";
     /// Fill as weight alone.
     FILL_AS_WEIGHT = "A111", "fill acts by its weight alone",
         "Cover is weight and a path for loads; it does not push back on a ring that moves into it. Where fill is deep \

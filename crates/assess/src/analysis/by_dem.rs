@@ -1,7 +1,7 @@
 //! Collapse by discrete elements.
 
 use super::places::{lines, moving, point, scaled};
-use super::report::{Collapse, DemReport, Status, SupportReport};
+use super::report::{Collapse, DemReport, Status};
 use super::{AnalysisError, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise, laws};
 use crate::outcome::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
@@ -95,35 +95,6 @@ pub fn collapse_by_dem(
     Ok(c)
 }
 
-/// Moves a support in steps until the blocks collapse, under the permanent loads alone.
-pub fn support_movement(
-    bridge: &Bridge,
-    resume: Option<&[u64]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
-    require_stiffness(bridge)?;
-    let mut d = discretise(bridge)?;
-    let Some(movement) = bridge.plan.support_movement else {
-        return Err(AnalysisError::Missing {
-            what: "support_movement",
-            why: "which support moves, and where, is the question",
-        });
-    };
-    let unknown = |what| AnalysisError::Missing { what, why: "how far a support may move depends on the bridge" };
-    let step = movement.increment.ok_or(unknown("increment of the support movement"))?;
-    let largest = movement.limit.ok_or(unknown("limit of the support movement"))?;
-    d.loading.variable.clear();
-    let program = dem::Program { increment: step, limit: largest, resolution: None, watched: d.watched };
-    let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
-    let mut c = report(bridge, &d, &outcome, "support movement", 1.0);
-    c.analysis = Analysis::SupportMovement;
-    c.support =
-        Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
-    notes::dem(bridge, &d, &mut c);
-    c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
-    Ok(c)
-}
-
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.
 fn round_down(value: f64) -> f64 {
     let decade = 10f64.powf(value.log10().floor());
@@ -159,46 +130,25 @@ pub fn report(bridge: &Bridge, d: &Discretised, outcome: &dem::Outcome, title: &
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     let e = &outcome.energy;
     let work = [e.gravity, e.loads, e.supports].iter().map(|w| w.abs()).sum::<f64>();
-    Collapse {
-        bridge: bridge.name.clone(),
-        width: bridge.width,
-        method: Method::Dem,
-        analysis: Analysis::Load,
-        status,
-        collapse_load: None,
-        last_stable_load: None,
-        load_step: None,
-        reference_load: d.reference_load,
-        limit_load: None,
-        hinges: picture.hinges.clone(),
-        sliding_joints: picture.sliding.clone(),
-        max_compressive_stress: Some(outcome.max_compressive_stress),
-        blocks: d.model.blocks.len(),
-        particles: 0,
-        contacts: at_rest.map_or(0, |f| f.contacts.len()),
-        tolerance: bridge.plan.tolerance,
-        seed: bridge.plan.seed,
-        dem: Some(DemReport {
-            iterations_total: outcome.iterations_total,
-            time_step: outcome.time_step,
-            critical_time_step: outcome.critical_time_step,
-            single_mass_time_step: outcome.single_mass_time_step,
-            damping: damping(bridge.plan.damping),
-            contact_length: match bridge.plan.contact_length {
-                ContactLength::Fixed => "fixed",
-                ContactLength::Updated => "updated",
-            },
-            energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
-            broken_at: broken.map(|(block, step)| (d.origins[block].name(), step)),
-        }),
-        limit: None,
-        thickness: None,
-        support: None,
-        block_names: d.origins.iter().map(|o| o.name()).collect(),
-        warnings: Vec::new(),
-        assumptions: Vec::new(),
-        picture,
-    }
+    let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
+    c.method = Method::Dem;
+    c.status = status;
+    c.max_compressive_stress = Some(outcome.max_compressive_stress);
+    c.contacts = at_rest.map_or(0, |f| f.contacts.len());
+    c.dem = Some(DemReport {
+        iterations_total: outcome.iterations_total,
+        time_step: outcome.time_step,
+        critical_time_step: outcome.critical_time_step,
+        single_mass_time_step: outcome.single_mass_time_step,
+        damping: damping(bridge.plan.damping),
+        contact_length: match bridge.plan.contact_length {
+            ContactLength::Fixed => "fixed",
+            ContactLength::Updated => "updated",
+        },
+        energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
+        broken_at: broken.map(|(block, step)| (d.origins[block].name(), step)),
+    });
+    c
 }
 
 /// Motion of each block between two frames.

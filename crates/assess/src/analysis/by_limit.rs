@@ -6,11 +6,12 @@ use super::{AnalysisError, notes, picture};
 use crate::discretise::{Discretised, discretise};
 use crate::outcome::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
 use bridge::{Analysis, Bridge, ContactPoints, Friction, Method};
-use mechanics::blocks::{ContactLaw, Interface};
+use mechanics::blocks::Interface;
 use mechanics::ids::Id;
 use mechanics::limit;
 
-/// How the plan wants limit analysis done.
+/// How the plan wants limit analysis done. Strength is unlimited; with the strength of the file the load is reported
+/// beside the other.
 pub fn settings(bridge: &Bridge) -> limit::Settings {
     limit::Settings {
         friction: match bridge.plan.friction {
@@ -22,7 +23,7 @@ pub fn settings(bridge: &Bridge) -> limit::Settings {
             ContactPoints::Rounded => limit::ContactPoints::Rounded,
             ContactPoints::FullRing => limit::ContactPoints::FullRing,
         },
-        crushing: bridge.masonry.compressive_strength.is_some(),
+        crushing: false,
         ..limit::Settings::default()
     }
 }
@@ -36,18 +37,17 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     }
     let settings = settings(bridge);
     let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
+    let other = |settings| Ok::<_, AnalysisError>(limit::collapse_load(&d.model, &d.loading, &settings)?.factor);
     // Beside a non-associated load the associated one is shown, never the other way round.
-    let associated = (outcome.friction == limit::Friction::NonAssociated)
-        .then(|| {
-            limit::collapse_load(
-                &d.model,
-                &d.loading,
-                &limit::Settings { friction: limit::Friction::Associated, ..settings },
-            )
-        })
-        .transpose()?
-        .and_then(|o| o.factor);
-    Ok(report(bridge, &d, &settings, &outcome, associated))
+    let associated = match outcome.friction {
+        limit::Friction::NonAssociated => other(limit::Settings { friction: limit::Friction::Associated, ..settings })?,
+        _ => None,
+    };
+    let crushing = match bridge.masonry.compressive_strength {
+        Some(_) => other(limit::Settings { crushing: true, ..settings })?,
+        None => None,
+    };
+    Ok(report(bridge, &d, &outcome, associated, crushing))
 }
 
 /// The word for a flow rule.
@@ -59,8 +59,8 @@ fn word(friction: limit::Friction) -> &'static str {
 }
 
 /// How a limit analysis ended, for an engineer.
-pub fn status(outcome: &limit::Outcome) -> Status {
-    match outcome.status {
+pub fn status(status: limit::Status) -> Status {
+    match status {
         limit::Status::Solved => Status::Collapsed,
         limit::Status::Locks => Status::Locks,
         limit::Status::NoEquilibrium => Status::UnstableUnderSelfWeight,
@@ -71,85 +71,80 @@ pub fn status(outcome: &limit::Outcome) -> Status {
 fn report(
     bridge: &Bridge,
     d: &Discretised,
-    settings: &limit::Settings,
     outcome: &limit::Outcome,
     associated: Option<f64>,
+    crushing: Option<f64>,
 ) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| f * d.reference_load);
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
-    let hinges = picture.hinges.clone();
-    let sliding_joints = picture.sliding.clone();
-    let mut collapse = Collapse {
-        bridge: bridge.name.clone(),
-        width: bridge.width,
-        method: Method::Limit,
-        analysis: Analysis::Load,
-        status: status(outcome),
-        collapse_load: load(outcome.factor),
-        last_stable_load: load(outcome.lower_bound),
-        load_step: None,
-        reference_load: d.reference_load,
-        limit_load: load(outcome.factor),
-        hinges,
-        sliding_joints,
-        max_compressive_stress: largest_stress(d, settings, outcome),
-        blocks: d.model.blocks.len(),
-        particles: 0,
-        contacts: outcome.interfaces.iter().map(|i| i.points.len()).sum(),
-        tolerance: 1e-6,
-        seed: bridge.plan.seed,
-        dem: None,
-        limit: Some(LimitReport {
-            friction: word(outcome.friction),
-            lower_bound: load(outcome.lower_bound),
-            upper_bound: load(outcome.upper_bound),
-            associated_load: load(associated),
-            equilibrium_residual: outcome.equilibrium_residual,
-            yield_violation: outcome.yield_violation,
-            iterations: outcome.iterations,
-        }),
-        thickness: None,
-        support: None,
-        block_names: d.origins.iter().map(|o| o.name()).collect(),
-        warnings: Vec::new(),
-        assumptions: Vec::new(),
-        picture,
-    };
-    notes::limit(bridge, d, &mut collapse);
-    collapse
+    let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
+    c.method = Method::Limit;
+    c.status = status(outcome.status);
+    c.collapse_load = load(outcome.factor);
+    c.last_stable_load = load(outcome.lower_bound);
+    c.limit_load = load(outcome.factor);
+    c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
+    // Both bounds must agree to this.
+    c.tolerance = 1e-6;
+    c.limit = Some(LimitReport {
+        friction: word(outcome.friction),
+        lower_bound: load(outcome.lower_bound),
+        upper_bound: load(outcome.upper_bound),
+        associated_load: load(associated),
+        crushing_load: load(crushing),
+        equilibrium_residual: outcome.equilibrium_residual,
+        yield_violation: outcome.yield_violation,
+        iterations: outcome.iterations,
+    });
+    notes::limit(bridge, d, &mut c);
+    c
 }
 
 /// A joint counts as a hinge from this share of the largest rotation: where the thrust line runs along an edge for some
 /// joints, the solver leaves traces of rotation in those beside the hinge.
 const HINGE: f64 = 1e-3;
 
+/// Motions, hinges and sliding joints of a mechanism.
+pub fn draw_mechanism(d: &Discretised, joints: &[Interface], m: &limit::Mechanism, picture: &mut Picture) {
+    let motions = m.velocities.iter().map(|&(v, rotation)| Motion { translation: point(v), rotation }).collect();
+    picture.mechanism = scaled(motions);
+    picture.hinges = hinges(d, joints, &m.hinges);
+    picture.sliding = m.sliding.iter().map(|&j| point(middle(&joints[j]))).collect();
+}
+
+/// Hinges that count, at their edges.
+pub fn hinges(d: &Discretised, joints: &[Interface], found: &[limit::Hinge]) -> Vec<Hinge> {
+    let largest = found.iter().map(|h| h.rotation.abs()).fold(0.0, f64::max);
+    let counts = found.iter().filter(|h| h.rotation.abs() >= HINGE * largest);
+    counts
+        .map(|h| {
+            let joint = &joints[h.joint];
+            let edge = edge_at(d, joint.first, joint.second, h.at);
+            Hinge { point: point(h.at), edge, rotation: h.rotation }
+        })
+        .collect()
+}
+
+/// Lines of thrust through the resultants of the joints.
+pub fn thrust_lines(
+    d: &Discretised,
+    joints: &[Interface],
+    resultants: &[Option<limit::Resultant>],
+) -> Vec<Vec<ThrustPoint>> {
+    let points = joints.iter().zip(resultants).filter_map(|(i, r)| {
+        let r = (*r)?;
+        Some((i.first, i.second, ThrustPoint { point: point(r.at), thrust: r.force.norm() }))
+    });
+    lines(d, points)
+}
+
 /// Mechanism, hinges, thrust lines and forces of a limit analysis.
 pub fn draw(d: &Discretised, outcome: &limit::Outcome, picture: &mut Picture) {
     if let Some(m) = &outcome.mechanism {
-        let motions = m.velocities.iter().map(|&(v, rotation)| Motion { translation: point(v), rotation }).collect();
-        picture.mechanism = scaled(motions);
-        let largest = m.hinges.iter().map(|h| h.rotation.abs()).fold(0.0, f64::max);
-        picture.hinges = m
-            .hinges
-            .iter()
-            .filter(|h| h.rotation.abs() >= HINGE * largest)
-            .map(|h| {
-                let joint = &outcome.interfaces[h.joint];
-                let edge = edge_at(d, joint.first, joint.second, h.at);
-                Hinge { point: point(h.at), edge, rotation: h.rotation }
-            })
-            .collect();
-        picture.sliding = m.sliding.iter().map(|&j| point(middle(&outcome.interfaces[j]))).collect();
+        draw_mechanism(d, &outcome.interfaces, m, picture);
     }
-    let resultants = outcome.interfaces.iter().zip(&outcome.resultants);
-    picture.thrust_lines = lines(
-        d,
-        resultants.filter_map(|(i, r)| {
-            let r = (*r)?;
-            Some((i.first, i.second, ThrustPoint { point: point(r.at), thrust: r.force.norm() }))
-        }),
-    );
+    picture.thrust_lines = thrust_lines(d, &outcome.interfaces, &outcome.resultants);
     let Some(factor) = outcome.factor else { return };
     let sliding = outcome.mechanism.as_ref().map_or(&[][..], |m| &m.sliding[..]);
     let mut contacts = Vec::new();
@@ -189,22 +184,4 @@ fn joint_length(joint: &Interface) -> f64 {
 
 fn middle(joint: &Interface) -> mechanics::plane::Vec2 {
     joint.points.iter().fold(mechanics::plane::Vec2::ZERO, |s, &p| s + p) * (1.0 / joint.points.len() as f64)
-}
-
-/// With a finite strength a joint's thrust fills a block of stress at that strength where it is fully used. The
-/// largest stress of a uniform block centred on the resultant: `N / (2 e)` with `e` its distance to the nearer end.
-fn largest_stress(d: &Discretised, settings: &limit::Settings, outcome: &limit::Outcome) -> Option<f64> {
-    if !settings.crushing {
-        return None;
-    }
-    let stress = |(joint, forces): (&Interface, &limit::JointForces)| {
-        let [a, b] = forces.points[..] else { return None };
-        let total = a.compression + b.compression;
-        let law: &ContactLaw =
-            d.model.laws.between(d.model.blocks[joint.first].group, d.model.blocks[joint.second].group);
-        let length = (b.at - a.at).norm();
-        let nearer = a.compression.min(b.compression) / total * length;
-        (total > 0.0).then(|| (total / (2.0 * nearer)).min(law.crushing))
-    };
-    outcome.interfaces.iter().zip(&outcome.forces).filter_map(stress).reduce(f64::max)
 }

@@ -2,6 +2,7 @@
 
 mod by_dem;
 mod by_limit;
+mod movement;
 mod notes;
 mod picture;
 mod places;
@@ -9,8 +10,9 @@ mod report;
 mod sweep;
 mod thickness;
 
-pub use by_dem::{collapse_by_dem, status as dem_status, support_movement};
+pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_limit::collapse_by_limit;
+pub use movement::support_movement;
 pub use report::{Collapse, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
@@ -50,16 +52,6 @@ pub enum AnalysisError {
         /// Why it cannot be chosen.
         why: &'static str,
     },
-    /// The method does not do this analysis.
-    #[error("{analysis} is not an analysis of {method}: use --method {instead}")]
-    NotBy {
-        /// The analysis.
-        analysis: &'static str,
-        /// The method asked for.
-        method: &'static str,
-        /// The one that does it.
-        instead: &'static str,
-    },
 }
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
@@ -74,12 +66,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
         (Analysis::Load, Method::Dem) => collapse_by_dem(bridge, resume, watch),
         (Analysis::Thickness, _) => thickness(bridge, watch),
-        (Analysis::SupportMovement, Method::Dem) => support_movement(bridge, resume, watch),
-        (Analysis::SupportMovement, Method::Limit) => Err(AnalysisError::NotBy {
-            analysis: "collapse by support movement",
-            method: "limit analysis of the bridge as built",
-            instead: "dem",
-        }),
+        (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
     }
 }
 

@@ -126,6 +126,14 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if bridge.masonry.compressive_strength.is_none() {
         c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, "the file gives no compressive strength"));
     }
+    if let (Some(load), Some(with)) = (c.collapse_load, c.limit.as_ref().and_then(|l| l.crushing_load)) {
+        let message = format!(
+            "the load is that of unlimited strength; with the strength of the file it is {:.2} kN/m ({:+.1} %)",
+            with / 1e3,
+            100.0 * (with / load - 1.0)
+        );
+        c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, message));
+    }
     if bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some() {
         c.warnings.push(Warning::new(
             warning::FILL_AS_WEIGHT,

@@ -1,8 +1,9 @@
 //! What a collapse analysis found.
 
+use crate::discretise::Discretised;
 use crate::outcome::{Hinge, Picture, Point};
 use crate::warning::Warning;
-use bridge::{Analysis, Method};
+use bridge::{Analysis, Bridge, Method};
 
 /// How an analysis ended. All of these are answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,6 +26,40 @@ pub enum Status {
     Cancelled,
     /// An analysis without a collapse load ended as it should.
     Completed,
+}
+
+impl Collapse {
+    /// A result with nothing found yet, for analyses to fill.
+    pub(super) fn blank(bridge: &Bridge, d: &Discretised, analysis: Analysis, picture: Picture) -> Collapse {
+        Collapse {
+            bridge: bridge.name.clone(),
+            width: bridge.width,
+            method: bridge.plan.method,
+            analysis,
+            status: Status::Completed,
+            collapse_load: None,
+            last_stable_load: None,
+            load_step: None,
+            reference_load: d.reference_load,
+            limit_load: None,
+            hinges: picture.hinges.clone(),
+            sliding_joints: picture.sliding.clone(),
+            max_compressive_stress: None,
+            blocks: d.model.blocks.len(),
+            particles: 0,
+            contacts: 0,
+            tolerance: bridge.plan.tolerance,
+            seed: bridge.plan.seed,
+            dem: None,
+            limit: None,
+            thickness: None,
+            support: None,
+            block_names: d.origins.iter().map(|o| o.name()).collect(),
+            warnings: Vec::new(),
+            assumptions: Vec::new(),
+            picture,
+        }
+    }
 }
 
 impl Status {
@@ -98,6 +133,8 @@ pub struct LimitReport {
     pub upper_bound: Option<f64>,
     /// The associated collapse load beside a non-associated one [N/m].
     pub associated_load: Option<f64>,
+    /// Collapse load with the compressive strength of the file [N/m].
+    pub crushing_load: Option<f64>,
     /// Largest out-of-balance force, relative to the permanent loads.
     pub equilibrium_residual: f64,
     /// Largest excess over the strength, relative to the permanent loads.

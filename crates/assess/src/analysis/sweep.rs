@@ -2,7 +2,7 @@
 
 use super::report::Status;
 use super::{AnalysisError, by_limit};
-use crate::discretise::{bridge_length, discretise};
+use crate::discretise::{Discretised, bridge_length, discretise, dispersal};
 use bridge::{Bridge, LoadKind};
 use mechanics::limit;
 use rayon::prelude::*;
@@ -45,13 +45,16 @@ pub fn sweep(
     let first = bridge.loads.first().ok_or(AnalysisError::NoLoad)?.position;
     let [from, to] = range.unwrap_or([0.0, bridge_length(bridge)]);
     let last = positions.max(2) - 1;
-    let points: Vec<SweepPoint> = (0..=last)
-        .into_par_iter()
-        .map(|k| {
-            let position = from + (to - from) * k as f64 / last as f64;
-            at(bridge, position - first, position, subsets)
-        })
-        .collect::<Result<_, _>>()?;
+    let mut d = discretise(bridge)?;
+    d.loading.variable.clear();
+    d.loading.movements.clear();
+    let settings = by_limit::settings(bridge);
+    let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
+    let points: Vec<SweepPoint> = places
+        .par_chunks(CHUNK)
+        .map(|places| stretch(bridge, &d, &settings, places, first, subsets))
+        .collect::<Result<Vec<_>, _>>()?
+        .concat();
     let governing = points
         .iter()
         .enumerate()
@@ -61,51 +64,69 @@ pub fn sweep(
     Ok(Sweep { points, governing })
 }
 
-fn at(bridge: &Bridge, offset: f64, position: f64, subsets: bool) -> Result<SweepPoint, AnalysisError> {
-    let mut moved = bridge.clone();
-    for load in &mut moved.loads {
-        load.position += offset;
-    }
-    moved.plan.support_movement = None;
-    let mut d = discretise(&moved)?;
-    let settings = by_limit::settings(bridge);
-    let axles = d.spreads.len();
+/// Positions that one thread takes at a time; the equations are set up once for them.
+const CHUNK: usize = 8;
+
+/// A run of neighbouring axles at a position.
+struct Case {
+    position: usize,
+    axles: [usize; 2],
+    force: f64,
+}
+
+fn stretch(
+    bridge: &Bridge,
+    d: &Discretised,
+    settings: &limit::Settings,
+    places: &[f64],
+    first: f64,
+    subsets: bool,
+) -> Result<Vec<SweepPoint>, AnalysisError> {
     let vehicle = bridge.loads.iter().any(|l| matches!(l.kind, LoadKind::Axles { .. }));
-    let runs: Vec<[usize; 2]> = if subsets && vehicle {
-        (0..axles).flat_map(|a| (a..axles).map(move |b| [a, b])).collect()
-    } else {
-        vec![[0, axles - 1]]
-    };
-    let mut worst = SweepPoint {
-        offset,
-        position,
-        status: Status::Locks,
-        load_factor: None,
-        collapse_load: None,
-        axles: [0, axles - 1],
-    };
-    for run in runs {
-        let chosen = &d.spreads[run[0]..=run[1]];
-        d.loading.variable = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();
-        let load: f64 = chosen.iter().map(|s| s.strip.force).sum();
-        if d.loading.variable.is_empty() {
-            continue;
+    let (mut cases, mut loads, mut points) = (Vec::new(), Vec::new(), Vec::new());
+    for (position, &place) in places.iter().enumerate() {
+        let offset = place - first;
+        let spreads: Vec<_> = bridge
+            .loads
+            .iter()
+            .flat_map(|load| dispersal::strips(&load.kind, load.position + offset))
+            .map(|strip| dispersal::spread(strip, bridge.dispersal, d.surface, &d.extrados))
+            .collect();
+        let n = spreads.len();
+        let runs: Vec<[usize; 2]> = match subsets && vehicle {
+            true => (0..n).flat_map(|a| (a..n).map(move |b| [a, b])).collect(),
+            false => vec![[0, n - 1]],
+        };
+        for axles in runs {
+            let chosen = &spreads[axles[0]..=axles[1]];
+            let forces: Vec<_> = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();
+            if !forces.is_empty() {
+                cases.push(Case { position, axles, force: chosen.iter().map(|s| s.strip.force).sum() });
+                loads.push(forces);
+            }
         }
-        let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
-        let status = by_limit::status(&outcome);
-        if let Some(factor) = outcome.factor
-            && worst.load_factor.is_none_or(|w| factor < w)
-        {
-            worst = SweepPoint {
-                status,
-                load_factor: Some(factor),
-                collapse_load: Some(factor * load),
-                axles: run,
-                ..worst
-            };
-        } else if worst.load_factor.is_none() {
-            worst.status = status;
+        points.push(SweepPoint {
+            offset,
+            position: place,
+            status: Status::Locks,
+            load_factor: None,
+            collapse_load: None,
+            axles: [0, n - 1],
+        });
+    }
+    let found = limit::sweep(&d.model, &d.loading, &loads, settings)?;
+    for (case, answer) in cases.iter().zip(&found.places) {
+        let point = &mut points[case.position];
+        match answer.factor {
+            Some(factor) if point.load_factor.is_none_or(|worst| factor < worst) => {
+                point.status = by_limit::status(answer.status);
+                point.load_factor = Some(factor);
+                point.collapse_load = Some(factor * case.force);
+                point.axles = case.axles;
+            }
+            None if point.load_factor.is_none() => point.status = by_limit::status(answer.status),
+            _ => {}
         }
     }
-    Ok(worst)
+    Ok(points)
 }

@@ -103,20 +103,7 @@ fn bridgemill_by_discrete_elements_carries_the_published_loads() {
     // Printed to two decimals; loads are whole steps of 100 kN over 8.3 m, so the step decides and half a unit of the
     // last digit is room enough.
     for (b, stable, collapse) in [(bridgemill(), 204.82, 216.87), (case_two(), 325.30, 337.35)] {
-        let start = std::time::Instant::now();
         let c = collapse_by_dem(&b, None, &mut mechanics::watch::Unwatched).unwrap();
-        eprintln!(
-            "{:?} stable {:?} collapse {:?} iterations {} stress {:?} hinges {:?} slides {} in {:?}; {:?}",
-            c.status,
-            c.last_stable_load,
-            c.collapse_load,
-            c.dem.as_ref().unwrap().iterations_total,
-            c.max_compressive_stress,
-            c.hinges,
-            c.sliding_joints.len(),
-            start.elapsed(),
-            c.warnings
-        );
         assert_eq!(c.status, Status::Collapsed);
         assert!((c.last_stable_load.unwrap() / 1e3 - stable).abs() < 0.005);
         assert!((c.collapse_load.unwrap() / 1e3 - collapse).abs() < 0.005);

@@ -1,6 +1,6 @@
 //! The least ring thickness that stands.
 
-use super::report::{Collapse, Status, ThicknessReport};
+use super::report::{Collapse, LimitReport, Status, ThicknessReport};
 use super::{AnalysisError, by_dem, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise};
 use bridge::ring::Profile;
@@ -8,13 +8,16 @@ use bridge::{Analysis, Bridge, Method};
 use mechanics::dem;
 use mechanics::limit;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
+use std::cell::RefCell;
 
-/// Limit analysis narrows the thickness to this share.
+/// Limit analysis narrows the thickness to this share of the given one.
 const EXACT: f64 = 1e-7;
-/// Discrete elements bracket it to this share, unless the plan's resolution is finer than what an engineer surveys.
+/// Discrete elements bracket it to this share: half of what is worth a decision on site.
 const BRACKET: f64 = 5e-3;
-/// Thickness is searched between these shares of the given one.
-const RANGE: [f64; 2] = [0.02, 16.0];
+/// Thickness is searched up to this multiple of the given one, as far as the rings fit beside one another.
+const THICKEST: f64 = 8.0;
+/// Thickness is searched down to this share of the given one, and to four times the rounding of the corners.
+const THINNEST: f64 = 0.02;
 
 /// The same bridge with all rings `factor` times as thick, on the same intrados, its loads at rest on it.
 fn thickened(bridge: &Bridge, factor: f64) -> Result<Discretised, AnalysisError> {
@@ -30,83 +33,37 @@ fn thickened(bridge: &Bridge, factor: f64) -> Result<Discretised, AnalysisError>
     Ok(d)
 }
 
+/// Shares of the given thickness between which the rings can be drawn.
+fn range(bridge: &Bridge) -> [f64; 2] {
+    let rings = bridge.spans.iter().flat_map(|s| &s.rings);
+    let thinnest = rings.map(|r| r.crown_thickness.min(r.springing_thickness)).fold(f64::INFINITY, f64::min);
+    let mut most = 1.0;
+    while most < THICKEST && thickened(bridge, 1.25 * most).is_ok() {
+        most *= 1.25;
+    }
+    [THINNEST.max(4.0 * bridge.masonry.rounding / thinnest).min(1.0), most]
+}
+
 /// Narrows the thickness at which the bridge just stands under its weight and the loads of its file, with the intrados
-/// held. Hinges and thrust line belong to the thinnest ring that stands.
+/// held. Hinges belong to the thickest ring that falls, the line of thrust to the thinnest that stands.
 pub fn thickness(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let by_limit = bridge.plan.method == Method::Limit;
-    if !by_limit {
-        by_dem::require_stiffness(bridge)?;
-    }
-    let limit_settings = by_limit::settings(bridge);
-    let dem_settings = by_dem::settings(bridge);
-    let run = |factor: f64| -> Result<(Discretised, dem::Outcome), AnalysisError> {
-        let d = thickened(bridge, factor)?;
-        let program = dem::Program { increment: 1.0, limit: 0.0, resolution: None, watched: d.watched };
-        let outcome = dem::collapse(&d.model, &d.loading, &program, &dem_settings, None, &mut Unwatched)?;
-        Ok((d, outcome))
+    // What is wrong with the bridge as given is said before any search.
+    thickened(bridge, 1.0)?;
+    let mut c = match bridge.plan.method {
+        Method::Limit => by_limit(bridge)?,
+        Method::Dem => by_dem(bridge, watch)?,
     };
-    // Whether a thickness stands; none where the method cannot tell.
-    let stands = |factor: f64| -> Result<Option<bool>, AnalysisError> {
-        if by_limit {
-            let d = thickened(bridge, factor)?;
-            Ok(match limit::collapse_load(&d.model, &d.loading, &limit_settings)?.status {
-                limit::Status::Solved | limit::Status::Locks => Some(true),
-                limit::Status::NoEquilibrium => Some(false),
-                limit::Status::NotConverged => None,
-            })
-        } else {
-            Ok(match run(factor)?.1.status {
-                dem::Status::StableToLastLoad => Some(true),
-                dem::Status::UnstableUnderSelfWeight | dem::Status::Collapsed => Some(false),
-                _ => None,
-            })
-        }
-    };
-    let narrow = if by_limit { EXACT } else { BRACKET };
-    let mut steps = 0;
-    let mut ended = Status::Completed;
-    let [mut thin, mut thick] = RANGE;
-    let mut bracket = [None, None];
-    // Geometric steps out from the given thickness, then halving.
-    let mut factor = 1.0;
-    while bracket[0].is_none() || bracket[1].is_none() || thick / thin > 1.0 + narrow {
-        steps += 1;
-        let stage = format!("thickness {factor:.6} of the given one");
-        if watch.look(&Progress { stage, fraction: None, steps }) == Wish::Stop {
-            ended = Status::Cancelled;
-            break;
-        }
-        match stands(factor)? {
-            Some(true) => (thick, bracket[1]) = (factor, Some(factor)),
-            Some(false) => (thin, bracket[0]) = (factor, Some(factor)),
-            None => {
-                ended = Status::NotConverged;
-                break;
-            }
-        }
-        factor = match bracket {
-            [None, Some(stood)] => 0.7 * stood,
-            [Some(fell), None] => fell / 0.7,
-            _ => (thin * thick).sqrt(),
-        };
-        if !(RANGE[0]..=RANGE[1]).contains(&factor) {
-            ended = if bracket[1].is_none() { Status::UnstableUnderSelfWeight } else { Status::Completed };
-            break;
-        }
-    }
-    let shown = bracket[1].unwrap_or(1.0);
-    let mut c = if by_limit { limit_view(bridge, shown, bracket[0])? } else { dem_view(bridge, run(shown)?) };
-    c.status = ended;
-    if let [Some(fell), Some(stood)] = bracket {
-        let total: f64 = bridge.spans[0].rings.iter().map(|r| r.crown_thickness).sum::<f64>() * stood;
-        c.thickness = Some(ThicknessReport {
-            factor: [fell, stood],
-            crown_thickness: total,
-            over_mean_radius: intrados_radius(bridge).map(|r| total / (r + 0.5 * total)),
-        });
-    }
     c.assumptions.push("Rings are thinned on the same intrados; the loads of the file rest on them.".into());
     Ok(c)
+}
+
+fn report(bridge: &Bridge, [fell, stood]: [f64; 2]) -> ThicknessReport {
+    let total: f64 = bridge.spans[0].rings.iter().map(|r| r.crown_thickness).sum::<f64>() * stood;
+    ThicknessReport {
+        factor: [fell, stood],
+        crown_thickness: total,
+        over_mean_radius: intrados_radius(bridge).map(|r| total / (r + 0.5 * total)),
+    }
 }
 
 /// Radius of the first span's intrados, where it is a circle [m].
@@ -119,69 +76,124 @@ fn intrados_radius(bridge: &Bridge) -> Option<f64> {
     }
 }
 
-/// The thinnest ring that stands: its thrust line touches the edges at the hinges of the mechanism in which the next
-/// thinner one falls.
-fn limit_view(bridge: &Bridge, stood: f64, fell: Option<f64>) -> Result<Collapse, AnalysisError> {
-    let d = thickened(bridge, stood)?;
+fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     let settings = by_limit::settings(bridge);
-    let mut picture = picture::built(bridge, &d, "least thickness");
-    let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
-    by_limit::draw(&d, &outcome, &mut picture);
-    if let Some(fell) = fell {
-        let thinner = thickened(bridge, fell)?;
-        let fallen = limit::collapse_load(&thinner.model, &thinner.loading, &settings)?;
-        by_limit::draw(&thinner, &fallen, &mut picture);
+    let failed = RefCell::new(None);
+    let given = thickened(bridge, 1.0)?;
+    let make = |factor: f64| match thickened(bridge, factor) {
+        Ok(d) => (d.model, d.loading),
+        Err(error) => {
+            failed.replace(Some(error));
+            (given.model.clone(), given.loading.clone())
+        }
+    };
+    let found = limit::minimum_thickness(range(bridge), EXACT, 1.0, &settings, make)?;
+    if let Some(error) = failed.into_inner() {
+        return Err(error);
     }
-    let mut c = blank(bridge, &d, picture);
-    c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
-    c.limit = Some(super::report::LimitReport {
-        friction: if outcome.friction == limit::Friction::NonAssociated { "non-associated" } else { "associated" },
+    let shown = thickened(bridge, found.stands.or(found.falls).unwrap_or(1.0))?;
+    let zone = limit::thrust_zone(&shown.model, &shown.loading, 0.0, &settings)?;
+    let mut picture = picture::built(bridge, &shown, "least thickness");
+    if let Some(mechanism) = &found.mechanism {
+        by_limit::draw_mechanism(&shown, &zone.interfaces, mechanism, &mut picture);
+    }
+    if let Some(line) = &zone.least_thrust {
+        picture.thrust_lines = by_limit::thrust_lines(&shown, &zone.interfaces, line);
+    }
+    let mut c = Collapse::blank(bridge, &shown, Analysis::Thickness, picture);
+    c.method = Method::Limit;
+    c.tolerance = EXACT;
+    c.contacts = zone.interfaces.iter().map(|i| i.points.len()).sum();
+    c.status = match found.status {
+        limit::ThicknessStatus::Found => Status::Completed,
+        limit::ThicknessStatus::StandsAtThinnest => Status::StableToLastLoad,
+        limit::ThicknessStatus::FallsAtThickest => Status::UnstableUnderSelfWeight,
+        limit::ThicknessStatus::NotConverged => Status::NotConverged,
+    };
+    if let (Some(fell), Some(stood)) = (found.falls, found.stands) {
+        c.thickness = Some(report(bridge, [fell, stood]));
+    }
+    c.limit = Some(LimitReport {
+        friction: "associated",
         lower_bound: None,
         upper_bound: None,
         associated_load: None,
-        equilibrium_residual: outcome.equilibrium_residual,
-        yield_violation: outcome.yield_violation,
-        iterations: outcome.iterations,
+        crushing_load: None,
+        equilibrium_residual: 0.0,
+        yield_violation: 0.0,
+        iterations: found.trials,
     });
-    notes::limit(bridge, &d, &mut c);
-    c.tolerance = EXACT;
+    notes::limit(bridge, &shown, &mut c);
     Ok(c)
 }
 
-fn dem_view(bridge: &Bridge, (d, outcome): (Discretised, dem::Outcome)) -> Collapse {
+fn by_dem(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    by_dem::require_stiffness(bridge)?;
+    let settings = by_dem::settings(bridge);
+    let run = |factor: f64| -> Result<(Discretised, dem::Outcome), AnalysisError> {
+        let d = thickened(bridge, factor)?;
+        let program = dem::Program { increment: 1.0, limit: 0.0, resolution: None, watched: d.watched };
+        let outcome = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;
+        Ok((d, outcome))
+    };
+    let [least, most] = range(bridge);
+    let (mut fell, mut stood) = (None, None);
+    let mut last_fall = None;
+    let mut ended = Status::Completed;
+    // Geometric steps out from the given thickness, then halving.
+    let (mut factor, mut steps) = (1.0, 0);
+    loop {
+        steps += 1;
+        let stage = format!("thickness {factor:.4} of the given one");
+        if watch.look(&Progress { stage, fraction: None, steps }) == Wish::Stop {
+            ended = Status::Cancelled;
+            break;
+        }
+        let (d, outcome) = run(factor)?;
+        match outcome.status {
+            dem::Status::StableToLastLoad => stood = Some((factor, d, outcome)),
+            dem::Status::UnstableUnderSelfWeight | dem::Status::Collapsed => {
+                fell = Some(factor);
+                last_fall = Some((d, outcome));
+            }
+            _ => {
+                (ended, _) = by_dem::status(&outcome);
+                break;
+            }
+        }
+        factor = match (fell, &stood) {
+            (Some(fell), Some((stood, ..))) if stood / fell <= 1.0 + BRACKET => break,
+            (Some(fell), Some((stood, ..))) => (fell * stood).sqrt(),
+            (None, Some((stood, ..))) if *stood <= least => {
+                ended = Status::StableToLastLoad;
+                break;
+            }
+            (None, Some((stood, ..))) => (0.7 * stood).max(least),
+            (Some(fell), None) if fell >= most => {
+                ended = Status::UnstableUnderSelfWeight;
+                break;
+            }
+            (Some(fell), None) => (fell / 0.7).min(most),
+            (None, None) => break,
+        };
+    }
+    let (d, outcome) = match (&stood, last_fall) {
+        (Some((_, d, o)), None) => (d.clone(), o.clone()),
+        (_, Some(fall)) => fall,
+        (None, None) => run(1.0)?,
+    };
     let mut c = by_dem::report(bridge, &d, &outcome, "least thickness", 1.0);
     c.analysis = Analysis::Thickness;
-    notes::dem(bridge, &d, &mut c);
-    c
-}
-
-fn blank(bridge: &Bridge, d: &Discretised, picture: crate::outcome::Picture) -> Collapse {
-    Collapse {
-        bridge: bridge.name.clone(),
-        width: bridge.width,
-        method: bridge.plan.method,
-        analysis: Analysis::Thickness,
-        status: Status::Completed,
-        collapse_load: None,
-        last_stable_load: None,
-        load_step: None,
-        reference_load: d.reference_load,
-        limit_load: None,
-        hinges: picture.hinges.clone(),
-        sliding_joints: picture.sliding.clone(),
-        max_compressive_stress: None,
-        blocks: d.model.blocks.len(),
-        particles: 0,
-        contacts: 0,
-        tolerance: bridge.plan.tolerance,
-        seed: bridge.plan.seed,
-        dem: None,
-        limit: None,
-        thickness: None,
-        support: None,
-        block_names: d.origins.iter().map(|o| o.name()).collect(),
-        warnings: Vec::new(),
-        assumptions: Vec::new(),
-        picture,
+    c.status = ended;
+    if let (Some(fell), Some((stood, ..))) = (fell, &stood) {
+        c.thickness = Some(report(bridge, [fell, *stood]));
     }
+    if let Some((_, d, outcome)) = &stood {
+        let standing = by_dem::report(bridge, d, outcome, "least thickness", 1.0);
+        c.picture.thrust_lines = standing.picture.thrust_lines;
+        c.max_compressive_stress = standing.max_compressive_stress;
+        c.contacts = standing.contacts;
+    }
+    notes::dem(bridge, &d, &mut c);
+    Ok(c)
 }

@@ -145,7 +145,8 @@ impl Blocks {
             add(outline, b.rounding_m, b.density_kg_per_m3, held)?;
         }
         if let Some(wall) = &self.wall {
-            let rectangle = |x: f64, y: f64, w: f64, h: f64| vec![vec2(x, y), vec2(x + w, y), vec2(x + w, y + h), vec2(x, y + h)];
+            let rectangle =
+                |x: f64, y: f64, w: f64, h: f64| vec![vec2(x, y), vec2(x + w, y), vec2(x + w, y + h), vec2(x, y + h)];
             let width: f64 = wall.courses.first().map_or(0.0, |c| c.iter().map(|l| l.abs() * wall.length_m).sum());
             add(rectangle(-width, -0.5, 3.0 * width, 0.5), wall.rounding_m, wall.density_kg_per_m3, Held::FIXED)?;
             for (level, course) in wall.courses.iter().enumerate() {
@@ -165,7 +166,8 @@ impl Blocks {
             }
         }
         if let Some(ring) = &self.ring {
-            let (low, high) = (ring.mean_radius_m - 0.5 * ring.thickness_m, ring.mean_radius_m + 0.5 * ring.thickness_m);
+            let (low, high) =
+                (ring.mean_radius_m - 0.5 * ring.thickness_m, ring.mean_radius_m + 0.5 * ring.thickness_m);
             let half = 0.5 * ring.embrace_deg.to_radians();
             let at = |k: i64, r: f64| {
                 let angle = -half + 2.0 * half * k as f64 / ring.voussoirs as f64;

@@ -160,7 +160,8 @@ impl Case {
                 .find(|p| p.is_file())
                 .ok_or_else(|| wrong(&path, "there is neither bridge.toml nor blocks.toml beside it".into()))?,
         };
-        let mut document: toml::Table = load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
+        let mut document: toml::Table =
+            load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
         change(&mut document, &file.set).map_err(|reason| wrong(&path, reason))?;
         let part = |p: Option<&Path>| p.and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
         let name = [part(folder.parent()), part(Some(folder))].into_iter().flatten().collect::<Vec<_>>().join("/");

@@ -48,7 +48,8 @@ pub fn table(judged: &[Judged]) -> String {
     let mut text = String::new();
     for j in judged {
         let word = j.verdict.word();
-        writeln!(text, "{:width$}  {word:18} {:7.2} s  {}", j.case.name, j.seconds, j.case.title).expect("a string takes it");
+        writeln!(text, "{:width$}  {word:18} {:7.2} s  {}", j.case.name, j.seconds, j.case.title)
+            .expect("a string takes it");
         let unwell = !matches!(j.verdict, Verdict::Holds);
         for f in j.findings.iter().filter(|f| unwell && !f.met) {
             writeln!(text, "{:width$}    {}: {} for {}", "", f.expect.quantity, shown(f), wanted(&f.expect))
@@ -83,7 +84,8 @@ pub fn manual(judged: &[Judged]) -> String {
 
 fn case(text: &mut String, j: &Judged) {
     let c = &j.case;
-    write!(text, "\n### {}\n\n`{}`: **{}**. {}\n", c.title, c.name, j.verdict.word(), c.source).expect("a string takes it");
+    write!(text, "\n### {}\n\n`{}`: **{}**. {}\n", c.title, c.name, j.verdict.word(), c.source)
+        .expect("a string takes it");
     if let Verdict::Open(reason) | Verdict::Broken(reason) = &j.verdict {
         write!(text, "\n{reason}\n").expect("a string takes it");
     }

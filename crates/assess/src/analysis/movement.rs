@@ -1,0 +1,116 @@
+//! Collapse by the movement of a support.
+
+use super::places::point;
+use super::report::{Collapse, LimitReport, Status, SupportReport};
+use super::{AnalysisError, by_dem, by_limit, notes, picture};
+use crate::discretise::{Discretised, discretise};
+use crate::outcome::{Motion, Snapshot};
+use bridge::{Analysis, Bridge, Method};
+use mechanics::dem;
+use mechanics::limit;
+use mechanics::watch::Watch;
+
+/// Limit analysis narrows the movement to this share of the increment.
+const FINE: f64 = 1e-3;
+
+/// Moves the support of the plan in increments until the blocks collapse, under the permanent loads alone.
+pub fn support_movement(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    let mut d = discretise(bridge)?;
+    d.loading.variable.clear();
+    let Some(movement) = bridge.plan.support_movement else {
+        let why = "which support moves, and where, is the question";
+        return Err(AnalysisError::Missing { what: "support_movement", why });
+    };
+    // A hundredth of the shortest span is beyond what any bridge survives without being noticed.
+    let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
+    let largest = movement.limit.unwrap_or(0.1 * shortest);
+    let step = movement.increment.unwrap_or(1e-3 * shortest);
+    let mut c = match bridge.plan.method {
+        Method::Dem => by_dem(bridge, &d, step, largest, resume, watch)?,
+        Method::Limit => by_limit(bridge, &d, step, largest)?,
+    };
+    c.analysis = Analysis::SupportMovement;
+    c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
+    for (given, name, value) in [(movement.increment, "increment", step), (movement.limit, "limit", largest)] {
+        if given.is_none() {
+            let message = format!("{name} of the support movement = {value} m, a share of the shortest span");
+            c.warnings.push(crate::warning::Warning::new(crate::warning::CHOSEN, message));
+        }
+    }
+    Ok(c)
+}
+
+fn by_dem(
+    bridge: &Bridge,
+    d: &Discretised,
+    step: f64,
+    largest: f64,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    by_dem::require_stiffness(bridge)?;
+    let program = dem::Program { increment: step, limit: largest, resolution: None, watched: d.watched };
+    let outcome = dem::collapse(&d.model, &d.loading, &program, &by_dem::settings(bridge), resume, watch)?;
+    let mut c = by_dem::report(bridge, d, &outcome, "support movement", 1.0);
+    c.support =
+        Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
+    notes::dem(bridge, d, &mut c);
+    Ok(c)
+}
+
+fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result<Collapse, AnalysisError> {
+    let settings = by_limit::settings(bridge);
+    let increments = limit::Increments { largest, step, resolution: FINE * step };
+    let outcome = limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings)?;
+    let mut picture = picture::built(bridge, d, "support movement");
+    picture.hinges = by_limit::hinges(d, &outcome.interfaces, &outcome.hinges);
+    picture.thrust_lines = by_limit::thrust_lines(d, &outcome.interfaces, &outcome.resultants);
+    let built = d.model.poses();
+    let n = built.len();
+    picture.snapshots = vec![Snapshot {
+        load: outcome.stands,
+        motions: outcome
+            .poses
+            .iter()
+            .zip(built.iter())
+            .map(|(now, then)| Motion {
+                translation: point(now.position - then.position),
+                rotation: now.rotation.sin.atan2(now.rotation.cos),
+            })
+            .collect(),
+        velocities: vec![[0.0; 2]; n],
+        contacts: Vec::new(),
+        stresses: vec![[0.0; 3]; n],
+    }];
+    picture.last_stable = Some(0);
+    picture.mechanism = super::places::scaled(picture.snapshots[0].motions.clone());
+    let mut c = Collapse::blank(bridge, d, Analysis::SupportMovement, picture);
+    c.method = Method::Limit;
+    c.tolerance = FINE * step;
+    c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
+    c.status = match outcome.status {
+        limit::MovementStatus::Collapsed => Status::Collapsed,
+        limit::MovementStatus::StandsThroughout => Status::StableToLastLoad,
+        limit::MovementStatus::NoEquilibrium => Status::UnstableUnderSelfWeight,
+    };
+    let stands = (outcome.status != limit::MovementStatus::NoEquilibrium).then_some(outcome.stands);
+    c.support = Some(SupportReport { last_stable: stands, collapse: outcome.falls, step });
+    c.limit = Some(LimitReport {
+        friction: "associated",
+        lower_bound: None,
+        upper_bound: None,
+        associated_load: None,
+        crushing_load: None,
+        equilibrium_residual: 0.0,
+        yield_violation: 0.0,
+        iterations: outcome.path.len() as u32,
+    });
+    notes::limit(bridge, d, &mut c);
+    c.assumptions.retain(|a| !a.contains("displacements before collapse"));
+    c.assumptions.push("Rigid blocks that follow the support as a mechanism; displacements are large.".into());
+    Ok(c)
+}
