@@ -5,7 +5,12 @@ use std::path::PathBuf;
 
 /// Masonry arch bridges: from a bridge file to a collapse load, by discrete elements and by limit analysis.
 #[derive(Debug, Parser)]
-#[command(name = "extrados", version, about, after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml")]
+#[command(
+    name = "extrados",
+    version,
+    about,
+    after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml"
+)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -323,7 +328,11 @@ fn damping(text: &str) -> Result<bridge::Damping, String> {
         None => (text, None),
     };
     let share = share.map(|words| {
-        words.parse::<f64>().ok().filter(|share| *share > 0.0 && *share <= 1.0).ok_or("the share lies above 0 and up to 1")
+        words
+            .parse::<f64>()
+            .ok()
+            .filter(|share| *share > 0.0 && *share <= 1.0)
+            .ok_or("the share lies above 0 and up to 1")
     });
     match (kind, share.transpose()?) {
         ("local", share) => Ok(bridge::Damping::Local(share.unwrap_or(0.8))),

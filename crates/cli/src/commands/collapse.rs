@@ -12,7 +12,7 @@ use crate::watcher::Watcher;
 use crate::{quantities, summary};
 use assess::analysis::{self, Collapse};
 use assess::wire;
-use bridge::{Analysis, Bridge, Method};
+use bridge::Bridge;
 use serde_json::json;
 use std::time::Duration;
 
@@ -42,13 +42,6 @@ fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
     arguments.overrides.apply(plan);
     plan.method = arguments.method.map_or(plan.method, |method| method.planned());
     plan.analysis = arguments.analysis.map_or(plan.analysis, |analysis| analysis.planned());
-    if arguments.analysis.is_some() && arguments.method.is_none() {
-        plan.method = match plan.analysis {
-            Analysis::Load => plan.method,
-            Analysis::Thickness => Method::Limit,
-            Analysis::SupportMovement => Method::Dem,
-        };
-    }
     if let Some(text) = &arguments.resolution {
         plan.resolution = Some(quantities::line_load("--resolution", text, bridge.width)?);
     }
@@ -70,7 +63,8 @@ fn analyse(
         let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
         report.warn(&mut desk.screen, "F110", &message);
     }
-    let mut watcher = Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
+    let mut watcher =
+        Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
     let found = analysis::collapse(bridge, resume.as_deref(), &mut watcher);
     let kept = watcher.has_kept();
     let trouble = watcher.finish();

@@ -64,7 +64,11 @@ fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
     }
     let read = found.iter().map(|folder| Case::read(folder));
     read.collect::<Result<_, _>>().map_err(|error| {
-        Failure::input("F112", error.to_string(), "repair the case, or name another folder; verification/README.md tells what a case holds")
+        Failure::input(
+            "F112",
+            error.to_string(),
+            "repair the case, or name another folder; verification/README.md tells what a case holds",
+        )
     })
 }
 

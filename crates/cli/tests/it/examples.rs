@@ -32,7 +32,8 @@ fn every_example_runs_to_an_answer() {
         let name = example.file_name().to_string_lossy().into_owned();
         let stage = Stage::with_example(&format!("run-{name}"), &name);
         for file in stage.names("bridge") {
-            let (answer, ending) = stage.object(&["collapse", &format!("bridge/{file}"), "--out", &file.replace(".toml", "")]);
+            let (answer, ending) =
+                stage.object(&["collapse", &format!("bridge/{file}"), "--out", &file.replace(".toml", "")]);
             assert_eq!(ending.code, Some(0), "{name}/{file}: {} {}", answer["status"], ending.stderr);
             count += 1;
         }

@@ -76,7 +76,13 @@ fn leaves_know_nothing_of_one_another_and_only_assess_joins_them() {
         text[start..end].to_owned()
     };
     let crates = ["bridge", "mechanics", "assess", "figures", "cli"];
-    let allowed = [("bridge", ""), ("mechanics", ""), ("assess", "bridge mechanics"), ("figures", "assess"), ("cli", "bridge mechanics assess figures")];
+    let allowed = [
+        ("bridge", ""),
+        ("mechanics", ""),
+        ("assess", "bridge mechanics"),
+        ("figures", "assess"),
+        ("cli", "bridge mechanics assess figures"),
+    ];
     for (name, may) in allowed {
         let text = dependencies(name);
         for other in crates.iter().filter(|other| !may.split(' ').any(|one| one == **other)) {
@@ -90,7 +96,8 @@ fn discrete_elements_and_limit_analysis_do_not_use_one_another() {
     for (folder, other) in [("dem", "limit"), ("limit", "dem")] {
         for path in sources(&format!("crates/mechanics/src/{folder}")) {
             let text = code(&path);
-            for use_of in [format!("crate::{other}"), format!("super::super::{other}"), format!("use super::{other}::")] {
+            for use_of in [format!("crate::{other}"), format!("super::super::{other}"), format!("use super::{other}::")]
+            {
                 let own = use_of.starts_with("use super") && path.with_file_name(other).exists();
                 assert!(own || !text.contains(&use_of), "{} uses {other}", path.display());
             }
@@ -101,8 +108,18 @@ fn discrete_elements_and_limit_analysis_do_not_use_one_another() {
 #[test]
 fn mechanics_has_no_file_clock_thread_print_or_format_and_no_bridge_words() {
     const NOT_HERE: [&str; 12] = [
-        "std::fs", "std::io", "std::net", "std::env", "std::time", "std::thread", "std::process", "println!", "eprintln!",
-        "serde", "rayon", "HashMap",
+        "std::fs",
+        "std::io",
+        "std::net",
+        "std::env",
+        "std::time",
+        "std::thread",
+        "std::process",
+        "println!",
+        "eprintln!",
+        "serde",
+        "rayon",
+        "HashMap",
     ];
     const BRIDGE_WORDS: [&str; 5] = ["voussoir", "extrados", "intrados", "springing", "spandrel"];
     for path in sources("crates/mechanics/src") {
@@ -117,7 +134,8 @@ fn mechanics_has_no_file_clock_thread_print_or_format_and_no_bridge_words() {
 fn reading_computes_nothing_and_touches_no_file() {
     for path in sources("crates/bridge/src") {
         let text = code(&path);
-        for word in ["std::fs", "std::net", "std::env", "std::time", "std::process", "println!", "eprintln!", "HashMap"] {
+        for word in ["std::fs", "std::net", "std::env", "std::time", "std::process", "println!", "eprintln!", "HashMap"]
+        {
             assert!(!text.contains(word), "{} speaks of {word}", path.display());
         }
     }

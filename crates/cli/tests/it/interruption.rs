@@ -6,7 +6,8 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// A run of some seconds: case 2 at a tolerance far below what its answer needs.
-const LONG: [&str; 8] = ["collapse", "bridge/case-2.toml", "--tolerance", "1e-8", "--keep-every", "0.05", "--json", "--quiet"];
+const LONG: [&str; 8] =
+    ["collapse", "bridge/case-2.toml", "--tolerance", "1e-8", "--keep-every", "0.05", "--json", "--quiet"];
 /// A machine that needs longer than this for a second's work is not going to finish.
 const PATIENCE: Duration = Duration::from_secs(120);
 

@@ -114,8 +114,12 @@ fn verify_wants_cases() {
 #[test]
 fn a_reader_that_goes_away_is_no_error() {
     for words in [["explain"].as_slice(), &["schema"]] {
-        let mut child =
-            Command::new(PROGRAM).args(words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+        let mut child = Command::new(PROGRAM)
+            .args(words)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
         drop(child.stdout.take());
         let mut remarks = String::new();
         child.stderr.take().expect("stderr").read_to_string(&mut remarks).expect("UTF-8");

@@ -93,7 +93,10 @@ impl From<Output> for Ending {
 /// The one object on stdout, with the fields that every object has.
 pub fn object(stdout: &str) -> Value {
     let value: Value = serde_json::from_str(stdout).unwrap_or_else(|error| panic!("{error} in {stdout:?}"));
-    assert!(value["schema"].as_str().is_some_and(|name| name.starts_with("extrados.") && name.ends_with("/1")), "{value}");
+    assert!(
+        value["schema"].as_str().is_some_and(|name| name.starts_with("extrados.") && name.ends_with("/1")),
+        "{value}"
+    );
     assert!(value["status"].is_string() && value["warnings"].is_array(), "{value}");
     assert!(value["wall_seconds"].as_f64().is_some_and(|seconds| seconds >= 0.0), "{value}");
     assert!(value["threads"].as_u64().is_some_and(|threads| threads >= 1), "{value}");
