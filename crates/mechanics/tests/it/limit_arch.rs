@@ -70,7 +70,7 @@ fn bridgemill_under_a_point_load() {
 
 #[test]
 fn the_program_is_solved_in_milliseconds() {
-    // Building the ring, its joints and the program, solving, both bounds: 1.95 ms on one busy 2.x GHz core, of which
+    // Building the ring, its joints and the program, solving, both bounds: 1.95 ms on one core of a busy machine, of which
     // Clarabel 1.65 ms (setting up 0.3, ten iterations 1.35) and finding the joints 0.07. The limit here only catches a
     // return to tens of milliseconds: machines that run tests are slower than machines that are measured.
     let ring = Ring::bridgemill();
