@@ -5,7 +5,12 @@ use std::path::PathBuf;
 
 /// Masonry arch bridges: from a bridge file to a collapse load, by discrete elements and by limit analysis.
 #[derive(Debug, Parser)]
-#[command(name = "extrados", version, about, after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml")]
+#[command(
+    name = "extrados",
+    version,
+    about,
+    after_help = "Start with: extrados new mybridge && extrados collapse mybridge/case-1.toml"
+)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -97,6 +102,9 @@ pub struct Collapse {
     /// Take up the checkpoint of an interrupted run
     #[arg(long)]
     pub resume: bool,
+    /// Keep a checkpoint this often
+    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds)]
+    pub keep_every: f64,
     /// What to set in place of the file's plan.
     #[command(flatten)]
     pub overrides: Overrides,
@@ -156,6 +164,9 @@ pub struct Verify {
     /// Slow cases too
     #[arg(long)]
     pub slow: bool,
+    /// Write the verification manual to this file (Markdown)
+    #[arg(long, value_name = "FILE")]
+    pub manual: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -317,7 +328,11 @@ fn damping(text: &str) -> Result<bridge::Damping, String> {
         None => (text, None),
     };
     let share = share.map(|words| {
-        words.parse::<f64>().ok().filter(|share| *share > 0.0 && *share <= 1.0).ok_or("the share lies above 0 and up to 1")
+        words
+            .parse::<f64>()
+            .ok()
+            .filter(|share| *share > 0.0 && *share <= 1.0)
+            .ok_or("the share lies above 0 and up to 1")
     });
     match (kind, share.transpose()?) {
         ("local", share) => Ok(bridge::Damping::Local(share.unwrap_or(0.8))),
@@ -326,6 +341,13 @@ fn damping(text: &str) -> Result<bridge::Damping, String> {
         ("adaptive", Some(_)) => Err("adaptive damping finds its own intensity: give no share".to_owned()),
         _ => Err("write local, viscous or adaptive, such as local:0.8".to_owned()),
     }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|seconds| *seconds >= 0.0 && *seconds <= 1e6)
+        .ok_or_else(|| "write a number of seconds, such as 2".to_owned())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

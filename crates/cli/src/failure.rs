@@ -91,6 +91,12 @@ pub const CARDS: &[Card] = &[
         title: "no verification cases found",
         text: "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/.",
     },
+    Card {
+        code: "F112",
+        title: "a verification case cannot be read",
+        text: "Each case has a case.toml with title, kind, source and at least one [[expect]]: a quantity, its value or bounds, a \
+               tolerance and the reason for it. The message names the file and what is missing or misspelt in it.",
+    },
 ];
 
 impl Failure {

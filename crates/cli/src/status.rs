@@ -71,9 +71,11 @@ impl Status {
 
     fn row(self) -> (&'static str, u8, &'static str) {
         match self {
-            Status::Collapsed => {
-                ("collapsed", 0, "A load was found that makes a mechanism of the bridge: the answer of a collapse analysis.")
-            }
+            Status::Collapsed => (
+                "collapsed",
+                0,
+                "A load was found that makes a mechanism of the bridge: the answer of a collapse analysis.",
+            ),
             Status::StableToLastLoad => (
                 "stable-to-last-load",
                 0,
@@ -113,14 +115,22 @@ impl Status {
                 "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers.",
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
-            Status::Inadequate => ("inadequate", 1, "The command finished, and a check or a verification case is not met."),
-            Status::Undetermined => {
-                ("undetermined", 3, "The command finished without an answer: no position of the loads makes a mechanism of the bridge.")
+            Status::Inadequate => {
+                ("inadequate", 1, "The command finished, and a check or a verification case is not met.")
             }
-            Status::UnusableInput => {
-                ("unusable-input", 2, "The input cannot be used; `errors` says what is wrong, where, and what to write instead.")
+            Status::Undetermined => (
+                "undetermined",
+                3,
+                "The command finished without an answer: no position of the loads makes a mechanism of the bridge.",
+            ),
+            Status::UnusableInput => (
+                "unusable-input",
+                2,
+                "The input cannot be used; `errors` says what is wrong, where, and what to write instead.",
+            ),
+            Status::NotWritten => {
+                ("not-written", 3, "The results could not be written; the message says where and why.")
             }
-            Status::NotWritten => ("not-written", 3, "The results could not be written; the message says where and why."),
         }
     }
 }

@@ -63,7 +63,8 @@ fn loads(page: &mut String, found: &Collapse) {
     let mut line = |name: &str, load: Option<f64>| {
         if let Some(load) = load {
             let whole = load * found.width / 1e3;
-            let _ = writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width);
+            let _ =
+                writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width);
         }
     };
     line("last stable load", found.last_stable_load);
@@ -84,7 +85,8 @@ fn loads(page: &mut String, found: &Collapse) {
 fn thickness(page: &mut String, found: &Collapse) {
     let Some(least) = &found.thickness else { return };
     let _ = writeln!(page, "  least ring thickness    {:>9.4} m at the crown", least.crown_thickness);
-    let _ = writeln!(page, "  share of the given one  {:>9.4} stands, {:.4} does not", least.factor[0], least.factor[1]);
+    let _ =
+        writeln!(page, "  share of the given one  {:>9.5} stands, {:.5} does not", least.factor[1], least.factor[0]);
     if let Some(ratio) = least.over_mean_radius {
         let _ = writeln!(page, "  over the mean radius    {ratio:>9.5}");
     }

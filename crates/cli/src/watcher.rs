@@ -7,8 +7,6 @@ use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// A checkpoint is kept this often: seldom enough to cost nothing, often enough to lose nothing that hurts.
-const KEEP_EVERY: Duration = Duration::from_secs(2);
 /// Steps of the bar.
 const BAR: u64 = 1000;
 
@@ -34,21 +32,16 @@ pub fn asked_to_stop() -> bool {
 /// Looks on one run.
 pub struct Watcher {
     bar: ProgressBar,
-    checkpoint: Option<Checkpoint>,
+    checkpoint: Checkpoint,
+    keep_every: Duration,
     kept: Option<Instant>,
     trouble: Option<Failure>,
 }
 
 impl Watcher {
-    /// Draws progress unless it is unwanted, and keeps a checkpoint where there is one to keep.
-    pub fn new(quiet: bool, checkpoint: Option<Checkpoint>) -> Watcher {
-        let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let bar = ProgressBar::with_draw_target(Some(BAR), target);
-        // The template is a constant that a test reads; without it the plain bar does.
-        if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
-            bar.set_style(style);
-        }
-        Watcher { bar, checkpoint, kept: None, trouble: None }
+    /// Draws progress unless it is unwanted, and keeps a checkpoint every so often.
+    pub fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
+        Watcher { bar: bar(quiet, BAR), checkpoint, keep_every, kept: None, trouble: None }
     }
 
     /// Whether a checkpoint of this run was kept.
@@ -63,6 +56,22 @@ impl Watcher {
     }
 }
 
+/// A bar that counts pieces of work.
+pub fn count(quiet: bool, pieces: usize) -> ProgressBar {
+    bar(quiet, pieces as u64)
+}
+
+/// A bar on stderr; nothing is drawn where that is no terminal.
+fn bar(quiet: bool, length: u64) -> ProgressBar {
+    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    let bar = ProgressBar::with_draw_target(Some(length), target);
+    // The template is a constant that a test reads; without it the plain bar does.
+    if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
+        bar.set_style(style);
+    }
+    bar
+}
+
 const TEMPLATE: &str = "{elapsed:>4} {wide_bar} {percent:>3} %, {eta} left  {msg}";
 
 impl Watch for Watcher {
@@ -75,12 +84,11 @@ impl Watch for Watcher {
     }
 
     fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
-        let Some(checkpoint) = &self.checkpoint else { return };
-        let due = self.kept.is_none_or(|kept| kept.elapsed() >= KEEP_EVERY);
+        let due = self.kept.is_none_or(|kept| kept.elapsed() >= self.keep_every);
         if !due && !asked_to_stop() {
             return;
         }
-        match checkpoint.keep(&words()) {
+        match self.checkpoint.keep(&words()) {
             Ok(()) => self.kept = Some(Instant::now()),
             Err(failure) => self.trouble = Some(failure),
         }

@@ -9,7 +9,7 @@ use assess::outcome::Picture;
 /// Elevation of the bridge as built: blocks, supports, road surface, loads, dimensions. An empty sheet with its
 /// title where there are no blocks.
 pub fn bridge_as_drawn(picture: &Picture) -> String {
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("bridge");
     draw::define_hatch(&mut sheet);
     let top = sheet.title(&picture.title, "The bridge as drawn");
     let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };

@@ -12,16 +12,16 @@ pub const LOAD: &str = "#a02020";
 /// Outline of the bridge as built, behind something.
 pub const FAINT: &str = "#b0b0b0";
 
-const HATCH: &str = "<pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" fill=\"#e6e6e6\"/><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#8a8a8a\" stroke-width=\"1.2\"/></pattern>";
+const HATCH: &str = "<pattern id=\"NAME-hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" fill=\"#e6e6e6\"/><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#8a8a8a\" stroke-width=\"1.2\"/></pattern>";
 
 /// Fill of a block by its role: all light, and told apart by their grey.
-pub fn fill(shape: &Shape) -> &'static str {
+pub fn fill(sheet: &Sheet, shape: &Shape) -> String {
     match shape.role.as_str() {
-        _ if shape.held => "url(#hatch)",
-        "voussoir" => "#f2e8d5",
-        "pier" => "#e2dccd",
-        "backing" => "#d9d9d2",
-        _ => "#ece6da",
+        _ if shape.held => format!("url(#{}-hatch)", sheet.name()),
+        "voussoir" => "#f2e8d5".into(),
+        "pier" => "#e2dccd".into(),
+        "backing" => "#d9d9d2".into(),
+        _ => "#ece6da".into(),
     }
 }
 
@@ -40,7 +40,8 @@ pub fn outline_width(shapes: &[Shape], view: &View) -> f64 {
 
 /// Puts the hatching of supports into the sheet.
 pub fn define_hatch(sheet: &mut Sheet) {
-    sheet.define(HATCH);
+    let svg = HATCH.replace("NAME", sheet.name());
+    sheet.define(&svg);
 }
 
 /// The blocks, filled by role, at their exaggerated places; supports first so that moving blocks lie over them.
@@ -50,7 +51,8 @@ pub fn blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: impl Fn(u
     for held in [true, false] {
         for (k, shape) in shapes.iter().enumerate().filter(|(_, s)| s.held == held) {
             let class = if held { "support" } else { "block" };
-            let pen = Pen::shape(fill(shape), INK, if held { THIN } else { width }).class(class);
+            let fill = fill(sheet, shape);
+            let pen = Pen::shape(&fill, INK, if held { THIN } else { width }).class(class);
             sheet.polygon(&view.spots(&place(k)), pen);
         }
     }
@@ -183,24 +185,12 @@ pub fn extent(picture: &Picture) -> Option<Extent> {
     Some(whole.grown(0.01 * size))
 }
 
-/// Text that says which loads the arrows stand for.
-pub fn load_words(picture: &Picture) -> Option<String> {
-    if picture.loads.is_empty() {
-        return None;
-    }
-    let down: f64 = picture.loads.iter().map(|l| -l.force[1]).sum();
-    let across: f64 = picture.loads.iter().map(|l| l.force[0]).sum();
-    let largest = down.abs().max(across.abs());
-    let part = |size: f64, way: [&str; 2]| {
-        let matters = size.abs() > 1e-6 * largest;
-        matters.then(|| format!("{} {}", words::force(size.abs()), way[usize::from(size < 0.0)]))
-    };
-    let parts: Vec<String> = [part(down, ["downwards", "upwards"]), part(across, ["to the right", "to the left"])]
-        .into_iter()
-        .flatten()
-        .collect();
-    let sum = if parts.is_empty() { "in balance".to_string() } else { format!("{} in all", parts.join(" and ")) };
-    Some(format!("Arrows: variable load on the blocks, {sum} at the reference load."))
+/// What the arrows mean: their common size is arbitrary.
+pub const LOAD_WORDS: &str = "Arrows show how the variable load is shared among the blocks.";
+
+/// The load at collapse: as the analysis gives it, or the first step that did not come to rest.
+pub fn collapse_load(picture: &Picture) -> Option<f64> {
+    picture.collapse_load.or_else(|| picture.path.iter().find(|s| !s.at_rest).map(|s| s.load)).filter(|l| l.is_finite())
 }
 
 /// A small row of signs and what they mean; returns the y below it.
@@ -260,10 +250,11 @@ impl Sign {
             }
             Sign::Load => sheet.arrow([x, y - 7.0], [x, y + 6.0], Pen::line(LOAD, MEDIUM)),
             Sign::AsBuilt => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(FAINT, MEDIUM)),
-            Sign::Support => sheet.rectangle(
-                Area { left: x - 10.0, right: x + 10.0, top: y - 5.0, bottom: y + 5.0 },
-                Pen::shape("url(#hatch)", INK, HAIR),
-            ),
+            Sign::Support => {
+                let hatch = format!("url(#{}-hatch)", sheet.name());
+                let area = Area { left: x - 10.0, right: x + 10.0, top: y - 5.0, bottom: y + 5.0 };
+                sheet.rectangle(area, Pen::shape(&hatch, INK, HAIR));
+            }
             Sign::Thrust => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(THRUST, crate::sheet::THICK)),
             Sign::Contact => sheet.line([x, y - 7.0], [x, y + 7.0], Pen::line(INK, 1.6)),
         }

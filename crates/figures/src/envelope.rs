@@ -40,10 +40,10 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
     // Far from the middle of a span factors grow without bound; the axis ends where they no longer matter.
     let (low_x, high_x) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |r, p| (r.0.min(p.0), r.1.max(p.0)));
     let largest = points().map(|p| p.1).fold(0.0_f64, f64::max);
-    let ceiling = largest.min(5.0 * governing.1.abs().max(1e-300));
+    let ceiling = largest.min(3.5 * governing.1.abs().max(1e-300));
     let y = Ticks::over(unit(governing.1.min(0.0)), unit(ceiling), 6);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("envelope");
     let second = match quantity {
         Quantity::Factor => "Load factor at collapse over the position of the load",
         Quantity::Load => "Collapse load over the position of the load",

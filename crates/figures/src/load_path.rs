@@ -34,7 +34,7 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
     let loads = range(&mut steps.iter().map(|s| load(s)));
     let y = Ticks::over(loads[0], loads[1] + 0.04 * (loads[1] - loads[0]), 6);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new("load");
     let second =
         if picture.moves_supports { "Support movement against displacement" } else { "Load against displacement" };
     let top = sheet.title(&picture.title, second);

@@ -17,7 +17,8 @@ const BAR: f64 = 30.0;
 
 /// Most compressive principal stress [Pa], compression positive, of a plane stress (tension positive: xx, yy, xy).
 pub fn most_compressive([xx, yy, xy]: [f64; 3]) -> f64 {
-    -(0.5 * (xx + yy) - (0.5 * (xx - yy)).hypot(xy))
+    // Adding zero takes the sign off a negative zero.
+    (0.5 * (xx - yy)).hypot(xy) - 0.5 * (xx + yy) + 0.0
 }
 
 /// One snapshot: blocks coloured by their most compressive principal stress, contact stresses as bars that stand
@@ -33,15 +34,20 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let scale = exaggeration(picture, state, extent);
     let place = |k: usize| moved(&picture.shapes[k], state.motions[k], scale, Turn::Finite);
 
-    let mut sheet = Sheet::new();
+    let mut sheet = Sheet::new(&format!("stress-{snapshot}"));
     draw::define_hatch(&mut sheet);
     let at = if picture.moves_supports {
         format!("a support movement of {}", words::metres(state.load))
     } else {
         words::force(state.load)
     };
-    let stable = if picture.last_stable == Some(snapshot) { ", last stable" } else { "" };
-    let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{stable}"));
+    let collapses = draw::collapse_load(picture).is_some_and(|c| state.load >= c * (1.0 - 1e-9));
+    let which = match () {
+        () if collapses => ", collapse",
+        () if picture.last_stable == Some(snapshot) => ", last stable",
+        () => "",
+    };
+    let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{which}"));
     let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
     let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
     let shown = blocks_only.with(deformed.within(roomy));
@@ -59,7 +65,8 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     sheet.open_clipped("blocks", "room", frame);
     let width = draw::outline_width(&picture.shapes, &view);
     for (k, shape) in picture.shapes.iter().enumerate().filter(|(_, s)| s.held) {
-        sheet.polygon(&view.spots(&place(k)), Pen::shape(draw::fill(shape), INK, 0.75).class("support"));
+        let fill = draw::fill(&sheet, shape);
+        sheet.polygon(&view.spots(&place(k)), Pen::shape(&fill, INK, 0.75).class("support"));
     }
     for k in free() {
         let colour = dark_for_much(compression(k) / full);
@@ -113,7 +120,8 @@ fn contact_bars(sheet: &mut Sheet, picture: &Picture, state: &Snapshot, view: &V
         let length = BAR * contact.stress / highest;
         // Along the joint, away from the middle of the block.
         let along = [-contact.normal[1], contact.normal[0]];
-        let middle = contact.blocks.map(|b| now(picture, state, b)).into_iter().flatten().next();
+        let free = |b: &&usize| picture.shapes.get(**b).is_some_and(|s| !s.held);
+        let middle = contact.blocks.iter().find(free).and_then(|&b| now(picture, state, b));
         let off = middle.map_or([0.0, 0.0], |c| [contact.point[0] - c[0], contact.point[1] - c[1]]);
         let side = if off[0] * along[0] + off[1] * along[1] < 0.0 { -1.0 } else { 1.0 };
         let end = [at[0] + side * length * along[0], at[1] - side * length * along[1]];

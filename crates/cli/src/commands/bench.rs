@@ -68,9 +68,11 @@ fn once(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
 
 /// Bridgemill, case 1, as it stands in the examples.
 fn case_one(method: Method, points: ContactPoints) -> Result<Bridge, Failure> {
-    let text = examples::named("bridgemill").and_then(|example| example.files.iter().find(|file| file.name == "case-1.toml"));
+    let text =
+        examples::named("bridgemill").and_then(|example| example.files.iter().find(|file| file.name == "case-1.toml"));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
-    let mut bridge = read.ok_or_else(|| Failure::input("F104", "the example bridgemill cannot be read", "report this"))?;
+    let mut bridge =
+        read.ok_or_else(|| Failure::input("F104", "the example bridgemill cannot be read", "report this"))?;
     bridge.plan.method = method;
     bridge.plan.contact_points = points;
     Ok(bridge)

@@ -32,7 +32,14 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
         .with("piers", bridge.piers.len())
         .with("blocks", picture.shapes.len())
         .with("cover_depth_m", bridge.cover.depth)
-        .with("loads", bridge.loads.iter().map(|load| json!({ "name": load.name, "position_m": load.position })).collect::<Vec<Value>>())
+        .with(
+            "loads",
+            bridge
+                .loads
+                .iter()
+                .map(|load| json!({ "name": load.name, "position_m": load.position }))
+                .collect::<Vec<Value>>(),
+        )
         .with("out", shown.as_str())
         .with("files", names)
         .saying(summary(bridge, picture.shapes.len(), &shown));

@@ -12,8 +12,9 @@ use crate::watcher::Watcher;
 use crate::{quantities, summary};
 use assess::analysis::{self, Collapse};
 use assess::wire;
-use bridge::{Analysis, Bridge, Method};
+use bridge::Bridge;
 use serde_json::json;
+use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
@@ -41,13 +42,6 @@ fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
     arguments.overrides.apply(plan);
     plan.method = arguments.method.map_or(plan.method, |method| method.planned());
     plan.analysis = arguments.analysis.map_or(plan.analysis, |analysis| analysis.planned());
-    if arguments.analysis.is_some() && arguments.method.is_none() {
-        plan.method = match plan.analysis {
-            Analysis::Load => plan.method,
-            Analysis::Thickness => Method::Limit,
-            Analysis::SupportMovement => Method::Dem,
-        };
-    }
     if let Some(text) = &arguments.resolution {
         plan.resolution = Some(quantities::line_load("--resolution", text, bridge.width)?);
     }
@@ -69,7 +63,8 @@ fn analyse(
         let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
         report.warn(&mut desk.screen, "F110", &message);
     }
-    let mut watcher = Watcher::new(desk.screen.quiet, Some(checkpoint.clone()));
+    let mut watcher =
+        Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
     let found = analysis::collapse(bridge, resume.as_deref(), &mut watcher);
     let kept = watcher.has_kept();
     let trouble = watcher.finish();
@@ -125,6 +120,7 @@ fn sweep(
     bridge: &Bridge,
     folder: &Folder,
 ) -> Result<Report, Failure> {
+    desk.schema = "extrados.sweep/1".to_owned();
     let span = assess::discretise::bridge_length(bridge);
     let step = match &arguments.sweep_step {
         Some(text) => quantities::length("--sweep-step", text)?,

@@ -47,8 +47,8 @@ fn list() -> Report {
 /// Every card there is: of files, of analyses, of the command, of its statuses.
 fn all() -> Vec<Card> {
     let mut cards = Vec::new();
-    for card in [] as [failure::Card; 0] {
-        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
+    for card in bridge::explain::cards() {
+        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: of_file(card) });
     }
     for card in assess::warning::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
@@ -64,6 +64,17 @@ fn all() -> Vec<Card> {
         });
     }
     cards
+}
+
+/// A card about files: what is checked and why, an example and its remedy, the source.
+fn of_file(card: &bridge::explain::Card) -> String {
+    let indented = |lines: &str| lines.lines().map(|line| format!("  {line}")).collect::<Vec<_>>().join("\n");
+    let mut text = format!("{} {}\n\nRaised by:\n{}\n", card.meaning, card.why, indented(card.wrong));
+    if !card.right.is_empty() {
+        let _ = write!(text, "\nInstead:\n{}\n", indented(card.right));
+    }
+    let _ = write!(text, "\nSource: {}", card.source);
+    text
 }
 
 /// Text folded at 96 columns, paragraph by paragraph; lines that start with a blank stay as they are.

@@ -49,5 +49,9 @@ fn write(example: &Example, dir: &Path) -> Result<(), Failure> {
 
 fn unknown(name: &str) -> Failure {
     let names: Vec<&str> = examples::ALL.iter().map(|example| example.name).collect();
-    Failure::input("F104", format!("there is no example called {name}"), format!("the examples are {}", names.join(", ")))
+    Failure::input(
+        "F104",
+        format!("there is no example called {name}"),
+        format!("the examples are {}", names.join(", ")),
+    )
 }

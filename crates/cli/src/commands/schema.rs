@@ -5,5 +5,5 @@ use crate::report;
 
 /// Prints the schema, and nothing else, with or without --json.
 pub fn run() -> Answer {
-    Answer::Text(report::text_of(&serde_json::json!({})))
+    Answer::Text(report::text_of(&bridge::schema::schema()))
 }

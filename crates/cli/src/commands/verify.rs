@@ -1,10 +1,138 @@
-//! `extrados verify`: runs the verification cases and prints the manual's table.
+//! `extrados verify`: runs the verification cases and prints the manual's table, kind by kind.
 
 use super::Desk;
 use crate::args::Verify;
 use crate::failure::Failure;
+use crate::folder;
 use crate::report::Report;
+use crate::status::Status;
+use crate::watcher;
+use assess::verify::{self, Case, Class, Judged, Kind, Verdict};
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+use std::path::Path;
 
-pub fn run(_desk: &mut Desk, _arguments: &Verify) -> Result<Report, Failure> {
-    todo!()
+/// Kinds of evidence; their counts are never added up.
+const KINDS: [(Kind, &str, &str); 5] = [
+    (Kind::Exact, "exact", "against closed forms"),
+    (Kind::Analytical, "analytical", "against approximate theory"),
+    (Kind::Benchmark, "benchmark", "against other programs and published numerical results"),
+    (Kind::Experiment, "experiment", "against tests"),
+    (Kind::Regression, "regression", "against this program's own past"),
+];
+
+/// Runs the cases below a folder.
+pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
+    let cases = read(&arguments.folder)?;
+    let (chosen, left): (Vec<Case>, Vec<Case>) =
+        cases.into_iter().partition(|case| arguments.slow || case.class == Class::Quick);
+    let bar = watcher::count(desk.screen.quiet, chosen.len());
+    let judged: Vec<Option<Judged>> = chosen
+        .par_iter()
+        .map(|case| {
+            let judged = (!watcher::asked_to_stop()).then(|| verify::run(case));
+            bar.inc(1);
+            judged
+        })
+        .collect();
+    bar.finish_and_clear();
+    let complete = judged.iter().all(Option::is_some);
+    let judged: Vec<Judged> = judged.into_iter().flatten().collect();
+    let well = judged.iter().all(|one| one.verdict.is_well());
+    let status = match (complete, well) {
+        (false, _) => Status::Cancelled,
+        (true, true) => Status::Completed,
+        (true, false) => Status::Inadequate,
+    };
+    if let Some(path) = arguments.manual.as_ref().filter(|_| complete) {
+        let written = folder::write_whole(path, verify::manual(&judged).as_bytes());
+        written.map_err(|error| Failure::not_written(path, &error))?;
+    }
+    Ok(Report::new(status)
+        .with("kinds", counts(&judged))
+        .with("cases", judged.iter().map(case).collect::<Vec<Value>>())
+        .with("left_out", left.iter().map(|case| case.name.as_str()).collect::<Vec<&str>>())
+        .saying(summary(&judged, &left, status)))
+}
+
+fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
+    let found = verify::discover(folder).map_err(|error| Failure::unreadable(folder, &error))?;
+    if found.is_empty() {
+        let message = format!("{} holds no folder with a case.toml", folder.display());
+        return Err(Failure::input("F111", message, "name the folder of the verification cases"));
+    }
+    let read = found.iter().map(|folder| Case::read(folder));
+    read.collect::<Result<_, _>>().map_err(|error| {
+        Failure::input(
+            "F112",
+            error.to_string(),
+            "repair the case, or name another folder; verification/README.md tells what a case holds",
+        )
+    })
+}
+
+fn counts(judged: &[Judged]) -> Map<String, Value> {
+    let mut kinds = Map::new();
+    for (kind, word, _) in KINDS {
+        let of_kind = || judged.iter().filter(|one| one.case.kind == kind);
+        let count = |test: fn(&Verdict) -> bool| of_kind().filter(|one| test(&one.verdict)).count();
+        if of_kind().next().is_some() {
+            let row = json!({
+                "holds": count(|verdict| *verdict == Verdict::Holds),
+                "open": count(|verdict| matches!(verdict, Verdict::Open(_))),
+                "fails": count(|verdict| !verdict.is_well()),
+            });
+            kinds.insert(word.to_owned(), row);
+        }
+    }
+    kinds
+}
+
+fn case(judged: &Judged) -> Value {
+    let findings = judged.findings.iter().map(|finding| {
+        json!({
+            "quantity": finding.expect.quantity,
+            "found": finding.found,
+            "met": finding.met,
+            "why_this_tolerance": finding.expect.why,
+        })
+    });
+    let mut value = json!({
+        "name": judged.case.name,
+        "title": judged.case.title,
+        "kind": KINDS.iter().find(|(kind, ..)| *kind == judged.case.kind).map(|(_, word, _)| *word),
+        "verdict": judged.verdict.word(),
+        "seconds": judged.seconds,
+        "findings": findings.collect::<Vec<Value>>(),
+    });
+    if let Verdict::Open(reason) | Verdict::Broken(reason) = &judged.verdict {
+        value["reason"] = json!(reason);
+    }
+    value
+}
+
+fn summary(judged: &[Judged], left: &[Case], status: Status) -> String {
+    let mut page = String::new();
+    for (kind, _, words) in KINDS {
+        let of_kind: Vec<Judged> = judged.iter().filter(|one| one.case.kind == kind).cloned().collect();
+        if of_kind.is_empty() {
+            continue;
+        }
+        let holds = of_kind.iter().filter(|one| one.verdict == Verdict::Holds).count();
+        let _ = writeln!(page, "{words}: {holds} of {} hold", of_kind.len());
+        for line in verify::table(&of_kind).lines() {
+            let _ = writeln!(page, "  {line}");
+        }
+        page.push('\n');
+    }
+    if !left.is_empty() {
+        let _ = writeln!(page, "left out: {} slow cases; --slow runs them too", left.len());
+    }
+    page += match status {
+        Status::Completed => "every case holds that should\n",
+        Status::Cancelled => "interrupted: not every case was run\n",
+        _ => "a case does not hold\n",
+    };
+    page
 }

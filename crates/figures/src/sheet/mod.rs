@@ -130,17 +130,23 @@ pub enum Anchor {
 }
 
 /// A figure while it is drawn.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Sheet {
+    name: String,
     body: String,
     texts: Vec<Area>,
-    obstacles: Vec<Area>,
+    obstacles: Vec<(Area, f64)>,
 }
 
 impl Sheet {
-    /// An empty sheet.
-    pub fn new() -> Sheet {
-        Sheet::default()
+    /// An empty sheet. Its name, of letters, digits and hyphens, stands before every id, so that several figures
+    /// can stand in one document.
+    pub fn new(name: &str) -> Sheet {
+        Sheet { name: name.into(), body: String::new(), texts: Vec::new(), obstacles: Vec::new() }
+    }
+    /// Name of the sheet.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// An open or closed chain of points. Shapes with a coordinate that is not finite are left out.
@@ -204,11 +210,12 @@ impl Sheet {
         let _ = writeln!(self.body, "<g class=\"{class}\">");
     }
     /// Like [`Sheet::open`], and drawn only inside an area.
-    pub fn open_clipped(&mut self, class: &str, name: &str, a: Area) {
+    pub fn open_clipped(&mut self, class: &str, id: &str, a: Area) {
         let (x, y, w, h) = (number(a.left), number(a.top), number(a.right - a.left), number(a.bottom - a.top));
         let _ = writeln!(
             self.body,
-            "<clipPath id=\"{name}\"><rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/></clipPath>\n<g class=\"{class}\" clip-path=\"url(#{name})\">"
+            "<clipPath id=\"{0}-{id}\"><rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/></clipPath>\n<g class=\"{class}\" clip-path=\"url(#{0}-{id})\">",
+            self.name
         );
     }
     /// Ends a group.
@@ -287,7 +294,11 @@ impl Sheet {
 
     /// Something that a label had better not cover.
     pub fn avoid(&mut self, area: Area) {
-        self.obstacles.push(area);
+        self.obstacles.push((area, 1.0));
+    }
+    /// Something that a label may cover where there is no better place.
+    pub fn avoid_lightly(&mut self, area: Area) {
+        self.obstacles.push((area, 0.3));
     }
     /// Where every text lies.
     #[cfg(test)]
@@ -389,7 +400,7 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_is_left_out() {
-        let mut sheet = Sheet::new();
+        let mut sheet = Sheet::new("try");
         sheet.line([0.0, f64::NAN], [1.0, 1.0], Pen::line("black", 1.0));
         sheet.circle([f64::INFINITY, 0.0], 1.0, Pen::line("black", 1.0));
         sheet.line([0.0, 2.0], [1.0, 1.0], Pen::line("black", 1.0));
@@ -400,7 +411,7 @@ mod tests {
 
     #[test]
     fn any_title_gives_well_formed_xml() {
-        let mut sheet = Sheet::new();
+        let mut sheet = Sheet::new("try");
         let y = sheet.title("a<b> & \"c\" \u{7}\u{fffe} ∑", "");
         let svg = sheet.finish(y);
         let tree = roxmltree::Document::parse(&svg).unwrap();

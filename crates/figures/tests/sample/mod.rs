@@ -264,7 +264,7 @@ fn segmental(title: &str, span: f64, rise: f64, count: usize, thickness: f64) ->
             Dimension {
                 measure: Measure::Rise,
                 from: j[0][0],
-                to: [0.5 * span, if count % 2 == 0 { j[crown][0][1] } else { rise }],
+                to: [0.5 * span, if count.is_multiple_of(2) { j[crown][0][1] } else { rise }],
             },
             Dimension { measure: Measure::Thickness, from: j[quarter][0], to: j[quarter][1] },
         ],

@@ -1,0 +1,217 @@
+//! What each command answers, field by field as scripts rely on it.
+
+use crate::stage::{Stage, number, object};
+use serde_json::Value;
+
+/// Share by which numbers of one program may differ on their way through text: none, but for the last digits that a
+/// division by the width leaves.
+const SAME: f64 = 1e-12;
+
+fn near(found: f64, expected: f64, relative: f64) -> bool {
+    (found - expected).abs() <= relative * expected.abs()
+}
+
+#[test]
+fn discrete_elements_find_the_published_step_of_case_1() {
+    let stage = Stage::with_example("answers-dem", "bridgemill");
+    let (answer, ending) = stage.object(&["collapse", "bridge/case-1.toml"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert_eq!(answer["schema"], "extrados.collapse/1");
+    assert_eq!(answer["status"], "collapsed");
+    assert_eq!(answer["method"], "dem");
+    // Load steps of 100 kN over 8.30 m; the published collapse load is the last stable step, 1700 kN (Rouxinol,
+    // Providência and Lemos, case 1). Steps are exact multiples, so only rounding of the division is allowed.
+    assert!(near(number(&answer, "last_stable_load_kn"), 1700.0, SAME));
+    assert!(near(number(&answer, "collapse_load_kn"), 1800.0, SAME));
+    assert!(near(number(&answer, "load_step_kn_per_m"), 100.0 / 8.3, SAME));
+    assert!(near(number(&answer, "last_stable_load_kn_per_m"), 1700.0 / 8.3, SAME));
+    assert!(number(&answer, "iterations_total") <= 140_000.0);
+    assert!(number(&answer, "time_step_s") <= number(&answer, "critical_time_step_s"));
+    assert_eq!(answer["damping"], "local, 0.7");
+    assert_eq!(number(&answer, "tolerance"), 1e-4);
+    let edges: Vec<&str> = answer["hinges"]
+        .as_array()
+        .expect("hinges")
+        .iter()
+        .map(|hinge| hinge["edge"].as_str().expect("edge"))
+        .collect();
+    assert_eq!(edges, ["intrados", "extrados", "intrados", "extrados"]);
+    let path = answer["path"].as_array().expect("path");
+    assert_eq!(path.len(), 19, "self-weight, 17 stable steps, collapse");
+    for step in path {
+        for key in ["load_kn_per_m", "displacement_mm", "iterations", "unbalanced_ratio"] {
+            assert!(step[key].is_number(), "{key} in {step}");
+        }
+    }
+    for key in ["blocks", "particles", "contacts", "max_compressive_stress_mpa", "seed"] {
+        assert!(answer[key].is_number(), "{key}");
+    }
+    assert!(answer["sliding_joints"].is_array());
+}
+
+#[test]
+fn the_folder_holds_result_tables_figures_and_paraview_files() {
+    let stage = Stage::with_example("answers-folder", "bridgemill");
+    let (answer, _) = stage.object(&["collapse", "bridge/case-1.toml", "--out", "here/there"]);
+    let names = stage.names("here/there");
+    for name in [
+        "result.json",
+        "path.csv",
+        "hinges.csv",
+        "bridge.svg",
+        "bridge.png",
+        "mechanism.svg",
+        "mechanism.png",
+        "stress.svg",
+        "thrust-line.svg",
+        "load-displacement.svg",
+        "paraview",
+    ] {
+        assert!(names.iter().any(|there| there == name), "{name} is not among {names:?}");
+    }
+    assert!(
+        names.iter().all(|name| !name.starts_with('.') && !name.ends_with(".checkpoint")),
+        "left behind: {names:?}"
+    );
+    for name in answer["files"].as_array().expect("files") {
+        let path = stage.folder.join("here/there").join(name.as_str().expect("a name"));
+        assert!(path.metadata().is_ok_and(|data| data.len() > 0), "{}", path.display());
+    }
+    let kept = object(&stage.read("here/there/result.json"));
+    assert_eq!(crate::stage::numbers(kept), crate::stage::numbers(answer));
+    assert!(stage.read("here/there/path.csv").lines().count() == 20);
+    assert!(stage.read("here/there/paraview/blocks.pvd").contains("<VTKFile"));
+    assert!(stage.read("here/there/mechanism.svg").starts_with("<"));
+}
+
+#[test]
+fn a_second_answer_takes_the_place_of_the_first() {
+    let stage = Stage::with_example("answers-second", "bridgemill");
+    stage.object(&["collapse", "bridge/case-1.toml", "--out", "o"]);
+    stage.write("o/my-notes.txt", "mine");
+    let (answer, _) = stage.object(&["collapse", "bridge/case-1.toml", "--method", "limit", "--out", "o"]);
+    let names = stage.names("o");
+    assert!(names.contains(&"my-notes.txt".to_owned()), "files of others stay");
+    assert!(!names.contains(&"path.csv".to_owned()), "limit analysis has no load path: {names:?}");
+    assert_eq!(object(&stage.read("o/result.json"))["method"], answer["method"]);
+}
+
+#[test]
+fn limit_analysis_bounds_the_load_from_both_sides() {
+    let stage = Stage::with_example("answers-limit", "bridgemill");
+    let load = |points: &str| {
+        let words = ["collapse", "bridge/case-1.toml", "--method", "limit", "--contact-points", points];
+        let (answer, ending) = stage.object(&words);
+        assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("collapsed")));
+        let load = number(&answer, "collapse_load_kn_per_m");
+        // Both bounds are recomputed, from the forces and from the mechanism; the solver's tolerance is 1e-8.
+        assert!(near(number(&answer, "lower_bound_kn_per_m"), load, 1e-6));
+        assert!(near(number(&answer, "upper_bound_kn_per_m"), load, 1e-6));
+        assert_eq!(answer["friction"], "associated");
+        for point in answer["thrust_line"].as_array().expect("thrust line") {
+            assert!(point["x_m"].is_number() && point["y_m"].is_number() && point["thrust_kn_per_m"].is_number());
+        }
+        load
+    };
+    // Independent calculations of the same arch give 219.4 with 0.691 m between contact points and 231.46 with 0.711 m;
+    // half of their last digit is the tolerance.
+    assert!((load("rounded") - 219.4).abs() < 0.05, "{}", load("rounded"));
+    assert!((load("full-ring") - 231.46).abs() < 0.005, "{}", load("full-ring"));
+}
+
+#[test]
+fn a_resolution_refines_the_collapse_load() {
+    let stage = Stage::with_example("answers-resolution", "bridgemill");
+    let (answer, _) = stage.object(&["collapse", "bridge/case-1.toml", "--resolution", "2 kN/m"]);
+    let (stable, collapse) = (number(&answer, "last_stable_load_kn_per_m"), number(&answer, "collapse_load_kn_per_m"));
+    assert!(stable >= 1700.0 / 8.3 - 1e-9 && collapse <= 1800.0 / 8.3 + 1e-9, "{stable} {collapse}");
+    assert!(collapse - stable > 0.0 && collapse - stable <= 2.0 + 1e-9, "{stable} {collapse}");
+}
+
+#[test]
+fn the_least_thickness_of_a_semicircle_is_milankovitchs() {
+    let stage = Stage::with_example("answers-thickness", "semicircle");
+    let (answer, ending) = stage.object(&["collapse", "bridge/ring.toml"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert_eq!(answer["status"], "completed");
+    // 0.1075 for the continuous ring; 200 straight-sided voussoirs come within 0.2 %.
+    assert!(near(number(&answer, "minimum_thickness_over_mean_radius"), 0.1075, 0.002), "{answer}");
+}
+
+#[test]
+fn a_sweep_finds_the_governing_position() {
+    let stage = Stage::with_example("answers-sweep", "tiny");
+    let (answer, ending) = stage.object(&["collapse", "bridge/bridge.toml", "--sweep", "--sweep-step", "0.2 m"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert_eq!(answer["schema"], "extrados.sweep/1");
+    let positions = answer["positions"].as_array().expect("positions");
+    assert_eq!(positions.len(), 21);
+    let least = positions.iter().filter_map(|one| one["load_factor"].as_f64()).fold(f64::INFINITY, f64::min);
+    assert_eq!(answer["governing"]["load_factor"].as_f64(), Some(least));
+    let names = stage.names("out/bridge");
+    assert!(
+        ["envelope.svg", "envelope.png", "sweep.csv", "result.json"]
+            .iter()
+            .all(|name| names.contains(&(*name).to_owned())),
+        "{names:?}"
+    );
+}
+
+#[test]
+fn a_support_movement_ends_in_a_mechanism() {
+    let stage = Stage::with_example("answers-movement", "settlement");
+    for method in ["limit", "dem"] {
+        let (answer, ending) = stage.object(&["collapse", "bridge/bridge.toml", "--method", method]);
+        assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("collapsed")), "{}", ending.stderr);
+        assert_eq!(answer["analysis"], "support-movement");
+        let (stable, collapse) = (number(&answer, "last_stable_movement"), number(&answer, "collapse_movement"));
+        // Within one increment of 20 mm, which discrete elements use to the full.
+        assert!(collapse > stable && collapse - stable <= 0.02 + 1e-9, "{method}: {stable} {collapse}");
+        assert_eq!(answer["path"].is_array(), method == "dem");
+    }
+}
+
+#[test]
+fn check_draws_and_computes_nothing() {
+    let stage = Stage::with_example("answers-check", "two-span");
+    let (answer, ending) = stage.object(&["check", "bridge/bridge.toml"]);
+    assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{}", ending.stderr);
+    assert_eq!(answer["spans"].as_array().map(Vec::len), Some(2));
+    assert_eq!(stage.names("out/bridge"), ["bridge.png", "bridge.svg"]);
+    let words = stage.run(&["check", "bridge/bridge.toml", "--quiet"]);
+    assert!(words.stderr.is_empty() && words.stdout.contains("pier 1: 1.00 m wide"), "{}", words.stdout);
+}
+
+#[test]
+fn new_explain_schema_and_bench_answer() {
+    let stage = Stage::new("answers-others");
+    let (answer, _) = stage.object(&["new", "fresh"]);
+    assert_eq!(answer["example"], "bridgemill");
+    assert_eq!(answer["files"].as_array().map(Vec::len), Some(stage.names("fresh").len()));
+    for code in ["B104", "p010", "A102", "F101", "collapsed"] {
+        let (card, ending) = stage.object(&["explain", code]);
+        assert_eq!(ending.code, Some(0), "{code}");
+        assert!(card["title"].is_string() && card["text"].is_string(), "{card}");
+    }
+    let schema: Value = serde_json::from_str(&stage.run(&["schema"]).stdout).expect("the schema is JSON");
+    assert!(schema["$schema"].is_string() && schema["properties"]["span"].is_object());
+    let (bench, ending) = stage.object(&["bench", "limit", "--repeats", "2"]);
+    assert_eq!((ending.code, bench["name"].as_str(), bench["repeats"].as_u64()), (Some(0), Some("limit"), Some(2)));
+    assert!(number(&bench, "milliseconds") > 0.0 && bench["size"].is_number());
+    let (bench, _) = stage.object(&["bench", "arch", "--repeats", "1"]);
+    assert!(number(&bench, "seconds_to_collapse") > 0.0);
+}
+
+#[test]
+fn words_for_people_are_short_and_name_the_folder() {
+    let stage = Stage::with_example("answers-words", "tiny");
+    let ending = stage.run(&["collapse", "bridge/bridge.toml"]);
+    assert_eq!(ending.code, Some(0));
+    assert!(ending.stdout.lines().count() < 30, "{}", ending.stdout);
+    assert!(ending.stdout.contains("collapse load") && ending.stdout.contains("kN/m"));
+    assert!(ending.stdout.contains("out/bridge"));
+    assert!(
+        !ending.stdout.contains('\u{1b}') && !ending.stderr.contains('\u{1b}'),
+        "no colours where there is no terminal"
+    );
+}

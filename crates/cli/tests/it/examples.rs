@@ -1,0 +1,61 @@
+//! Every example runs, and its key number is what its own words say.
+
+use crate::stage::{Stage, number};
+use std::path::Path;
+
+/// Example, file, status, key and number; the share by which it may differ, with the reason.
+const KEYS: &[(&str, &str, &str, &str, f64, f64)] = &[
+    // A published load step: exact but for the division by the width.
+    ("bridgemill", "case-1.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
+    ("bridgemill", "case-2.toml", "collapsed", "last_stable_load_kn", 2700.0, 1e-12),
+    // Milankovitch's continuous ring; 200 straight voussoirs are within 0.2 %.
+    ("semicircle", "ring.toml", "completed", "minimum_thickness_over_mean_radius", 0.1075, 2e-3),
+];
+
+#[test]
+fn examples_give_their_numbers() {
+    for (example, file, status, key, value, room) in KEYS {
+        let stage = Stage::with_example(&format!("example-{example}-{file}"), example);
+        let (answer, ending) = stage.object(&["collapse", &format!("bridge/{file}")]);
+        assert_eq!(ending.code, Some(0), "{example}/{file}: {}", ending.stderr);
+        assert_eq!(answer["status"], *status, "{example}/{file}");
+        let found = number(&answer, key);
+        assert!((found - value).abs() <= room * value, "{example}/{file}: {key} = {found}, not {value}");
+    }
+}
+
+#[test]
+fn every_example_runs_to_an_answer() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut count = 0;
+    for example in std::fs::read_dir(root).expect("examples").flatten().filter(|entry| entry.path().is_dir()) {
+        let name = example.file_name().to_string_lossy().into_owned();
+        let stage = Stage::with_example(&format!("run-{name}"), &name);
+        for file in stage.names("bridge") {
+            let (answer, ending) =
+                stage.object(&["collapse", &format!("bridge/{file}"), "--out", &file.replace(".toml", "")]);
+            assert_eq!(ending.code, Some(0), "{name}/{file}: {} {}", answer["status"], ending.stderr);
+            count += 1;
+        }
+    }
+    assert!(count >= 8, "{count} files");
+}
+
+#[test]
+fn two_spans_fail_at_less_than_one_and_two_rings_less_than_one_ring() {
+    let stage = Stage::with_example("examples-compare", "two-span");
+    let load = |file: &str| number(&stage.object(&["collapse", file, "--method", "limit"]).0, "collapse_load_kn_per_m");
+    let text = stage.read("bridge/bridge.toml");
+    let single = text.replace("repeat = 2\n", "");
+    let (start, end) = (single.find("[[pier]]").expect("pier"), single.find("[masonry]").expect("masonry"));
+    stage.write("single.toml", format!("{}{}", &single[..start], &single[end..]));
+    assert!(load("bridge/bridge.toml") < 0.95 * load("single.toml"), "the pier takes part");
+
+    let rings = Stage::with_example("examples-rings", "two-ring").read("bridge/bridge.toml");
+    let (start, end) = (rings.find("[[span.ring]]").expect("rings"), rings.find("[masonry]").expect("masonry"));
+    let (joint, cover) = (rings.find("[ring_joint]").expect("ring joint"), rings.find("[[cover]]").expect("cover"));
+    let one = "thickness = \"0.430 m\"\nvoussoirs = 40\n\n";
+    stage.write("two-rings.toml", &rings);
+    stage.write("one-ring.toml", format!("{}{one}{}{}", &rings[..start], &rings[end..joint], &rings[cover..]));
+    assert!(load("two-rings.toml") < 0.95 * load("one-ring.toml"), "separation weakens");
+}

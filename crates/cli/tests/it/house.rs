@@ -1,0 +1,170 @@
+//! The house stands as ARCHITECTURE.md draws it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Every Rust file below a folder.
+fn sources(folder: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut open = vec![root().join(folder)];
+    while let Some(folder) = open.pop() {
+        for entry in fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())).flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    assert!(!found.is_empty(), "{folder} holds no source");
+    found
+}
+
+/// The code of a file without its comments and tests.
+fn code(path: &Path) -> String {
+    let text = read(path);
+    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Words between backticks that name a place in the repository.
+fn places(page: &str) -> Vec<&str> {
+    let words = page.split('`').skip(1).step_by(2);
+    words.filter(|word| word.contains('/') && !word.contains([' ', '<', '*', ':', '"'])).collect()
+}
+
+#[test]
+fn every_place_that_the_architecture_names_exists() {
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let named = places(&page);
+    assert!(named.len() > 20, "the page names its places: {named:?}");
+    for place in named {
+        assert!(root().join(place).exists(), "ARCHITECTURE.md names {place}, which does not exist");
+    }
+}
+
+#[test]
+fn every_crate_and_top_folder_is_in_the_architecture() {
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let crates = fs::read_dir(root().join("crates")).expect("crates").flatten();
+    for entry in crates.filter(|entry| entry.path().join("Cargo.toml").is_file()) {
+        let place = format!("`crates/{}", entry.file_name().to_string_lossy());
+        assert!(page.contains(&place), "ARCHITECTURE.md does not name {place}`");
+    }
+    for folder in ["examples", "docs", "verification", ".ci"] {
+        assert!(page.contains(&format!("`{folder}/")), "ARCHITECTURE.md does not name {folder}");
+    }
+}
+
+#[test]
+fn leaves_know_nothing_of_one_another_and_only_assess_joins_them() {
+    let dependencies = |name: &str| {
+        let text = read(&root().join("crates").join(name).join("Cargo.toml"));
+        let start = text.find("[dependencies]").expect("dependencies");
+        let end = text[start..].find("\n[").map_or(text.len(), |length| start + length);
+        text[start..end].to_owned()
+    };
+    let crates = ["bridge", "mechanics", "assess", "figures", "cli"];
+    let allowed = [
+        ("bridge", ""),
+        ("mechanics", ""),
+        ("assess", "bridge mechanics"),
+        ("figures", "assess"),
+        ("cli", "bridge mechanics assess figures"),
+    ];
+    for (name, may) in allowed {
+        let text = dependencies(name);
+        for other in crates.iter().filter(|other| !may.split(' ').any(|one| one == **other)) {
+            assert!(!text.contains(&format!("{other}.workspace")), "{name} must not depend on {other}");
+        }
+    }
+}
+
+#[test]
+fn discrete_elements_and_limit_analysis_do_not_use_one_another() {
+    for (folder, other) in [("dem", "limit"), ("limit", "dem")] {
+        for path in sources(&format!("crates/mechanics/src/{folder}")) {
+            let text = code(&path);
+            for use_of in [format!("crate::{other}"), format!("super::super::{other}"), format!("use super::{other}::")]
+            {
+                let own = use_of.starts_with("use super") && path.with_file_name(other).exists();
+                assert!(own || !text.contains(&use_of), "{} uses {other}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn mechanics_has_no_file_clock_thread_print_or_format_and_no_bridge_words() {
+    const NOT_HERE: [&str; 12] = [
+        "std::fs",
+        "std::io",
+        "std::net",
+        "std::env",
+        "std::time",
+        "std::thread",
+        "std::process",
+        "println!",
+        "eprintln!",
+        "serde",
+        "rayon",
+        "HashMap",
+    ];
+    const BRIDGE_WORDS: [&str; 5] = ["voussoir", "extrados", "intrados", "springing", "spandrel"];
+    for path in sources("crates/mechanics/src") {
+        let text = code(&path);
+        for word in NOT_HERE.iter().chain(&BRIDGE_WORDS) {
+            assert!(!text.to_lowercase().contains(&word.to_lowercase()), "{} speaks of {word}", path.display());
+        }
+    }
+}
+
+#[test]
+fn reading_computes_nothing_and_touches_no_file() {
+    for path in sources("crates/bridge/src") {
+        let text = code(&path);
+        for word in ["std::fs", "std::net", "std::env", "std::time", "std::process", "println!", "eprintln!", "HashMap"]
+        {
+            assert!(!text.contains(word), "{} speaks of {word}", path.display());
+        }
+    }
+}
+
+#[test]
+fn only_the_wire_and_verification_serialise() {
+    for folder in ["bridge", "mechanics", "figures", "cli"] {
+        for path in sources(&format!("crates/{folder}/src")) {
+            let text = code(&path);
+            let derives = text.lines().any(|line| line.contains("derive(") && line.contains("erialize"));
+            assert!(!derives, "{} derives a format", path.display());
+        }
+    }
+    for path in sources("crates/assess/src") {
+        let place = path.to_string_lossy().replace('\\', "/");
+        let may = place.contains("src/wire") || place.contains("src/verify");
+        assert!(may || !code(&path).contains("Serialize"), "{place} derives a format");
+    }
+}
+
+#[test]
+fn no_text_of_the_project_names_a_machine() {
+    let mut pages = vec![root().join("README.md"), root().join("ARCHITECTURE.md")];
+    pages.extend(sources("crates"));
+    for path in pages.iter().filter(|path| !path.ends_with("house.rs")) {
+        let text = read(path);
+        for word in ["/home/", "/work/", "/root/", "artifactory"] {
+            assert!(!text.contains(word), "{} names {word}", path.display());
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! The command as its users meet it: what it prints, what it leaves behind, how it ends.
+
+mod answers;
+mod examples;
+mod house;
+mod interruption;
+mod messages;
+mod misuse;
+mod stage;

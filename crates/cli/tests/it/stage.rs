@@ -1,0 +1,121 @@
+//! A folder of its own for every test, and the command run in it.
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// The program under test.
+pub const PROGRAM: &str = env!("CARGO_BIN_EXE_extrados");
+
+/// A folder that is empty when the test begins.
+pub struct Stage {
+    /// Where it is.
+    pub folder: PathBuf,
+}
+
+/// How a command ended.
+pub struct Ending {
+    /// Exit code; none when a signal ended it.
+    pub code: Option<i32>,
+    /// What it printed.
+    pub stdout: String,
+    /// What it remarked.
+    pub stderr: String,
+}
+
+impl Stage {
+    /// A folder for the test of this name.
+    pub fn new(name: &str) -> Stage {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).expect("the folder of build results can be written");
+        Stage { folder }
+    }
+
+    /// A folder with an example in it, as `new` writes it.
+    pub fn with_example(name: &str, example: &str) -> Stage {
+        let stage = Stage::new(name);
+        let ending = stage.run(&["new", "bridge", "--from", example]);
+        assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+        stage
+    }
+
+    /// The command with these words, not started yet.
+    pub fn command(&self, words: &[&str]) -> Command {
+        let mut command = Command::new(PROGRAM);
+        command.args(words).current_dir(&self.folder).stdin(Stdio::null());
+        command
+    }
+
+    /// Runs the command to its end.
+    pub fn run(&self, words: &[&str]) -> Ending {
+        self.command(words).output().expect("the program starts").into()
+    }
+
+    /// Runs the command with --json; what it prints is one object with the common fields.
+    pub fn object(&self, words: &[&str]) -> (Value, Ending) {
+        let words: Vec<&str> = words.iter().copied().chain(["--json"]).collect();
+        let ending = self.run(&words);
+        (object(&ending.stdout), ending)
+    }
+
+    /// Writes a file.
+    pub fn write(&self, name: &str, text: impl AsRef<[u8]>) {
+        fs::write(self.folder.join(name), text).expect("the stage can be written");
+    }
+
+    /// Reads a file.
+    pub fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// Names in a folder, in order; none where it is missing.
+    pub fn names(&self, folder: &str) -> Vec<String> {
+        let Ok(entries) = fs::read_dir(self.folder.join(folder)) else { return Vec::new() };
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl From<Output> for Ending {
+    fn from(output: Output) -> Ending {
+        Ending {
+            code: output.status.code(),
+            stdout: String::from_utf8(output.stdout).expect("stdout is UTF-8"),
+            stderr: String::from_utf8(output.stderr).expect("stderr is UTF-8"),
+        }
+    }
+}
+
+/// The one object on stdout, with the fields that every object has.
+pub fn object(stdout: &str) -> Value {
+    let value: Value = serde_json::from_str(stdout).unwrap_or_else(|error| panic!("{error} in {stdout:?}"));
+    assert!(
+        value["schema"].as_str().is_some_and(|name| name.starts_with("extrados.") && name.ends_with("/1")),
+        "{value}"
+    );
+    assert!(value["status"].is_string() && value["warnings"].is_array(), "{value}");
+    assert!(value["wall_seconds"].as_f64().is_some_and(|seconds| seconds >= 0.0), "{value}");
+    assert!(value["threads"].as_u64().is_some_and(|threads| threads >= 1), "{value}");
+    for warning in value["warnings"].as_array().into_iter().flatten() {
+        assert!(warning["code"].is_string() && warning["message"].is_string(), "{warning}");
+    }
+    value
+}
+
+/// The object without what may differ from run to run.
+pub fn numbers(mut value: Value) -> Value {
+    let fields = value.as_object_mut().expect("an object");
+    for key in ["wall_seconds", "threads", "warnings", "out", "files"] {
+        fields.remove(key);
+    }
+    value
+}
+
+/// A number of an object.
+pub fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("{key} is {}", value[key]))
+}

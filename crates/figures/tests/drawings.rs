@@ -1,0 +1,332 @@
+//! What drawings contain, judged from the SVG and from what the renderer makes of it.
+
+mod sample;
+
+use assess::outcome::{Hinge, HingeAt, Picture};
+use resvg::usvg;
+use roxmltree::{Document, Node};
+use std::sync::Arc;
+
+/// Nodes of a tag that carry a class.
+fn classed<'a>(document: &'a Document, tag: &str, class: &str) -> Vec<Node<'a, 'a>> {
+    let has = |n: &Node| n.attribute("class").is_some_and(|c| c.split(' ').any(|c| c == class));
+    document.descendants().filter(|n| n.has_tag_name(tag) && has(n)).collect()
+}
+
+fn points(node: &Node) -> Vec<[f64; 2]> {
+    let number = |t: &str| t.parse::<f64>().unwrap();
+    let point = |p: &str| p.split_once(',').map(|(x, y)| [number(x), number(y)]).unwrap();
+    node.attribute("points").unwrap().split(' ').map(point).collect()
+}
+
+fn texts(document: &Document) -> Vec<String> {
+    document.descendants().filter(|n| n.has_tag_name("text")).map(|n| n.text().unwrap().to_string()).collect()
+}
+
+fn number(node: &Node, name: &str) -> f64 {
+    node.attribute(name).unwrap().parse().unwrap()
+}
+
+/// Every drawing of every sample.
+fn every_drawing() -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    for (name, picture) in sample::every() {
+        all.extend(figures::drawings(&picture).into_iter().map(|(kind, svg)| (format!("{name}/{kind}"), svg)));
+    }
+    let sweep = figures::envelope("Sweep", figures::Quantity::Factor, &sample::sweeps()).unwrap();
+    all.push(("envelope".into(), sweep));
+    all
+}
+
+fn rendered(svg: &str) -> usvg::Tree {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(dejavu::sans::regular().to_vec());
+    fonts.load_font_data(dejavu::sans::bold().to_vec());
+    usvg::Tree::from_str(svg, &usvg::Options { fontdb: Arc::new(fonts), ..Default::default() }).unwrap()
+}
+
+fn text_boxes(group: &usvg::Group, out: &mut Vec<(String, usvg::Rect)>) {
+    for node in group.children() {
+        match node {
+            usvg::Node::Text(text) => {
+                let words = text.chunks().iter().map(|c| c.text()).collect();
+                out.push((words, text.abs_bounding_box()));
+            }
+            usvg::Node::Group(inner) => text_boxes(inner, out),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn all_drawings_are_well_formed_and_free_of_impossible_numbers() {
+    let all = every_drawing();
+    assert!(all.len() > 20, "{} drawings", all.len());
+    for (name, svg) in all {
+        let document = Document::parse(&svg).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert!(document.root_element().has_tag_name("svg"), "{name}");
+        for node in document.descendants() {
+            for a in node.attributes() {
+                assert!(!a.value().contains("NaN") && !a.value().contains("inf"), "{name}: {}", a.value());
+            }
+        }
+        for id in document.descendants().filter_map(|n| n.attribute("id")) {
+            assert_eq!(svg.matches(&format!("id=\"{id}\"")).count(), 1, "{name}: {id} twice");
+        }
+    }
+}
+
+#[test]
+fn no_text_covers_another_or_leaves_the_sheet() {
+    for (name, svg) in every_drawing() {
+        let tree = rendered(&svg);
+        let mut boxes = Vec::new();
+        text_boxes(tree.root(), &mut boxes);
+        assert!(!boxes.is_empty(), "{name} has no text");
+        for (k, (text, a)) in boxes.iter().enumerate() {
+            let (w, h) = (tree.size().width(), tree.size().height());
+            let inside = a.left() >= 0.0 && a.top() >= 0.0 && a.right() <= w && a.bottom() <= h;
+            assert!(inside, "{name}: '{text}' leaves the sheet: {a:?}");
+            for (other, b) in &boxes[k + 1..] {
+                let apart =
+                    a.right() <= b.left() || b.right() <= a.left() || a.bottom() <= b.top() || b.bottom() <= a.top();
+                // The renderer's boxes span the whole line height, so that stacked lines of one paragraph overlap by
+                // their empty margins; letters themselves begin a fifth of the line height inside.
+                let (dy, line) = ((a.bottom().min(b.bottom()) - a.top().max(b.top())), a.height().min(b.height()));
+                assert!(apart || dy < 0.2 * line, "{name}: '{text}' covers '{other}'");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_block_is_drawn_once_and_supports_are_told_apart() {
+    for (name, picture) in sample::every() {
+        let svg = figures::bridge_as_drawn(&picture);
+        let document = Document::parse(&svg).unwrap();
+        let held = picture.shapes.iter().filter(|s| s.held).count();
+        assert_eq!(classed(&document, "polygon", "support").len(), held, "{name}");
+        assert_eq!(classed(&document, "polygon", "block").len(), picture.shapes.len() - held, "{name}");
+    }
+}
+
+#[test]
+fn dimensions_are_those_of_the_bridge() {
+    let svg = figures::bridge_as_drawn(&sample::arch());
+    let words = texts(&Document::parse(&svg).unwrap());
+    for size in ["18.3 m", "2.85 m", "0.711 m"] {
+        assert_eq!(words.iter().filter(|t| *t == size).count(), 1, "{size} in {words:?}");
+    }
+}
+
+#[test]
+fn the_scale_bar_is_as_long_as_it_says() {
+    let picture = sample::arch();
+    let svg = figures::bridge_as_drawn(&picture);
+    let document = Document::parse(&svg).unwrap();
+    let bar = document.descendants().find(|n| n.attribute("class") == Some("scale-bar")).unwrap();
+    let ends: Vec<f64> =
+        bar.children().filter(|n| n.has_tag_name("polygon")).flat_map(|n| points(&n)).map(|p| p[0]).collect();
+    let length = ends.iter().copied().fold(f64::MIN, f64::max) - ends.iter().copied().fold(f64::MAX, f64::min);
+    let words = bar.descendants().find(|n| n.has_tag_name("text")).and_then(|n| n.text()).unwrap();
+    let metres: f64 = words.strip_suffix(" m").unwrap().parse().unwrap();
+    // The first voussoir's intrados edge is drawn to the same scale.
+    let first = points(&classed(&document, "polygon", "block")[0]);
+    let drawn = (first[1][0] - first[0][0]).hypot(first[1][1] - first[0][1]);
+    let o = &picture.shapes[0].outline;
+    let true_length = (o[1][0] - o[0][0]).hypot(o[1][1] - o[0][1]);
+    // Coordinates are rounded to 0.005 at both ends of a line about ten units long.
+    assert!((drawn / true_length / (length / metres) - 1.0).abs() < 2e-3);
+}
+
+#[test]
+fn hinges_of_the_mechanism_lie_where_blocks_turn() {
+    let picture = sample::arch();
+    let svg = figures::mechanism(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let hinges = classed(&document, "circle", "hinge");
+    assert_eq!(hinges.len(), picture.hinges.len());
+    let corners: Vec<[f64; 2]> = classed(&document, "polygon", "block").iter().flat_map(points).collect();
+    for h in &hinges {
+        let at = [number(h, "cx"), number(h, "cy")];
+        let near = corners.iter().map(|c| (c[0] - at[0]).hypot(c[1] - at[1])).fold(f64::MAX, f64::min);
+        // Both are rounded to a hundredth of a unit.
+        assert!(near < 0.03, "hinge {near} from the nearest corner");
+    }
+    let words = texts(&document);
+    let named = |w: &str| words.iter().filter(|t| t.len() < 14 && t.ends_with(w)).count();
+    assert_eq!((named(" intrados"), named(" extrados")), (2, 2));
+    assert!(words.iter().any(|t| t.contains("exaggerated")));
+}
+
+#[test]
+fn the_mechanism_is_exaggerated_but_not_torn() {
+    let picture = sample::arch();
+    let svg = figures::mechanism(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let built = classed(&document, "polygon", "ghost");
+    let moved = classed(&document, "polygon", "block");
+    assert_eq!(built.len(), moved.len());
+    let shift = |k: usize| {
+        let (a, b) = (points(&built[k]), points(&moved[k]));
+        a.iter().zip(&b).map(|(p, q)| (q[0] - p[0]).hypot(q[1] - p[1])).fold(0.0, f64::max)
+    };
+    let largest = (0..built.len()).map(shift).fold(0.0, f64::max);
+    // A twentieth of the larger dimension of the bridge, which fills nearly the whole sheet of 800 units.
+    assert!(largest > 30.0 && largest < 42.0, "{largest}");
+    // Neighbours of one rigid part keep their common joint.
+    for k in [3, 10, 30, 50] {
+        let (a, b) = (points(&moved[k]), points(&moved[k + 1]));
+        assert!((a[1][0] - b[0][0]).hypot(a[1][1] - b[0][1]) < 0.03, "joint {k}");
+    }
+}
+
+#[test]
+fn sliding_joints_get_a_pair_of_arrows() {
+    for picture in [sample::two_rings(), sample::single_block()] {
+        let svg = figures::mechanism(&picture).unwrap();
+        let document = Document::parse(&svg).unwrap();
+        let shafts = classed(&document, "polyline", "sliding");
+        assert_eq!(shafts.len(), 2 * picture.sliding.len(), "{}", picture.title);
+    }
+    // The single block slides to the right on its support: the upper arrow points right, the lower one left.
+    let svg = figures::mechanism(&sample::single_block()).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let arrows: Vec<_> = classed(&document, "polyline", "sliding").iter().map(points).collect();
+    for arrow in &arrows {
+        let upper = arrow[0][1] <= arrows.iter().map(|a| a[0][1]).fold(f64::MAX, f64::min);
+        assert_eq!(arrow[1][0] > arrow[0][0], upper);
+    }
+}
+
+#[test]
+fn the_line_of_thrust_is_drawn_as_given() {
+    let picture = sample::multi_span();
+    let svg = figures::thrust_line(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let lines = classed(&document, "polyline", "thrust");
+    assert_eq!(lines.len(), 3);
+    assert_eq!(points(&lines[0]).len(), picture.thrust_lines[0].len());
+    let words = texts(&document);
+    // Springings and crown of each span.
+    assert_eq!(words.iter().filter(|t| t.ends_with(" kN/m") && t.len() < 12).count(), 9);
+}
+
+#[test]
+fn stress_colours_every_free_block_and_marks_every_contact_under_stress() {
+    let picture = sample::arch();
+    let svg = figures::stress(&picture, 3).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    assert_eq!(classed(&document, "polygon", "block").len(), 62);
+    assert_eq!(classed(&document, "polyline", "contact").len(), picture.snapshots[3].contacts.len());
+    let fills: std::collections::BTreeSet<_> =
+        classed(&document, "polygon", "block").iter().map(|n| n.attribute("fill").unwrap().to_string()).collect();
+    assert!(fills.len() > 15, "{} colours", fills.len());
+    assert!(texts(&document).iter().any(|t| t.contains("exaggerated") && t.contains("times")));
+    assert!(figures::stress(&picture, 99).is_none());
+}
+
+#[test]
+fn the_load_path_is_drawn_to_scale_with_unsettled_steps_hollow() {
+    let mut picture = sample::arch();
+    // Keep the last step on the chart.
+    picture.path.last_mut().unwrap().displacement = [0.0, -0.06];
+    let svg = figures::load_displacement(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let marks: Vec<Node> = classed(&document, "circle", "point").into_iter().filter(|n| !in_key(n)).collect();
+    assert_eq!(marks.len(), picture.path.len());
+    let hollow: Vec<&Node> = marks.iter().filter(|n| n.attribute("fill") == Some("white")).collect();
+    assert_eq!(hollow.len(), 1);
+    // The height of the last stable mark, read off between the ticks of 0 and 250 kN/m.
+    let tick = |text: &str| {
+        let node = document.descendants().filter(|n| n.has_tag_name("text") && n.text() == Some(text));
+        node.filter(|n| n.attribute("text-anchor") == Some("end")).map(|n| number(&n, "y")).next().unwrap()
+    };
+    let (zero, top) = (tick("0"), tick("250"));
+    let ring = classed(&document, "circle", "marked").into_iter().find(|n| !in_key(n)).unwrap();
+    // Tick texts stand 4.4 units below their tick.
+    let read = (zero - 4.4 - number(&ring, "cy")) / (zero - top) * 250.0;
+    let stable = picture.path.iter().rfind(|s| s.at_rest).unwrap().load / 1e3;
+    assert!((read - stable).abs() < 0.05, "read {read}, true {stable}");
+    assert!(texts(&document).iter().any(|t| t == "last stable: 204.8 kN/m"), "{:?}", texts(&document));
+}
+
+fn in_key(node: &Node) -> bool {
+    node.ancestors().any(|n| n.attribute("class") == Some("key"))
+}
+
+#[test]
+fn the_envelope_marks_the_least_value_of_all_curves() {
+    let sweeps = sample::sweeps();
+    let svg = figures::envelope("Sweep", figures::Quantity::Factor, &sweeps).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let least = sweeps.iter().flat_map(|s| &s.points).map(|p| p.1).fold(f64::MAX, f64::min);
+    let words = texts(&document);
+    assert!(words.iter().any(|t| t.starts_with(&format!("governing: {least:.4}"))), "{words:?}");
+    // Gaps at both ends take nothing from the curves in between.
+    assert_eq!(classed(&document, "polyline", "sweep").len(), 2);
+    let nothing = figures::Sweep { label: String::new(), points: vec![(0.0, f64::INFINITY)] };
+    assert!(figures::envelope("Nothing", figures::Quantity::Load, &[nothing]).is_none());
+}
+
+#[test]
+fn collapse_shows_the_bridge_as_built_first_and_the_end_last() {
+    let svg = figures::collapse_frames(&sample::arch()).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    assert_eq!(classed(&document, "g", "panel").len(), 6);
+    let words = texts(&document);
+    assert!(words.iter().any(|t| t == "(a) as built"));
+    assert!(words.iter().any(|t| t.starts_with("(b)") && t.ends_with("last stable")));
+    assert!(words.iter().any(|t| t.starts_with("(f)") && t.ends_with("5 of 5")), "{words:?}");
+}
+
+#[test]
+fn small_motions_are_exaggerated_and_none_are_not_drawn() {
+    let mut picture = sample::arch();
+    picture.snapshots.truncate(4);
+    let svg = figures::collapse_frames(&picture).unwrap();
+    assert!(texts(&Document::parse(&svg).unwrap()).iter().any(|t| t.contains("exaggerated")));
+    picture.snapshots.truncate(1);
+    picture.last_stable = Some(0);
+    assert!(figures::collapse_frames(&picture).is_none());
+}
+
+#[test]
+fn where_hinges_are_many_labels_give_way_to_the_drawing() {
+    let mut picture = sample::arch();
+    picture.hinges = (0..30).map(|k| Hinge { point: picture.shapes[k].outline[3], ..picture.hinges[0] }).collect();
+    let svg = figures::mechanism(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    assert_eq!(classed(&document, "circle", "hinge").len(), 30);
+    assert!(!texts(&document).iter().any(|t| t.ends_with(" intrados")));
+}
+
+#[test]
+fn what_there_is_no_material_for_is_not_drawn() {
+    let empty = Picture::default();
+    let names: Vec<String> = figures::drawings(&empty).into_iter().map(|d| d.0).collect();
+    assert_eq!(names, ["bridge"]);
+    let block = sample::single_block();
+    let names: Vec<String> = figures::drawings(&block).into_iter().map(|d| d.0).collect();
+    assert_eq!(names, ["bridge", "mechanism"]);
+}
+
+#[test]
+fn results_that_are_not_numbers_and_lists_that_do_not_fit_do_no_harm() {
+    let mut picture = sample::arch();
+    picture.shapes[5].outline[0] = [f64::NAN, f64::INFINITY];
+    picture.snapshots[3].stresses[7] = [f64::NAN; 3];
+    picture.snapshots[3].contacts[0].blocks = [9999, 9999];
+    picture.snapshots[4].motions.truncate(3);
+    picture.snapshots[5].velocities.clear();
+    picture.path[2].displacement = [f64::NAN; 2];
+    picture.hinges.push(Hinge { point: [f64::NAN; 2], edge: HingeAt::Other, rotation: f64::NAN });
+    picture.thrust_lines[0][4].point = [f64::NAN; 2];
+    picture.loads[0].force = [f64::NAN; 2];
+    picture.surface_loads.push(([f64::NAN; 2], f64::NAN));
+    for (name, svg) in figures::drawings(&picture) {
+        Document::parse(&svg).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
+    }
+    assert!(figures::all(&picture).is_ok());
+}
