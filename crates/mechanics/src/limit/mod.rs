@@ -10,7 +10,7 @@
 //! The multipliers of the equilibrium equations are the velocities of the collapse mechanism (Livesley 1978; Gilbert
 //! and Melbourne 1994). The geometry is that of the blocks as built, and joints are infinitely stiff.
 //!
-//! Read in the order of the method: [`joints`](self) gather the strength, `equilibrium` sets up `B`, `p` and `w`,
+//! Read in the order of the method: `joints` gather the strength, `equilibrium` sets up `B`, `p` and `w`,
 //! `program` solves, `bounds` recomputes both bounds from what was returned, `mechanism` says what moves.
 
 mod bounds;

@@ -109,7 +109,7 @@ pub struct Outcome {
     pub equilibrium_residual: f64,
     /// Largest force by which a joint exceeds its strength, relative to all permanent loads.
     pub yield_violation: f64,
-    /// Largest velocity that the flow rule does not allow, relative to the fastest block.
+    /// Largest velocity that the flow rule does not allow in the mechanism of the upper bound, relative to the fastest.
     pub flow_violation: f64,
     /// The joints, between which blocks and where.
     pub interfaces: Vec<Interface>,

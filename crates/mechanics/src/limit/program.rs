@@ -98,6 +98,9 @@ impl Program<'_> {
             velocities: vec![0.0; self.equilibrium.rows],
             iterations: 0,
         };
+        if a.nzval.iter().chain(&b).chain(&q).any(|v| !v.is_finite()) {
+            return unknown();
+        }
         let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
             return unknown();
         };

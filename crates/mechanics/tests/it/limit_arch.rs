@@ -19,10 +19,6 @@ fn solved(ring: &Ring, loading: &Loading, contact_points: ContactPoints) -> Outc
 fn assert_bounds(outcome: &Outcome) {
     let factor = outcome.factor.unwrap();
     let (lower, upper) = (outcome.lower_bound.unwrap(), outcome.upper_bound.unwrap());
-    println!(
-        "factor {factor:.9} lower {lower:.9} upper {upper:.9} residual {:e} yield {:e} flow {:e} iterations {}",
-        outcome.equilibrium_residual, outcome.yield_violation, outcome.flow_violation, outcome.iterations
-    );
     assert!((lower - factor).abs() < 1e-6 * factor);
     assert!((upper - factor).abs() < 1e-6 * factor);
     assert!(outcome.equilibrium_residual < 1e-8 && outcome.yield_violation < 1e-8 && outcome.flow_violation < 1e-6);
@@ -37,9 +33,10 @@ fn bridgemill_under_the_dispersed_knife() {
         // Printed to two decimals of a kilonewton.
         assert!((outcome.factor.unwrap() - expected).abs() < 0.01e3, "{:?}", outcome.factor);
         let mechanism = outcome.mechanism.unwrap();
-        println!("{:?} {:?}", mechanism.hinges, mechanism.sliding);
-        assert_eq!(mechanism.hinges.len(), 4);
         assert!(mechanism.sliding.is_empty());
+        // Four hinges, by turns at the intrados (contact point 0) and the extrados (1), one of them under the load.
+        let hinges: Vec<(usize, usize)> = mechanism.hinges.iter().map(|h| (h.joint, h.point)).collect();
+        assert_eq!(hinges, [(0, 0), (17, 1), (40, 0), (62, 1)]);
     }
 }
 
@@ -58,22 +55,18 @@ fn bridgemill_under_a_point_load() {
 }
 
 #[test]
-fn time() {
+fn the_program_is_solved_in_milliseconds() {
+    // Building the ring, its joints and the program, solving, both bounds: 1.95 ms on one busy 2.x GHz core, of which
+    // Clarabel 1.65 ms (setting up 0.3, ten iterations 1.35) and finding the joints 0.07. The limit here only catches a
+    // return to tens of milliseconds: machines that run tests are slower than machines that are measured.
     let ring = Ring::bridgemill();
-    let model = ring.model();
-    let loading = ring.quarter_knife();
-    for _ in 0..5 {
+    let all = || {
         let start = std::time::Instant::now();
-        for _ in 0..20 {
-            std::hint::black_box(collapse_load(&model, &loading, &settings(ContactPoints::FullRing)).unwrap());
-        }
-        println!("{:?}", start.elapsed() / 20);
-        let start = std::time::Instant::now();
-        for _ in 0..20 {
-            std::hint::black_box(mechanics::blocks::interfaces(&model, 1e-6).unwrap());
-        }
-        println!("  interfaces {:?}", start.elapsed() / 20);
-    }
+        std::hint::black_box(solved(&ring, &ring.quarter_knife(), ContactPoints::FullRing));
+        start.elapsed()
+    };
+    let least = (0..50).map(|_| all()).min().unwrap();
+    assert!(least.as_millis() < 20 || cfg!(debug_assertions), "{least:?}");
 }
 
 #[test]
@@ -112,18 +105,7 @@ fn a_ring_of_finite_strength_carries_less_and_in_the_limit_as_much() {
             law.crushing = strength;
         }
         let settings = Settings { crushing: true, ..settings(ContactPoints::FullRing) };
-        let start = std::time::Instant::now();
-        let outcome = collapse_load(&model, &ring.quarter_knife(), &settings).unwrap();
-        println!(
-            "{:?} {strength:e} {:?} {:?} {:e} {:e} {:?}",
-            outcome.status,
-            outcome.factor,
-            outcome.upper_bound,
-            outcome.yield_violation,
-            outcome.equilibrium_residual,
-            start.elapsed()
-        );
-        outcome
+        collapse_load(&model, &ring.quarter_knife(), &settings).unwrap()
     };
     let mut weaker = 0.0;
     for strength in [2e6, 5e6, 1e7, 5e7, 1e9, 1e11] {

@@ -105,16 +105,11 @@ fn a_section_of_finite_strength_carries_the_textbook_moment() {
         ..Loading::default()
     };
     let outcome = collapse_load(&model, &loading, &settings).unwrap();
-    println!(
-        "{:?} {:?} {:?} {:e} {:e}",
-        outcome.status, outcome.factor, outcome.upper_bound, outcome.yield_violation, outcome.equilibrium_residual
-    );
     assert!((outcome.factor.unwrap() * 2.75 / 261_641.734 - 1.0).abs() < 1e-6, "{:?}", outcome.factor);
     assert!((outcome.upper_bound.unwrap() * 2.75 / 261_641.734 - 1.0).abs() < 1e-6);
     // And the squash load, 7821 kN.
     let loading = Loading { variable: vec![top(0.3, vec2(0.0, -1.0))], ..Loading::default() };
     let outcome = collapse_load(&model, &loading, &settings).unwrap();
-    println!("{:?} {:?} {:?}", outcome.status, outcome.factor, outcome.upper_bound);
     assert!((outcome.factor.unwrap() * 2.75 / 7.821e6 - 1.0).abs() < 1e-6, "{:?}", outcome.factor);
 }
 
@@ -154,9 +149,7 @@ fn the_zone_of_bridgemill_closes_at_the_collapse_load() {
         let zone = thrust_zone(&model, &loading, f, &settings).unwrap();
         zone.reach.iter().map(|r| r.map_or(-1.0, |[a, b]| (b - a).norm())).fold(0.0, f64::max)
     };
-    let start = std::time::Instant::now();
     let (dead, half, full) = (width(0.0), width(0.5 * factor), width((1.0 - 1e-7) * factor));
-    println!("{dead} {half} {full} {:?}", start.elapsed() / 3);
     assert!(dead > 0.1 && half > 0.05 && half < dead);
     assert!(full < 1e-4);
     // Nothing is carried beyond.
@@ -170,9 +163,7 @@ fn a_sweep_is_the_same_as_one_load_after_the_other() {
     let settings = Settings::default();
     let places: Vec<f64> = (0..33).map(|i| -8.0 + 0.5 * f64::from(i)).collect();
     let loads: Vec<_> = places.iter().map(|&x| ring.dispersed_knife(x, 0.75, 0.478)).collect();
-    let start = std::time::Instant::now();
     let swept = sweep(&model, &Loading::default(), &loads, &settings).unwrap();
-    println!("{:?} a place", start.elapsed() / 33);
     for (place, load) in swept.places.iter().zip(&loads) {
         let loading = Loading { variable: load.clone(), ..Loading::default() };
         let alone = collapse_load(&model, &loading, &settings).unwrap();
@@ -181,9 +172,9 @@ fn a_sweep_is_the_same_as_one_load_after_the_other() {
             assert!((a / b - 1.0).abs() < 1e-7, "{a} {b}");
         }
     }
-    println!("{:?}", swept.places.iter().map(|p| (p.status, p.factor, p.friction)).collect::<Vec<_>>());
+    // A load near the quarter point governs, the one that the other places are compared with.
     let governing = swept.governing.unwrap();
-    println!("{governing} {}", places[governing]);
+    assert!((places[governing].abs() - 5.0).abs() < 0.6, "{}", places[governing]);
     // The ring is symmetric, so is its envelope.
     for i in 0..16 {
         let (a, b) = (swept.places[i].factor, swept.places[32 - i].factor);

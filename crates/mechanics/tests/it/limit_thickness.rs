@@ -24,9 +24,7 @@ fn least(make: impl Fn(f64) -> (BlockModel, Loading)) -> LeastThickness {
 #[test]
 fn equal_sectors_as_calculated_by_others() {
     for (voussoirs, expected) in [(27, 0.106776), (54, 0.107377), (108, 0.107458), (216, 0.10747)] {
-        let start = std::time::Instant::now();
         let found = least(sectors(voussoirs, ROUGH));
-        println!("{voussoirs} {:?} {:?} {expected} {} {:?}", found.status, found.stands, found.trials, start.elapsed());
         assert_eq!(found.status, ThicknessStatus::Found);
         // Six decimals are given, of four figures certain: 1e-5 of the table itself.
         assert!((found.stands.unwrap() - expected).abs() < 1e-5);
@@ -38,7 +36,6 @@ fn friction_decides_below_tan_21_6_degrees() {
     let table = [(0.6, 0.10746), (0.396, 0.10746), (0.39, 0.11221), (0.36, 0.14138), (0.33, 0.17392), (0.31, 0.19764)];
     for (friction, expected) in table {
         let found = least(sectors(120, friction));
-        println!("{friction} {:?} {expected} {}", found.stands, found.trials);
         assert!((found.stands.unwrap() - expected).abs() < 2e-4);
     }
     assert_eq!(least(sectors(120, 0.30)).status, ThicknessStatus::FallsAtThickest);
@@ -46,12 +43,16 @@ fn friction_decides_below_tan_21_6_degrees() {
 
 #[test]
 fn two_hundred_flat_blocks_come_within_a_fifth_of_a_percent() {
-    let start = std::time::Instant::now();
     let found = least(|thickness| (Ring::semicircle(200, thickness, ROUGH).model(), Loading::default()));
-    println!("{:?} {} {:?}", found.stands, found.trials, start.elapsed());
     assert!((found.stands.unwrap() / 0.1075 - 1.0).abs() < 2e-3);
+    // Crown extrados, haunch intrados near the 54.5 degrees of the continuous ring, springing extrados. The angle is
+    // flat in the thickness: one joint further, 0.9 degrees, changes it by less than a tenth of a percent.
     let mechanism = found.mechanism.unwrap();
-    for h in &mechanism.hinges {
-        println!("{:.3} {} {}", h.at.x.atan2(h.at.y).to_degrees(), h.at.norm(), h.rotation);
+    let angles: Vec<f64> = mechanism.hinges.iter().map(|h| h.at.x.atan2(h.at.y).to_degrees()).collect();
+    assert_eq!(angles.len(), 5, "{angles:?}");
+    for (angle, expected) in angles.iter().zip([-90.0, -54.5, 0.0, 54.5, 90.0]) {
+        assert!((angle - expected).abs() < 0.9, "{angles:?}");
     }
+    let at_extrados: Vec<bool> = mechanism.hinges.iter().map(|h| h.point == 1).collect();
+    assert_eq!(at_extrados, [true, false, true, false, true]);
 }
