@@ -55,11 +55,18 @@ impl Findings {
         help: String,
     ) -> &mut Diagnostic {
         let finding = Diagnostic { code, severity, message, range, label, note: None, help: Some(help) };
-        let index = self.list.len();
-        if index >= MOST {
-            return self.beyond.insert(finding);
+        let mut index = self.list.len();
+        if index < MOST {
+            self.list.push(finding);
+            return &mut self.list[index];
         }
-        self.list.push(finding);
+        // An error is worth more than a warning.
+        let warning = self.list.iter().rposition(|known| known.severity == Severity::Warning);
+        match warning.filter(|_| severity == Severity::Error) {
+            Some(place) => index = place,
+            None => return self.beyond.insert(finding),
+        }
+        self.list[index] = finding;
         &mut self.list[index]
     }
 
@@ -70,12 +77,15 @@ impl Findings {
 
     /// Whether any finding is an error.
     pub(crate) fn any_error(&self) -> bool {
-        self.list.iter().chain(&self.beyond).any(|finding| finding.severity == Severity::Error)
+        self.list.iter().any(|finding| finding.severity == Severity::Error)
     }
 
     /// Drops findings that only follow from text that could not be read.
-    pub(crate) fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
-        self.list.retain(keep);
+    pub(crate) fn retain(&mut self, keep: impl Fn(&Diagnostic, usize) -> bool) {
+        let ends = std::mem::take(&mut self.line_ends);
+        let line = |place: TextRange| 1 + ends.partition_point(|end| *end < place.start);
+        self.list.retain(|finding| keep(finding, line(finding.range)));
+        self.line_ends = ends;
     }
 
     /// All findings in the order of the file, cut to its length, each once.

@@ -76,20 +76,31 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
     let (tree, broken) = DeTable::parse_recoverable(text);
     for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
         let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
-        let unquoted = text.get(range.start..range.end).filter(|_| error.message().contains("must be quoted"));
-        let help = match unquoted {
-            Some(value) => format!("put it in quotes: \"{}\"", tree::shorten(value.trim())),
-            None => {
-                "write lines like key = \"value\" below [section] headers; text and quantities stand in quotes".into()
-            }
-        };
+        let help = syntax_help(error.message(), text.get(range.start..range.end).unwrap_or_default());
         findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
     }
     let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
     let bridge = resolve::resolve(&file, findings);
     if !broken.is_empty() {
-        // What could not be read may be what seems to be missing.
-        findings.retain(|finding| finding.code == "B002" || finding.code.starts_with("B1") || finding.code == "B010");
+        // What could not be read may be what seems to be missing, and what is left of its line means nothing.
+        let lines: Vec<usize> = broken.iter().filter_map(|e| Some(findings.line(e.span()?.into()))).collect();
+        findings.retain(|finding, line| {
+            let of_a_value = finding.code.starts_with("B1") || finding.code == "B010";
+            finding.code == "B002" || (of_a_value && !lines.contains(&line))
+        });
     }
     bridge
+}
+
+/// What to write instead of a line that is not TOML.
+fn syntax_help(message: &str, found: &str) -> String {
+    let found = tree::shorten(found.trim());
+    match message {
+        _ if message.contains("must be quoted") => format!("put it in quotes: \"{found}\""),
+        _ if message.contains("duplicate key") => {
+            "keep one of the two; sections that repeat are written [[section]]".into()
+        }
+        _ if message.contains("string") => "close the quotes at the end of the same line: key = \"value\"".into(),
+        _ => "write lines like key = \"value\" below [section] headers; text and quantities stand in quotes".into(),
+    }
 }

@@ -175,7 +175,7 @@ fn joints(
     findings: &mut Findings,
 ) {
     let Some(joint) = joint else { return };
-    let Some(table) = every(file, "joint").first().copied() else { return };
+    let Some(table) = every(file, "joint").into_iter().next() else { return };
     let modulus = masonry.and_then(|masonry| masonry.elastic_modulus);
     if let (Some(JointStiffness::Contact(normal)), Some(modulus), Some(spans)) =
         (joint.normal_stiffness, modulus, spans)

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::explain::cards;
 use crate::fields::{Field, Kind, Need, Section, sections};
 use crate::quantity::Dimension;
 use crate::tree::title;
@@ -20,6 +21,22 @@ pub fn reference() -> String {
     units(&mut out);
     for section in sections().into_iter().filter(|section| !section.path.is_empty()) {
         describe(section, &mut out);
+    }
+    out
+}
+
+/// All cards of messages as Markdown, `docs/input/messages.md`.
+pub fn messages() -> String {
+    let mut out = String::from(
+        "# Messages\n\n\
+         Generated from the cards of the reader; a test keeps it up to date. Codes that start with B are errors: the \
+         file cannot be used. Codes that start with P are warnings: possible, but worth a question. \
+         `extrados explain CODE` prints the same.\n",
+    );
+    for card in cards() {
+        line(&mut out, &format!("\n## {}: {}\n\n{} {}\n", card.code, card.title, card.meaning, card.why));
+        line(&mut out, &format!("```toml\n# wrong\n{}\n\n# right\n{}\n```\n", card.wrong.trim(), card.right.trim()));
+        line(&mut out, &format!("Source: {}.", card.source));
     }
     out
 }

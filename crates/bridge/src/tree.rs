@@ -17,12 +17,14 @@ pub(crate) struct At<T> {
 }
 
 /// A table of the file together with its card.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Table<'t> {
     pub(crate) section: &'static Section,
     entries: &'t DeTable<'t>,
     /// The header, or the braces of an inline table.
     pub(crate) range: TextRange,
+    /// Keys that were probably meant by unknown ones.
+    misspelt: Vec<&'static str>,
 }
 
 pub(crate) type Raw<'t> = &'t Spanned<DeValue<'t>>;
@@ -35,18 +37,19 @@ impl<'t> Table<'t> {
         range: TextRange,
         findings: &mut Findings,
     ) -> Table<'t> {
-        let table = Table { section, entries, range };
-        let mut misspelt = Vec::new();
+        let mut table = Table { section, entries, range, misspelt: Vec::new() };
         for (key, _) in entries.iter() {
             match section.field(key.get_ref()) {
-                None => misspelt.extend(unknown_key(section, key.get_ref(), key.span().into(), findings)),
+                None => {
+                    let meant = unknown_key(section, key.get_ref(), key.span().into(), findings);
+                    table.misspelt.extend(meant);
+                }
                 Some(field) if !table.applies(field) => table.out_of_place(field, key.span().into(), findings),
                 Some(_) => {}
             }
         }
         for field in section.fields {
-            let written = table.has(field.key) || misspelt.contains(&field.key);
-            if field.need == Need::Required && table.applies(field) && !written {
+            if field.need == Need::Required && table.applies(field) && !table.has(field.key) {
                 table.missing(field, findings);
             }
         }
@@ -118,8 +121,11 @@ impl<'t> Table<'t> {
         }
     }
 
-    /// Reports a key that must be there.
+    /// Reports a key that must be there, unless it is there in a wrong spelling.
     pub(crate) fn missing(&self, field: &Field, findings: &mut Findings) {
+        if self.misspelt.contains(&field.key) {
+            return;
+        }
         let opening = matches!(field.kind, Kind::Table(_) | Kind::Tables(_));
         let (message, help) = if opening && self.section.path.is_empty() {
             let line = field.example_line();

@@ -287,46 +287,24 @@ fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Find
         return true;
     }
     let limits = field.limits;
-    let rule = if value > limits.most {
-        "less"
-    } else if limits.least_included {
-        "not less"
-    } else {
-        "more"
+    let (rule, bound) = match value > limits.most {
+        true => ("at most", limits.most),
+        false if limits.least_included => ("at least", limits.least),
+        false => ("more than", limits.least),
     };
-    let bound = if value > limits.most { limits.most } else { limits.least };
-    let unit = match field.kind {
-        Kind::Quantity(dimension) | Kind::QuantityOr(dimension, _) | Kind::Quantities(dimension) => {
-            quantity_unit(dimension)
-        }
-        Kind::LineLoad => " N/m",
-        _ => "",
+    // In the unit that the example uses, and no more digits than that is worth.
+    let bound = match field.example.split('"').find_map(|piece| quantity::parse(piece).ok()) {
+        Some(example) => format!("{} {}", (bound / example.unit.size * 1e6).round() / 1e6, example.unit.symbol),
+        None => bound.to_string(),
     };
     findings.error(
         "B107",
         range,
         format!("`{}` is out of its possible range", field.key),
         field.doc,
-        format!("it must be {rule} than {bound}{unit}; an example is {}", field.example),
+        format!("it must be {rule} {bound}; an example is {}", field.example),
     );
     false
-}
-
-/// The SI unit of a dimension, with a blank before it.
-fn quantity_unit(dimension: Dimension) -> &'static str {
-    match dimension {
-        Dimension::Length => " m",
-        Dimension::Angle => " rad",
-        Dimension::Density => " kg/m^3",
-        Dimension::Stress => " Pa",
-        Dimension::JointStiffness => " Pa/m",
-        Dimension::Force => " N",
-        Dimension::LineLoad => " N/m",
-        Dimension::Acceleration => " m/s^2",
-        Dimension::AngleRate => " rad/m",
-        Dimension::UnitWeight => " N/m^3",
-        Dimension::Mass => " kg",
-    }
 }
 
 /// A whole number that fits, from its digits and radix.

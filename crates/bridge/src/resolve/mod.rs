@@ -34,7 +34,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         geometry::check(file, spans, piers, masonry.as_ref(), joint.as_ref(), cover.as_ref(), findings);
     }
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
-        plan::check(file, plan, loads, joint.as_ref(), masonry.as_ref(), findings);
+        plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref()], masonry.as_ref(), findings);
     }
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 

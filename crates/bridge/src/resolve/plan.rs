@@ -169,7 +169,7 @@ pub(super) fn check(
     file: &Table<'_>,
     plan: &Plan,
     loads: &[Load],
-    joint: Option<&Joint>,
+    joints: [Option<&Joint>; 2],
     masonry: Option<&Masonry>,
     findings: &mut Findings,
 ) {
@@ -198,11 +198,18 @@ pub(super) fn check(
             "describe it with [support_movement]",
         );
     }
-    if let (Some(joint), Some(masonry)) = (joint, masonry) {
-        series(file, joint, masonry, findings);
-        if plan.method == Method::Dem {
-            discrete_elements(file, plan, joint, findings);
+    // [ring_joint] only where it is written; elsewhere it is [joint] over again.
+    for (section, joint) in ["joint", "ring_joint"].into_iter().zip(joints) {
+        let Some(joint) = joint.filter(|_| file.has(section)) else { continue };
+        if let Some(masonry) = masonry {
+            series(file, section, joint, masonry, findings);
         }
+        if plan.method == Method::Dem {
+            stiffness(file, section, joint, findings);
+        }
+    }
+    if plan.method == Method::Dem {
+        steps(file, plan, findings);
     }
     let finer = [
         ("resolution", plan.resolution, "load_step", plan.load_step),
@@ -225,9 +232,9 @@ pub(super) fn check(
 }
 
 /// The series rule needs the moduli of the blocks.
-fn series(file: &Table<'_>, joint: &Joint, masonry: &Masonry, findings: &mut Findings) {
+fn series(file: &Table<'_>, section: &str, joint: &Joint, masonry: &Masonry, findings: &mut Findings) {
     let mut unheard = Findings::default();
-    let Some(table) = file.table("joint", &mut unheard) else { return };
+    let Some(table) = file.table(section, &mut unheard) else { return };
     let normal = matches!(joint.normal_stiffness, Some(JointStiffness::Series(_)));
     let shear = matches!(joint.shear_stiffness, Some(JointStiffness::Series(_)));
     let key = if normal { "mortar_normal_stiffness" } else { "mortar_shear_stiffness" };
@@ -255,33 +262,37 @@ fn series(file: &Table<'_>, joint: &Joint, masonry: &Masonry, findings: &mut Fin
     }
 }
 
-/// What the discrete element method cannot do without.
-fn discrete_elements(file: &Table<'_>, plan: &Plan, joint: &Joint, findings: &mut Findings) {
-    let mut unheard = Findings::default();
-    let mut lack = |section: &str, what: &str, line: &str| {
-        let range = file.table(section, &mut unheard).map_or(file.range, |table| table.range);
-        findings
-            .error(
-                "B401",
-                range,
-                format!("the discrete element method needs {what}"),
-                "missing here",
-                format!("add a line like {line} to [{section}], or choose method = \"limit\""),
-            )
-            .because("joints deform in this method; limit analysis takes them as rigid");
-    };
+/// The discrete element method cannot do without a stiffness of its joints.
+fn stiffness(file: &Table<'_>, section: &str, joint: &Joint, findings: &mut Findings) {
     if joint.normal_stiffness.is_none() {
-        lack("joint", "the normal stiffness of the joints", "normal_stiffness = \"4.84 GPa/m\"");
+        lack(file, section, "the normal stiffness of the joints", "normal_stiffness = \"4.84 GPa/m\"", findings);
     }
     if joint.shear_stiffness.is_none() {
-        lack("joint", "the shear stiffness of the joints", "shear_stiffness = \"0.573 GPa/m\"");
+        lack(file, section, "the shear stiffness of the joints", "shear_stiffness = \"0.573 GPa/m\"", findings);
     }
+}
+
+/// Nor without the size of its steps.
+fn steps(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
     if plan.analysis == Analysis::Load && plan.load_step.is_none() {
-        lack("analysis", "a load step", "load_step = \"100 kN\"");
+        lack(file, "analysis", "a load step", "load_step = \"100 kN\"", findings);
     }
-    if plan.analysis == Analysis::SupportMovement
-        && plan.support_movement.is_some_and(|movement| movement.increment.is_none())
-    {
-        lack("support_movement", "an increment of the movement", "increment = \"1 mm\"");
+    let still = plan.support_movement.is_some_and(|movement| movement.increment.is_none());
+    if plan.analysis == Analysis::SupportMovement && still {
+        lack(file, "support_movement", "an increment of the movement", "increment = \"1 mm\"", findings);
     }
+}
+
+fn lack(file: &Table<'_>, section: &str, what: &str, line: &str, findings: &mut Findings) {
+    let mut unheard = Findings::default();
+    let range = file.table(section, &mut unheard).map_or(file.range, |table| table.range);
+    findings
+        .error(
+            "B401",
+            range,
+            format!("the discrete element method needs {what}"),
+            "missing here",
+            format!("add a line like {line} to [{section}], or choose method = \"limit\""),
+        )
+        .because("joints deform in this method, load by load; limit analysis takes them as rigid");
 }

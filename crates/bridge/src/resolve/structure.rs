@@ -30,6 +30,9 @@ pub(crate) struct PlacedSpan {
 /// Spans that are analysed as one structure; the longest masonry viaducts have a few hundred.
 const MOST_SPANS: u64 = 200;
 
+/// Voussoirs that are analysed as one structure: as many as 200 spans of 500.
+const MOST_VOUSSOIRS: usize = 100_000;
+
 /// Standard value in bridge practice; the default of the field's card.
 const GRAVITY: f64 = 9.81;
 
@@ -65,6 +68,17 @@ pub(super) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
             Some((span, repeat)) => spans.extend((0..repeat).map(|_| span.clone())),
             None => complete = false,
         }
+    }
+    let blocks: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
+    if blocks > MOST_VOUSSOIRS {
+        findings.error(
+            "B212",
+            file.place("span"),
+            format!("the bridge has {blocks} voussoirs"),
+            format!("more than {MOST_VOUSSOIRS} are too many to analyse as one structure"),
+            "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs draw a good ring",
+        );
+        return None;
     }
     (complete && !spans.is_empty()).then_some(spans)
 }

@@ -2,5 +2,7 @@
 
 mod cards;
 mod files;
+mod messages;
+mod mutation;
 mod reading;
 mod reference;

@@ -82,16 +82,32 @@ fn defaults_are_those_of_the_cards() {
 }
 
 #[test]
-fn written_reference_is_up_to_date() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/input/reference.md");
-    let fresh = bridge::reference::reference();
-    if std::env::var_os("EXTRADOS_WRITE_DOCS").is_some() {
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(&path, &fresh).unwrap();
+fn written_documents_are_up_to_date() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/input");
+    let schema = serde_json::to_string_pretty(&bridge::schema::schema()).unwrap() + "\n";
+    let documents = [
+        ("reference.md", bridge::reference::reference()),
+        ("messages.md", bridge::reference::messages()),
+        ("bridge.schema.json", schema),
+    ];
+    for (name, fresh) in documents {
+        let path = folder.join(name);
+        if std::env::var_os("EXTRADOS_WRITE_DOCS").is_some() {
+            std::fs::create_dir_all(&folder).unwrap();
+            std::fs::write(&path, &fresh).unwrap();
+        }
+        let written = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            written == fresh,
+            "docs/input/{name} is out of date; EXTRADOS_WRITE_DOCS=1 cargo test -p bridge writes it"
+        );
     }
-    let written = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        written == fresh,
-        "docs/input/reference.md is out of date; EXTRADOS_WRITE_DOCS=1 cargo test -p bridge writes it"
-    );
+}
+
+#[test]
+fn example_of_the_guide_reads() {
+    let guide = include_str!("../../../../docs/input/README.md");
+    let example = guide.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    assert_eq!(show_all(example), "");
+    assert!(read(example.as_bytes()).bridge.is_some());
 }

@@ -1,0 +1,143 @@
+//! What the engineer sees.
+
+use bridge::read;
+
+use crate::files::{CASE_1, TINY, VIADUCT, show_all};
+
+#[test]
+fn a_pressure_where_a_length_belongs() {
+    let file = CASE_1.replace("rise = \"2.85 m\"", "rise = \"2.85 GPa\"");
+    assert_eq!(
+        show_all(&file),
+        "error[B104]: expected a length, found a pressure\n  \
+           8:8\n  \
+           | rise = \"2.85 GPa\"\n  \
+           |        ^^^^^^^^^^ rise is measured from springing to crown, on the intrados\n  \
+           help: write \"2.85 m\", if m is meant\n\n"
+    );
+}
+
+#[test]
+fn a_fill_stiffer_than_masonry() {
+    let file = VIADUCT.replace("elastic_modulus = \"60 MPa\"", "elastic_modulus = \"60 GPa\"");
+    assert_eq!(
+        show_all(&file),
+        "warning[P012]: a layer of the cover is stiffer than the masonry on which it lies\n  \
+           73:19\n  \
+           | elastic_modulus = \"60 GPa\"\n  \
+           |                   ^^^^^^^^ granular fills are usually 20 to 200 MPa\n  \
+           note: ring masonry is 10 GPa (line 48)\n  \
+           help: did you mean \"60 MPa\"?\n\n"
+    );
+    assert!(read(file.as_bytes()).bridge.is_some(), "a warning is no refusal");
+}
+
+/// Ten mistakes deserve ten carets.
+#[test]
+fn ten_mistakes_are_reported_at_once() {
+    let mistakes = [
+        ("width = \"8.30 m\"", "width = 8.30", "B101"),
+        ("profile = \"segmental\"", "profile = \"segment\"", "B013"),
+        ("thickness = \"0.711 m\"", "thicknes = \"0.711 m\"", "B010"),
+        ("voussoirs = 62", "voussoirs = 1000000000", "B108"),
+        ("density = \"2100 kg/m^3\"", "density = \"21 kN/m^3\"", "B104"),
+        ("poisson_ratio = 0.2", "poisson_ratio = 2.0", "B107"),
+        ("friction_angle = \"35.6 deg\"\n", "", "B011"),
+        ("rounding = \"10 mm\"", "rounding = \"10\"", "B102"),
+        ("slope = \"2:1\"", "slope = \"2\"", "B109"),
+        ("weighs = false", "weighs = \"no\"", "B012"),
+    ];
+    let mut file = CASE_1.to_owned();
+    for (right, wrong, _) in mistakes {
+        assert!(file.contains(right));
+        file = file.replacen(right, wrong, 1);
+    }
+    let found: Vec<&str> = read(file.as_bytes()).diagnostics.iter().map(|finding| finding.code).collect();
+    let mut expected: Vec<&str> = mistakes.iter().map(|(_, _, code)| *code).collect();
+    let mut sorted = found.clone();
+    sorted.sort_unstable();
+    expected.sort_unstable();
+    assert_eq!(sorted, expected, "{}", show_all(&file));
+}
+
+#[test]
+fn a_weight_is_turned_into_a_density() {
+    let shown = show_all(&TINY.replace("density = \"2200 kg/m^3\"", "density = \"21.6 kN/m^3\""));
+    assert!(shown.contains("divide by gravity: write \"2203 kg/m^3\""), "{shown}");
+}
+
+#[test]
+fn an_unquoted_quantity_is_put_in_quotes() {
+    let shown = show_all(&CASE_1.replace("\"8.30 m\"", "8.30 m"));
+    assert!(shown.contains("help: put it in quotes: \"8.30 m\""), "{shown}");
+    // A line that cannot be read does not make others seem missing.
+    assert_eq!(shown.matches("error[").count(), 1, "{shown}");
+}
+
+#[test]
+fn an_empty_file_lacks_everything_and_says_so() {
+    let shown = show_all("");
+    for section in ["[bridge]", "[[span]]", "[masonry]", "[joint]"] {
+        assert!(shown.contains(&format!("the file has no {section}")), "{shown}");
+    }
+}
+
+#[test]
+fn a_key_in_the_wrong_section_is_sent_home() {
+    let shown = show_all(&CASE_1.replace("[masonry]\n", "[masonry]\ncohesion = \"0 kPa\"\n"));
+    assert!(shown.contains("move this line to [joint]"), "{shown}");
+}
+
+#[test]
+fn a_misspelt_key_is_not_missing_as_well() {
+    let shown = show_all(&CASE_1.replace("friction_angle", "friction_angel"));
+    assert!(shown.contains("did you mean `friction_angle`?") && !shown.contains("B011"), "{shown}");
+}
+
+#[test]
+fn the_discrete_element_method_asks_for_stiffness() {
+    let shown = show_all(&format!("{TINY}analysis = {{ method = \"dem\" }}\n"));
+    assert_eq!(shown.matches("error[B401]").count(), 3, "{shown}");
+}
+
+#[test]
+fn the_road_must_say_how_loads_spread() {
+    let shown =
+        show_all(&format!("{TINY}cover = {{ layer = \"fill\", thickness = \"0.2 m\", density = \"1900 kg/m^3\" }}\n"));
+    assert!(shown.contains("error[B011]: the file has no [dispersal]"), "{shown}");
+}
+
+#[test]
+fn ring_joints_deform_as_well() {
+    let shown = show_all(&VIADUCT.replace("normal_stiffness = \"10 GPa/m\"\n", ""));
+    assert!(shown.contains("to [ring_joint], or choose"), "{shown}");
+}
+
+/// Hundreds of warnings do not hide an error.
+#[test]
+fn an_error_outranks_warnings() {
+    let layer = "[[cover]]\nlayer = \"ballast\"\nthickness = \"1 mm\"\ndensity = \"100 kg/m^3\"\n";
+    let file = CASE_1.replace("[dispersal]\n", &(layer.repeat(900) + "[dispersal]\n"));
+    assert_eq!(read(file.as_bytes()).diagnostics.len(), 500);
+    let file = file.replace("load_step = \"100 kN\"", "load_limit = \"1 kN\"\nload_step = \"100 kN\"");
+    assert!(show_all(&file).contains("error[B405]"));
+    assert!(read(file.as_bytes()).bridge.is_none());
+}
+
+#[test]
+fn other_systems_write_other_line_ends_and_marks() {
+    assert_eq!(show_all(&CASE_1.replace('\n', "\r\n")), "");
+    assert_eq!(show_all(&format!("\u{feff}{CASE_1}")), "");
+}
+
+#[test]
+fn bounds_are_told_in_the_engineers_unit() {
+    let shown = show_all(&CASE_1.replace("35.6 deg", "95 deg"));
+    assert!(shown.contains("it must be at most 89 deg"), "{shown}");
+}
+
+#[test]
+fn what_is_left_of_a_broken_line_means_nothing() {
+    let shown = show_all(&CASE_1.replace("rise = \"2.85 m\"", "rise = 2.85 m\""));
+    assert!(shown.contains("error[B002]") && shown.matches("error[").count() == 1, "{shown}");
+}
