@@ -24,7 +24,11 @@ pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[Dimension], extent: Ex
             Measure::Span => {}
             Measure::Rise => upright(sheet, view, d, d.to[0], room),
             Measure::Height => upright(sheet, view, d, d.from[0], room),
-            Measure::Thickness => thickness(sheet, view, d, room),
+            Measure::Thickness => {
+                let near = |r: &Dimension| (view.spot(r.to)[0] - view.spot(d.from)[0]).abs() < 40.0;
+                let taken = dimensions.iter().any(|r| r.measure == Measure::Rise && near(r));
+                thickness(sheet, view, d, taken, room);
+            }
         }
     }
     sheet.close();
@@ -68,19 +72,28 @@ fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64, room: Room) {
     sheet.label([a[0], 0.5 * (a[1] + b[1])], &text, Style::on_drawing(), room);
 }
 
-/// Two arrows that press on the ring from both sides, with the value on the intrados' side.
-fn thickness(sheet: &mut Sheet, view: &View, d: &Dimension, room: Room) {
+/// Two arrows that press on the ring from both sides, with the value on the intrados' side. Where a rise takes that
+/// place: a line across the ring, with the value where there is room.
+fn thickness(sheet: &mut Sheet, view: &View, d: &Dimension, taken: bool, room: Room) {
     let (a, b) = (view.spot(d.from), view.spot(d.to));
     let length = (b[0] - a[0]).hypot(b[1] - a[1]);
     if !length.is_finite() || length <= 0.0 {
         return;
     }
+    let text = words::metres((d.to[0] - d.from[0]).hypot(d.to[1] - d.from[1]));
     let unit = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
     let off = |p: Spot, by: f64| [p[0] + by * unit[0], p[1] + by * unit[1]];
-    sheet.line(a, b, Pen::line(INK, 0.9));
-    sheet.arrow(off(b, 20.0), b, Pen::line(INK, 0.9));
-    sheet.arrow(off(a, -24.0), a, Pen::line(INK, 0.9));
-    let text = words::metres((d.to[0] - d.from[0]).hypot(d.to[1] - d.from[1]));
+    sheet.line(a, b, Pen::line(INK, 1.2));
+    if taken {
+        tick(sheet, a);
+        tick(sheet, b);
+        let room = Room { clear: 5.0, ..room }.towards([0.9 + 0.3 * unit[0], 0.3 * unit[1]]);
+        sheet.label(b, &text, Style::on_drawing(), room);
+        return;
+    }
+    let arrow = Pen::line(INK, 0.9);
+    sheet.arrow(off(b, 20.0), b, arrow);
+    sheet.arrow(off(a, -24.0), a, arrow);
     let room = Room { clear: 4.0, ..room }.towards([-unit[0], -unit[1]]);
     sheet.label(off(a, -24.0), &text, Style::on_drawing(), room);
 }

@@ -71,14 +71,18 @@ pub fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
 /// The road surface.
 pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
     if picture.surface.len() > 1 {
-        sheet.polyline(&view.spots(&picture.surface), Pen::line("#404040", MEDIUM).class("surface"));
+        let spots = view.spots(&picture.surface);
+        sheet.polyline(&spots, Pen::line("#404040", MEDIUM).class("surface"));
+        sheet.avoid_line(&spots);
     }
 }
 
 /// The road surface, faint, behind something.
 pub fn faint_surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
     if picture.surface.len() > 1 {
-        sheet.polyline(&view.spots(&picture.surface), Pen::line(FAINT, MEDIUM).class("surface"));
+        let spots = view.spots(&picture.surface);
+        sheet.polyline(&spots, Pen::line(FAINT, MEDIUM).class("surface"));
+        sheet.avoid_line(&spots);
     }
 }
 
@@ -185,24 +189,12 @@ pub fn extent(picture: &Picture) -> Option<Extent> {
     Some(whole.grown(0.01 * size))
 }
 
-/// Text that says which loads the arrows stand for.
-pub fn load_words(picture: &Picture) -> Option<String> {
-    if picture.loads.is_empty() {
-        return None;
-    }
-    let down: f64 = picture.loads.iter().map(|l| -l.force[1]).sum();
-    let across: f64 = picture.loads.iter().map(|l| l.force[0]).sum();
-    let largest = down.abs().max(across.abs());
-    let part = |size: f64, way: [&str; 2]| {
-        let matters = size.abs() > 1e-6 * largest;
-        matters.then(|| format!("{} {}", words::force(size.abs()), way[usize::from(size < 0.0)]))
-    };
-    let parts: Vec<String> = [part(down, ["downwards", "upwards"]), part(across, ["to the right", "to the left"])]
-        .into_iter()
-        .flatten()
-        .collect();
-    let sum = if parts.is_empty() { "in balance".to_string() } else { format!("{} in all", parts.join(" and ")) };
-    Some(format!("Arrows: variable load on the blocks, {sum} at the reference load."))
+/// What the arrows mean: their common size is arbitrary.
+pub const LOAD_WORDS: &str = "Arrows show how the variable load is shared among the blocks.";
+
+/// The load at collapse: as the analysis gives it, or the first step that did not come to rest.
+pub fn collapse_load(picture: &Picture) -> Option<f64> {
+    picture.collapse_load.or_else(|| picture.path.iter().find(|s| !s.at_rest).map(|s| s.load)).filter(|l| l.is_finite())
 }
 
 /// A small row of signs and what they mean; returns the y below it.

@@ -1,7 +1,7 @@
 //! The way down: a few states of one run side by side.
 
 use crate::elevation as draw;
-use crate::geometry::{Extent, Turn, View, as_built, moved};
+use crate::geometry::{Extent, Turn, View, as_built, largest_displacement, moved, round_down};
 use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH, font};
 use crate::words;
 use assess::outcome::{Motion, Picture};
@@ -10,9 +10,12 @@ use assess::outcome::{Motion, Picture};
 const MOST: usize = 6;
 /// Gap between panels.
 const GAP: f64 = 18.0;
+/// Share of the larger dimension of the bridge that displacements are drawn with, at most, where they are exaggerated.
+const SHARE: f64 = 0.06;
 
-/// The bridge as built, at its last stable load, and in even steps of what came after; at true scale. Without a
-/// last stable state, even steps of the whole run. None without snapshots.
+/// The bridge as built, at its last stable load, and in even steps of what came after; displacements exaggerated
+/// alike where they would not be seen. Without a last stable state, even steps of the whole run. None where nothing
+/// moves.
 pub fn collapse_frames(picture: &Picture) -> Option<String> {
     let built = as_built(&picture.shapes)?;
     let usable: Vec<usize> =
@@ -21,10 +24,18 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
         return None;
     }
     let chosen = choose(&usable, picture.last_stable);
-    let corners = |motions: &[Motion]| -> Vec<_> {
-        picture.shapes.iter().zip(motions).flat_map(|(s, &m)| moved(s, m, 1.0, Turn::Finite)).collect()
-    };
     let size = built.size()[0].max(built.size()[1]);
+    let largest = chosen
+        .iter()
+        .map(|&k| largest_displacement(&picture.shapes, &picture.snapshots[k].motions, Turn::Finite))
+        .fold(0.0, f64::max);
+    if largest <= 1e-9 * size {
+        return None;
+    }
+    let scale = round_down(SHARE * size / largest).max(1.0);
+    let corners = |motions: &[Motion]| -> Vec<_> {
+        picture.shapes.iter().zip(motions).flat_map(|(s, &m)| moved(s, m, scale, Turn::Finite)).collect()
+    };
     // A block thrown far away does not make the bridge small.
     let whole = chosen
         .iter()
@@ -35,7 +46,8 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
 
     let mut sheet = Sheet::new("collapse");
     draw::define_hatch(&mut sheet);
-    let top = sheet.title(&picture.title, "Collapse, displacements at true scale");
+    let how = if scale > 1.0 { format!("exaggerated {}", words::times(scale)) } else { "at true scale".into() };
+    let top = sheet.title(&picture.title, &format!("Collapse, displacements {how}"));
     let panels: Vec<Option<usize>> = std::iter::once(None).chain(chosen.iter().copied().map(Some)).collect();
     let [w, h] = whole.size();
     let columns = if panels.len() == 1 {
@@ -63,7 +75,7 @@ pub fn collapse_frames(picture: &Picture) -> Option<String> {
         let view = View::fit(whole, area);
         sheet.open_clipped("panel", &format!("panel-{n}"), area);
         draw::blocks(&mut sheet, &view, &picture.shapes, |k| match panel {
-            Some(s) => moved(&picture.shapes[k], picture.snapshots[*s].motions[k], 1.0, Turn::Finite),
+            Some(s) => moved(&picture.shapes[k], picture.snapshots[*s].motions[k], scale, Turn::Finite),
             None => picture.shapes[k].outline.clone(),
         });
         sheet.close();

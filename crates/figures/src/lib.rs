@@ -4,6 +4,9 @@
 //! bytes every time; the caller writes files. Drawings are SVG 160 mm wide; [`png`] turns them into pictures with a
 //! font of their own. What there is no material for is `None`.
 
+// Units stand in brackets and are no links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 mod all;
 mod chart;
 mod colour;

@@ -10,8 +10,9 @@ use assess::outcome::{Hinge, HingeAt, Picture, Point, Shape};
 /// Share of the larger dimension of the bridge that the largest displacement is drawn with.
 const SHARE: f64 = 0.05;
 
-/// With more hinges than this, labels are numbers alone.
-const WORDY: usize = 12;
+/// With more hinges than this they are drawn small and without labels, which would hide the drawing; the place of
+/// the circle tells the edge.
+const MANY: usize = 12;
 
 /// The edge about which a hinge turns.
 fn edge_words(edge: HingeAt) -> &'static str {
@@ -34,7 +35,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
 
     let mut sheet = Sheet::new("mechanism");
     draw::define_hatch(&mut sheet);
-    let second = match picture.collapse_load {
+    let second = match draw::collapse_load(picture) {
         Some(load) if picture.moves_supports => format!("Mechanism at a support movement of {}", words::metres(load)),
         Some(load) => format!("Mechanism at collapse, {}", words::force(load)),
         None => "Mechanism".to_string(),
@@ -49,7 +50,11 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     draw::ghost(&mut sheet, &view, &picture.shapes);
     draw::blocks(&mut sheet, &view, &picture.shapes, place);
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
-    draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
+    for shape in picture.shapes.iter().filter(|s| !s.held) {
+        if let Some(area) = crate::sheet::Area::around(&view.spots(&shape.outline)) {
+            sheet.avoid_lightly(area);
+        }
+    }
     draw::load_arrows(&mut sheet, &view, picture, Some((motions, scale)));
 
     let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
@@ -66,7 +71,8 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 26.0);
     let mut entries = Vec::new();
     if !hinges.is_empty() {
-        entries.push((Sign::Hinge, "hinge, named after the edge about which it turns"));
+        let few = hinges.len() <= MANY;
+        entries.push((Sign::Hinge, if few { "hinge, named after the edge about which it turns" } else { "hinge" }));
     }
     if !picture.sliding.is_empty() {
         entries.push((Sign::Sliding, "sliding joint"));
@@ -80,8 +86,8 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
         "A mechanism has a shape but no size: exaggerated here to a largest displacement of {} at the scale of the bar.",
         words::metres(scale * largest)
     );
-    if let Some(loads) = draw::load_words(picture) {
-        caption = format!("{caption} {loads}");
+    if !picture.loads.is_empty() {
+        caption = format!("{caption} {}", draw::LOAD_WORDS);
     }
     y = sheet.caption(y, &caption);
     Some(sheet.finish(y))
@@ -97,14 +103,16 @@ pub(crate) fn mark_hinges(
     room: Room,
 ) {
     sheet.open("hinges");
+    let radius = if hinges.len() > MANY { 2.8 } else { 4.2 };
     for (_, point) in hinges {
-        sheet.circle(view.spot(*point), 4.2, Pen::shape("white", INK, 1.6).class("hinge"));
+        sheet.circle(view.spot(*point), radius, Pen::shape("white", INK, 1.6).class("hinge"));
         let [x, y] = view.spot(*point);
         sheet.avoid(crate::sheet::Area { left: x - 6.0, right: x + 6.0, top: y - 6.0, bottom: y + 6.0 });
     }
     sheet.close();
-    for (k, (hinge, point)) in hinges.iter().enumerate() {
-        let words = if hinges.len() > WORDY { "" } else { edge_words(hinge.edge) };
+    let labelled = if hinges.len() > MANY { &[] } else { hinges };
+    for (k, (hinge, point)) in labelled.iter().enumerate() {
+        let words = edge_words(hinge.edge);
         let text = if words.is_empty() { format!("{}", k + 1) } else { format!("{} {words}", k + 1) };
         let towards = label_side(shapes, *hinge, middle);
         sheet.label(view.spot(*point), &text, Style::on_drawing(), room.towards(towards));

@@ -7,9 +7,13 @@ use assess::outcome::{Motion, Point, Shape};
 
 /// Blocks within this share of their own smaller dimension touch a point.
 const NEAR: f64 = 0.05;
+/// More sliding joints than this are many.
+const MANY: usize = 12;
 
 /// Marks the joints of a mechanism that slide at `points`.
 pub fn mark(sheet: &mut Sheet, shapes: &[Shape], motions: &[Motion], points: &[Point], view: &View, scale: f64) {
+    // Many arrows are drawn small, or they would hide the blocks.
+    let size = if points.len() > MANY { 0.6 } else { 1.0 };
     sheet.open("sliding-joints");
     for &point in points {
         let Some(slide) = slide(shapes, motions, point) else { continue };
@@ -24,10 +28,10 @@ pub fn mark(sheet: &mut Sheet, shapes: &[Shape], motions: &[Motion], points: &[P
         // The second block moves along, the first one against.
         for sense in [1.0, -1.0] {
             let offset = |by: f64| {
-                let (t, n) = (sense * by, sense * side * 3.4);
+                let (t, n) = (sense * by, sense * side * 3.4 * size);
                 [at[0] + t * along[0] + n * across[0], at[1] + t * along[1] + n * across[1]]
             };
-            sheet.arrow(offset(-8.0), offset(8.0), Pen::line(SLIDING, 1.5).class("sliding"));
+            sheet.arrow(offset(-8.0 * size), offset(8.0 * size), Pen::line(SLIDING, 1.5 * size).class("sliding"));
         }
         sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(9.0));
     }

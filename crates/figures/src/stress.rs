@@ -41,8 +41,13 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     } else {
         words::force(state.load)
     };
-    let stable = if picture.last_stable == Some(snapshot) { ", last stable" } else { "" };
-    let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{stable}"));
+    let collapses = draw::collapse_load(picture).is_some_and(|c| state.load >= c * (1.0 - 1e-9));
+    let which = match () {
+        () if collapses => ", collapse",
+        () if picture.last_stable == Some(snapshot) => ", last stable",
+        () => "",
+    };
+    let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{which}"));
     let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
     let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
     let shown = blocks_only.with(deformed.within(roomy));

@@ -18,7 +18,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     let built = as_built(&picture.shapes)?;
     let mut sheet = Sheet::new("thrust");
     draw::define_hatch(&mut sheet);
-    let second = match picture.collapse_load {
+    let second = match draw::collapse_load(picture) {
         Some(load) if !picture.moves_supports => format!("Line of thrust at collapse, {}", words::force(load)),
         _ => "Line of thrust".to_string(),
     };
@@ -71,8 +71,8 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         entries.push((Sign::Load, "load"));
     }
     y = draw::key(&mut sheet, y + 2.0, &entries);
-    if let Some(loads) = draw::load_words(picture) {
-        y = sheet.caption(y, &loads);
+    if !picture.loads.is_empty() {
+        y = sheet.caption(y, draw::LOAD_WORDS);
     }
     Some(sheet.finish(y))
 }

@@ -281,6 +281,27 @@ fn collapse_shows_the_bridge_as_built_first_and_the_end_last() {
 }
 
 #[test]
+fn small_motions_are_exaggerated_and_none_are_not_drawn() {
+    let mut picture = sample::arch();
+    picture.snapshots.truncate(4);
+    let svg = figures::collapse_frames(&picture).unwrap();
+    assert!(texts(&Document::parse(&svg).unwrap()).iter().any(|t| t.contains("exaggerated")));
+    picture.snapshots.truncate(1);
+    picture.last_stable = Some(0);
+    assert!(figures::collapse_frames(&picture).is_none());
+}
+
+#[test]
+fn where_hinges_are_many_labels_give_way_to_the_drawing() {
+    let mut picture = sample::arch();
+    picture.hinges = (0..30).map(|k| Hinge { point: picture.shapes[k].outline[3], ..picture.hinges[0] }).collect();
+    let svg = figures::mechanism(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    assert_eq!(classed(&document, "circle", "hinge").len(), 30);
+    assert!(!texts(&document).iter().any(|t| t.ends_with(" intrados")));
+}
+
+#[test]
 fn what_there_is_no_material_for_is_not_drawn() {
     let empty = Picture::default();
     let names: Vec<String> = figures::drawings(&empty).into_iter().map(|d| d.0).collect();

@@ -74,20 +74,24 @@ impl Sheet {
             + (area.bottom - room.bottom).max(0.0);
         let over_text: f64 = self.texts.iter().map(|t| t.overlap(&area.grown(2.5))).sum();
         let size = (area.right - area.left) * (area.bottom - area.top);
-        let over_drawing: f64 = self.obstacles.iter().map(|o| o.overlap(&area)).sum();
+        let over_drawing: f64 = self.obstacles.iter().map(|(o, weight)| weight * o.overlap(&area)).sum();
         1e4 * outside + 1e3 * over_text + 160.0 * over_drawing / size.max(1.0)
     }
 
     /// A leader had better not run through texts, nor far over the drawing.
     fn leader_cost(&self, leader: Option<[Spot; 2]>) -> f64 {
         let Some([from, to]) = leader else { return 0.0 };
-        let through = |k: i32, areas: &[Area]| {
+        let dot = |k: i32| {
             let t = f64::from(k) / 6.0;
             let at = [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])];
-            let dot = Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(1.0);
-            areas.iter().any(|a| a.overlap(&dot) > 0.0)
+            Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(1.0)
         };
-        (0..6).map(|k| 400.0 * f64::from(through(k, &self.texts)) + 5.0 * f64::from(through(k, &self.obstacles))).sum()
+        let text = |dot: &Area| f64::from(self.texts.iter().any(|a| a.overlap(dot) > 0.0));
+        let over = |dot: &Area| {
+            let weights = self.obstacles.iter().filter(|(a, _)| a.overlap(dot) > 0.0).map(|o| o.1);
+            weights.fold(0.0, f64::max)
+        };
+        (0..6).map(dot).map(|d| 400.0 * text(&d) + 5.0 * over(&d)).sum()
     }
 }
 
