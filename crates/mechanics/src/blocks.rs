@@ -197,6 +197,17 @@ pub enum ModelError {
     /// The state to be taken up was kept for another model, or is damaged.
     #[error("the kept state does not belong to this model, or is damaged")]
     ForeignState,
+    /// A contact law has a number that makes no sense.
+    #[error("contact law: {what} cannot be {value}")]
+    Law {
+        /// Which number.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A support movement is imposed on a block that is free to move that way.
+    #[error("block {0} is to be moved in a direction in which it is not held")]
+    MovedWhileFree(u32),
     /// Two blocks share more than their surface.
     #[error("blocks {0} and {1} overlap by {2:.6} m where they are built")]
     Overlap(u32, u32, f64),

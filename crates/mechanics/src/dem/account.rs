@@ -95,13 +95,17 @@ pub fn contacts(state: &State) -> Vec<ContactState> {
         for k in 0..t.count as usize {
             let m = &t.memory[k];
             if m.closed {
+                // An open hinge presses along the true normal of the two surfaces, not that of the reference edge.
+                let push = points.push(k);
+                let force = push * m.compression + points.direction * m.shear;
+                let normal = push.unit();
                 found.push(ContactState {
                     first: BlockId(first),
                     second: BlockId(second),
                     point: points.at(k, state.poses[t.one as usize].position),
-                    normal: if flip { -points.normal() } else { points.normal() },
-                    compression: m.compression,
-                    shear: m.shear,
+                    normal: if flip { -normal } else { normal },
+                    compression: force.dot(normal),
+                    shear: force.dot(normal.left()),
                     length: m.length,
                     sliding: m.sliding,
                 });
@@ -127,22 +131,16 @@ pub fn stresses(model: &Model, state: &State, contacts: &[ContactState]) -> Vec<
         add(c.first.index(), c.point, -f);
     }
     for i in 0..model.len() {
-        // Surface loads act on the boundary too; body forces act on the centroid and add nothing.
-        let surface = model.permanent[i].plus(&model.weight[i], -1.0).plus(&model.variable[i], state.factor);
-        let arm_work = [surface.dot, surface.cross];
-        if surface.force != Vec2::ZERO {
-            // Vertical resultants: x (x) f has the components x f_y and y f_y, which are cross and dot as built.
-            let turn = &state.poses[i].rotation;
-            let (dot, cross) =
-                (turn.cos * arm_work[0] + turn.sin * arm_work[1], turn.cos * arm_work[1] - turn.sin * arm_work[0]);
-            let f = surface.force;
-            let square = f.dot(f);
-            // The arm that gives this resultant its moment and its virial.
-            let arm = f * (dot / square) + f.right() * (cross / square);
-            sums[i][0] += arm.x * f.x;
-            sums[i][1] += arm.y * f.y;
-            sums[i][2] += 0.5 * (arm.x * f.y + arm.y * f.x);
-        }
+        // Point forces act on the boundary too, and their arms turn with the block; weight acts on the centroid and
+        // adds nothing.
+        let turn = &state.poses[i].rotation;
+        let built: [f64; 4] =
+            std::array::from_fn(|c| model.permanent_virial[i][c] + state.factor * model.variable_virial[i][c]);
+        let x = turn.turn(vec2(built[0], built[2]));
+        let y = turn.turn(vec2(built[1], built[3]));
+        sums[i][0] += x.x;
+        sums[i][1] += y.y;
+        sums[i][2] += 0.5 * (y.x + x.y);
         for s in &mut sums[i] {
             *s /= model.area[i];
         }

@@ -6,6 +6,7 @@
 
 mod account;
 mod end;
+mod fingerprint;
 mod model;
 mod outcome;
 mod relax;

@@ -1,8 +1,9 @@
 //! What is fixed once a run is set up.
 
-use crate::blocks::{BlockModel, LawTable, Loading, ModelError, PointForce};
+use super::search::close_pairs;
+use crate::blocks::{BlockModel, ContactLaw, LawTable, Loading, ModelError, PointForce, Stiffness};
 use crate::ids::{BlockId, GroupId, Id, Table};
-use crate::plane::{Core, Pose, Vec2, vec2};
+use crate::plane::{Core, Pose, Vec2, meet, vec2};
 
 /// Forces on one block that keep their direction while their points of application move with the block. The moment
 /// of force `F` at arm `a`, turned by `(cos, sin)`, is `cos (a x F) - sin (a . F)`, so two sums stand for any number
@@ -72,6 +73,9 @@ pub struct Model {
     pub(super) weight: Vec<Resultant>,
     /// Variable forces at load factor 1.
     pub(super) variable: Vec<Resultant>,
+    /// Sums of `a (x) F` over the permanent and the variable forces as built [N]: xx, xy, yx, yy.
+    pub(super) permanent_virial: Vec<[f64; 4]>,
+    pub(super) variable_virial: Vec<[f64; 4]>,
     /// Imposed motion at load factor 1: translation [m], rotation [rad].
     pub(super) movement: Vec<[f64; 3]>,
     /// Mean side of the free blocks, the square root of their area [m].
@@ -81,7 +85,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// Sets a model up; refuses blocks without mass or with rounding that leaves nothing of an edge.
+    /// Sets a model up. Refuses blocks without mass, blocks that overlap, rounding that leaves nothing of an edge, laws
+    /// that are none, and movements of blocks that are free to move.
     pub fn new(model: &BlockModel, loading: &Loading) -> Result<Model, ModelError> {
         let cores = model.cores()?;
         let n = model.blocks.len();
@@ -97,6 +102,8 @@ impl Model {
             permanent: vec![Resultant::default(); n],
             weight: vec![Resultant::default(); n],
             variable: vec![Resultant::default(); n],
+            permanent_virial: vec![[0.0; 4]; n],
+            variable_virial: vec![[0.0; 4]; n],
             movement: vec![[0.0; 3]; n],
             block_size: 0.0,
             least_reach: cores.iter().map(|c| c.reach).fold(f64::INFINITY, f64::min),
@@ -133,18 +140,57 @@ impl Model {
         }
         m.block_size = free.iter().map(|&i| m.area[i].sqrt()).sum::<f64>() / free.len() as f64;
         m.permanent.clone_from(&m.weight);
-        let add = |into: &mut [Resultant], forces: &[PointForce]| {
+        let add = |into: &mut [Resultant], virial: &mut [[f64; 4]], forces: &[PointForce]| {
             for f in forces {
                 let i = f.block.index();
-                into[i].add(f.at - m.built[i], f.force);
+                let arm = f.at - m.built[i];
+                into[i].add(arm, f.force);
+                for (sum, x) in virial[i].iter_mut().zip([
+                    arm.x * f.force.x,
+                    arm.x * f.force.y,
+                    arm.y * f.force.x,
+                    arm.y * f.force.y,
+                ]) {
+                    *sum += x;
+                }
             }
         };
-        add(&mut m.permanent, &loading.permanent);
-        add(&mut m.variable, &loading.variable);
+        add(&mut m.permanent, &mut m.permanent_virial, &loading.permanent);
+        add(&mut m.variable, &mut m.variable_virial, &loading.variable);
         for motion in &loading.movements {
-            m.movement[motion.block.index()] = [motion.translation.x, motion.translation.y, motion.rotation];
+            let i = motion.block.index();
+            let by = [motion.translation.x, motion.translation.y, motion.rotation];
+            for c in 0..3 {
+                if by[c] != 0.0 && m.inverse_mass[i][c] > 0.0 {
+                    return Err(ModelError::MovedWhileFree(motion.block.0));
+                }
+                m.movement[i][c] += by[c];
+            }
         }
+        m.check_laws()?;
+        m.check_overlaps()?;
         Ok(m)
+    }
+
+    fn check_laws(&self) -> Result<(), ModelError> {
+        let last = self.groups.iter().copied().max();
+        let groups = || (0..=last.map_or(0, |g| g.index())).map(GroupId::new);
+        groups().flat_map(|a| groups().map(move |b| (a, b))).try_for_each(|(a, b)| check_law(self.laws.between(a, b)))
+    }
+
+    /// Blocks may touch where they are built, not overlap: a contact would start with a force out of nothing.
+    fn check_overlaps(&self) -> Result<(), ModelError> {
+        let poses = self.poses();
+        for (a, b) in close_pairs(self, &poses, 0.0) {
+            let (core_a, core_b) = (&self.cores[BlockId(a)], &self.cores[BlockId(b)]);
+            let (pose_a, pose_b) = (&poses[a as usize], &poses[b as usize]);
+            let m = meet(core_a, pose_a, core_b, pose_b, None).manifold(core_a, pose_a, core_b, pose_b);
+            let deepest = m.gaps[..m.count].iter().copied().fold(f64::INFINITY, f64::min);
+            if deepest < -OVERLAP * core_a.reach.min(core_b.reach) {
+                return Err(ModelError::Overlap(a, b, -deepest));
+            }
+        }
+        Ok(())
     }
 
     /// Number of blocks.
@@ -181,6 +227,32 @@ impl Model {
     pub(super) fn point_on(&self, block: BlockId, built: Vec2, pose: &Pose) -> Vec2 {
         pose.place(built - self.built[block.index()])
     }
+}
+
+/// Overlap that coordinates written with six digits may leave between blocks meant to touch, as a share of the
+/// smaller block's reach.
+const OVERLAP: f64 = 1e-5;
+
+fn check_law(law: &ContactLaw) -> Result<(), ModelError> {
+    let at_least_zero = |what, value: f64| if value >= 0.0 { Ok(()) } else { Err(ModelError::Law { what, value }) };
+    let positive = |what, value: f64| if value > 0.0 { Ok(()) } else { Err(ModelError::Law { what, value }) };
+    for (what, stiffness) in [("normal stiffness", law.normal), ("shear stiffness", law.shear)] {
+        match stiffness {
+            Stiffness::Given(k) => positive(what, if k.is_finite() { k } else { f64::NAN })?,
+            Stiffness::Series { joint, body } => {
+                positive(what, joint)?;
+                // Between rigid bodies only the joint yields, so it has to.
+                positive(what, if body.is_finite() || joint.is_finite() { body } else { f64::NAN })?;
+            }
+        }
+    }
+    at_least_zero("friction", law.friction)?;
+    at_least_zero("cohesion", law.cohesion)?;
+    at_least_zero("tensile strength", law.tension)?;
+    positive("crushing strength", law.crushing)?;
+    positive("fixed length", law.fixed_length.unwrap_or(1.0))?;
+    // A contact point that stands for no length would let blocks through one another.
+    positive("least length", law.least_length)
 }
 
 /// The three components of a motion as a translation and a rotation.

@@ -38,13 +38,17 @@ const WINDOW: u64 = 20_000;
 /// Windows without progress that make a stall.
 const STALLED_WINDOWS: u32 = 4;
 
+/// Blocks whose forces balance are at rest if, going on as they move, they would come at most this share of the way
+/// to collapse within a window.
+const DRIFT: f64 = 0.1;
+
 /// What a stage remembers while it settles.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stage {
     /// Where the blocks were when the stage began.
     pub start: Vec<Vec2>,
     pub first_step: u64,
-    /// Least out-of-balance ratio of this window, and of the best window so far.
+    /// Least out-of-balance ratio of this window, and of the last window that made progress.
     pub window_least: f64,
     pub best: f64,
     pub idle_windows: u32,
@@ -105,7 +109,8 @@ pub(super) fn settle(
         }
         stage.ratio = unbalanced_ratio(model, state);
         stage.window_least = stage.window_least.min(stage.ratio);
-        if stage.ratio <= settings.tolerance {
+        // Forces can balance in motion: steady sliding, or a swing through its middle.
+        if stage.ratio <= settings.tolerance && report.moved * WINDOW as f64 <= DRIFT * COLLAPSE * model.block_size {
             return Settled::AtRest;
         }
         let moved = displacement(model, state, stage);
@@ -121,7 +126,10 @@ pub(super) fn settle(
             let lower = stage.window_least < 0.9 * stage.best;
             let on_the_way = (moved - stage.window_displacement).abs() > 1e-3;
             stage.idle_windows = if lower || on_the_way { 0 } else { stage.idle_windows + 1 };
-            stage.best = stage.best.min(stage.window_least);
+            // Compared with the last progress, not the last window: a residual that falls slowly is no stall.
+            if lower {
+                stage.best = stage.window_least;
+            }
             stage.window_least = f64::INFINITY;
             stage.window_displacement = moved;
             if stage.idle_windows >= STALLED_WINDOWS {

@@ -1,10 +1,11 @@
 //! The stages of a quasi-static run: self-weight, then loads in increments, then refinement below the increment.
 
 use super::account::{contacts, energy, frame, set_factor};
+use super::fingerprint::fingerprint;
 use super::model::Model;
 use super::outcome::{Frame, Outcome, PathPoint, Status};
 use super::relax::{Settled, Stage, settle};
-use super::settings::{Damping, Program, Settings};
+use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin, critical_time_step, step};
 use super::{stiffness, words};
@@ -52,17 +53,18 @@ pub fn collapse(
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(model, loading)?;
+    let belongs = fingerprint(&model, program, settings);
     let mut run = match resume {
-        Some(words) => words::decode(&model, words).ok_or(ModelError::ForeignState)?,
+        Some(words) => words::decode(&model, words, belongs).ok_or(ModelError::ForeignState)?,
         None => start(&model, settings),
     };
     let mut work = Workspace::default();
     loop {
         let settled = advance(&model, &mut run, &mut work, settings);
         if let Settled::Going = settled {
-            watch.keep(&|| words::encode(&run));
+            watch.keep(&|| words::encode(&run, belongs));
             if watch.look(&progress(&run, program)) == Wish::Stop {
-                watch.keep(&|| words::encode(&run));
+                watch.keep(&|| words::encode(&run, belongs));
                 return Ok(finish(&model, run, program, Some(Status::Cancelled)));
             }
             continue;
@@ -75,17 +77,8 @@ pub fn collapse(
 }
 
 fn start(model: &Model, settings: &Settings) -> Run {
-    let mut state = begin(model, settings);
+    let state = begin(model, settings);
     let critical = critical_time_step(model, &state);
-    if let Damping::Viscous(share) = settings.damping {
-        for t in &mut state.touches {
-            t.memory.iter_mut().for_each(|m| m.closed = true);
-        }
-        state.viscosity = 2.0 * share * stiffness::smallest_frequency(model, &state);
-        for t in &mut state.touches {
-            t.memory.iter_mut().for_each(|m| m.closed = false);
-        }
-    }
     Run {
         stage: Stage::new(&state),
         stable: None,
@@ -119,9 +112,11 @@ fn move_supports(model: &Model, run: &mut Run, work: &mut Workspace, settings: &
     }
     let rate = change / (RAMP as f64 * run.state.time_step);
     let walk = |state: &mut State, rate: f64| {
-        for (v, m) in state.velocities.iter_mut().zip(&model.movement) {
-            if *m != [0.0; 3] {
-                *v = [m[0] * rate, m[1] * rate, m[2] * rate];
+        for ((v, m), inverse) in state.velocities.iter_mut().zip(&model.movement).zip(&model.inverse_mass) {
+            for c in 0..3 {
+                if inverse[c] == 0.0 {
+                    v[c] = m[c] * rate;
+                }
             }
         }
     };
@@ -130,8 +125,8 @@ fn move_supports(model: &Model, run: &mut Run, work: &mut Workspace, settings: &
         step(model, &mut run.state, work, settings);
         let mut power = 0.0;
         for i in 0..model.len() {
-            if model.movement[i] != [0.0; 3] {
-                for c in 0..3 {
+            for c in 0..3 {
+                if model.movement[i][c] != 0.0 {
                     power -= run.state.contact_forces[i][c] * run.state.velocities[i][c];
                 }
             }
@@ -156,13 +151,19 @@ fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
     if settled == Settled::AtRest {
         let stress = contacts(&run.state).iter().map(|c| c.compressive_stress()).fold(0.0, f64::max);
         run.max_stress = run.max_stress.max(stress);
-        // Pictures of a motion that came to rest after all are not those of a collapse.
-        let keep =
-            run.frames.iter().take_while(|f| f.factor < run.state.factor || f.factor == 0.0 && run.low.is_none());
-        let keep = keep.count();
-        run.frames.truncate(keep);
-        run.last_stable_frame = Some(run.frames.len() as u64);
-        run.frames.push(frame(model, &run.state));
+        // Pictures of a motion that came to rest after all are not those of a collapse; those of the collapse at a
+        // higher factor stay, behind this frame.
+        let factor = run.state.factor;
+        let at = run.last_stable_frame.map_or(0, |i| i as usize + 1);
+        let stable = frame(model, &run.state);
+        let collapse: Vec<Frame> = run.frames.drain(at..).filter(|f| f.factor > factor).collect();
+        run.last_stable_frame = Some(at as u64);
+        run.frames.push(stable);
+        run.frames.extend(collapse);
+    } else {
+        // The collapse at the lowest factor is the one to be drawn.
+        let factor = run.state.factor;
+        run.frames.retain(|f| f.factor <= factor);
     }
 }
 
@@ -175,7 +176,8 @@ fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _se
         }
         Settled::Collapsed | Settled::Stalled => {
             if run.low.is_none() {
-                return Some(Status::UnstableUnderSelfWeight);
+                let stalled = settled == Settled::Stalled;
+                return Some(if stalled { Status::Stalled } else { Status::UnstableUnderSelfWeight });
             }
             run.high = Some(run.state.factor);
             run.stalled = settled == Settled::Stalled;
@@ -191,10 +193,18 @@ fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _se
         }
         None => {
             run.increments += 1;
-            (run.increments as f64 * program.increment).min(program.limit)
+            let next = (run.increments as f64 * program.increment).min(program.limit);
+            // An increment of nothing gets nowhere.
+            if !(next > low) {
+                return Some(Status::StableToLastLoad);
+            }
+            next
         }
         Some(high) => match program.resolution {
-            Some(resolution) if high - low > resolution * (1.0 + 1e-9) => {
+            // Halving ends at the resolution, or where two numbers have none between them.
+            Some(resolution)
+                if high - low > resolution * (1.0 + 1e-9) && low < 0.5 * (low + high) && 0.5 * (low + high) < high =>
+            {
                 if settled != Settled::AtRest {
                     let stable = run.stable.clone().expect("a stage came to rest before");
                     run.given_up += run.state.steps - stable.steps;

@@ -17,8 +17,12 @@ const FEATURE_TRAVEL: f64 = 1e-3;
 /// A contact point keeps its memory when features change if it stays within this share of the smallest reach.
 const SAME_POINT: f64 = 0.02;
 
+/// A contact length that is not given follows the joint when sliding has made the joint longer or shorter by this
+/// factor.
+const OTHER_JOINT: f64 = 1.2;
+
 /// Brings the list of touches up to date where the blocks may have moved far enough to need it. Returns whether
-/// pairs were added, so that the time step must be looked at again.
+/// pairs were added or joints have grown, so that the time step must be looked at again.
 pub(super) fn search(model: &Model, state: &mut State, contact_length: ContactLength) -> bool {
     if state.travel > 0.5 * SKIN * model.block_size {
         let added = find_pairs(model, state, contact_length);
@@ -26,12 +30,14 @@ pub(super) fn search(model: &Model, state: &mut State, contact_length: ContactLe
         state.feature_travel = 0.0;
         added
     } else if state.feature_travel > FEATURE_TRAVEL * model.least_reach {
-        for k in 0..state.touches.len() {
-            let (a, b) = state.touches[k].ids();
-            renew(model, &state.poses, &mut state.touches[k], (a, b), contact_length);
+        let mut grown = false;
+        for touch in &mut state.touches {
+            let (lost, longer) = look_again(model, &state.poses, touch, contact_length);
+            state.dissipated += lost;
+            grown |= longer;
         }
         state.feature_travel = 0.0;
-        false
+        grown
     } else {
         false
     }
@@ -50,7 +56,9 @@ pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: Conta
         }
         let touch = if old.peek().is_some_and(|t| t.ids() == (a, b)) {
             let mut touch = old.next().expect("peeked");
-            renew(model, &state.poses, &mut touch, (a, b), contact_length);
+            let (lost, longer) = look_again(model, &state.poses, &mut touch, contact_length);
+            state.dissipated += lost;
+            added |= longer;
             touch
         } else {
             added = true;
@@ -65,7 +73,7 @@ pub(super) fn find_pairs(model: &Model, state: &mut State, contact_length: Conta
 }
 
 /// Pairs of which at least one can move and whose boxes, grown by `skin` [m] in all, overlap; sorted. Sweeps along x.
-fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
+pub(super) fn close_pairs(model: &Model, poses: &[Pose], skin: f64) -> Vec<(u32, u32)> {
     let boxes: Vec<(Vec2, Vec2)> = (0..model.len()).map(|i| bounds(model, poses, i, 0.5 * skin)).collect();
     let mut order: Vec<u32> = (0..model.len() as u32).collect();
     order.sort_by(|&i, &j| boxes[i as usize].0.x.total_cmp(&boxes[j as usize].0.x).then(i.cmp(&j)));
@@ -106,6 +114,7 @@ pub(super) fn make(model: &Model, poses: &[Pose], (a, b): (u32, u32), contact_le
     for (memory, length) in touch.memory.iter_mut().zip(lengths) {
         *memory = Memory { length, ..Memory::default() };
     }
+    touch.half_joint = lengths[0];
     touch
 }
 
@@ -121,6 +130,7 @@ fn build(model: &Model, poses: &[Pose], (a, b): (u32, u32), previous: Option<&To
         // Stiffness belongs to the contact from the moment it is made.
         touch.normal_stiffness = old.normal_stiffness;
         touch.shear_stiffness = old.shear_stiffness;
+        touch.half_joint = old.half_joint;
     }
     touch
 }
@@ -128,20 +138,52 @@ fn build(model: &Model, poses: &[Pose], (a, b): (u32, u32), previous: Option<&To
 fn initial_lengths(model: &Model, poses: &[Pose], touch: &Touch, contact_length: ContactLength) -> [f64; 2] {
     let (one, two) = (touch.one as usize, touch.two as usize);
     let law = model.laws.between(model.groups[one], model.groups[two]);
-    let half = 0.5 * touch.points(&poses[one], &poses[two]).stretch();
     let length = match (contact_length, law.fixed_length) {
         (ContactLength::Fixed, Some(length)) => length,
-        _ => half.max(law.least_length),
+        _ => half_joint(poses, touch),
     };
     [length; 2]
 }
 
-/// Looks at the features of a pair again; memories go to the nearest point of the new features.
-fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), contact_length: ContactLength) {
+/// Half the distance between the two points now, at least the least length [m].
+fn half_joint(poses: &[Pose], touch: &Touch) -> f64 {
+    let points = touch.points(&poses[touch.one as usize], &poses[touch.two as usize]);
+    (0.5 * points.stretch()).max(touch.least_length)
+}
+
+/// Looks at the features and the lengths of a pair again. Returns the energy lost and whether its joint has grown.
+fn look_again(model: &Model, poses: &[Pose], touch: &mut Touch, contact_length: ContactLength) -> (f64, bool) {
+    let ids = touch.ids();
+    let lost = renew(model, poses, touch, ids, contact_length);
+    let law = model.laws.between(model.groups[ids.0 as usize], model.groups[ids.1 as usize]);
+    let fixed = contact_length == ContactLength::Fixed;
+    if fixed && law.fixed_length.is_some() {
+        return (lost, false);
+    }
+    let (before, now) = (touch.half_joint, half_joint(poses, touch));
+    if now <= before * OTHER_JOINT && before <= now * OTHER_JOINT {
+        return (lost, false);
+    }
+    touch.half_joint = now;
+    let mut released = 0.0;
+    if fixed {
+        released = touch.elastic_energy();
+        for memory in &mut touch.memory {
+            memory.compression *= now / memory.length;
+            memory.length = now;
+        }
+        released -= touch.elastic_energy();
+    }
+    (lost + released, now > before)
+}
+
+/// Looks at the features of a pair again; memories go to the nearest point of the new features. Returns the elastic
+/// shear energy of memories that found no new point.
+fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), contact_length: ContactLength) -> f64 {
     let (a, b) = (ids.0 as usize, ids.1 as usize);
     let cores = (&model.cores[BlockId(ids.0)], &model.cores[BlockId(ids.1)]);
     if meet(cores.0, &poses[a], cores.1, &poses[b], Some(touch.meeting)) == touch.meeting {
-        return;
+        return 0.0;
     }
     let mut next = build(model, poses, ids, Some(touch));
     let lengths = initial_lengths(model, poses, &next, contact_length);
@@ -162,5 +204,7 @@ fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), cont
             _ => Memory { length: lengths[k], ..Memory::default() },
         };
     }
+    let lost = (0..2).filter(|&j| !taken[j]).map(|j| touch.open(j)).sum();
     *touch = next;
+    lost
 }

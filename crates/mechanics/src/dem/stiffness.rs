@@ -15,22 +15,22 @@ struct Spring {
     row_two: [f64; 3],
 }
 
-/// Springs of all touches whose points are closed, or close to it if `closed_only` is false.
-fn springs(model: &Model, state: &State, closed_only: bool) -> Vec<Spring> {
+/// Springs of all points of close pairs, or only of those that touch.
+fn springs(model: &Model, state: &State, touching_only: bool) -> Vec<Spring> {
     let mut springs = Vec::new();
     for t in &state.touches {
         let (one, two) = (t.one as usize, t.two as usize);
         let (p1, p2) = (&state.poses[one], &state.poses[two]);
         let points = t.points(p1, p2);
         for k in 0..t.count as usize {
-            if closed_only && !t.memory[k].closed {
+            if touching_only && points.overlap[k] < -1e-6 * model.block_size {
                 continue;
             }
             let at = points.at(k, p1.position);
             let (a1, a2) = (at - p1.position, at - p2.position);
             for (direction, stiffness) in [(points.normal(), t.normal_stiffness), (points.direction, t.shear_stiffness)]
             {
-                let root = (stiffness * t.memory[k].length).sqrt();
+                let root = (stiffness * t.memory[k].length.max(t.half_joint)).sqrt();
                 let scaled = |sign: f64, arm: f64, i: usize| {
                     let m = &model.inverse_mass[i];
                     [
@@ -108,7 +108,7 @@ pub(super) fn largest_frequency(model: &Model, state: &State) -> f64 {
     1.01 * eigenvalue.max(0.0).sqrt()
 }
 
-/// Smallest angular frequency [rad/s] of the closed contacts, by inverse iteration with conjugate gradients. An
+/// Smallest angular frequency [rad/s] of the contacts that touch, by inverse iteration with conjugate gradients. An
 /// estimate is enough: it sets a damping coefficient.
 pub(super) fn smallest_frequency(model: &Model, state: &State) -> f64 {
     let springs = springs(model, state, true);

@@ -48,6 +48,9 @@ pub(super) struct Touch {
     /// As [`meet`](crate::plane::meet) gave it for the pair (lower id, higher id).
     pub meeting: Meeting,
     pub memory: [Memory; 2],
+    /// The longest that a point of the joint may come to stand for [m]: half the distance between its two points when
+    /// they were last looked at, at least the least length; the given length where one is given.
+    pub half_joint: f64,
     /// Unit vector of the reference edge, in the frame of `one`.
     direction: Vec2,
     /// Start of the reference edge (or the corner) of `one`: along the edge, and outwards across it.
@@ -96,6 +99,10 @@ impl Points {
     pub fn normal(&self) -> Vec2 {
         self.direction.right()
     }
+    /// Force on `two` per unit of compression at point `k`.
+    pub fn push(&self, k: usize) -> Vec2 {
+        self.normal() * self.pushes[k].y + self.direction * self.pushes[k].x
+    }
     /// Distance between the two points along the edge [m].
     pub fn stretch(&self) -> f64 {
         self.s[1] - self.s[0]
@@ -133,6 +140,7 @@ impl Touch {
             count,
             meeting,
             memory: [Memory::default(); 2],
+            half_joint: law.least_length,
             along: start.dot(direction),
             across: start.dot(direction.right()),
             direction,
@@ -330,17 +338,21 @@ impl Touch {
 
     /// Opens point `k`; returns the elastic shear energy that is lost with it [J/m].
     #[inline]
-    fn open(&mut self, k: usize) -> f64 {
+    pub fn open(&mut self, k: usize) -> f64 {
         let m = &mut self.memory[k];
+        // What never touched has no bond either.
+        m.bonded = false;
         if !m.closed {
             return 0.0;
         }
         let lost = if m.length > 0.0 { 0.5 * m.shear * m.shear / (self.shear_stiffness * m.length) } else { 0.0 };
         m.shear = 0.0;
+        // A bond that breaks in tension loses its normal energy too.
+        let broken = m.compression.min(0.0);
+        let lost = if broken < 0.0 { lost + 0.5 * broken * broken / (self.normal_stiffness * m.length) } else { lost };
         m.compression = 0.0;
         m.closed = false;
         m.sliding = false;
-        m.bonded = false;
         lost
     }
 

@@ -3,6 +3,7 @@
 //! Geometry that follows from the model (edges, laws) is not stored; decoding builds it again and refuses words that
 //! do not fit the model.
 
+use super::fingerprint::checksum;
 use super::model::Model;
 use super::outcome::{ContactState, Frame, PathPoint};
 use super::relax::Stage;
@@ -13,7 +14,7 @@ use crate::ids::{BlockId, Id, Table};
 use crate::plane::{Meeting, Pose, Rotation, Vec2};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_4144_0001;
+const LAYOUT: u64 = 0x4558_5452_4144_0002;
 
 /// Something that can be written as words and read back.
 trait Words: Sized {
@@ -175,10 +176,10 @@ impl Words for Meeting {
 }
 
 /// A touch without what follows from the model.
-type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], (f64, f64)));
+type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], [f64; 3]));
 
 fn store_touch(t: &Touch) -> StoredTouch {
-    ((t.ids(), t.meeting), (t.memory, (t.normal_stiffness, t.shear_stiffness)))
+    ((t.ids(), t.meeting), (t.memory, [t.normal_stiffness, t.shear_stiffness, t.half_joint]))
 }
 
 fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTouch) -> Option<Touch> {
@@ -198,7 +199,7 @@ fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTou
     let law = model.laws.between(model.groups[a], model.groups[b]);
     let mut touch = Touch::new(ids, meeting, cores, law, 0.0);
     touch.memory = memory;
-    (touch.normal_stiffness, touch.shear_stiffness) = stiffness;
+    [touch.normal_stiffness, touch.shear_stiffness, touch.half_joint] = stiffness;
     Some(touch)
 }
 
@@ -247,9 +248,10 @@ fn take_state(model: &Model, from: &mut &[u64]) -> Option<State> {
     })
 }
 
-/// The run as words.
-pub(super) fn encode(run: &Run) -> Vec<u64> {
-    let mut to = vec![LAYOUT];
+/// The run as words; `belongs` is the [`fingerprint`](super::fingerprint::fingerprint) of what it belongs to. The last
+/// word is a checksum, so that damage is seen.
+pub(super) fn encode(run: &Run, belongs: u64) -> Vec<u64> {
+    let mut to = vec![LAYOUT, belongs];
     put_state(&run.state, &mut to);
     run.stable.is_some().put(&mut to);
     if let Some(stable) = &run.stable {
@@ -263,19 +265,26 @@ pub(super) fn encode(run: &Run) -> Vec<u64> {
     run.last_stable_frame.put(&mut to);
     (run.given_up, run.stalled).put(&mut to);
     [run.max_stress, run.critical_time_step, run.single_mass_time_step].put(&mut to);
+    to.push(checksum(&to));
     to
 }
 
-/// The run that `words` hold, if they were written for this model.
-pub(super) fn decode(model: &Model, words: &[u64]) -> Option<Run> {
-    let mut words = words;
+/// The run that `words` hold, if they are whole and were written for what `belongs` stands for.
+pub(super) fn decode(model: &Model, words: &[u64], belongs: u64) -> Option<Run> {
+    let (&sum, mut words) = words.split_last()?;
+    if sum != checksum(words) {
+        return None;
+    }
     let from = &mut words;
-    if u64::take(from)? != LAYOUT {
+    if u64::take(from)? != LAYOUT || u64::take(from)? != belongs {
         return None;
     }
     let state = take_state(model, from)?;
     let stable = if bool::take(from)? { Some(take_state(model, from)?) } else { None };
-    let stage = Words::take(from)?;
+    let stage: Stage = Words::take(from)?;
+    if stage.start.len() != model.len() {
+        return None;
+    }
     let (low, high) = Words::take(from)?;
     let increments = Words::take(from)?;
     let path = Words::take(from)?;

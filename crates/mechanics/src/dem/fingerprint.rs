@@ -1,0 +1,100 @@
+//! What a kept state belongs to: one number for a model, its loading, the program and the settings.
+
+use super::model::{Model, Resultant};
+use super::settings::{ContactLength, Damping, Program, Settings};
+use crate::blocks::Stiffness;
+use crate::ids::{GroupId, Id};
+use crate::plane::Vec2;
+
+/// A 64-bit digest of words, sensitive to every bit and to their order. No protection against intent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Digest(u64);
+
+impl Digest {
+    pub fn new() -> Digest {
+        Digest(0xCBF2_9CE4_8422_2325)
+    }
+    pub fn word(&mut self, word: u64) {
+        // Each round is invertible, so that one changed word always changes the digest.
+        let mixed = (self.0 ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        self.0 = (mixed ^ (mixed >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    }
+    pub fn value(self) -> u64 {
+        self.0 ^ (self.0 >> 32)
+    }
+    fn number(&mut self, x: f64) {
+        self.word(x.to_bits());
+    }
+    fn vector(&mut self, v: Vec2) {
+        self.number(v.x);
+        self.number(v.y);
+    }
+    fn resultant(&mut self, r: &Resultant) {
+        self.vector(r.force);
+        self.number(r.cross);
+        self.number(r.dot);
+    }
+    fn stiffness(&mut self, s: Stiffness) {
+        let (kind, a, b) = match s {
+            Stiffness::Given(k) => (0, k, 0.0),
+            Stiffness::Series { joint, body } => (1, joint, body),
+        };
+        self.word(kind);
+        self.number(a);
+        self.number(b);
+    }
+}
+
+/// Digest of `words`.
+pub(super) fn checksum(words: &[u64]) -> u64 {
+    let mut digest = Digest::new();
+    words.iter().for_each(|&w| digest.word(w));
+    digest.value()
+}
+
+/// Digest of all that a run depends on besides its state.
+pub(super) fn fingerprint(model: &Model, program: &Program, settings: &Settings) -> u64 {
+    let mut d = Digest::new();
+    d.word(model.len() as u64);
+    for (i, core) in model.cores.iter().enumerate() {
+        d.word(core.len() as u64);
+        core.vertices.iter().for_each(|&v| d.vector(v));
+        d.number(core.radius);
+        d.word(model.groups[i].index() as u64);
+        d.vector(model.built[i]);
+        model.mass[i].iter().chain(&model.inverse_mass[i]).chain(&model.movement[i]).for_each(|&x| d.number(x));
+        d.resultant(&model.permanent[i]);
+        d.resultant(&model.weight[i]);
+        d.resultant(&model.variable[i]);
+    }
+    let groups = model.groups.iter().map(|g| g.index() + 1).max().unwrap_or(0);
+    for a in 0..groups {
+        for b in 0..groups {
+            let law = model.laws.between(GroupId::new(a), GroupId::new(b));
+            d.stiffness(law.normal);
+            d.stiffness(law.shear);
+            for x in [law.friction, law.cohesion, law.tension, law.crushing, law.least_length] {
+                d.number(x);
+            }
+            d.number(law.fixed_length.unwrap_or(-1.0));
+        }
+    }
+    for x in [program.increment, program.limit, program.resolution.unwrap_or(-1.0)] {
+        d.number(x);
+    }
+    d.word(program.watched.0.index() as u64);
+    d.vector(program.watched.1);
+    let (kind, share) = match settings.damping {
+        Damping::Local(share) => (0, share),
+        Damping::Viscous(share) => (1, share),
+        Damping::Adaptive => (2, 0.0),
+        Damping::None => (3, 0.0),
+    };
+    d.word(kind);
+    d.number(share);
+    d.word(u64::from(settings.contact_length == ContactLength::Updated));
+    d.number(settings.tolerance);
+    d.word(settings.step_limit);
+    d.number(settings.time_step_factor);
+    d.value()
+}
