@@ -257,6 +257,8 @@ impl Blocks {
         Ok(serde_json::json!({
             "status": status,
             "load_factor": o.factor,
+            "associated_factor": o.associated_factor,
+            "spread_factor": o.spread,
             "lower_bound_factor": o.lower_bound,
             "upper_bound_factor": o.upper_bound,
             "equilibrium_residual": o.equilibrium_residual,
