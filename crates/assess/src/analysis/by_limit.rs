@@ -38,16 +38,11 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     let settings = settings(bridge);
     let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
     let other = |settings| Ok::<_, AnalysisError>(limit::collapse_load(&d.model, &d.loading, &settings)?.factor);
-    // Beside a non-associated load the associated one is shown, never the other way round.
-    let associated = match outcome.friction {
-        limit::Friction::NonAssociated => other(limit::Settings { friction: limit::Friction::Associated, ..settings })?,
-        _ => None,
-    };
     let crushing = match bridge.masonry.compressive_strength {
         Some(_) => other(limit::Settings { crushing: true, ..settings })?,
         None => None,
     };
-    Ok(report(bridge, &d, &outcome, associated, crushing))
+    Ok(report(bridge, &d, &outcome, crushing))
 }
 
 /// The word for a flow rule.
@@ -68,13 +63,7 @@ pub fn status(status: limit::Status) -> Status {
     }
 }
 
-fn report(
-    bridge: &Bridge,
-    d: &Discretised,
-    outcome: &limit::Outcome,
-    associated: Option<f64>,
-    crushing: Option<f64>,
-) -> Collapse {
+fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, crushing: Option<f64>) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| f * d.reference_load);
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
@@ -91,7 +80,8 @@ fn report(
         friction: word(outcome.friction),
         lower_bound: load(outcome.lower_bound),
         upper_bound: load(outcome.upper_bound),
-        associated_load: load(associated),
+        associated_load: load(outcome.associated_factor),
+        spread: outcome.spread.map(|s| s.map(|f| f * d.reference_load)),
         crushing_load: load(crushing),
         equilibrium_residual: outcome.equilibrium_residual,
         yield_violation: outcome.yield_violation,

@@ -25,7 +25,7 @@ pub fn support_movement(
         let why = "which support moves, and where, is the question";
         return Err(AnalysisError::Missing { what: "support_movement", why });
     };
-    // A hundredth of the shortest span is beyond what any bridge survives without being noticed.
+    // A thousandth of the shortest span a step, up to a tenth of it: no bridge moves farther unnoticed.
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let largest = movement.limit.unwrap_or(0.1 * shortest);
     let step = movement.increment.unwrap_or(1e-3 * shortest);
@@ -104,6 +104,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         lower_bound: None,
         upper_bound: None,
         associated_load: None,
+        spread: None,
         crushing_load: None,
         equilibrium_residual: 0.0,
         yield_violation: 0.0,
@@ -112,5 +113,10 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
     notes::limit(bridge, d, &mut c);
     c.assumptions.retain(|a| !a.contains("displacements before collapse"));
     c.assumptions.push("Rigid blocks that follow the support as a mechanism; displacements are large.".into());
+    c.assumptions.push(
+        "Collapse is the first movement at which a small increment has no equilibrium near by; blocks that jump there may \
+         come to rest again farther on."
+            .into(),
+    );
     Ok(c)
 }

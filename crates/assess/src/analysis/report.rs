@@ -131,8 +131,10 @@ pub struct LimitReport {
     pub lower_bound: Option<f64>,
     /// Upper bound, recomputed from the mechanism [N/m].
     pub upper_bound: Option<f64>,
-    /// The associated collapse load beside a non-associated one [N/m].
+    /// The associated collapse load, beside the other where friction is non-associated [N/m].
     pub associated_load: Option<f64>,
+    /// Lowest and highest non-associated load over the starts of the iteration [N/m].
+    pub spread: Option<[f64; 2]>,
     /// Collapse load with the compressive strength of the file [N/m].
     pub crushing_load: Option<f64>,
     /// Largest out-of-balance force, relative to the permanent loads.

@@ -92,18 +92,18 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         return Err(error);
     }
     let shown = thickened(bridge, found.stands.or(found.falls).unwrap_or(1.0))?;
-    let zone = limit::thrust_zone(&shown.model, &shown.loading, 0.0, &settings)?;
+    let (joints, line) = limit::least_thrust(&shown.model, &shown.loading, 0.0, &settings)?;
     let mut picture = picture::built(bridge, &shown, "least thickness");
     if let Some(mechanism) = &found.mechanism {
-        by_limit::draw_mechanism(&shown, &zone.interfaces, mechanism, &mut picture);
+        by_limit::draw_mechanism(&shown, &joints, mechanism, &mut picture);
     }
-    if let Some(line) = &zone.least_thrust {
-        picture.thrust_lines = by_limit::thrust_lines(&shown, &zone.interfaces, line);
+    if let Some(line) = &line {
+        picture.thrust_lines = by_limit::thrust_lines(&shown, &joints, line);
     }
     let mut c = Collapse::blank(bridge, &shown, Analysis::Thickness, picture);
     c.method = Method::Limit;
     c.tolerance = EXACT;
-    c.contacts = zone.interfaces.iter().map(|i| i.points.len()).sum();
+    c.contacts = joints.iter().map(|i| i.points.len()).sum();
     c.status = match found.status {
         limit::ThicknessStatus::Found => Status::Completed,
         limit::ThicknessStatus::StandsAtThinnest => Status::StableToLastLoad,
@@ -118,6 +118,7 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         lower_bound: None,
         upper_bound: None,
         associated_load: None,
+        spread: None,
         crushing_load: None,
         equilibrium_residual: 0.0,
         yield_violation: 0.0,

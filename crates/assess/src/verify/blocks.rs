@@ -213,7 +213,8 @@ impl Blocks {
             tension: j.tension_pa,
             crushing: j.crushing_pa.unwrap_or(f64::INFINITY),
             fixed_length: None,
-            least_length: 0.0,
+            // Only the stress formulation uses it, which these files do not ask for.
+            least_length: 1e-3,
         };
         let groups = ["blocks".to_string()].into_iter().collect();
         let model = BlockModel { blocks, groups, laws: LawTable::uniform(1, law), gravity };
@@ -257,6 +258,8 @@ impl Blocks {
         Ok(serde_json::json!({
             "status": status,
             "load_factor": o.factor,
+            "associated_factor": o.associated_factor,
+            "spread_factor": o.spread,
             "lower_bound_factor": o.lower_bound,
             "upper_bound_factor": o.upper_bound,
             "equilibrium_residual": o.equilibrium_residual,

@@ -13,6 +13,15 @@ pub(super) struct Bound {
     pub violation: f64,
 }
 
+/// The factor of the variable loads that the forces balance best, and the largest force they leave out of balance.
+pub(super) fn lower(equilibrium: &Equilibrium, forces: &[f64]) -> Bound {
+    let without = equilibrium.residual(forces, 0.0);
+    let dot = |a: &[f64]| a.iter().zip(&equilibrium.variable).map(|(x, p)| x * p).sum::<f64>();
+    let factor = -dot(&without) / dot(&equilibrium.variable);
+    let violation = equilibrium.residual(forces, factor).iter().fold(0.0f64, |m, r| m.max(r.abs()));
+    Bound { factor, violation }
+}
+
 /// Largest force by which a joint exceeds its strength, scaled.
 pub(super) fn yield_violation(
     equilibrium: &Equilibrium,

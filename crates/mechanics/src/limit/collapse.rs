@@ -243,10 +243,12 @@ fn state(
     outcome: &mut Outcome,
 ) {
     outcome.factor = Some(solution.factor * equilibrium.factor_scale);
-    outcome.lower_bound = outcome.factor;
-    let residual = equilibrium.residual(&solution.forces, solution.factor);
-    outcome.equilibrium_residual = residual.iter().fold(0.0, |m, r| m.max(r.abs()));
-    outcome.yield_violation = bounds::yield_violation(equilibrium, joints, strengths, &solution.forces);
+    let lower = bounds::lower(equilibrium, &solution.forces);
+    outcome.lower_bound = Some(lower.factor * equilibrium.factor_scale);
+    // Permanent loads sum to one in their scaled form, and so do the variable ones.
+    let loads = 1.0 + solution.factor.abs();
+    outcome.equilibrium_residual = lower.violation / loads;
+    outcome.yield_violation = bounds::yield_violation(equilibrium, joints, strengths, &solution.forces) / loads;
     outcome.forces = joint_forces(equilibrium, joints, &solution.forces);
     outcome.resultants = joints.iter().zip(&outcome.forces).map(|(j, f)| resultant(j, f)).collect();
 }

@@ -34,4 +34,4 @@ pub use settings::{ContactPoints, Friction, Settings};
 pub use support_movement::{Increments, MovementOutcome, MovementStatus, MovementStep, support_movement};
 pub use sweep::{Place, Sweep, sweep};
 pub use thickness::{LeastThickness, ThicknessStatus, minimum_thickness};
-pub use thrust_zone::{ThrustZone, thrust_zone};
+pub use thrust_zone::{ThrustZone, least_thrust, thrust_zone};

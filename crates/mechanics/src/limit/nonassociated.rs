@@ -3,8 +3,8 @@
 //!
 //! A linear program cannot let a joint slide level while its strength grows with compression. So each joint is given a
 //! fictitious strength that does not grow, `friction` times the compression of the round before, and the compressions
-//! are brought up to date, damped, until they no longer change. At that point the forces obey the true friction law
-//! and the mechanism slides level. Near zero compression the fictitious surface runs to the origin, steeper than the
+//! are brought up to date, damped, until the load factor no longer changes and forces that obey the true friction law
+//! reach it too. The mechanism then slides level. Near zero compression the fictitious surface runs to the origin, steeper than the
 //! true one by `1 / REACH`, for otherwise an open joint could carry shear.
 //!
 //! A statically indeterminate wall has many such end points: the load depends on its self-stress. Every round can be
@@ -13,7 +13,6 @@
 //! Ferris and Tin-Loi: equal to 1e-4). Without it the loads lie up to 17 % higher. The lowest is reported, with the
 //! spread over all starts.
 
-use super::bounds::yield_violation;
 use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
@@ -29,9 +28,11 @@ const ROUNDS: usize = 100;
 /// Tin-Loi change by less than 1e-3; compressed joints give way in the mechanism by about a tenth of the price, and at
 /// 1e-5 that is below what counts as motion.
 const PRICE: f64 = 1e-5;
-/// End of the rounds: largest change of the load factor, relative, and largest excess over the true strength, relative
-/// to all permanent loads. Tighter than the 1e-5 to which different starts agree.
+/// End of the rounds: largest change of the load factor, relative. Tighter than the 1e-4 to which starts agree.
 const SETTLED: f64 = 1e-6;
+/// Largest relative difference between the load factor with the fictitious surfaces and with forces that keep to the
+/// true ones as well.
+const CONFIRMED: f64 = 1e-5;
 
 /// Where the iteration ended from its several starts.
 pub(super) struct Settled {
@@ -84,9 +85,9 @@ fn from(
     price: f64,
 ) -> (Option<Solution>, u32) {
     let (mut compression, mut previous, mut iterations) = (start, f64::INFINITY, 0);
-    for round in 0..ROUNDS {
+    let mut solve = |reach: f64, compression: &[f64]| {
         let fictitious: Vec<Strength> =
-            strengths.iter().zip(&compression).map(|(s, c)| level(s, c.max(0.0) * equilibrium.force)).collect();
+            strengths.iter().zip(compression).map(|(s, c)| level(s, reach, c.max(0.0) * equilibrium.force)).collect();
         let solution = Program {
             equilibrium,
             joints,
@@ -100,30 +101,37 @@ fn from(
         }
         .solve(TOLERANCE);
         iterations += solution.iterations;
-        if solution.ending != Ending::Solved {
-            return (None, iterations);
+        (solution.ending == Ending::Solved).then_some(solution)
+    };
+    let mut end = None;
+    for round in 0..ROUNDS {
+        let Some(solution) = solve(REACH, &compression) else { break };
+        let size = solution.factor.abs().max(1e-3);
+        if (solution.factor - previous).abs() <= SETTLED * size {
+            // Forces that keep to the true surfaces too, under the mechanism of the fictitious ones.
+            if let Some(true_forces) = solve(1.0, &compression)
+                && (solution.factor - true_forces.factor).abs() <= CONFIRMED * size
+            {
+                end = Some(Solution { velocities: solution.velocities, ..true_forces });
+                break;
+            }
         }
-        let change = (solution.factor - previous).abs();
         previous = solution.factor;
-        let excess = yield_violation(equilibrium, joints, strengths, &solution.forces);
-        if change <= SETTLED * solution.factor.abs().max(1e-3) && excess <= SETTLED {
-            return (Some(solution), iterations);
-        }
         let newest = DAMPING[usize::from(round >= ROUNDS / 2)];
         for (old, new) in compression.iter_mut().zip(compressions(equilibrium, joints, &solution.forces)) {
             *old += newest * (new - *old);
         }
     }
-    (None, iterations)
+    (end, iterations)
 }
 
-/// The fictitious strength of a joint that was compressed by `compression` [N/m].
-fn level(strength: &Strength, compression: f64) -> Strength {
+/// The fictitious strength of a joint that was compressed by `compression` [N/m], level down to a share `reach` of it.
+fn level(strength: &Strength, reach: f64, compression: f64) -> Strength {
     if !strength.friction.is_finite() {
         return *strength;
     }
     Strength {
-        friction: strength.friction / REACH,
+        friction: strength.friction / reach,
         most_shear: strength.friction * compression + strength.cohesion,
         ..*strength
     }

@@ -99,15 +99,15 @@ pub struct Outcome {
     pub status: Status,
     /// Load factor of the variable loads at collapse; `None` unless solved.
     pub factor: Option<f64>,
-    /// Load factor recomputed from the forces, repaired to equilibrium; a lower bound as far as
-    /// `equilibrium_residual` and `yield_violation` vanish.
+    /// Load factor that the returned forces balance, recomputed from them; a lower bound for associated friction as far
+    /// as `equilibrium_residual` and `yield_violation` vanish.
     pub lower_bound: Option<f64>,
     /// Load factor recomputed from the velocities of the associated mechanism by the work equation; an upper bound, for
     /// either flow rule, as far as `flow_violation` vanishes.
     pub upper_bound: Option<f64>,
-    /// Largest out-of-balance force of the forces behind the lower bound, relative to all permanent loads.
+    /// Largest out-of-balance force of the forces behind the lower bound, relative to all loads at that factor.
     pub equilibrium_residual: f64,
-    /// Largest force by which a joint exceeds its strength, relative to all permanent loads.
+    /// Largest force by which a joint exceeds its strength, relative to all loads at that factor.
     pub yield_violation: f64,
     /// Largest velocity that the flow rule does not allow in the mechanism of the upper bound, relative to the fastest.
     pub flow_violation: f64,

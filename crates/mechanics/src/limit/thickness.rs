@@ -27,11 +27,11 @@ pub enum ThicknessStatus {
 pub struct LeastThickness {
     /// How the search ended.
     pub status: ThicknessStatus,
-    /// Thinnest found to stand and thickest found to fall [m]; their distance is the tolerance asked for.
+    /// Thinnest found to stand [m]; within the tolerance asked for of `falls`.
     pub stands: Option<f64>,
     /// Thickest found to fall [m].
     pub falls: Option<f64>,
-    /// How the blocks fall, at `stands`.
+    /// How the blocks fall, at `falls`.
     pub mechanism: Option<Mechanism>,
     /// Programs solved.
     pub trials: u32,

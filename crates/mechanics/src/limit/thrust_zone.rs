@@ -45,6 +45,29 @@ pub fn thrust_zone(
     Ok(ThrustZone { interfaces, reach, least_thrust: zone.line(-1.0), greatest_thrust: zone.line(1.0) })
 }
 
+/// The joints, and the line of thrust of the state with the least compression summed over all of them, under gravity,
+/// the permanent loads and `factor` times the variable ones; no line where they are not carried.
+#[allow(clippy::type_complexity)]
+pub fn least_thrust(
+    model: &BlockModel,
+    loading: &Loading,
+    factor: f64,
+    settings: &Settings,
+) -> Result<(Vec<Interface>, Option<Vec<Option<Resultant>>>), ModelError> {
+    if model.blocks.iter().all(|b| b.held.is_fixed()) {
+        return Err(ModelError::NothingFree);
+    }
+    let (interfaces, joints) = joints(model, settings)?;
+    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
+    let factor = factor / equilibrium.factor_scale;
+    let loads: Vec<f64> =
+        equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
+    let zone = Zone { equilibrium: &equilibrium, joints: &joints, strengths: &strengths, loads: &loads };
+    let line = zone.line(-1.0);
+    Ok((interfaces, line))
+}
+
 struct Zone<'a> {
     equilibrium: &'a Equilibrium,
     joints: &'a [Joint],

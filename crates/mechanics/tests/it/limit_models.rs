@@ -125,6 +125,19 @@ impl Ring {
         }
         forces
     }
+    /// The weight of fill above the extrados up to a level `cover` [m] above the crown, lumped like a line load.
+    pub fn fill(&self, cover: f64, density: f64) -> Vec<PointForce> {
+        let level = self.extrados() + cover;
+        let column = |i: usize| {
+            let (p, q) = (self.at(i as f64, self.extrados()), self.at(i as f64 + 1.0, self.extrados()));
+            let (a, b) = (level - p.y, level - q.y);
+            let weight = 9.81 * density * 0.5 * (a + b) * (q.x - p.x);
+            let share = (a + 2.0 * b) / (3.0 * (a + b));
+            let at = p + (q - p) * share;
+            PointForce { block: BlockId::new(i + 1), at, force: vec2(0.0, -weight) }
+        };
+        (0..self.voussoirs).map(column).collect()
+    }
     /// A unit knife load on the road, dispersed two down to one across on to the extrados, its intensity inverse to
     /// the depth at both ends (Rouxinol, Providência and Lemos, eq. 2).
     pub fn dispersed_knife(&self, middle: f64, length: f64, cover: f64) -> Vec<PointForce> {

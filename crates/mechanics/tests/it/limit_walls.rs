@@ -47,15 +47,16 @@ fn ferris_and_tin_loi_without_dilatancy() {
         assert!(between[0] < spread[0] && spread[1] < between[1] && factor == spread[0]);
         assert!(spread[1] < outcome.associated_factor.unwrap());
         // The forces obey the true friction law, and nothing dilates: the check of a collapse without dilatancy.
-        assert!(outcome.yield_violation < 1e-6 && outcome.equilibrium_residual < 1e-9);
+        assert!(outcome.yield_violation < 1e-8 && outcome.equilibrium_residual < 1e-9);
         check_level_sliding(&model, &outcome);
     }
 }
 
 /// Points under compression do not open, no point closes into its neighbour, only joints at their friction limit slide.
 fn check_level_sliding(model: &BlockModel, outcome: &Outcome) {
-    // Forces of the last round settle to 1e-6 of the weight; the price on compression lets joints give way by 1e-6.
-    let (loaded, moving) = (1e-4 * model.free_weight(), 1e-5);
+    // The rounds end when the load factor settles to 1e-6; it is flat in the compressions, which settle to its root,
+    // 1e-3 of the weight. The price on compression lets joints give way by 1e-6.
+    let (loaded, moving) = (1e-3 * model.free_weight(), 1e-5);
     let mechanism = outcome.mechanism.as_ref().unwrap();
     assert!(!mechanism.sliding.is_empty());
     for ((face, forces), motion) in outcome.interfaces.iter().zip(&outcome.forces).zip(&mechanism.joints) {

@@ -1,5 +1,6 @@
 //! Integration tests of the crate, in one binary.
 
+mod limit_any;
 mod limit_arch;
 mod limit_models;
 mod limit_movement;
