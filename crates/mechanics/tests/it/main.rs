@@ -9,6 +9,7 @@ mod limit_section;
 mod limit_thickness;
 mod limit_walls;
 mod dem_bridgemill;
+mod dem_broken;
 mod dem_contacts;
 mod dem_dynamics;
 mod dem_friction;
