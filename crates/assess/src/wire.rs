@@ -38,7 +38,7 @@ impl From<&crate::warning::Warning> for WarningObject {
 /// What only the face that started an analysis knows.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Run {
-    /// Wall clock \[s\].
+    /// Wall clock [s].
     pub wall_seconds: f64,
     /// Threads used.
     pub threads: usize,

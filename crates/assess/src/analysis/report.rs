@@ -106,11 +106,11 @@ impl Status {
 pub struct DemReport {
     /// Iterations in all.
     pub iterations_total: u64,
-    /// Time step used \[s\].
+    /// Time step used [s].
     pub time_step: f64,
-    /// Critical time step from the largest eigenvalue \[s\].
+    /// Critical time step from the largest eigenvalue [s].
     pub critical_time_step: f64,
-    /// Critical time step from the one-degree-of-freedom estimate \[s\].
+    /// Critical time step from the one-degree-of-freedom estimate [s].
     pub single_mass_time_step: f64,
     /// Damping, in words.
     pub damping: String,

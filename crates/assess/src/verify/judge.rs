@@ -60,7 +60,7 @@ pub struct Judged {
     pub findings: Vec<Finding>,
     /// What became of it.
     pub verdict: Verdict,
-    /// Time taken, bite included \[s\].
+    /// Time taken, bite included [s].
     pub seconds: f64,
 }
 
