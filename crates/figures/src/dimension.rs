@@ -7,7 +7,7 @@ use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Spot, Style};
 use crate::words;
 use assess::outcome::{Dimension, Measure};
 
-const LINE: Pen = Pen::line(INK, HAIR);
+const LINE: Pen = Pen::line(INK, HAIR).class("dimension");
 const EXTENSION: Pen = Pen::line("#777777", HAIR);
 
 /// Draws all dimensions; `lowest` is the extent of the drawing. Returns the y below the span dimensions.
