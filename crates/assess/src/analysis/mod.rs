@@ -1,7 +1,7 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
-mod by_dem;
-mod by_limit;
+pub mod by_dem;
+pub mod by_limit;
 mod dimensions;
 mod movement;
 mod notes;
