@@ -1,13 +1,5 @@
 //! Integration tests of the crate, in one binary.
 
-mod limit_any;
-mod limit_arch;
-mod limit_models;
-mod limit_movement;
-mod limit_oracle;
-mod limit_section;
-mod limit_thickness;
-mod limit_walls;
 mod dem_bridgemill;
 mod dem_contacts;
 mod dem_dynamics;
@@ -16,3 +8,11 @@ mod dem_laws;
 mod dem_resume;
 mod dem_stress;
 mod dem_support;
+mod limit_any;
+mod limit_arch;
+mod limit_models;
+mod limit_movement;
+mod limit_oracle;
+mod limit_section;
+mod limit_thickness;
+mod limit_walls;
