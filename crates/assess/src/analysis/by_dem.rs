@@ -56,7 +56,9 @@ pub fn collapse_by_dem(
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
-    let bound = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
+    let rigid = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?;
+    // The plan needs no more than its size, which the associated load has too.
+    let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
     let (mut chosen, plan) = (Vec::new(), &bridge.plan);
     let missing =
         |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
@@ -89,7 +91,7 @@ pub fn collapse_by_dem(
     c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
     c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
     c.load_step = Some(load_step);
-    c.limit_load = bound.map(|f| f * d.reference_load);
+    c.limit_load = limit_load.map(|f| f * d.reference_load);
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     notes::dem(bridge, &d, &mut c);
     Ok(c)

@@ -1,6 +1,6 @@
 //! Collapse load by limit analysis.
 
-use super::places::{edge_at, lines, point, scaled};
+use super::places::{between_rings, edge_at, lines, point, scaled};
 use super::report::{Collapse, LimitReport, Status};
 use super::{AnalysisError, notes, picture};
 use crate::discretise::{Discretised, discretise};
@@ -107,7 +107,10 @@ pub fn draw_mechanism(d: &Discretised, joints: &[Interface], m: &limit::Mechanis
 /// Hinges that count, at their edges.
 pub fn hinges(d: &Discretised, joints: &[Interface], found: &[limit::Hinge]) -> Vec<Hinge> {
     let largest = found.iter().map(|h| h.rotation.abs()).fold(0.0, f64::max);
-    let counts = found.iter().filter(|h| h.rotation.abs() >= HINGE * largest);
+    let counts = found.iter().filter(|h| {
+        let joint = &joints[h.joint];
+        h.rotation.abs() >= HINGE * largest && !between_rings(d, joint.first, joint.second)
+    });
     counts
         .map(|h| {
             let joint = &joints[h.joint];

@@ -32,6 +32,15 @@ fn springing(d: &Discretised, voussoir: BlockId, support: BlockId, i: usize) -> 
     if middle(support) < middle(voussoir) { i } else { i + 1 }
 }
 
+/// Whether two blocks are voussoirs of different rings of one span. Rings part and slide there; a joint that opens along
+/// the ring is no hinge of the mechanism.
+pub fn between_rings(d: &Discretised, a: BlockId, b: BlockId) -> bool {
+    matches!(
+        (d.origins[a], d.origins[b]),
+        (Origin::Voussoir { span: s, ring: r, .. }, Origin::Voussoir { span: t, ring: q, .. }) if s == t && r != q
+    )
+}
+
 /// At which edge of its ring a hinge of the joint between two blocks lies.
 pub fn edge_at(d: &Discretised, a: BlockId, b: BlockId, at: Vec2) -> HingeAt {
     if joint_in_ring(d, a, b).is_none() {
@@ -75,7 +84,12 @@ pub fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Movi
         };
         let apart = velocity(j.second) - velocity(j.first);
         let opened = apart.dot(j.normal) > SLIDING;
-        if largest > 0.0 && rotation.abs() >= TURNING * largest && !opened && j.points.len() == 2 {
+        if largest > 0.0
+            && rotation.abs() >= TURNING * largest
+            && !opened
+            && j.points.len() == 2
+            && !between_rings(d, j.first, j.second)
+        {
             found.hinges.push(Hinge { point: point(at), edge: edge_at(d, j.first, j.second, at), rotation });
         }
         if apart.dot(j.normal.left()).abs() >= SLIDING && !opened {

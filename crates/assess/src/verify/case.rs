@@ -94,6 +94,7 @@ struct File {
     #[serde(default)]
     errata: Vec<String>,
     bite: Option<Changes>,
+    against: Option<Changes>,
 }
 
 /// A case, ready to run.
@@ -117,6 +118,8 @@ pub struct Case {
     pub errata: Vec<String>,
     /// A change that must break at least one expectation.
     pub bite: Option<Changes>,
+    /// The input of another run with which the result is compared.
+    pub against: Option<toml::Table>,
     /// Path of the input.
     pub input: PathBuf,
     /// The input after the case's own changes.
@@ -163,6 +166,10 @@ impl Case {
         let mut document: toml::Table =
             load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
         change(&mut document, &file.set).map_err(|reason| wrong(&path, reason))?;
+        let against = file.against.as_ref().map(|changes| {
+            let mut other = document.clone();
+            change(&mut other, changes).map(|()| other).map_err(|reason| wrong(&path, format!("against: {reason}")))
+        });
         let part = |p: Option<&Path>| p.and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
         let name = [part(folder.parent()), part(Some(folder))].into_iter().flatten().collect::<Vec<_>>().join("/");
         Ok(Case {
@@ -175,6 +182,7 @@ impl Case {
             expect: file.expect,
             errata: file.errata,
             bite: file.bite,
+            against: against.transpose()?,
             input,
             document,
         })

@@ -1,5 +1,6 @@
 //! Whether a case holds.
 
+use super::against;
 use super::case::{Case, Class, Expect, Value, change};
 use super::measure::{find, measure};
 use serde_json::Value as Json;
@@ -67,16 +68,18 @@ pub struct Judged {
 /// Runs a case, and the bite of a quick one.
 pub fn run(case: &Case) -> Judged {
     let start = Instant::now();
-    let (findings, verdict) = match measure(&case.document) {
+    let other = case.against.as_ref().map(against::measured).transpose();
+    let (findings, verdict) = match other.and_then(|other| Ok((measure(&case.document)?, other))) {
         Err(reason) => (Vec::new(), case.open.clone().map_or(Verdict::Broken(reason), Verdict::Open)),
-        Ok(result) => {
+        Ok((result, other)) => {
+            let result = against::compared(result, other.as_ref());
             let findings = judge(&case.expect, &result);
             let met = findings.iter().all(|f| f.met);
             let verdict = match (&case.open, met) {
                 (None, false) => Verdict::Fails,
                 (Some(reason), false) => Verdict::Open(reason.clone()),
                 (Some(_), true) => Verdict::HoldsUnexpectedly,
-                (None, true) => bite(case),
+                (None, true) => bite(case, other.as_ref()),
             };
             (findings, verdict)
         }
@@ -85,13 +88,14 @@ pub fn run(case: &Case) -> Judged {
 }
 
 /// Spoils the input of a quick case: at least one expectation must fail, or the input must become unusable.
-fn bite(case: &Case) -> Verdict {
+fn bite(case: &Case, other: Option<&Json>) -> Verdict {
     let (Class::Quick, Some(changes)) = (case.class, &case.bite) else { return Verdict::Holds };
     let mut spoilt = case.document.clone();
     if let Err(reason) = change(&mut spoilt, changes) {
         return Verdict::Broken(format!("bite: {reason}"));
     }
-    match measure(&spoilt) {
+    let compared = measure(&spoilt).map(|result| against::compared(result, other));
+    match compared {
         Err(reason) => Verdict::Broken(format!("bite: the spoilt input does not run: {reason}")),
         Ok(result) if judge(&case.expect, &result).iter().all(|f| f.met) => Verdict::Toothless,
         Ok(_) => Verdict::Holds,

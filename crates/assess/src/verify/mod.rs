@@ -5,6 +5,7 @@
 //! ordinary bridge file, or `blocks.toml`, bare blocks for benchmarks that are no bridges. The input may also be named
 //! by `input`, relative to the folder, so that an example is its own case.
 
+mod against;
 mod blocks;
 mod case;
 mod judge;
