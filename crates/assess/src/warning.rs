@@ -73,9 +73,9 @@ cards! {
          contacts crush at it; the message compares the two.";
     /// Crushing left out.
     UNLIMITED_STRENGTH = "A110", "compressive strength without limit",
-        "Hinges turn about a line: collapse_load of limit analysis takes the compressive strength as unlimited. Where the \
-         file gives a strength, crushing_load is the load with it, from thrust blocks at that strength; the difference \
-         grows with the thrust. Where the file gives none, nothing can be said about crushing.";
+        "The file gives no compressive strength, or calls it unlimited, so hinges turn about a line and nothing can be \
+         said about crushing. With a strength the joints of limit analysis carry thrust blocks at that strength and \
+         turn about a point inside; unlimited_strength_load stands beside the result.";
     /// Fill as weight alone.
     FILL_AS_WEIGHT = "A111", "fill acts by its weight alone",
         "Cover is weight and a path for loads; it does not push back on a ring that moves into it. Where fill is deep \

@@ -86,18 +86,6 @@ impl Axes {
         let Area { left, right, top, bottom } = self.area;
         [left + share(x, self.x) * (right - left), bottom - share(y, self.y) * (bottom - top)]
     }
-    /// Labels keep clear of a curve.
-    pub fn avoid_curve(&self, sheet: &mut Sheet, spots: &[Spot]) {
-        for pair in spots.windows(2) {
-            let long = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
-            let parts = ((long / 10.0).ceil() as usize).clamp(1, 200);
-            for k in 0..=parts {
-                let t = k as f64 / parts as f64;
-                let at = [pair[0][0] + t * (pair[1][0] - pair[0][0]), pair[0][1] + t * (pair[1][1] - pair[0][1])];
-                sheet.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(4.0));
-            }
-        }
-    }
 }
 
 /// Marks of points.

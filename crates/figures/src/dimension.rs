@@ -7,7 +7,7 @@ use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Spot, Style};
 use crate::words;
 use assess::outcome::{Dimension, Measure};
 
-const LINE: Pen = Pen::line(INK, HAIR);
+const LINE: Pen = Pen::line(INK, HAIR).class("dimension");
 const EXTENSION: Pen = Pen::line("#777777", HAIR);
 
 /// Draws all dimensions; `lowest` is the extent of the drawing. Returns the y below the span dimensions.
@@ -72,22 +72,28 @@ fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64, room: Room) {
     sheet.label([a[0], 0.5 * (a[1] + b[1])], &text, Style::on_drawing(), room);
 }
 
-/// Two arrows that press on the ring from both sides, with the value on the intrados' side, or on the other one where
-/// a rise takes that place.
+/// Two arrows that press on the ring from both sides, with the value on the intrados' side. Where a rise takes that
+/// place: a line across the ring, with the value where there is room.
 fn thickness(sheet: &mut Sheet, view: &View, d: &Dimension, taken: bool, room: Room) {
     let (a, b) = (view.spot(d.from), view.spot(d.to));
     let length = (b[0] - a[0]).hypot(b[1] - a[1]);
     if !length.is_finite() || length <= 0.0 {
         return;
     }
+    let text = words::metres((d.to[0] - d.from[0]).hypot(d.to[1] - d.from[1]));
     let unit = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
     let off = |p: Spot, by: f64| [p[0] + by * unit[0], p[1] + by * unit[1]];
-    sheet.line(a, b, Pen::line(INK, 0.9));
-    let below = if taken { 12.0 } else { 24.0 };
-    sheet.arrow(off(b, 20.0), b, Pen::line(INK, 0.9));
-    sheet.arrow(off(a, -below), a, Pen::line(INK, 0.9));
-    let text = words::metres((d.to[0] - d.from[0]).hypot(d.to[1] - d.from[1]));
-    let (end, side) = if taken { (off(b, 20.0), 1.0) } else { (off(a, -below), -1.0) };
-    let room = Room { clear: 4.0, ..room }.towards([side * unit[0], side * unit[1]]);
-    sheet.label(end, &text, Style::on_drawing(), room);
+    sheet.line(a, b, Pen::line(INK, 1.2));
+    if taken {
+        tick(sheet, a);
+        tick(sheet, b);
+        let room = Room { clear: 5.0, ..room }.towards([0.9 + 0.3 * unit[0], 0.3 * unit[1]]);
+        sheet.label(b, &text, Style::on_drawing(), room);
+        return;
+    }
+    let arrow = Pen::line(INK, 0.9);
+    sheet.arrow(off(b, 20.0), b, arrow);
+    sheet.arrow(off(a, -24.0), a, arrow);
+    let room = Room { clear: 4.0, ..room }.towards([-unit[0], -unit[1]]);
+    sheet.label(off(a, -24.0), &text, Style::on_drawing(), room);
 }

@@ -71,14 +71,18 @@ pub fn ghost(sheet: &mut Sheet, view: &View, shapes: &[Shape]) {
 /// The road surface.
 pub fn surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
     if picture.surface.len() > 1 {
-        sheet.polyline(&view.spots(&picture.surface), Pen::line("#404040", MEDIUM).class("surface"));
+        let spots = view.spots(&picture.surface);
+        sheet.polyline(&spots, Pen::line("#404040", MEDIUM).class("surface"));
+        sheet.avoid_line(&spots);
     }
 }
 
 /// The road surface, faint, behind something.
 pub fn faint_surface(sheet: &mut Sheet, view: &View, picture: &Picture) {
     if picture.surface.len() > 1 {
-        sheet.polyline(&view.spots(&picture.surface), Pen::line(FAINT, MEDIUM).class("surface"));
+        let spots = view.spots(&picture.surface);
+        sheet.polyline(&spots, Pen::line(FAINT, MEDIUM).class("surface"));
+        sheet.avoid_line(&spots);
     }
 }
 

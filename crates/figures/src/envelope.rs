@@ -64,7 +64,7 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
                 run.push(axes.spot(point.0, unit(point.1)));
                 continue;
             }
-            axes.avoid_curve(&mut sheet, &run);
+            sheet.avoid_line(&run);
             sheet.polyline(&run, Pen::line(colour, 1.8).dashed(dashes).class("sweep"));
             if let [alone] = run[..] {
                 sheet.circle(alone, 1.6, Pen::shape(colour, "none", 0.0));
@@ -76,7 +76,7 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
 
     let at = axes.spot(governing.0, unit(governing.1));
     sheet.line(at, [at[0], axes.area.bottom], Pen::line(INK, 0.9).dashed("5 4").class("governing"));
-    axes.avoid_curve(&mut sheet, &[at, [at[0], axes.area.bottom]]);
+    sheet.avoid_line(&[at, [at[0], axes.area.bottom]]);
     Mark::Full.draw(&mut sheet, at, INK);
     let size = match quantity {
         Quantity::Factor => words::four_digits(governing.1),

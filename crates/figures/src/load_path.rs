@@ -55,17 +55,17 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
         let share = (edge - last[0]) / (out[0] - last[0]);
         let tip = [edge, last[1] + share * (out[1] - last[1])];
         sheet.arrow(last, tip, Pen::line(CURVE, 1.8).dashed("6 4").class("leaves"));
-        axes.avoid_curve(&mut sheet, &[last, tip]);
+        sheet.avoid_line(&[last, tip]);
         leaving = Some(([0.5 * (last[0] + tip[0]), 0.5 * (last[1] + tip[1])], steps[stay.len()]));
     }
     sheet.close();
-    axes.avoid_curve(&mut sheet, &stay);
+    sheet.avoid_line(&stay);
 
     let last_stable = last_stable(&steps);
     if let Some(k) = last_stable.filter(|&k| inside(&spots[k])) {
         let at = spots[k];
         sheet.line([axes.area.left, at[1]], at, Pen::line(INK, 0.9).dashed("5 4").class("last-stable"));
-        axes.avoid_curve(&mut sheet, &[[axes.area.left, at[1]], at]);
+        sheet.avoid_line(&[[axes.area.left, at[1]], at]);
         Mark::Ring.draw(&mut sheet, at, CURVE);
     }
     for (step, &at) in steps.iter().zip(&spots).filter(|(_, p)| inside(p)) {

@@ -18,8 +18,14 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     let built = as_built(&picture.shapes)?;
     let mut sheet = Sheet::new("thrust");
     draw::define_hatch(&mut sheet);
-    let second = match draw::collapse_load(picture) {
-        Some(load) if !picture.moves_supports => format!("Line of thrust at collapse, {}", words::force(load)),
+    // Discrete elements are in equilibrium at the last stable load; limit analysis at collapse itself.
+    let at_rest = picture.last_stable.and_then(|k| picture.snapshots.get(k)).map(|s| s.load);
+    let second = match (at_rest, draw::collapse_load(picture)) {
+        _ if picture.moves_supports => "Line of thrust".to_string(),
+        (Some(rest), Some(collapse)) if rest < collapse => {
+            format!("Line of thrust at the last stable load, {}", words::force(rest))
+        }
+        (_, Some(load)) => format!("Line of thrust at collapse, {}", words::force(load)),
         _ => "Line of thrust".to_string(),
     };
     let top = sheet.title(&picture.title, &second);

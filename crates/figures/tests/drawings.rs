@@ -120,6 +120,30 @@ fn dimensions_are_those_of_the_bridge() {
 }
 
 #[test]
+fn dimension_lines_are_as_long_as_they_say() {
+    let picture = sample::arch();
+    let svg = figures::bridge_as_drawn(&picture);
+    let document = Document::parse(&svg).unwrap();
+    let supports: Vec<_> = classed(&document, "polygon", "support").iter().map(points).collect();
+    // Units per metre, from the distance between the outer edges of the supports.
+    let outer = |p: &[assess::outcome::Shape]| {
+        let x = p.iter().filter(|s| s.held).flat_map(|s| &s.outline).map(|p| p[0]);
+        x.clone().fold(f64::MIN, f64::max) - x.fold(f64::MAX, f64::min)
+    };
+    let x = supports.iter().flatten().map(|p| p[0]);
+    let scale = (x.clone().fold(f64::MIN, f64::max) - x.fold(f64::MAX, f64::min)) / outer(&picture.shapes);
+    let lines = classed(&document, "polyline", "dimension");
+    let length = |n: &Node| {
+        let p = points(n);
+        (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])
+    };
+    // The span's line runs 5 units past both of its ends.
+    let (span, rise) = ((length(&lines[0]) - 10.0) / scale, length(&lines[1]) / scale);
+    // Coordinates are rounded to 0.005 units, a sixth of a millimetre at this scale.
+    assert!((span - 18.3).abs() < 1e-3 && (rise - 2.85).abs() < 1e-3, "{span} {rise}");
+}
+
+#[test]
 fn the_scale_bar_is_as_long_as_it_says() {
     let picture = sample::arch();
     let svg = figures::bridge_as_drawn(&picture);

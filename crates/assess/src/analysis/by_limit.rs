@@ -10,8 +10,7 @@ use mechanics::blocks::Interface;
 use mechanics::ids::Id;
 use mechanics::limit;
 
-/// How the plan wants limit analysis done. Strength is unlimited; with the strength of the file the load is reported
-/// beside the other.
+/// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
 pub fn settings(bridge: &Bridge) -> limit::Settings {
     limit::Settings {
         friction: match bridge.plan.friction {
@@ -23,7 +22,7 @@ pub fn settings(bridge: &Bridge) -> limit::Settings {
             ContactPoints::Rounded => limit::ContactPoints::Rounded,
             ContactPoints::FullRing => limit::ContactPoints::FullRing,
         },
-        crushing: false,
+        crushing: bridge.masonry.compressive_strength.is_some(),
         ..limit::Settings::default()
     }
 }
@@ -37,12 +36,14 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     }
     let settings = settings(bridge);
     let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
-    let other = |settings| Ok::<_, AnalysisError>(limit::collapse_load(&d.model, &d.loading, &settings)?.factor);
-    let crushing = match bridge.masonry.compressive_strength {
-        Some(_) => other(limit::Settings { crushing: true, ..settings })?,
-        None => None,
+    let unlimited = match settings.crushing {
+        true => {
+            let settings = limit::Settings { crushing: false, ..settings };
+            limit::collapse_load(&d.model, &d.loading, &settings)?.factor
+        }
+        false => outcome.factor,
     };
-    Ok(report(bridge, &d, &outcome, crushing))
+    Ok(report(bridge, &d, &outcome, unlimited))
 }
 
 /// The word for a flow rule.
@@ -63,7 +64,7 @@ pub fn status(status: limit::Status) -> Status {
     }
 }
 
-fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, crushing: Option<f64>) -> Collapse {
+fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| f * d.reference_load);
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
@@ -82,7 +83,7 @@ fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, crushing: 
         upper_bound: load(outcome.upper_bound),
         associated_load: load(outcome.associated_factor),
         spread: outcome.spread.map(|s| s.map(|f| f * d.reference_load)),
-        crushing_load: load(crushing),
+        unlimited_strength_load: load(unlimited),
         equilibrium_residual: outcome.equilibrium_residual,
         yield_violation: outcome.yield_violation,
         iterations: outcome.iterations,

@@ -1,7 +1,8 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
-mod by_dem;
-mod by_limit;
+pub mod by_dem;
+pub mod by_limit;
+mod dimensions;
 mod movement;
 mod notes;
 mod picture;
@@ -62,12 +63,15 @@ pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
 /// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run
 /// of the same bridge.
 pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    match (bridge.plan.analysis, bridge.plan.method) {
+    let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
         (Analysis::Load, Method::Dem) => collapse_by_dem(bridge, resume, watch),
         (Analysis::Thickness, _) => thickness(bridge, watch),
         (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
-    }
+    }?;
+    found.picture.moves_supports = found.analysis == Analysis::SupportMovement;
+    found.picture.collapse_load = found.support.as_ref().map_or(found.collapse_load, |support| support.collapse);
+    Ok(found)
 }
 
 #[cfg(test)]

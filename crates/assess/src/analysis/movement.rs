@@ -105,7 +105,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         upper_bound: None,
         associated_load: None,
         spread: None,
-        crushing_load: None,
+        unlimited_strength_load: None,
         equilibrium_residual: 0.0,
         yield_violation: 0.0,
         iterations: outcome.path.len() as u32,

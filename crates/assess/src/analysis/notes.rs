@@ -126,13 +126,16 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if bridge.masonry.compressive_strength.is_none() {
         c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, "the file gives no compressive strength"));
     }
-    if let (Some(load), Some(with)) = (c.collapse_load, c.limit.as_ref().and_then(|l| l.crushing_load)) {
-        let message = format!(
-            "the load is that of unlimited strength; with the strength of the file it is {:.2} kN/m ({:+.1} %)",
-            with / 1e3,
-            100.0 * (with / load - 1.0)
-        );
-        c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, message));
+    let unlimited = c.limit.as_ref().and_then(|l| l.unlimited_strength_load);
+    if let (Some(load), Some(without), Some(strength)) =
+        (c.collapse_load, unlimited, bridge.masonry.compressive_strength)
+    {
+        c.assumptions.push(format!(
+            "Joints crush at {:.1} MPa, which takes {:.1} % off the load of {:.2} kN/m that they would carry without crushing.",
+            strength / 1e6,
+            100.0 * (1.0 - load / without),
+            without / 1e3
+        ));
     }
     if bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some() {
         c.warnings.push(Warning::new(
@@ -140,7 +143,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             "fill and backing act by their weight alone; their resistance is left out",
         ));
     }
-    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| format!("{:?}", l.name)).collect();
+    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| layer(l.name)).collect();
     if !unloaded.is_empty() {
         c.assumptions
             .push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
@@ -165,5 +168,15 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if bridge.spans.len() > 1 {
         c.assumptions
             .push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
+    }
+}
+
+/// A layer in the words of the bridge file.
+fn layer(kind: bridge::LayerKind) -> &'static str {
+    match kind {
+        bridge::LayerKind::Fill => "fill",
+        bridge::LayerKind::SubBase => "sub-base",
+        bridge::LayerKind::Surfacing => "surfacing",
+        bridge::LayerKind::Ballast => "ballast",
     }
 }

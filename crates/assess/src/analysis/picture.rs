@@ -1,5 +1,6 @@
 //! The parts of a picture that every analysis shares.
 
+use super::dimensions::dimensions;
 use super::places::point;
 use crate::discretise::{Discretised, cover};
 use crate::outcome::{ContactForce, LoadArrow, Picture, Shape};
@@ -21,6 +22,7 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         surface: cover::surface_line(bridge, &d.extrados).into_iter().map(point).collect(),
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
+        dimensions: dimensions(bridge),
         ..Picture::default()
     }
 }

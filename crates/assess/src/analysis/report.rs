@@ -135,8 +135,8 @@ pub struct LimitReport {
     pub associated_load: Option<f64>,
     /// Lowest and highest non-associated load over the starts of the iteration [N/m].
     pub spread: Option<[f64; 2]>,
-    /// Collapse load with the compressive strength of the file [N/m].
-    pub crushing_load: Option<f64>,
+    /// Collapse load of joints that never crush [N/m]; the same as the collapse load where the file gives no strength.
+    pub unlimited_strength_load: Option<f64>,
     /// Largest out-of-balance force, relative to the permanent loads.
     pub equilibrium_residual: f64,
     /// Largest excess over the strength, relative to the permanent loads.

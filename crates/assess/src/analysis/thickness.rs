@@ -119,7 +119,7 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         upper_bound: None,
         associated_load: None,
         spread: None,
-        crushing_load: None,
+        unlimited_strength_load: None,
         equilibrium_residual: 0.0,
         yield_violation: 0.0,
         iterations: found.trials,

@@ -49,6 +49,8 @@ struct Joint {
     crushing_pa: Option<f64>,
     normal_stiffness_pa_per_m: Option<f64>,
     shear_stiffness_pa_per_m: Option<f64>,
+    /// Length that a corner on a corner stands for; a hundredth of the smallest block's side unless given.
+    least_length_m: Option<f64>,
 }
 
 #[derive(Debug, Clone, Deserialize)]
@@ -204,6 +206,7 @@ impl Blocks {
             }));
         }
         let j = &self.joint;
+        let smallest = blocks.iter().map(|b| b.outline.area()).fold(f64::INFINITY, f64::min).sqrt();
         let stiffness = |k: Option<f64>| Stiffness::Given(k.unwrap_or(f64::INFINITY));
         let law = ContactLaw {
             normal: stiffness(j.normal_stiffness_pa_per_m),
@@ -213,7 +216,7 @@ impl Blocks {
             tension: j.tension_pa,
             crushing: j.crushing_pa.unwrap_or(f64::INFINITY),
             fixed_length: None,
-            least_length: 0.0,
+            least_length: j.least_length_m.unwrap_or(0.01 * smallest),
         };
         let groups = ["blocks".to_string()].into_iter().collect();
         let model = BlockModel { blocks, groups, laws: LawTable::uniform(1, law), gravity };

@@ -215,3 +215,22 @@ fn words_for_people_are_short_and_name_the_folder() {
         "no colours where there is no terminal"
     );
 }
+
+#[test]
+fn verify_keeps_kinds_apart_and_fails_when_a_case_does() {
+    let stage = Stage::new("answers-verify");
+    let blocks = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/blocks");
+    let (answer, ending) = stage.object(&["verify", &blocks.to_string_lossy(), "--manual", "manual.md"]);
+    assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{answer}");
+    assert!(answer["kinds"]["exact"]["holds"].as_u64().is_some_and(|count| count >= 4), "{answer}");
+    assert!(answer["kinds"]["total"].is_null() && answer["kinds"]["experiment"].is_null(), "kinds are never added up");
+    assert!(stage.read("manual.md").starts_with("# Verification manual"));
+    std::fs::create_dir(stage.folder.join("case")).expect("a folder");
+    for file in ["case.toml", "blocks.toml"] {
+        let text = std::fs::read_to_string(blocks.join("overturning").join(file)).expect("the case is there");
+        stage.write(&format!("case/{file}"), text.replace("\nvalue = 0.25", "\nvalue = 0.26"));
+    }
+    let (answer, ending) = stage.object(&["verify", "case"]);
+    assert_eq!((ending.code, answer["status"].as_str()), (Some(1), Some("inadequate")), "{answer}");
+    assert_eq!(answer["cases"][0]["verdict"], "fails");
+}

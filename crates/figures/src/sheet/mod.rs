@@ -296,6 +296,18 @@ impl Sheet {
     pub fn avoid(&mut self, area: Area) {
         self.obstacles.push((area, 1.0));
     }
+    /// A chain of points that labels had better not cover.
+    pub fn avoid_line(&mut self, points: &[Spot]) {
+        for pair in points.windows(2) {
+            let way = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+            let parts = ((way[0].hypot(way[1]) / 10.0).ceil() as usize).clamp(1, 200);
+            for k in 0..=parts {
+                let t = k as f64 / parts as f64;
+                let at = [pair[0][0] + t * way[0], pair[0][1] + t * way[1]];
+                self.avoid(Area { left: at[0], right: at[0], top: at[1], bottom: at[1] }.grown(4.0));
+            }
+        }
+    }
     /// Something that a label may cover where there is no better place.
     pub fn avoid_lightly(&mut self, area: Area) {
         self.obstacles.push((area, 0.3));

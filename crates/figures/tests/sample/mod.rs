@@ -423,6 +423,7 @@ pub fn single_block() -> Picture {
 pub fn every() -> Vec<(&'static str, Picture)> {
     vec![
         ("arch", arch()),
+        ("crowded", crowded()),
         ("tall", tall()),
         ("rings", two_rings()),
         ("spans", multi_span()),
@@ -448,4 +449,13 @@ pub fn sweeps() -> Vec<figures::Sweep> {
         figures::Sweep { label: "driving to the right".into(), points: curve(0.0) },
         figures::Sweep { label: "driving to the left".into(), points: curve(0.7) },
     ]
+}
+
+/// The arch with its thickness dimensioned at the crown, above the rise, and its load there too.
+pub fn crowded() -> Picture {
+    let mut p = arch();
+    let crown = p.dimensions[1].to;
+    p.dimensions[2] = Dimension { measure: Measure::Thickness, from: crown, to: [crown[0], crown[1] + 0.711] };
+    p.surface_loads[0].0[0] = crown[0];
+    p
 }

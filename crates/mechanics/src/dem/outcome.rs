@@ -18,9 +18,10 @@ pub enum Status {
     StepLimit,
     /// The onlooker stopped the run; its state can be resumed.
     Cancelled,
-    /// A number stopped being finite, or a block ran away within one step.
+    /// A number stopped being finite, a block ran away within one step, or the blocks gained energy out of nothing: the
+    /// answer would be about the time step, not about the blocks.
     Broken {
-        /// The block where it was seen first.
+        /// The block where it was seen first; the fastest one where only the energy tells.
         block: BlockId,
         /// The iteration.
         step: u64,

@@ -188,7 +188,7 @@ fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _se
     }
     let low = run.low.unwrap_or(0.0);
     let next = match run.high {
-        None if run.increments as f64 * program.increment >= program.limit * (1.0 - 1e-12) => {
+        None if !((run.increments as f64 * program.increment) < program.limit * (1.0 - 1e-12)) => {
             return Some(Status::StableToLastLoad);
         }
         None => {

@@ -1,6 +1,7 @@
 //! Integration tests of the crate, in one binary.
 
 mod dem_bridgemill;
+mod dem_broken;
 mod dem_contacts;
 mod dem_dynamics;
 mod dem_friction;
