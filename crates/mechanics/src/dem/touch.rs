@@ -274,7 +274,9 @@ impl Touch {
                 reaction.dissipated += self.open(k);
                 continue;
             }
-            let Some((n, s)) = self.point_force(k, &points, (glide, part), (v1[2], v2[2]), dt, &mut reaction.dissipated) else {
+            let Some((n, s)) =
+                self.point_force(k, &points, (glide, part), (v1[2], v2[2]), dt, &mut reaction.dissipated)
+            else {
                 continue;
             };
             let one_n = -(points.along + points.s[k]);
