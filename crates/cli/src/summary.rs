@@ -141,7 +141,8 @@ fn hinge(hinge: &Hinge) -> String {
         HingeAt::Extrados => "extrados",
         HingeAt::Other => "other",
     };
-    format!("{:.2} ({edge})", hinge.point[0])
+    // Adding zero takes the sign off a negative zero.
+    format!("{:.2} ({edge})", (100.0 * hinge.point[0]).round() / 100.0 + 0.0)
 }
 
 fn effort(page: &mut String, found: &Collapse) {
