@@ -76,7 +76,7 @@ pub struct Snapshot {
     pub velocities: Vec<Point>,
     /// Closed contacts.
     pub contacts: Vec<ContactForce>,
-    /// Average stress of each block [Pa], tension positive: xx, yy, xy.
+    /// Average stress of each block [Pa], tension positive: xx, yy, xy; empty where it is not known.
     pub stresses: Vec<[f64; 3]>,
 }
 

@@ -57,7 +57,9 @@ cards! {
     /// Discrete elements against the limit load.
     ABOVE_LIMIT = "A106", "the discrete element load lies above the limit load",
         "Deformable joints and displacements lower the load of an arch below the limit load of the same blocks as built, \
-         usually by 0 to 15 %. A load above it has a reason: friction that dilates less than assumed elsewhere, thrust \
+         usually by 0 to 15 %. A load above it has a reason: crushing, which limit analysis puts under the edge about which \
+         a joint turns, while a contact point spreads its force over the length it stands for (compare with the limit \
+         load of masonry that is \"unlimited\", and use the smaller number); friction that dilates less than assumed elsewhere, thrust \
          lines that displacements improve, or a load step that is too coarse. Find it before using the number.";
     /// Far below the limit load.
     FAR_BELOW_LIMIT = "A107", "the discrete element load lies far below the limit load",

@@ -94,10 +94,10 @@ pub struct Collapse {
     #[arg(long)]
     pub sweep: bool,
     /// Distance between the positions of a sweep, such as "0.25 m"
-    #[arg(long, value_name = "LENGTH", requires = "sweep")]
+    #[arg(long, value_name = "LENGTH", requires = "sweep", allow_hyphen_values = true)]
     pub sweep_step: Option<String>,
     /// Refine the collapse load below the load step to this, such as "1 kN/m"
-    #[arg(long, value_name = "LOAD")]
+    #[arg(long, value_name = "LOAD", allow_hyphen_values = true)]
     pub resolution: Option<String>,
     /// Take up the checkpoint of an interrupted run
     #[arg(long)]

@@ -67,26 +67,43 @@ fn loads(page: &mut String, found: &Collapse) {
                 writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width);
         }
     };
-    line("last stable load", found.last_stable_load);
+    line("last stable load", found.last_stable_load.filter(|_| found.method == Method::Dem));
     line("collapse load", found.collapse_load);
     line("load step", found.load_step);
     line("limit load, rigid", found.limit_load.filter(|_| found.method == Method::Dem));
     if let Some(limit) = &found.limit {
         line("lower bound", limit.lower_bound);
         line("upper bound", limit.upper_bound);
-        line("associated friction", limit.associated_load);
+        let own = |load: &f64| found.collapse_load != Some(*load);
+        line("associated friction", limit.associated_load.filter(own));
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
+    factor(page, found);
     if let Some(stress) = found.max_compressive_stress {
         let _ = writeln!(page, "  {:<22}  {:>9.2} MPa", "largest compression", stress / 1e6);
+    }
+}
+
+/// How often the loads of the file are carried: what an axle or a convoy is judged by, its width being its own.
+fn factor(page: &mut String, found: &Collapse) {
+    // Loads of 1 kN/m only say where the load stands: the factor would repeat the collapse load.
+    let unit = (found.reference_load - 1e3).abs() < 1e-6;
+    let counted = if found.method == Method::Dem { found.last_stable_load } else { found.collapse_load };
+    if let Some(load) = counted.filter(|_| found.reference_load > 0.0 && !unit) {
+        let _ = writeln!(
+            page,
+            "  {:<22}  {:>9.3} times the loads of the file, {:.2} kN/m",
+            "load factor",
+            load / found.reference_load,
+            found.reference_load / 1e3
+        );
     }
 }
 
 fn thickness(page: &mut String, found: &Collapse) {
     let Some(least) = &found.thickness else { return };
     let _ = writeln!(page, "  least ring thickness    {:>9.4} m at the crown", least.crown_thickness);
-    let _ =
-        writeln!(page, "  share of the given one  {:>9.5} stands, {:.5} does not", least.factor[1], least.factor[0]);
+    let _ = writeln!(page, "  share of the given one  {:>9.5}", least.factor[1]);
     if let Some(ratio) = least.over_mean_radius {
         let _ = writeln!(page, "  over the mean radius    {ratio:>9.5}");
     }
@@ -124,7 +141,8 @@ fn hinge(hinge: &Hinge) -> String {
         HingeAt::Extrados => "extrados",
         HingeAt::Other => "other",
     };
-    format!("{:.2} ({edge})", hinge.point[0])
+    // Adding zero takes the sign off a negative zero.
+    format!("{:.2} ({edge})", (100.0 * hinge.point[0]).round() / 100.0 + 0.0)
 }
 
 fn effort(page: &mut String, found: &Collapse) {

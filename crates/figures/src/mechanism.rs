@@ -82,10 +82,14 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     }
     entries.push((Sign::AsBuilt, if picture.surface.len() > 1 { "as built, and road surface" } else { "as built" }));
     y = draw::key(&mut sheet, y + 2.0, &entries);
-    let mut caption = format!(
-        "A mechanism has a shape but no size: exaggerated here to a largest displacement of {} at the scale of the bar.",
-        words::metres(scale * largest)
-    );
+    let shown = words::metres(scale * largest);
+    let mut caption = if picture.moves_supports {
+        format!("The largest displacement is drawn as {shown} at the scale of the bar.")
+    } else {
+        format!(
+            "A mechanism has a shape but no size: exaggerated here to a largest displacement of {shown} at the scale of the bar."
+        )
+    };
     if !picture.loads.is_empty() {
         caption = format!("{caption} {}", draw::LOAD_WORDS);
     }

@@ -84,8 +84,8 @@ fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited:
         associated_load: load(outcome.associated_factor),
         spread: outcome.spread.map(|s| s.map(|f| f * d.reference_load)),
         unlimited_strength_load: load(unlimited),
-        equilibrium_residual: outcome.equilibrium_residual,
-        yield_violation: outcome.yield_violation,
+        equilibrium_residual: Some(outcome.equilibrium_residual),
+        yield_violation: Some(outcome.yield_violation),
         iterations: outcome.iterations,
     });
     notes::limit(bridge, d, &mut c);

@@ -7,7 +7,9 @@ use crate::discretise::{Discretised, discretise};
 use crate::outcome::{Motion, Snapshot};
 use bridge::{Analysis, Bridge, Method};
 use mechanics::dem;
+use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
+use mechanics::plane::{Pose, Vec2};
 use mechanics::watch::Watch;
 
 /// Limit analysis narrows the movement to this share of the increment.
@@ -67,9 +69,10 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
     let increments = limit::Increments { largest, step, resolution: FINE * step };
     let outcome = limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings)?;
     let mut picture = picture::built(bridge, d, "support movement");
-    picture.hinges = by_limit::hinges(d, &outcome.interfaces, &outcome.hinges);
-    picture.thrust_lines = by_limit::thrust_lines(d, &outcome.interfaces, &outcome.resultants);
     let built = d.model.poses();
+    let (hinges, resultants) = as_built(&outcome, &built);
+    picture.hinges = by_limit::hinges(d, &outcome.interfaces, &hinges);
+    picture.thrust_lines = by_limit::thrust_lines(d, &outcome.interfaces, &resultants);
     let n = built.len();
     picture.snapshots = vec![Snapshot {
         load: outcome.stands,
@@ -84,7 +87,8 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
             .collect(),
         velocities: vec![[0.0; 2]; n],
         contacts: Vec::new(),
-        stresses: vec![[0.0; 3]; n],
+        // Resultants alone are known: no stress is told rather than none.
+        stresses: Vec::new(),
     }];
     picture.last_stable = Some(0);
     picture.mechanism = super::places::scaled(picture.snapshots[0].motions.clone());
@@ -106,8 +110,8 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         associated_load: None,
         spread: None,
         unlimited_strength_load: None,
-        equilibrium_residual: 0.0,
-        yield_violation: 0.0,
+        equilibrium_residual: None,
+        yield_violation: None,
         iterations: outcome.path.len() as u32,
     });
     notes::limit(bridge, d, &mut c);
@@ -119,4 +123,21 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
             .into(),
     );
     Ok(c)
+}
+
+/// Hinges and resultants, found where the blocks have moved to, at their places in the bridge as built: results and
+/// drawings name the places of a bridge there.
+fn as_built(
+    outcome: &limit::MovementOutcome,
+    built: &Table<BlockId, Pose>,
+) -> (Vec<limit::Hinge>, Vec<Option<limit::Resultant>>) {
+    let back = |joint: usize, at: Vec2| {
+        let first = outcome.interfaces[joint].first;
+        let now = outcome.poses[first];
+        built[first].place(now.rotation.turn_back(at - now.position))
+    };
+    let hinges = outcome.hinges.iter().map(|h| limit::Hinge { at: back(h.joint, h.at), ..*h }).collect();
+    let resultants = outcome.resultants.iter().enumerate();
+    let resultants = resultants.map(|(k, r)| r.map(|r| limit::Resultant { at: back(k, r.at), ..r })).collect();
+    (hinges, resultants)
 }

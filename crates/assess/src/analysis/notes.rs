@@ -124,7 +124,8 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         }
     }
     if bridge.masonry.compressive_strength.is_none() {
-        c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, "the file gives no compressive strength"));
+        c.warnings
+            .push(Warning::new(warning::UNLIMITED_STRENGTH, "compressive strength has no limit: crushing is left out"));
     }
     let unlimited = c.limit.as_ref().and_then(|l| l.unlimited_strength_load);
     if let (Some(load), Some(without), Some(strength)) =

@@ -16,10 +16,13 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         role: d.origins[id].role().to_string(),
         held: block.held.is_fixed(),
     });
+    // Without cover and loads there is no road to draw.
+    let road = !(bridge.cover.layers.is_empty() && bridge.loads.is_empty());
+    let surface = if road { cover::surface_line(bridge, &d.extrados) } else { Vec::new() };
     Picture {
         title: format!("{}: {title}", bridge.name),
         shapes: shapes.collect(),
-        surface: cover::surface_line(bridge, &d.extrados).into_iter().map(point).collect(),
+        surface: surface.into_iter().map(point).collect(),
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
         dimensions: dimensions(bridge),

@@ -138,9 +138,9 @@ pub struct LimitReport {
     /// Collapse load of joints that never crush [N/m]; the same as the collapse load where the file gives no strength.
     pub unlimited_strength_load: Option<f64>,
     /// Largest out-of-balance force, relative to the permanent loads.
-    pub equilibrium_residual: f64,
+    pub equilibrium_residual: Option<f64>,
     /// Largest excess over the strength, relative to the permanent loads.
-    pub yield_violation: f64,
+    pub yield_violation: Option<f64>,
     /// Iterations of the solver.
     pub iterations: u32,
 }

@@ -120,8 +120,8 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         associated_load: None,
         spread: None,
         unlimited_strength_load: None,
-        equilibrium_residual: 0.0,
-        yield_violation: 0.0,
+        equilibrium_residual: None,
+        yield_violation: None,
         iterations: found.trials,
     });
     notes::limit(bridge, &shown, &mut c);

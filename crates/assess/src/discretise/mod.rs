@@ -286,7 +286,8 @@ impl<'a> Build<'a> {
             .flat_map(|load| dispersal::strips(&load.kind, load.position))
             .map(|strip| dispersal::spread(strip, bridge.dispersal, surface, &extrados))
             .collect();
-        let reference_load = spreads.iter().map(|s| s.strip.force).sum();
+        // From zero on, for an empty sum is minus zero.
+        let reference_load = spreads.iter().fold(0.0, |sum, s| sum + s.strip.force);
         let loading = Loading {
             permanent: cover::weight(bridge, &extrados),
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),

@@ -20,7 +20,7 @@ fn wanted(e: &Expect) -> String {
     match (&e.value, e.tolerance, e.relative) {
         (Some(Value::Word(word)), ..) => word.clone(),
         (Some(Value::Number(v)), Some(t), _) => format!("{v}{unit} ± {t}"),
-        (Some(Value::Number(v)), None, Some(r)) => format!("{v}{unit} ± {} %", 100.0 * r),
+        (Some(Value::Number(v)), None, Some(r)) => format!("{v}{unit} ± {} %", plain(100.0 * r)),
         (Some(Value::Number(v)), None, None) => format!("{v}{unit}"),
         (None, ..) => match (e.at_least, e.at_most) {
             (Some(low), Some(high)) => format!("{low} to {high}{unit}"),
@@ -29,6 +29,11 @@ fn wanted(e: &Expect) -> String {
             (None, None) => String::new(),
         },
     }
+}
+
+/// A share in per cent without the digits that a product leaves behind its twelfth.
+fn plain(percent: f64) -> f64 {
+    format!("{percent:.12}").parse().unwrap_or(percent)
 }
 
 /// A number as a reader wants it: six significant digits.

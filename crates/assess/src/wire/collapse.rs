@@ -76,7 +76,7 @@ struct Step {
     #[serde(skip_serializing_if = "Option::is_none")]
     load_kn_per_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    movement: Option<f64>,
+    movement_m: Option<f64>,
     displacement_mm: f64,
     displacement_x_mm: f64,
     displacement_y_mm: f64,
@@ -93,8 +93,8 @@ struct Limit {
     associated_load_kn_per_m: Option<f64>,
     non_associated_spread_kn_per_m: Option<[f64; 2]>,
     unlimited_strength_load_kn_per_m: Option<f64>,
-    equilibrium_residual: f64,
-    yield_violation: f64,
+    equilibrium_residual: Option<f64>,
+    yield_violation: Option<f64>,
     solver_iterations: u32,
     thrust_line: Vec<Thrust>,
 }
@@ -116,9 +116,9 @@ struct Thickness {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Support {
-    collapse_movement: Option<f64>,
-    last_stable_movement: Option<f64>,
-    movement_step: f64,
+    collapse_movement_m: Option<f64>,
+    last_stable_movement_m: Option<f64>,
+    movement_step_m: f64,
 }
 
 /// The word for an edge.
@@ -177,7 +177,7 @@ impl CollapseObject {
                     .iter()
                     .map(|s| Step {
                         load_kn_per_m: (!moves).then(|| kilo(s.load)),
-                        movement: moves.then_some(s.load),
+                        movement_m: moves.then_some(s.load),
                         displacement_mm: 1e3 * s.displacement[0].hypot(s.displacement[1]),
                         displacement_x_mm: 1e3 * s.displacement[0],
                         displacement_y_mm: 1e3 * s.displacement[1],
@@ -219,9 +219,9 @@ impl CollapseObject {
                 minimum_thickness_over_mean_radius: t.over_mean_radius,
             }),
             support: c.support.as_ref().map(|s| Support {
-                collapse_movement: s.collapse,
-                last_stable_movement: s.last_stable,
-                movement_step: s.step,
+                collapse_movement_m: s.collapse,
+                last_stable_movement_m: s.last_stable,
+                movement_step_m: s.step,
             }),
             assumptions: c.assumptions.clone(),
             warnings,

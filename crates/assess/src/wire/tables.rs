@@ -5,16 +5,21 @@ use crate::analysis::{Collapse, Sweep};
 use bridge::Analysis;
 use std::fmt::Write;
 
+/// What the states of an analysis are counted by, and what divides its SI unit: a load, or the movement of a support.
+fn counted(c: &Collapse) -> (&'static str, f64) {
+    match c.analysis {
+        Analysis::SupportMovement => ("movement_m", 1.0),
+        _ => ("load_kn_per_m", 1e3),
+    }
+}
+
 /// Load steps of a discrete element run.
 pub fn path(c: &Collapse) -> String {
-    let (name, unit) = match c.analysis {
-        Analysis::SupportMovement => ("movement_m", 1.0),
-        _ => ("load_kn_per_m", 1e-3),
-    };
+    let (name, unit) = counted(c);
     let mut csv = format!("{name},displacement_x_mm,displacement_y_mm,iterations,unbalanced_ratio,at_rest\n");
     for s in &c.picture.path {
         let [x, y] = s.displacement.map(|d| 1e3 * d);
-        row(&mut csv, format_args!("{},{x},{y},{},{},{}", s.load * unit, s.iterations, s.unbalanced_ratio, s.at_rest));
+        row(&mut csv, format_args!("{},{x},{y},{},{},{}", s.load / unit, s.iterations, s.unbalanced_ratio, s.at_rest));
     }
     csv
 }
@@ -30,8 +35,9 @@ pub fn hinges(c: &Collapse) -> String {
 
 /// Contacts of every snapshot.
 pub fn contacts(c: &Collapse) -> String {
-    let mut csv = String::from(
-        "load_kn_per_m,first_block,second_block,x_m,y_m,normal_x,normal_y,compression_kn_per_m,shear_kn_per_m,stress_mpa,sliding\n",
+    let (name, unit) = counted(c);
+    let mut csv = format!(
+        "{name},first_block,second_block,x_m,y_m,normal_x,normal_y,compression_kn_per_m,shear_kn_per_m,stress_mpa,sliding\n",
     );
     for s in &c.picture.snapshots {
         for k in &s.contacts {
@@ -39,7 +45,7 @@ pub fn contacts(c: &Collapse) -> String {
                 &mut csv,
                 format_args!(
                     "{},{},{},{},{},{},{},{},{},{},{}",
-                    s.load / 1e3,
+                    s.load / unit,
                     k.blocks[0],
                     k.blocks[1],
                     k.point[0],
@@ -68,21 +74,23 @@ pub fn thrust_line(c: &Collapse) -> String {
     csv
 }
 
-/// Blocks of every snapshot: what they are, how they moved, their average stress.
+/// Blocks of every snapshot: what they are, how they moved, their average stress where it is known.
 pub fn blocks(c: &Collapse) -> String {
-    let mut csv = String::from(
-        "load_kn_per_m,block,name,role,held,displacement_x_mm,displacement_y_mm,rotation_rad,stress_xx_mpa,stress_yy_mpa,stress_xy_mpa\n",
+    let (name, unit) = counted(c);
+    let mut csv = format!(
+        "{name},block,name,role,held,displacement_x_mm,displacement_y_mm,rotation_rad,stress_xx_mpa,stress_yy_mpa,stress_xy_mpa\n",
     );
     for s in &c.picture.snapshots {
-        let rows = c.picture.shapes.iter().zip(&s.motions).zip(&s.stresses).zip(&c.block_names).enumerate();
-        for (k, (((shape, m), stress), name)) in rows {
+        let rows = c.picture.shapes.iter().zip(&s.motions).zip(&c.block_names).enumerate();
+        for (k, ((shape, m), name)) in rows {
             let [x, y] = m.translation.map(|d| 1e3 * d);
-            let [xx, yy, xy] = stress.map(|v| v / 1e6);
+            let stress = s.stresses.get(k).map(|stress| stress.map(|v| (v / 1e6).to_string()));
+            let [xx, yy, xy] = stress.unwrap_or_default();
             row(
                 &mut csv,
                 format_args!(
                     "{},{k},{name},{},{},{x},{y},{},{xx},{yy},{xy}",
-                    s.load / 1e3,
+                    s.load / unit,
                     shape.role,
                     shape.held,
                     m.rotation

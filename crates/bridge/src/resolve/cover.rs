@@ -15,7 +15,9 @@ pub(super) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> 
     if file.has("cover") && layers.is_empty() {
         return None;
     }
-    Some(Cover { depth: layers.iter().map(|layer| layer.thickness).sum(), layers, backing: backing? })
+    // From zero on, for an empty sum is minus zero.
+    let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
+    Some(Cover { depth, layers, backing: backing? })
 }
 
 fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {

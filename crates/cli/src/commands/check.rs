@@ -103,7 +103,13 @@ fn summary(bridge: &Bridge, blocks: usize, out: &str) -> String {
             pier.courses
         );
     }
-    let _ = writeln!(page, "  cover {:.3} m above the crown, {} layers", bridge.cover.depth, bridge.cover.layers.len());
+    let layers = bridge.cover.layers.len();
+    if layers > 0 {
+        let word = if layers == 1 { "layer" } else { "layers" };
+        let _ = writeln!(page, "  cover {:.3} m above the crown, {layers} {word}", bridge.cover.depth);
+    } else {
+        page += "  no cover: loads act on the extrados\n";
+    }
     for load in &bridge.loads {
         let _ = writeln!(page, "  load: {} at {:.3} m from the left springing", load.name, load.position);
     }

@@ -124,7 +124,10 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     }
     let coloured = console::colors_enabled_stderr() && console::user_attended_stderr();
     screen.remark(&if coloured { text.ansi().to_string() } else { text.to_string() });
-    let message = text.to_string().lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+    // Up to the first blank line: which arguments are missing and which values are known stand below the first.
+    let plain = text.to_string();
+    let lines: Vec<&str> = plain.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
+    let message = lines.join(" ").trim_start_matches("error: ").to_owned();
     let failure = Failure::input("F107", message, "extrados --help lists commands and options");
     if json {
         let answer = failed(&failure).into();
