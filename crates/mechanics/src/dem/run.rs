@@ -53,6 +53,7 @@ pub fn collapse(
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(model, loading)?;
+    model.check_block(program.watched.0)?;
     let belongs = fingerprint(&model, program, settings);
     let mut run = match resume {
         Some(words) => words::decode(&model, words, belongs).ok_or(ModelError::ForeignState)?,
