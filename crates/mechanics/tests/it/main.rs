@@ -9,6 +9,7 @@ mod dem_laws;
 mod dem_resume;
 mod dem_stress;
 mod dem_support;
+mod dem_time_step;
 mod limit_any;
 mod limit_arch;
 mod limit_models;
