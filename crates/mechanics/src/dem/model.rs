@@ -225,6 +225,16 @@ impl Model {
     pub(super) fn moves_supports(&self) -> bool {
         self.movement.iter().any(|m| *m != [0.0; 3])
     }
+    /// The farthest that a point of a support is moved at load factor 1 [m].
+    pub(super) fn farthest_movement(&self) -> f64 {
+        let far = |(m, b): (&[f64; 3], &Body)| m[0].hypot(m[1]) + m[2].abs() * b.reach;
+        self.movement.iter().zip(&self.bodies).map(far).fold(0.0, f64::max)
+    }
+    /// Speed of a fall from half the mean block size [m/s].
+    pub(super) fn fall_speed(&self) -> f64 {
+        let gravity = self.weight.iter().zip(&self.mass).map(|(w, m)| w.force.norm() / m[0]).fold(0.0, f64::max);
+        (gravity * self.block_size).sqrt()
+    }
     /// Poses as built.
     pub(super) fn poses(&self) -> Vec<Pose> {
         self.built.iter().map(|&c| Pose::at(c)).collect()

@@ -1,5 +1,6 @@
 //! Integration tests of the crate, in one binary.
 
+mod dem_abutment;
 mod dem_bridgemill;
 mod dem_broken;
 mod dem_contacts;
