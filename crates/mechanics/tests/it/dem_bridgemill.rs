@@ -202,15 +202,3 @@ fn the_load_rises_to_the_limit_load_with_stiffness() {
     }
     assert!(last > 0.99 * limit, "{last}");
 }
-
-/// The account closes: with fixed lengths every force is the gradient of an energy or booked as lost, and what is
-/// left of the work done is the error of central differences.
-#[test]
-fn the_energy_account_closes() {
-    let arch = bridgemill(false, 1.0);
-    for damping in [Damping::Local(0.7), Damping::Adaptive] {
-        let energy = run(&arch, None, &paper(damping, ContactLength::Fixed)).energy;
-        let work = energy.gravity.abs() + energy.loads.abs();
-        assert!(energy.drift().abs() < 1e-6 * work, "{damping:?}: {} of {work}", energy.drift());
-    }
-}

@@ -22,7 +22,6 @@ fn viscous_damping_pays_when_joints_open() {
     assert_eq!((step(&adaptive), step(&viscous)), (18.0, 18.0));
     assert_eq!(adaptive.path.len(), viscous.path.len());
     let ratio = viscous.iterations_total as f64 / adaptive.iterations_total as f64;
-    println!("iterations: viscous {} adaptive {}", viscous.iterations_total, adaptive.iterations_total);
     assert!(ratio > 2.5, "{ratio}");
     let stage = |k: usize| viscous.path[k].iterations as f64 / adaptive.path[k].iterations as f64;
     for k in 0..=6 {
@@ -41,7 +40,6 @@ fn case_2_has_the_papers_stress_in_the_stress_formulation() {
     let arch = bridgemill(true, 1.0);
     for damping in [Damping::Adaptive, Damping::Local(0.7)] {
         let outcome = run(&arch, None, &paper(damping, ContactLength::Updated));
-        println!("{damping:?}: {:.3} MPa beside 10.57", outcome.max_compressive_stress / 1e6);
         assert_eq!(step(&outcome), 28.0, "{damping:?}");
         assert!((outcome.max_compressive_stress / 10.57e6 - 1.0).abs() < 0.02, "{}", outcome.max_compressive_stress);
     }
