@@ -109,6 +109,10 @@ impl LawTable {
     pub fn uniform(groups: usize, law: ContactLaw) -> LawTable {
         LawTable { groups, laws: vec![law; groups * groups] }
     }
+    /// How many groups the table knows.
+    pub fn groups(&self) -> usize {
+        self.groups
+    }
     /// Sets the law between two groups, in both orders.
     pub fn set(&mut self, a: GroupId, b: GroupId, law: ContactLaw) {
         self.laws[a.index() * self.groups + b.index()] = law;
@@ -208,6 +212,14 @@ pub enum ModelError {
     /// A support movement is imposed on a block that is free to move that way.
     #[error("block {0} is to be moved in a direction in which it is not held")]
     MovedWhileFree(u32),
+    /// A force, a movement, a law or a program names something that the model does not have.
+    #[error("there is no {what} {id} in this model")]
+    Unknown {
+        /// What is named: a block or a group.
+        what: &'static str,
+        /// The id it is named by.
+        id: u32,
+    },
     /// Two blocks share more than their surface.
     #[error("blocks {0} and {1} overlap by {2:.6} m where they are built")]
     Overlap(u32, u32, f64),

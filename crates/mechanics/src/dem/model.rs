@@ -86,8 +86,9 @@ pub struct Model {
 
 impl Model {
     /// Sets a model up. Refuses blocks without mass, blocks that overlap, rounding that leaves nothing of an edge, laws
-    /// that are none, and movements of blocks that are free to move.
+    /// that are none, movements of blocks that are free to move, and blocks and groups that are named but not there.
     pub fn new(model: &BlockModel, loading: &Loading) -> Result<Model, ModelError> {
+        check_names(model, loading)?;
         let cores = model.cores()?;
         let n = model.blocks.len();
         let mut m = Model {
@@ -193,6 +194,10 @@ impl Model {
         Ok(())
     }
 
+    /// Refuses a block that the model does not have.
+    pub(super) fn check_block(&self, block: BlockId) -> Result<(), ModelError> {
+        known("block", block.0, self.len())
+    }
     /// Number of blocks.
     pub fn len(&self) -> usize {
         self.mass.len()
@@ -220,6 +225,16 @@ impl Model {
     pub(super) fn moves_supports(&self) -> bool {
         self.movement.iter().any(|m| *m != [0.0; 3])
     }
+    /// The farthest that a point of a support is moved at load factor 1 [m].
+    pub(super) fn farthest_movement(&self) -> f64 {
+        let far = |(m, b): (&[f64; 3], &Body)| m[0].hypot(m[1]) + m[2].abs() * b.reach;
+        self.movement.iter().zip(&self.bodies).map(far).fold(0.0, f64::max)
+    }
+    /// Speed of a fall from half the mean block size [m/s].
+    pub(super) fn fall_speed(&self) -> f64 {
+        let gravity = self.weight.iter().zip(&self.mass).map(|(w, m)| w.force.norm() / m[0]).fold(0.0, f64::max);
+        (gravity * self.block_size).sqrt()
+    }
     /// Poses as built.
     pub(super) fn poses(&self) -> Vec<Pose> {
         self.built.iter().map(|&c| Pose::at(c)).collect()
@@ -232,6 +247,19 @@ impl Model {
 /// Overlap that coordinates written with six digits may leave between blocks meant to touch, as a share of the
 /// smaller block's reach.
 const OVERLAP: f64 = 1e-5;
+
+fn known(what: &'static str, id: u32, count: usize) -> Result<(), ModelError> {
+    if (id as usize) < count { Ok(()) } else { Err(ModelError::Unknown { what, id }) }
+}
+
+/// Every block and group that is named must be there.
+fn check_names(model: &BlockModel, loading: &Loading) -> Result<(), ModelError> {
+    let forces = loading.permanent.iter().chain(&loading.variable).map(|f| f.block);
+    for block in forces.chain(loading.movements.iter().map(|m| m.block)) {
+        known("block", block.0, model.blocks.len())?;
+    }
+    model.blocks.iter().try_for_each(|b| known("group", b.group.index() as u32, model.laws.groups()))
+}
 
 fn check_law(law: &ContactLaw) -> Result<(), ModelError> {
     let at_least_zero = |what, value: f64| if value >= 0.0 { Ok(()) } else { Err(ModelError::Law { what, value }) };

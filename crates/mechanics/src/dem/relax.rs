@@ -159,7 +159,7 @@ fn gains_energy(model: &Model, state: &State) -> bool {
 }
 
 /// The block that broke: the first whose numbers are not finite, otherwise the fastest.
-fn culprit(model: &Model, state: &State) -> BlockId {
+pub(super) fn culprit(model: &Model, state: &State) -> BlockId {
     let speed = |i: usize| {
         let v = &state.velocities[i];
         v[0].abs() + v[1].abs() + v[2].abs() * model.cores.as_slice()[i].reach

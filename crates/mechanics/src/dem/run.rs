@@ -4,7 +4,7 @@ use super::account::{contacts, energy, frame, set_factor};
 use super::fingerprint::fingerprint;
 use super::model::Model;
 use super::outcome::{Frame, Outcome, PathPoint, Status};
-use super::relax::{Settled, Stage, settle};
+use super::relax::{Settled, Stage, culprit, settle};
 use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin, critical_time_step, step};
@@ -15,8 +15,13 @@ use crate::watch::{Progress, Watch, Wish};
 /// Iterations between looks at the onlooker.
 const CHUNK: u64 = 5_000;
 
-/// Iterations over which a support movement is spread.
+/// Iterations in which a moved support reaches its speed, and in which it stops again: many of the shortest period, so
+/// that it sets nothing ringing. Numerical damping would brake what moves along as long as it rings.
 const RAMP: u64 = 2_000;
+
+/// Fastest that a support may move, as a share of the speed of a fall from half the mean block size. An abutment that
+/// runs away from its arch faster than the arch comes down lets go of it and is hit afterwards.
+const SUPPORT_SPEED: f64 = 0.01;
 
 /// A run and all it has found so far; what a checkpoint holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +58,7 @@ pub fn collapse(
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(model, loading)?;
+    model.check_block(program.watched.0)?;
     let belongs = fingerprint(&model, program, settings);
     let mut run = match resume {
         Some(words) => words::decode(&model, words, belongs).ok_or(ModelError::ForeignState)?,
@@ -99,42 +105,84 @@ fn start(model: &Model, settings: &Settings) -> Run {
 
 /// Runs the present stage for a while.
 fn advance(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings) -> Settled {
-    move_supports(model, run, work, settings);
+    if model.moves_supports() && run.state.support_factor != run.state.factor {
+        return walk_supports(model, &mut run.state, work, settings);
+    }
     let Run { state, stage, frames, .. } = run;
     settle(model, state, stage, work, settings, CHUNK, &mut |s| frames.push(frame(model, s)))
 }
 
-/// Walks moved supports to where the load factor wants them, slowly enough not to knock.
-fn move_supports(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings) {
-    let change = run.state.factor - run.state.support_factor;
-    if !model.moves_supports() || change == 0.0 {
-        return;
+/// Walks moved supports some of the way to where the load factor wants them: evenly faster up to their speed, and
+/// evenly slower towards the end.
+fn walk_supports(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings) -> Settled {
+    // Without gravity there is no speed of a fall: a thousandth of a block while the speed is reached.
+    let without_weight = 1e-3 * model.block_size / (RAMP as f64 * state.time_step);
+    let fall = model.fall_speed();
+    let fastest = if fall > 0.0 { SUPPORT_SPEED * fall } else { without_weight } / model.farthest_movement();
+    let faster = fastest / (RAMP as f64 * state.time_step);
+    for _ in 0..CHUNK {
+        let left = state.factor - state.support_factor;
+        let before = support_rate(model, state);
+        let towards = before * left.signum() + faster * state.time_step;
+        let rate = towards.min(fastest).min((2.0 * faster * left.abs()).sqrt()) * left.signum();
+        let arrives = !(rate.abs() * state.time_step < left.abs());
+        set_supports_moving(model, state, if arrives { left / state.time_step } else { rate });
+        let report = step(model, state, work, settings);
+        let rate = support_rate(model, state);
+        // The time step may have shrunk in this step.
+        state.support_factor += rate * state.time_step;
+        state.support_work += support_power(model, state) * state.time_step;
+        if !(report.moved <= 0.1 * model.least_reach) {
+            return Settled::Broken(culprit(model, state));
+        }
+        if arrives {
+            state.support_factor = state.factor;
+            set_supports_moving(model, state, 0.0);
+            break;
+        }
     }
-    let rate = change / (RAMP as f64 * run.state.time_step);
-    let walk = |state: &mut State, rate: f64| {
-        for ((v, m), inverse) in state.velocities.iter_mut().zip(&model.movement).zip(&model.inverse_mass) {
-            for c in 0..3 {
-                if inverse[c] == 0.0 {
-                    v[c] = m[c] * rate;
-                }
+    Settled::Going
+}
+
+/// Rate of the load factor at which the supports move now [1/s].
+fn support_rate(model: &Model, state: &State) -> f64 {
+    let motions = state.velocities.iter().flatten().zip(model.movement.iter().flatten());
+    motions.filter(|(_, m)| **m != 0.0).map(|(v, m)| v / m).next().unwrap_or(0.0)
+}
+
+/// Gives the supports the velocity of a load factor that changes at `rate` [1/s].
+fn set_supports_moving(model: &Model, state: &mut State, rate: f64) {
+    for ((v, m), inverse) in state.velocities.iter_mut().zip(&model.movement).zip(&model.inverse_mass) {
+        for c in 0..3 {
+            if inverse[c] == 0.0 {
+                v[c] = m[c] * rate;
             }
         }
-    };
-    walk(&mut run.state, rate);
-    for _ in 0..RAMP {
-        step(model, &mut run.state, work, settings);
-        let mut power = 0.0;
-        for i in 0..model.len() {
-            for c in 0..3 {
-                if model.movement[i][c] != 0.0 {
-                    power -= run.state.contact_forces[i][c] * run.state.velocities[i][c];
-                }
+    }
+}
+
+/// Power of what holds the moved supports [W/m]: it balances the contacts and, on a block that is free in another
+/// direction and whose weight and loads are therefore in the account, those too.
+fn support_power(model: &Model, state: &State) -> f64 {
+    let mut power = 0.0;
+    for i in 0..model.len() {
+        if model.movement[i] == [0.0; 3] {
+            continue;
+        }
+        let mut force = state.contact_forces[i];
+        if model.inverse_mass[i] != [0.0; 3] {
+            let (acting, turn) = (model.acting(i, state.factor), &state.poses[i].rotation);
+            force[0] += acting.force.x;
+            force[1] += acting.force.y;
+            force[2] += turn.cos * acting.cross - turn.sin * acting.dot;
+        }
+        for c in 0..3 {
+            if model.inverse_mass[i][c] == 0.0 {
+                power -= force[c] * state.velocities[i][c];
             }
         }
-        run.state.support_work += power * run.state.time_step;
     }
-    walk(&mut run.state, 0.0);
-    run.state.support_factor = run.state.factor;
+    power
 }
 
 /// Books the end of a stage.

@@ -2,9 +2,9 @@
 
 use crate::dem_bridgemill::{bridgemill, paper, program};
 use crate::dem_support::{Scene, dry, settings};
-use mechanics::blocks::{ContactLaw, Held, ModelError, Movement, Stiffness};
+use mechanics::blocks::{ContactLaw, Held, ModelError, Movement, PointForce, Stiffness};
 use mechanics::dem::{ContactLength, Damping, Model, Outcome, Program, Settings, Status, collapse};
-use mechanics::ids::BlockId;
+use mechanics::ids::{BlockId, GroupId};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Unwatched;
 
@@ -107,6 +107,32 @@ fn nothing_free_is_refused_and_so_is_moving_what_is_free() {
     assert!(Model::new(&scene.model(), &scene.loading).is_ok());
     scene.loading.movements = vec![movement(vec2(0.0, 0.01))];
     assert_eq!(refused(&scene), ModelError::MovedWhileFree(guided.0));
+}
+
+/// The stack has blocks 0 to 4 and one group.
+#[test]
+fn what_the_model_does_not_have_is_named() {
+    let force = PointForce { block: BlockId(5), at: Vec2::ZERO, force: vec2(0.0, -1.0) };
+    let unknown = |what, id| ModelError::Unknown { what, id };
+    let mut scene = stack();
+    scene.loading.permanent = vec![force];
+    assert_eq!(refused(&scene), unknown("block", 5));
+    let mut scene = stack();
+    scene.loading.variable = vec![PointForce { block: BlockId(u32::MAX), ..force }];
+    assert_eq!(refused(&scene), unknown("block", u32::MAX));
+    let mut scene = stack();
+    scene.loading.movements = vec![Movement { block: BlockId(7), translation: Vec2::ZERO, rotation: 0.0 }];
+    assert_eq!(refused(&scene), unknown("block", 7));
+    let mut model = stack().model();
+    let mut stranger = model.blocks[BlockId(2)].clone();
+    stranger.group = GroupId(1);
+    model.blocks.push(stranger);
+    assert_eq!(Model::new(&model, &Default::default()).err(), Some(unknown("group", 1)));
+    let scene = stack();
+    let program = Program { increment: 0.5, limit: 1.0, resolution: None, watched: (BlockId(5), Vec2::ZERO) };
+    let s = settings(Damping::Local(0.7));
+    let outcome = collapse(&scene.model(), &scene.loading, &program, &s, None, &mut Unwatched);
+    assert_eq!(outcome.err(), Some(unknown("block", 5)));
 }
 
 /// Without gravity there is nothing to carry until the load comes; without increments there is an end all the same.

@@ -1,8 +1,10 @@
 //! A stopped run goes on as if nothing had happened, and only from what was kept for it.
 
 use crate::dem_bridgemill::{INCREMENT, bridgemill, paper, program};
-use mechanics::blocks::{BlockModel, Loading, ModelError};
+use mechanics::blocks::{BlockModel, Loading, ModelError, Movement};
 use mechanics::dem::{ContactLength, Damping, Outcome, Program, Settings, collapse};
+use mechanics::ids::BlockId;
+use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 
 /// Stops at the look with this number and keeps what it was offered last.
@@ -70,6 +72,25 @@ fn a_resumed_run_ends_in_the_same_bits() {
             kept = Some(watch.kept);
         }
         let resumed = collapse(&model, &loading, &program, &settings, kept.as_deref(), &mut Unwatched).unwrap();
+        assert_eq!(bits(&resumed), bits(&undisturbed));
+    }
+}
+
+/// The same while supports are on their way, some of them between two looks.
+#[test]
+fn a_run_stopped_while_supports_move_ends_in_the_same_bits() {
+    let (model, mut loading) = bridgemill(false, 1.0);
+    loading.variable.clear();
+    loading.movements = vec![Movement { block: BlockId(63), translation: vec2(1.0, 0.0), rotation: 0.0 }];
+    let program = Program { increment: 0.03, limit: 0.03, ..program(None) };
+    let settings = paper(Damping::Adaptive, ContactLength::Fixed);
+    let undisturbed = collapse(&model, &loading, &program, &settings, None, &mut Unwatched).unwrap();
+    for look in [0, 1] {
+        let mut watch = StopAt::look(look);
+        let stopped = collapse(&model, &loading, &program, &settings, None, &mut watch).unwrap();
+        assert_eq!((stopped.status, stopped.path.len()), (mechanics::dem::Status::Cancelled, 1));
+        let kept = Some(&watch.kept[..]);
+        let resumed = collapse(&model, &loading, &program, &settings, kept, &mut Unwatched).unwrap();
         assert_eq!(bits(&resumed), bits(&undisturbed));
     }
 }
