@@ -325,7 +325,7 @@ impl Touch {
         let one_n = -(points.along + points.s[k]);
         let moved = (part + spins.1 * (one_n + points.between.x) - spins.0 * one_n).abs() * dt;
         let overlap = points.overlap[k] - memory.crushed;
-        if overlap < moved && overlap > 0.0 {
+        if overlap < moved && overlap > 0.0 && least == 0.0 {
             compression *= 0.5 * (1.0 + overlap / moved);
         }
         let one_d = points.across + points.lift(k);

@@ -9,11 +9,12 @@ fn step(outcome: &Outcome) -> f64 {
     outcome.collapse_factor.unwrap() / INCREMENT
 }
 
-/// Viscous damping that is critical in the lowest mode of the arch as built finds the same load at 2.7 times the
-/// iterations of adaptive damping (127,260 beside 46,720), not three times: up to the seventh load step the joints
+/// Viscous damping that is critical in the lowest mode of the arch as built finds the same load at 2.4 times the
+/// iterations of adaptive damping (127,260 beside 53,720), not three times: up to the seventh load step the joints
 /// stay closed, that mode is still the lowest, and critical damping in it cannot be bettered; both take about 1,700
 /// iterations a step. The price comes with the open joints, whose lowest frequency falls while the damping stays:
-/// a step near collapse takes about four times as long, and so does the collapse itself, more than eight times.
+/// a step then takes twice
+/// as long, the last ones before collapse three times, and the collapse itself nine times.
 #[test]
 fn viscous_damping_pays_when_joints_open() {
     let arch = bridgemill(false, 1.0);
@@ -22,13 +23,13 @@ fn viscous_damping_pays_when_joints_open() {
     assert_eq!((step(&adaptive), step(&viscous)), (18.0, 18.0));
     assert_eq!(adaptive.path.len(), viscous.path.len());
     let ratio = viscous.iterations_total as f64 / adaptive.iterations_total as f64;
-    assert!(ratio > 2.5, "{ratio}");
+    assert!(ratio > 2.2, "{ratio}");
     let stage = |k: usize| viscous.path[k].iterations as f64 / adaptive.path[k].iterations as f64;
     for k in 0..=6 {
         assert!((0.8..1.25).contains(&stage(k)), "step {k}: {}", stage(k));
     }
     for k in 16..=18 {
-        assert!(stage(k) > 3.0, "step {k}: {}", stage(k));
+        assert!(stage(k) > 2.5, "step {k}: {}", stage(k));
     }
 }
 
