@@ -56,7 +56,10 @@ pub fn collapse_by_dem(
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
-    let rigid = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?;
+    // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
+    // limit analysis lets a joint crush under its edge.
+    let uncrushed = limit::Settings { crushing: false, ..by_limit::settings(bridge) };
+    let rigid = limit::collapse_load(&d.model, &d.loading, &uncrushed)?;
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
     let (mut chosen, plan) = (Vec::new(), &bridge.plan);
@@ -94,6 +97,10 @@ pub fn collapse_by_dem(
     c.limit_load = limit_load.map(|f| f * d.reference_load);
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     notes::dem(bridge, &d, &mut c);
+    if by_limit::settings(bridge).crushing {
+        let crushed = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
+        notes::crushed(c.last_stable_load, crushed.map(|f| f * d.reference_load), &mut c.warnings);
+    }
     Ok(c)
 }
 

@@ -91,6 +91,20 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
 }
 
+/// Says so where limit analysis with crushing joints carries less than the discrete elements did [N/m].
+pub fn crushed(stable: Option<f64>, crushing: Option<f64>, warnings: &mut Vec<Warning>) {
+    if let (Some(stable), Some(crushing)) = (stable, crushing)
+        && stable > crushing
+    {
+        let message = format!(
+            "last stable load {:.2} kN/m, limit load of joints that crush at their edges {:.2} kN/m: use the smaller",
+            stable / 1e3,
+            crushing / 1e3
+        );
+        warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+    }
+}
+
 fn inset(bridge: &Bridge) -> Warning {
     let thickness: f64 = bridge.spans[0].rings.iter().map(|r| r.crown_thickness).sum();
     let r = bridge.masonry.rounding;

@@ -188,7 +188,7 @@ pub struct Collapse {
     pub load_step: Option<f64>,
     /// Load of the file: a load factor of one [N/m].
     pub reference_load: f64,
-    /// Limit load of the same blocks with infinitely stiff joints [N/m], beside a discrete element run.
+    /// Limit load of the same blocks with infinitely stiff joints that never crush [N/m], beside a discrete element run.
     pub limit_load: Option<f64>,
     /// Hinges of the mechanism.
     pub hinges: Vec<Hinge>,
