@@ -263,9 +263,8 @@ impl Touch {
             self.update_lengths(&points);
         }
         let (v1, v2) = velocities;
-        let (vx, vy) = (v2[0] - v1[0], v2[1] - v1[1]);
-        let glide = vec2(vx, vy).dot(points.direction);
-        let part = vec2(vx, vy).dot(points.normal());
+        let relative = vec2(v2[0] - v1[0], v2[1] - v1[1]);
+        let glide = relative.dot(points.direction);
         let (mut compression, mut shear) = (0.0, 0.0);
         let mut reaction = Reaction::default();
         // Always two rounds, so that the loop is unrolled; an open or missing point costs one comparison.
@@ -275,7 +274,7 @@ impl Touch {
                 continue;
             }
             let Some((n, s)) =
-                self.point_force(k, &points, (glide, part), (v1[2], v2[2]), dt, &mut reaction.dissipated)
+                self.point_force(k, &points, (glide, relative), (v1[2], v2[2]), dt, &mut reaction.dissipated)
             else {
                 continue;
             };
@@ -300,7 +299,7 @@ impl Touch {
         &mut self,
         k: usize,
         points: &Points,
-        (glide, part): (f64, f64),
+        (glide, relative): (f64, Vec2),
         spins: (f64, f64),
         dt: f64,
         dissipated: &mut f64,
@@ -322,11 +321,15 @@ impl Touch {
         let mut compression = stress * length;
         // A point that closed or will open within one step pushes for a part of the step only; with this force it gives
         // back just the energy that its overlap holds.
-        let one_n = -(points.along + points.s[k]);
-        let moved = (part + spins.1 * (one_n + points.between.x) - spins.0 * one_n).abs() * dt;
-        let overlap = points.overlap[k] - memory.crushed;
-        if overlap < moved && overlap > 0.0 && least == 0.0 {
-            compression *= 0.5 * (1.0 + overlap / moved);
+        let opens = 2.0 * compression < memory.compression;
+        if (opens || !memory.closed) && least == 0.0 {
+            let one_n = -(points.along + points.s[k]);
+            let spin = spins.1 * (one_n + points.between.x) - spins.0 * one_n;
+            let moved = (relative.dot(points.normal()) + spin).abs() * dt;
+            let overlap = points.overlap[k] - memory.crushed;
+            if overlap < moved {
+                compression *= 0.5 * (1.0 + overlap / moved);
+            }
         }
         let one_d = points.across + points.lift(k);
         let slip_rate = glide + spins.1 * (one_d - points.between.y) - spins.0 * one_d;
