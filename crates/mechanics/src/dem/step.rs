@@ -168,9 +168,8 @@ fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspa
 }
 
 /// Sets the viscosity to critical at the frequency of the present motion, its Rayleigh quotient (Underwood 1983,
-/// Papadrakakis 1981). Bridgemill case 1 and 2 take 53,660 and 77,480 iterations so; at 0.8 of critical 46,720 and
-/// 69,540, but then blocks swing more often through the opening and closing of joints, and the energy account of
-/// case 1 drifts by 3.4e-6 of the work in place of 0.8e-6.
+/// Papadrakakis 1981). Bridgemill case 1 and 2 take 53,660 and 77,480 iterations so (tolerance 1e-5); at 0.8 of
+/// critical 46,720 and 69,540, at 0.5 of it 59,720 and 90,160. Critical leaves the margin against swinging.
 fn adapt(model: &Model, state: &mut State) {
     let (mut stiff, mut kinetic) = (0.0, 0.0);
     let rows =
