@@ -103,17 +103,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
     };
     let stands = (outcome.status != limit::MovementStatus::NoEquilibrium).then_some(outcome.stands);
     c.support = Some(SupportReport { last_stable: stands, collapse: outcome.falls, step });
-    c.limit = Some(LimitReport {
-        friction: "associated",
-        lower_bound: None,
-        upper_bound: None,
-        associated_load: None,
-        spread: None,
-        unlimited_strength_load: None,
-        equilibrium_residual: None,
-        yield_violation: None,
-        iterations: outcome.path.len() as u32,
-    });
+    c.limit = Some(LimitReport::without_bounds(outcome.path.len() as u32));
     notes::limit(bridge, d, &mut c);
     c.assumptions.retain(|a| !a.contains("displacements before collapse"));
     c.assumptions.push("Rigid blocks that follow the support as a mechanism; displacements are large.".into());

@@ -28,6 +28,23 @@ pub enum Status {
     Completed,
 }
 
+impl LimitReport {
+    /// Of an analysis that searches through many loads or shapes and bounds none of them by itself.
+    pub(super) fn without_bounds(iterations: u32) -> LimitReport {
+        LimitReport {
+            friction: "associated",
+            lower_bound: None,
+            upper_bound: None,
+            associated_load: None,
+            spread: None,
+            unlimited_strength_load: None,
+            equilibrium_residual: None,
+            yield_violation: None,
+            iterations,
+        }
+    }
+}
+
 impl Collapse {
     /// A result with nothing found yet, for analyses to fill.
     pub(super) fn blank(bridge: &Bridge, d: &Discretised, analysis: Analysis, picture: Picture) -> Collapse {

@@ -113,17 +113,7 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     if let (Some(fell), Some(stood)) = (found.falls, found.stands) {
         c.thickness = Some(report(bridge, [fell, stood]));
     }
-    c.limit = Some(LimitReport {
-        friction: "associated",
-        lower_bound: None,
-        upper_bound: None,
-        associated_load: None,
-        spread: None,
-        unlimited_strength_load: None,
-        equilibrium_residual: None,
-        yield_violation: None,
-        iterations: found.trials,
-    });
+    c.limit = Some(LimitReport::without_bounds(found.trials));
     notes::limit(bridge, &shown, &mut c);
     Ok(c)
 }
