@@ -8,8 +8,8 @@ use crate::outcome::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint}
 use crate::warning::{self, Warning};
 use bridge::{Analysis, Bridge, ContactLength, Damping, Method};
 use mechanics::blocks::interfaces;
-use mechanics::dem;
-use mechanics::ids::{BlockId, Id};
+use mechanics::dem::{self, Body};
+use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
@@ -111,7 +111,7 @@ fn round_down(value: f64) -> f64 {
 }
 
 /// How a run ended, for an engineer, and where it broke off.
-pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
+pub fn status(outcome: &dem::Outcome) -> (Status, Option<(Body, u64)>) {
     match outcome.status {
         dem::Status::Collapsed => (Status::Collapsed, None),
         dem::Status::StableToLastLoad => (Status::StableToLastLoad, None),
@@ -119,7 +119,7 @@ pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
         dem::Status::UnstableUnderSelfWeight => (Status::UnstableUnderSelfWeight, None),
         dem::Status::StepLimit => (Status::StepLimit, None),
         dem::Status::Cancelled => (Status::Cancelled, None),
-        dem::Status::Broken { block, step } => (Status::NotConverged, Some((block, step))),
+        dem::Status::Broken { body, step } => (Status::NotConverged, Some((body, step))),
     }
 }
 
@@ -155,7 +155,7 @@ pub fn report(bridge: &Bridge, d: &Discretised, outcome: &dem::Outcome, title: &
             ContactLength::Updated => "updated",
         },
         energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
-        broken_at: broken.map(|(block, step)| (d.origins[block].name(), step)),
+        broken_at: broken.map(|(body, step)| (d.body_name(body), step)),
     });
     c
 }

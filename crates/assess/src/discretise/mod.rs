@@ -14,6 +14,7 @@ use curve::Curve;
 use dispersal::Spread;
 use extrados::{Extrados, Stretch};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, Movement};
+use mechanics::dem::Body;
 use mechanics::ids::{BlockId, GroupId, Id, Table};
 use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
 use supports::Skewback;
@@ -156,6 +157,16 @@ pub enum DiscretiseError {
     },
 }
 
+impl Discretised {
+    /// A name for a block or a particle.
+    pub fn body_name(&self, body: Body) -> String {
+        match body {
+            Body::Block(block) => self.origins[block].name(),
+            Body::Particle(particle) => format!("particle {}", particle.0 + 1),
+        }
+    }
+}
+
 /// Cuts a bridge into blocks and brings cover and loads onto them.
 pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let mut build = Build::new(bridge);
@@ -275,6 +286,7 @@ impl<'a> Build<'a> {
         let model = BlockModel {
             laws: self.laws(),
             blocks: self.blocks,
+            particles: Table::default(),
             groups: self.groups,
             gravity: vec2(0.0, -bridge.gravity),
         };

@@ -219,7 +219,8 @@ impl Blocks {
             least_length: j.least_length_m.unwrap_or(0.01 * smallest),
         };
         let groups = ["blocks".to_string()].into_iter().collect();
-        let model = BlockModel { blocks, groups, laws: LawTable::uniform(1, law), gravity };
+        let model =
+            BlockModel { blocks, particles: Table::default(), groups, laws: LawTable::uniform(1, law), gravity };
         Ok((model, Loading { permanent, variable, movements: Vec::new() }))
     }
 

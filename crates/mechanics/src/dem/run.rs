@@ -231,7 +231,7 @@ fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _se
             run.stalled = settled == Settled::Stalled;
         }
         Settled::StepLimit => return Some(Status::StepLimit),
-        Settled::Broken(block) => return Some(Status::Broken { block, step: run.state.steps }),
+        Settled::Broken(body) => return Some(Status::Broken { body, step: run.state.steps }),
         Settled::Going => return None,
     }
     let low = run.low.unwrap_or(0.0);
