@@ -90,7 +90,7 @@ fn stretch(
             .loads
             .iter()
             .flat_map(|load| dispersal::strips(&load.kind, load.position + offset))
-            .map(|strip| dispersal::spread(strip, bridge.dispersal, d.surface, &d.extrados))
+            .map(|strip| d.spread(bridge, strip))
             .collect();
         let n = spreads.len();
         let runs: Vec<[usize; 2]> = match subsets && vehicle {
