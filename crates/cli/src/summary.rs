@@ -1,6 +1,6 @@
 //! The answer of a collapse analysis in an engineer's words.
 
-use assess::analysis::{Collapse, Sweep};
+use assess::analysis::{Collapse, Combination, Sweep};
 use assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
 use std::fmt::Write;
@@ -18,9 +18,15 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
     }
     mechanism(&mut page, found);
     effort(&mut page, found);
+    if let Some(both) = &found.combination {
+        combination(&mut page, both);
+    }
     if !found.assumptions.is_empty() {
         page += "\nThis assumes:\n";
-        for line in &found.assumptions {
+        let walls = found.wall_strip.iter().flat_map(|wall| &wall.assumptions);
+        let both = found.combination.iter().flat_map(|both| &both.assumptions);
+        let more = walls.chain(both).filter(|line| !found.assumptions.contains(line));
+        for line in found.assumptions.iter().chain(more) {
             let _ = writeln!(page, "  - {line}");
         }
     }
@@ -76,6 +82,7 @@ fn loads(page: &mut String, found: &Collapse) {
         line("upper bound", limit.upper_bound);
         let own = |load: &f64| found.collapse_load != Some(*load);
         line("associated friction", limit.associated_load.filter(own));
+        line("without dilation", limit.non_associated_load);
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
     factor(page, found);
@@ -98,6 +105,35 @@ fn factor(page: &mut String, found: &Collapse) {
             found.reference_load / 1e3
         );
     }
+}
+
+/// Both strips and their sum.
+fn combination(page: &mut String, both: &Combination) {
+    let load = |load: Option<f64>, digits| load.map_or("-".to_owned(), |load| format!("{:.digits$}", load / 1e3));
+    page.push_str("\n  strip   width [m]   last stable [kN/m]   collapse [kN/m]   collapse [kN]\n");
+    for part in &both.components {
+        let whole = part.collapse_load.map(|load| load * part.width);
+        let _ = writeln!(
+            page,
+            "  {:<6}  {:>9.2}   {:>18}   {:>15}   {:>13}   {}",
+            part.strip,
+            part.width,
+            load(part.last_stable_load, 2),
+            load(part.collapse_load, 2),
+            load(whole, 0),
+            part.status.word().replace('-', " ")
+        );
+    }
+    let width: f64 = both.components.iter().map(|part| part.width).sum();
+    let (stable, whole) = (both.last_stable_load, both.collapse_load);
+    let _ = writeln!(
+        page,
+        "  {:<6}  {width:>9.2}   {:>18}   {:>15}   {:>13}",
+        "both",
+        load(stable.map(|load| load / width), 2),
+        load(whole.map(|load| load / width), 2),
+        load(whole, 0)
+    );
 }
 
 fn thickness(page: &mut String, found: &Collapse) {

@@ -484,6 +484,10 @@ fn spread(bridge: &Bridge, road: Option<&Extrados>, extrados: &Extrados, surface
 }
 
 impl Discretised {
+    /// The load at a load factor [N/m], with the weight of loading blocks.
+    pub fn load(&self, factor: f64) -> f64 {
+        self.counted_weight + factor * self.reference_load
+    }
     /// How a strip on the surface reaches the blocks; for loads that move.
     pub fn spread(&self, bridge: &Bridge, strip: Strip) -> Spread {
         spread(bridge, self.road.as_ref(), &self.extrados, self.surface, strip)

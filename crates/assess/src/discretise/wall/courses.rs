@@ -9,6 +9,10 @@ use super::line::Segment;
 use super::{Layout, Piece, WallError, outline};
 use mechanics::plane::{Vec2, vec2};
 
+/// Where a cut may as well be left out, it keeps this multiple of the least thickness from the next one: pieces of the
+/// least thickness are left only where corners of the line demand them.
+const COMFORT: f64 = 2.0;
+
 /// A stretch of the line on which a course, or a bed, runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Stretch {
@@ -68,14 +72,14 @@ fn with_room(line: &[Segment], above: &[Stretch], level: f64, least: f64) -> Vec
             // What is left beside the end must be wide enough for a piece of the course above.
             (true, false) => {
                 let end = stretch.from + (stretch.to - stretch.from) * left / (left - right);
-                Stretch { to: end.min(stretch.to - least), ..*stretch }
+                Stretch { to: end.min(stretch.to - COMFORT * least), ..*stretch }
             }
             (false, true) => {
                 let end = stretch.to - (stretch.to - stretch.from) * right / (right - left);
-                Stretch { from: end.max(stretch.from + least), ..*stretch }
+                Stretch { from: end.max(stretch.from + COMFORT * least), ..*stretch }
             }
         };
-        if kept.to - kept.from >= least || (left >= 0.0 && right >= 0.0) {
+        if kept.to - kept.from >= COMFORT * least || (left >= 0.0 && right >= 0.0) {
             found.push(kept);
         }
     }
@@ -165,7 +169,7 @@ fn head_joints(cuts: &mut Vec<f64>, course: usize, layout: &Layout) {
     while origin + k * layout.length < last {
         let x = origin + k * layout.length;
         let at = cuts.partition_point(|&c| c < x);
-        if at > 0 && at < cuts.len() && x - cuts[at - 1] >= layout.least && cuts[at] - x >= layout.least {
+        if at > 0 && at < cuts.len() && x - cuts[at - 1] >= COMFORT * layout.least && cuts[at] - x >= COMFORT * layout.least {
             cuts.insert(at, x);
         }
         k += 1.0;
