@@ -158,12 +158,17 @@ fn movement(page: &mut String, found: &Collapse) {
 }
 
 fn mechanism(page: &mut String, found: &Collapse) {
-    let count = found.hinges.len();
+    let (ring, wall): (Vec<&Hinge>, Vec<&Hinge>) =
+        found.hinges.iter().partition(|hinge| hinge.edge != HingeAt::Other || found.hinges.len() <= MOST_HINGES);
+    let count = ring.len();
     if count > MOST_HINGES {
         let _ = writeln!(page, "  {:<22}  {count}, see hinges.csv", "hinges");
     } else if count > 0 {
-        let places: Vec<String> = found.hinges.iter().map(hinge).collect();
+        let places: Vec<String> = ring.into_iter().map(hinge).collect();
         let _ = writeln!(page, "  {:<22}  {count} at x [m] = {}", "hinges", places.join(", "));
+    }
+    if !wall.is_empty() {
+        let _ = writeln!(page, "  {:<22}  {} more outside the ring, see hinges.csv", "", wall.len());
     }
     if !found.sliding_joints.is_empty() {
         let _ = writeln!(page, "  {:<22}  {}", "sliding joints", found.sliding_joints.len());

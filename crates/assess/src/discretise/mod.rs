@@ -80,6 +80,10 @@ impl Origin {
             Origin::LoadingBlock { .. } => "block",
         }
     }
+    /// Whether it is part of the arches and what they stand on, and not of what stands on them.
+    pub fn is_arch(self) -> bool {
+        !matches!(self, Origin::Brick { .. } | Origin::EndWall { .. } | Origin::LoadingBlock { .. })
+    }
     /// A name for tables and messages, counted from 1.
     pub fn name(self) -> String {
         match self {

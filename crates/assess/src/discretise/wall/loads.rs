@@ -39,3 +39,44 @@ fn shares(strip: Strip, bricks: &[&Stretch]) -> Option<Vec<PointForce>> {
     let forces: Vec<f64> = bricks.iter().map(|s| share(s)).collect();
     forces.iter().all(|&f| f >= 0.0).then(|| bricks.iter().zip(forces).map(|(s, f)| push(s, middle(s), f)).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechanics::ids::BlockId;
+
+    /// Bricks of 0.6 m from x = 0 on.
+    fn road() -> Extrados {
+        let brick = |k: u32| Stretch {
+            block: BlockId(k),
+            left: vec2(0.6 * f64::from(k), 1.0),
+            right: vec2(0.6 * f64::from(k + 1), 1.0),
+            ground: false,
+        };
+        Extrados { stretches: (0..20).map(brick).collect(), line: vec![vec2(0.0, 1.0), vec2(12.0, 1.0)] }
+    }
+
+    #[test]
+    fn bricks_carry_the_whole_load_where_it_stands() {
+        for count in [None, Some(1), Some(2), Some(3), Some(5)] {
+            for middle in [4.2, 4.575, 4.79, 5.1] {
+                let strip = Strip { middle, length: 0.75, force: 1e3 };
+                let s = on_bricks(strip, count, &road(), 1.0);
+                let down: f64 = s.forces.iter().map(|f| -f.force.y).sum();
+                let moment: f64 = s.forces.iter().map(|f| -f.force.y * f.at.x).sum();
+                // Round-off only.
+                assert!((down - 1e3).abs() < 1e-9, "{count:?} at {middle}");
+                assert!((moment - 1e3 * middle).abs() < 1e-8, "{count:?} at {middle}");
+                assert!(s.forces.iter().all(|f| f.force.y <= 0.0));
+                assert!(count.is_none_or(|count| s.forces.len() == count));
+            }
+        }
+    }
+
+    #[test]
+    fn two_bricks_beside_a_head_joint_carry_half_each() {
+        let s = on_bricks(Strip { middle: 4.8, length: 0.75, force: 1e3 }, Some(2), &road(), 1.0);
+        let forces: Vec<f64> = s.forces.iter().map(|f| -f.force.y).collect();
+        assert!(forces.len() == 2 && forces.iter().all(|f| (f - 500.0).abs() < 1e-9), "{forces:?}");
+    }
+}
