@@ -9,7 +9,7 @@ pub type Point = [f64; 2];
 pub struct Shape {
     /// Outline, counter-clockwise [m].
     pub outline: Vec<Point>,
-    /// What it is: "voussoir", "abutment", "pier", "backing", "block".
+    /// What it is: "voussoir", "abutment", "pier", "backing", "wall", "block".
     pub role: String,
     /// Whether it is a support.
     pub held: bool,

@@ -23,6 +23,8 @@ pub struct Bridge {
     pub joint: Joint,
     /// Joints between rings of one span; `joint` where the file gives none.
     pub ring_joint: Joint,
+    /// Walls of coursed masonry that stand on the rings, where the file describes them.
+    pub spandrel_wall: Option<SpandrelWall>,
     /// What lies above the rings, from the extrados up.
     pub cover: Cover,
     /// What is placed on the road or rail, in the order of the file.
@@ -122,6 +124,49 @@ pub struct Joint {
     pub least_length: Option<f64>,
 }
 
+/// Spandrel walls: coursed masonry on the extrados, all walls of the bridge taken together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpandrelWall {
+    /// Length of a brick [m].
+    pub brick_length: f64,
+    /// Height of a course [m].
+    pub brick_height: f64,
+    /// Thickness of all walls together across the bridge [m].
+    pub thickness: f64,
+    /// Share of a brick by which every other course is shifted.
+    pub bond: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+    /// Radius of the bricks' rounded corners [m].
+    pub rounding: f64,
+    /// Joints between bricks, and between bricks and whatever they stand on.
+    pub joint: Joint,
+    /// Level of the wall's top above the highest crown's extrados [m]; the road surface where the file gives none.
+    pub top: Option<f64>,
+    /// How far the wall reaches behind the outer springings at the extrados [m]; to the abutments' backs where the file
+    /// gives none.
+    pub extent: Option<f64>,
+    /// Whether fixed walls stand at both ends.
+    pub end_walls: bool,
+    /// Where courses are counted from.
+    pub courses_from: CoursesFrom,
+    /// Place of a head joint of the uppermost course [m]; the middle of the bridge where the file gives none.
+    pub head_joint: Option<f64>,
+    /// How many bricks of the uppermost course carry a load; none: those under it, each by its loaded length.
+    pub loaded_bricks: Option<usize>,
+    /// Share of a brick's height, its length or a voussoir's back, whichever is least, below which no piece is left.
+    pub least_piece: f64,
+}
+
+/// Where the courses of a wall are counted from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CoursesFrom {
+    /// From the top down: the uppermost course is whole.
+    Top,
+    /// From the level of the springings up.
+    Springings,
+}
+
 /// What lies above the extrados.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cover {
@@ -181,6 +226,15 @@ pub struct Load {
     /// Position of its reference point (middle of a knife edge or patch, first axle of a pattern) along the
     /// bridge, from the left springing of the first span, at the intrados [m].
     pub position: f64,
+    /// The block that brings it onto the surface, where there is one.
+    pub block: Option<LoadingBlock>,
+}
+
+/// A rigid block of the load's length that stands on the surface, held against rotation and sideways movement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadingBlock {
+    /// Its weight [N/m]; counted in the load.
+    pub weight: f64,
 }
 
 /// Shape and size of a load. Forces are vertical, downwards positive.
@@ -241,6 +295,8 @@ pub struct Plan {
     pub method: Method,
     /// Which analysis `collapse` makes unless it is told.
     pub analysis: Analysis,
+    /// Which strip of the bridge's width it is made for.
+    pub strip: Strip,
     /// Load increment of the discrete element method [N/m per metre of width, total of the load].
     pub load_step: Option<f64>,
     /// Largest load tried [N/m].
@@ -274,6 +330,17 @@ pub enum Method {
     Dem,
     /// Limit analysis.
     Limit,
+}
+
+/// A strip of the bridge's width with what stands on its rings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Strip {
+    /// Between the walls: rings and cover.
+    Fill,
+    /// Below the walls: rings and bricks.
+    Wall,
+    /// One after the other, and both together by their widths.
+    Both,
 }
 
 /// What is made to collapse.

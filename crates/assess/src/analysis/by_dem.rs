@@ -6,7 +6,7 @@ use super::{AnalysisError, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise, laws};
 use crate::outcome::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
 use crate::warning::{self, Warning};
-use bridge::{Analysis, Bridge, ContactLength, Damping, Method};
+use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Strip};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
@@ -40,6 +40,12 @@ pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
     }
     if bridge.spans.iter().any(|s| s.rings.len() > 1) && !laws::has_stiffness(&laws::law(bridge, &bridge.ring_joint)) {
         return Err(AnalysisError::NoStiffness { joint: "joints between rings" });
+    }
+    if bridge.plan.strip != Strip::Fill
+        && let Some(wall) = &bridge.spandrel_wall
+        && !laws::has_stiffness(&laws::wall(bridge, wall))
+    {
+        return Err(AnalysisError::NoStiffness { joint: "joints of the spandrel wall" });
     }
     Ok(())
 }
@@ -77,7 +83,7 @@ pub fn collapse_by_dem(
     let load_limit = match (plan.load_limit, bound) {
         (Some(limit), _) => limit,
         (None, Some(bound)) => {
-            let limit = load_step * (1.5 * bound * d.reference_load / load_step).ceil();
+            let limit = d.counted_weight + load_step * (1.5 * bound * d.reference_load / load_step).ceil();
             chosen.push(format!("load_limit = {:.1} kN/m, one and a half times the limit load", limit / 1e3));
             limit
         }
@@ -85,21 +91,22 @@ pub fn collapse_by_dem(
     };
     let program = dem::Program {
         increment: load_step / d.reference_load,
-        limit: load_limit / d.reference_load,
+        limit: (load_limit - d.counted_weight).max(0.0) / d.reference_load,
         resolution: plan.resolution.map(|r| r / d.reference_load),
         watched: d.watched,
     };
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
-    let mut c = report(bridge, &d, &outcome, "discrete elements", d.reference_load);
-    c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
-    c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
+    let load = |factor: f64| d.load(factor);
+    let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
+    c.collapse_load = outcome.collapse_factor.map(load);
+    c.last_stable_load = outcome.last_stable_factor.map(load);
     c.load_step = Some(load_step);
-    c.limit_load = limit_load.map(|f| f * d.reference_load);
+    c.limit_load = limit_load.map(load);
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     notes::dem(bridge, &d, &mut c);
     if by_limit::settings(bridge).crushing {
         let crushed = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
-        notes::crushed(c.last_stable_load, crushed.map(|f| f * d.reference_load), &mut c.warnings);
+        notes::crushed(c.last_stable_load, crushed.map(load), &mut c.warnings);
     }
     Ok(c)
 }
@@ -131,11 +138,17 @@ fn damping(d: Damping) -> String {
     }
 }
 
-/// Everything that does not depend on what was increased. `unit` turns the load factor into a load (or a movement).
-pub fn report(bridge: &Bridge, d: &Discretised, outcome: &dem::Outcome, title: &str, unit: f64) -> Collapse {
+/// Everything that does not depend on what was increased. `load` turns the load factor into a load (or a movement).
+pub fn report(
+    bridge: &Bridge,
+    d: &Discretised,
+    outcome: &dem::Outcome,
+    title: &str,
+    load: &dyn Fn(f64) -> f64,
+) -> Collapse {
     let (status, broken) = status(outcome);
     let mut picture = picture::built(bridge, d, title);
-    draw(d, outcome, unit, &mut picture);
+    draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     let e = &outcome.energy;
     let work = [e.gravity, e.loads, e.supports].iter().map(|w| w.abs()).sum::<f64>();
@@ -180,12 +193,12 @@ fn motions(from: Option<&dem::Frame>, to: &dem::Frame, d: &Discretised) -> Vec<M
 /// sag of a step, well before the joints of an arch jump out of place.
 const CLEARLY_MOVING: f64 = 0.02;
 
-fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: &mut Picture) {
+fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, picture: &mut Picture) {
     picture.path = outcome
         .path
         .iter()
         .map(|p| Step {
-            load: p.factor * unit,
+            load: load(p.factor),
             displacement: point(p.displacement),
             iterations: p.iterations,
             unbalanced_ratio: p.unbalanced_ratio,
@@ -193,7 +206,7 @@ fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: &mut Pictur
         })
         .collect();
     picture.last_stable = outcome.last_stable_frame;
-    picture.snapshots = outcome.frames.iter().map(|f| snapshot(d, f, unit)).collect();
+    picture.snapshots = outcome.frames.iter().map(|f| snapshot(d, f, load)).collect();
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     if let Some(frame) = at_rest {
         picture.thrust_lines = thrust_lines(d, frame);
@@ -217,9 +230,9 @@ fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: &mut Pictur
 /// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
 const TOUCHING: f64 = 1e-6;
 
-fn snapshot(d: &Discretised, frame: &dem::Frame, unit: f64) -> Snapshot {
+fn snapshot(d: &Discretised, frame: &dem::Frame, load: &dyn Fn(f64) -> f64) -> Snapshot {
     Snapshot {
-        load: frame.factor * unit,
+        load: load(frame.factor),
         motions: motions(None, frame, d),
         velocities: frame.velocities.iter().map(|&(v, _)| point(v)).collect(),
         contacts: frame

@@ -43,7 +43,14 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         }
         false => outcome.factor,
     };
-    Ok(report(bridge, &d, &outcome, unlimited))
+    let mut c = report(bridge, &d, &outcome, unlimited);
+    // Walls of blocks lock where sliding dilates: their associated load never stands alone.
+    if d.road.is_some() && settings.friction == limit::Friction::Associated {
+        let settings = limit::Settings { friction: limit::Friction::NonAssociated, ..settings };
+        let corrected = limit::collapse_load(&d.model, &d.loading, &settings)?.factor.map(|f| d.load(f));
+        notes::corrected(&mut c, corrected);
+    }
+    Ok(c)
 }
 
 /// The word for a flow rule.
@@ -65,7 +72,7 @@ pub fn status(status: limit::Status) -> Status {
 }
 
 fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
-    let load = |factor: Option<f64>| factor.map(|f| f * d.reference_load);
+    let load = |factor: Option<f64>| factor.map(|f| d.load(f));
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
     let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
@@ -82,7 +89,8 @@ fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited:
         lower_bound: load(outcome.lower_bound),
         upper_bound: load(outcome.upper_bound),
         associated_load: load(outcome.associated_factor),
-        spread: outcome.spread.map(|s| s.map(|f| f * d.reference_load)),
+        non_associated_load: None,
+        spread: outcome.spread.map(|s| s.map(|f| d.load(f))),
         unlimited_strength_load: load(unlimited),
         equilibrium_residual: Some(outcome.equilibrium_residual),
         yield_violation: Some(outcome.yield_violation),
@@ -161,7 +169,7 @@ pub fn draw(d: &Discretised, outcome: &limit::Outcome, picture: &mut Picture) {
     let n = d.model.blocks.len();
     picture.last_stable = Some(0);
     picture.snapshots = vec![Snapshot {
-        load: factor * d.reference_load,
+        load: d.load(factor),
         motions: vec![Motion::default(); n],
         velocities: vec![[0.0; 2]; n],
         stresses: picture::stresses(d, &contacts, &loads),

@@ -8,19 +8,20 @@ mod notes;
 mod picture;
 mod places;
 mod report;
+mod strips;
 mod sweep;
 mod thickness;
 
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
-pub use report::{Collapse, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
+pub use report::{Collapse, Combination, Component, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
 
 use crate::discretise::{DiscretiseError, discretise};
 use crate::outcome::Picture;
-use bridge::{Analysis, Bridge, Method};
+use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::watch::Watch;
 use thiserror::Error;
@@ -42,6 +43,9 @@ pub enum AnalysisError {
         /// Which joint.
         joint: &'static str,
     },
+    /// A loading block is part of the blocks, which a sweep does not move.
+    #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]
+    MovedBlock,
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,
@@ -63,6 +67,9 @@ pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
 /// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run
 /// of the same bridge.
 pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
+        return strips::both(bridge, resume, watch);
+    }
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
         (Analysis::Load, Method::Dem) => collapse_by_dem(bridge, resume, watch),

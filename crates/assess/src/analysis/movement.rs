@@ -57,7 +57,7 @@ fn by_dem(
     by_dem::require_stiffness(bridge)?;
     let program = dem::Program { increment: step, limit: largest, resolution: None, watched: d.watched };
     let outcome = dem::collapse(&d.model, &d.loading, &program, &by_dem::settings(bridge), resume, watch)?;
-    let mut c = by_dem::report(bridge, d, &outcome, "support movement", 1.0);
+    let mut c = by_dem::report(bridge, d, &outcome, "support movement", &|factor| factor);
     c.support =
         Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
     notes::dem(bridge, d, &mut c);

@@ -117,6 +117,15 @@ rise = "3.0 m""#,
         source: "the format of bridge files",
     },
     Card {
+        code: "B213",
+        title: "a spandrel wall that does not fit",
+        meaning: "Walls are thinner than the bridge is wide, stand on the abutments, and their bricks are larger than their rounded corners.",
+        why: "Pieces of cut bricks need faces to touch with, and a wall needs something below it.",
+        wrong: r#"thickness = "44 m""#,
+        right: r#"thickness = "0.44 m""#,
+        source: "the format of bridge files",
+    },
+    Card {
         code: "B301",
         title: "a load off the bridge",
         meaning: "A load stands between the first and the last springing, on a span that there is.",
@@ -156,6 +165,15 @@ slope = "2:1"
 rule = "none"
 "#,
         source: "Rouxinol, Providência and Lemos, eq. 2",
+    },
+    Card {
+        code: "B305",
+        title: "a loading block with nothing below it",
+        meaning: "A load through a block needs a wall on which the block stands.",
+        why: "Cover that is weight alone has no surface: the block would hang in the air.",
+        wrong: r#"strip = "fill""#,
+        right: r#"strip = "wall""#,
+        source: "Rouxinol, Providência and Lemos, section 3.4",
     },
     Card {
         code: "B401",
@@ -211,6 +229,17 @@ rotation = "0.5 deg/m""#,
         why: "The first step would pass the limit, or refining would be coarser than stepping.",
         wrong: r#"load_step = "5 MN/m""#,
         right: r#"load_step = "5 kN/m""#,
+        source: "the format of bridge files",
+    },
+    Card {
+        code: "B406",
+        title: "a strip that the bridge does not have",
+        meaning: "The strip \"wall\" needs a [spandrel_wall], and both strips together are analysed for a load only.",
+        why: "Without a wall the strip below it is the same as that between the walls.",
+        wrong: r#"analysis = "thickness"
+strip = "both""#,
+        right: r#"analysis = "load"
+strip = "wall""#,
         source: "the format of bridge files",
     },
 ];

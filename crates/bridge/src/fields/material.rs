@@ -103,6 +103,12 @@ pub(super) static JOINT: Section = Section {
     fields: JOINT_FIELDS,
 };
 
+pub(super) static WALL_JOINT: Section = Section {
+    path: "wall_joint",
+    doc: "Joints between the bricks of spandrel walls, and between bricks and rings, with the same keys as [joint].",
+    fields: JOINT_FIELDS,
+};
+
 pub(super) static RING_JOINT: Section = Section {
     path: "ring_joint",
     doc: "Joints between the rings of a span, with the same keys as [joint].",

@@ -6,6 +6,7 @@ mod loading;
 mod material;
 mod plan;
 mod structure;
+mod wall;
 
 use crate::quantity::Dimension;
 
@@ -206,6 +207,10 @@ pub static FILE: Section = Section {
         ),
         Field::new("ring_joint", Kind::Table(&material::RING_JOINT), "Joints between the rings of a span.", "")
             .optional("rings are joined as voussoirs are"),
+        Field::new("spandrel_wall", Kind::Table(&wall::SPANDREL_WALL), "Spandrel walls that stand on the rings.", "")
+            .optional("no walls"),
+        Field::new("wall_joint", Kind::Table(&material::WALL_JOINT), "Joints of the spandrel walls.", "")
+            .optional("bricks are joined as voussoirs are, each contact point standing for half its own joint"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")

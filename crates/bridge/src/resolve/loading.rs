@@ -3,10 +3,11 @@
 use toml::de::DeValue;
 
 use crate::findings::Findings;
-use crate::model::{Cover, Dispersal, DispersalRule, Load, LoadKind};
+use crate::model::{Cover, Dispersal, DispersalRule, Load, LoadKind, LoadingBlock, Plan, Strip};
 use crate::tree::{At, Table, shorten, wrong_type};
 
 use super::geometry::Layout;
+use super::materials::maybe;
 use super::structure::{exclude, need};
 
 pub(super) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Dispersal> {
@@ -88,9 +89,17 @@ fn load(table: &Table<'_>, width: Option<f64>, layout: Option<&Layout>, findings
     let kind = table.word("kind", findings);
     let shape = shape(table, width, findings);
     let position = position(table, layout, findings);
+    let through = table.word("through", findings);
+    let block_weight = table.line_load("block_weight", width, findings);
+    let block = match maybe(table, "through", through)? {
+        Some("block") if table.has("block_weight") => Some(LoadingBlock { weight: block_weight?.value }),
+        // Its absence has been reported.
+        Some("block") => return None,
+        _ => None,
+    };
     let kind = kind?.value;
     let name = if table.has("name") { name?.value.to_owned() } else { kind.to_owned() };
-    let load = Load { name, kind: shape?, position: position?.value };
+    let load = Load { name, kind: shape?, position: position?.value, block };
     if let Some(layout) = layout {
         check_place(table, &load, layout, findings);
     }
@@ -238,6 +247,24 @@ fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
     };
     let number = if span.is_empty() { None } else { Some(span.parse().ok()?) };
     (0.0..=1.0).contains(&value).then_some((value, number))
+}
+
+/// A loading block stands on something: cover that is weight alone cannot carry it.
+pub(super) fn check_blocks(file: &Table<'_>, plan: &Plan, loads: &[Load], findings: &mut Findings) {
+    let mut unheard = Findings::default();
+    for (table, load) in file.tables("load", &mut unheard).iter().zip(loads) {
+        if load.block.is_some() && plan.strip != Strip::Wall {
+            findings
+                .error(
+                    "B305",
+                    table.place("through"),
+                    "there is nothing for the loading block to stand on",
+                    "a block cannot stand on cover that is weight alone",
+                    "write through = \"cover\", or describe a [spandrel_wall] and write strip = \"wall\" in [analysis]",
+                )
+                .because("cover acts by its weight and as a path for loads; it has no surface that carries a block");
+        }
+    }
 }
 
 /// A load stands on the bridge, at least in part.

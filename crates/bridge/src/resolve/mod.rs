@@ -6,6 +6,7 @@ mod loading;
 mod materials;
 mod plan;
 pub(crate) mod structure;
+mod wall;
 
 use crate::findings::Findings;
 use crate::model::Bridge;
@@ -23,9 +24,11 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let masonry = materials::masonry(file, findings);
     let joint = materials::joint(file, "joint", findings);
     let ring_joint = if file.has("ring_joint") { materials::joint(file, "ring_joint", findings) } else { joint };
+    let width = general.as_ref().map(|general| general.width);
+    let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
+    let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
-    let width = general.as_ref().map(|general| general.width);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
@@ -34,7 +37,9 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         geometry::check(file, spans, piers, masonry.as_ref(), joint.as_ref(), cover.as_ref(), findings);
     }
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
-        plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref()], masonry.as_ref(), findings);
+        let wall_joint = spandrel_wall.as_ref().and_then(Option::as_ref).map(|wall| &wall.joint);
+        plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref(), wall_joint], masonry.as_ref(), findings);
+        loading::check_blocks(file, plan, loads, findings);
     }
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 
@@ -54,6 +59,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         masonry: masonry?,
         joint: joint?,
         ring_joint: ring_joint?,
+        spandrel_wall: spandrel_wall?,
         cover: cover?,
         loads: loads?,
         dispersal: dispersal?,

@@ -89,10 +89,22 @@ fn write(desk: &mut Desk, found: &Collapse, mut report: Report, folder: &Folder)
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
+    for warning in found.wall_strip.iter().flat_map(|wall| &wall.warnings) {
+        // What is said of the other strip already need not be repeated.
+        if !found.warnings.contains(warning) {
+            let message = format!("strip of the walls: {}", warning.message);
+            report.warn(&mut desk.screen, warning.code, &message);
+        }
+    }
     report.fields = report::fields_of(wire::CollapseObject::new(found, &wire::Run::default()));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
     let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
     files.extend(tables(found));
+    if let Some(wall) = &found.wall_strip {
+        let mut own = figures::all(&wall.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+        own.extend(tables(wall));
+        files.extend(own.into_iter().map(|file| figures::File { name: format!("wall/{}", file.name), ..file }));
+    }
     fill(desk, report, folder, &files)
 }
 
