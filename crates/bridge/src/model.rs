@@ -25,6 +25,8 @@ pub struct Bridge {
     pub ring_joint: Joint,
     /// Walls of coursed masonry that stand on the rings, where the file describes them.
     pub spandrel_wall: Option<SpandrelWall>,
+    /// How layers of the cover are filled with particles, where some are.
+    pub particles: Option<Particles>,
     /// What lies above the rings, from the extrados up.
     pub cover: Cover,
     /// What is placed on the road or rail, in the order of the file.
@@ -190,8 +192,65 @@ pub struct Layer {
     pub density: f64,
     /// Whether its weight acts on the ring.
     pub weighs: bool,
+    /// Whether it is modelled as particles; its weight then reaches the ring through them.
+    pub particles: bool,
+    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
+    pub friction_angle: Option<f64>,
+    /// See above.
+    pub cohesion: Option<f64>,
     /// Young's modulus [Pa].
     pub elastic_modulus: Option<f64>,
+}
+
+/// How a region is filled with particles, and how they touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Particles {
+    /// How many and how large.
+    pub sizes: Sizes,
+    /// How densely.
+    pub density: Packing,
+    /// A packing that was saved, relative to the bridge file.
+    pub file: Option<String>,
+    /// Centres and radii [m] read from that file; empty until somebody reads it.
+    pub grains: Vec<[f64; 3]>,
+    /// Young's modulus of the particles in the series rule [Pa].
+    pub elastic_modulus: Option<f64>,
+    /// Poisson's ratio in the series rule.
+    pub poisson_ratio: Option<f64>,
+    /// Contacts between particles.
+    pub joint: Joint,
+    /// Contacts of particles with blocks.
+    pub block_joint: Joint,
+}
+
+/// Sizes of particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sizes {
+    /// So many, with this ratio of the largest to the smallest diameter.
+    Count {
+        /// How many.
+        count: usize,
+        /// Largest over smallest diameter.
+        ratio: f64,
+    },
+    /// Diameters from the smallest to the largest [m].
+    Diameters {
+        /// Smallest [m].
+        smallest: f64,
+        /// Largest [m].
+        largest: f64,
+    },
+}
+
+/// How densely particles are packed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Packing {
+    /// Until they press with the cover's weight at half its mean depth.
+    OwnWeight,
+    /// Until they press with this mean stress [Pa].
+    Stress(f64),
+    /// Until they cover this share of the region.
+    SolidFraction(f64),
 }
 
 /// The four words for what lies above an arch.

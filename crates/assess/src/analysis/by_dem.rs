@@ -4,7 +4,7 @@ use super::places::{lines, moving, point, scaled};
 use super::report::{Collapse, DemReport, Status};
 use super::{AnalysisError, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise, laws};
-use crate::outcome::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
+use crate::outcome::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
 use crate::warning::{self, Warning};
 use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Strip};
 use mechanics::blocks::interfaces;
@@ -249,6 +249,28 @@ fn snapshot(d: &Discretised, frame: &dem::Frame, load: &dyn Fn(f64) -> f64) -> S
             })
             .collect(),
         stresses: frame.stresses.iter().copied().collect(),
+        particles: frame.particles.iter().map(disc_state).collect(),
+        particle_forces: frame.particle_contacts.iter().map(particle_force).collect(),
+    }
+}
+
+fn disc_state(p: &dem::ParticleState) -> DiscState {
+    DiscState { centre: point(p.centre), angle: p.angle, velocity: point(p.velocity), stress: p.stress }
+}
+
+fn particle_force(c: &dem::ParticleContact) -> ParticleForce {
+    ParticleForce {
+        particle: c.particle.index(),
+        partner: match c.partner {
+            Body::Block(block) => Partner::Shape(block.index()),
+            Body::Particle(other) => Partner::Particle(other.index()),
+        },
+        point: point(c.point),
+        normal: point(c.normal),
+        compression: c.compression,
+        shear: c.shear,
+        stress: c.compressive_stress(),
+        sliding: c.sliding,
     }
 }
 

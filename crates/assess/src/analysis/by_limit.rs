@@ -174,6 +174,7 @@ pub fn draw(d: &Discretised, outcome: &limit::Outcome, picture: &mut Picture) {
         velocities: vec![[0.0; 2]; n],
         stresses: picture::stresses(d, &contacts, &loads),
         contacts,
+        ..Snapshot::default()
     }];
 }
 

@@ -3,6 +3,7 @@
 pub mod by_dem;
 pub mod by_limit;
 mod dimensions;
+mod filled;
 mod movement;
 mod notes;
 mod picture;
@@ -15,14 +16,17 @@ mod thickness;
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
-pub use report::{Collapse, Combination, Component, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
+pub use report::{
+    Collapse, Combination, Component, DemReport, LimitReport, PackingReport, Status, SupportReport, ThicknessReport,
+};
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
 
-use crate::discretise::{DiscretiseError, discretise};
+use crate::discretise::{DiscretiseError, discretise, fill};
 use crate::outcome::Picture;
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
+use mechanics::dem::PackingError;
 use mechanics::watch::Watch;
 use thiserror::Error;
 
@@ -46,6 +50,9 @@ pub enum AnalysisError {
     /// A loading block is part of the blocks, which a sweep does not move.
     #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]
     MovedBlock,
+    /// The fill cannot be packed.
+    #[error(transparent)]
+    Packing(#[from] PackingError),
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,
@@ -72,7 +79,10 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     }
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
-        (Analysis::Load, Method::Dem) => collapse_by_dem(bridge, resume, watch),
+        (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
+            Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
+            None => collapse_by_dem(bridge, resume, watch),
+        },
         (Analysis::Thickness, _) => thickness(bridge, watch),
         (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
     }?;

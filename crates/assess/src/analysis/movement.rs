@@ -89,6 +89,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         contacts: Vec::new(),
         // Resultants alone are known: no stress is told rather than none.
         stresses: Vec::new(),
+        ..Snapshot::default()
     }];
     picture.last_stable = Some(0);
     picture.mechanism = super::places::scaled(picture.snapshots[0].motions.clone());

@@ -91,6 +91,25 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
 }
 
+/// Notes on fill that is particles.
+pub fn filled(c: &mut Collapse) {
+    c.assumptions.push(
+        "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of the \
+         region that they cover. Discs roll, so that the fill as a whole is weaker than the friction of its contacts."
+            .into(),
+    );
+    if let Some(p) = &c.packing {
+        c.assumptions.push(format!(
+            "The packing is one of many (seed {}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
+             rest.",
+            c.seed,
+            p.solid_fraction,
+            p.coordination,
+            p.mean_stress / 1e3
+        ));
+    }
+}
+
 /// Says so where limit analysis with crushing joints carries less than the discrete elements did [N/m].
 pub fn crushed(stable: Option<f64>, crushing: Option<f64>, warnings: &mut Vec<Warning>) {
     if let (Some(stable), Some(crushing)) = (stable, crushing)

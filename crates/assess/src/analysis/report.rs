@@ -64,7 +64,7 @@ impl Collapse {
             sliding_joints: picture.sliding.clone(),
             max_compressive_stress: None,
             blocks: d.model.blocks.len(),
-            particles: 0,
+            particles: d.model.particles.len(),
             contacts: 0,
             tolerance: bridge.plan.tolerance,
             seed: bridge.plan.seed,
@@ -72,6 +72,7 @@ impl Collapse {
             limit: None,
             thickness: None,
             support: None,
+            packing: None,
             combination: None,
             wall_strip: None,
             block_names: d.origins.iter().map(|o| o.name()).collect(),
@@ -140,6 +141,23 @@ pub struct DemReport {
     pub energy_drift: f64,
     /// Where a run broke off: block and iteration.
     pub broken_at: Option<(String, u64)>,
+}
+
+/// The packing of particles, at rest under its own weight.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PackingReport {
+    /// Centres and radii as packed [m].
+    pub grains: Vec<[f64; 3]>,
+    /// Share of the region that the particles cover.
+    pub solid_fraction: f64,
+    /// Mean number of contacts of a particle.
+    pub coordination: f64,
+    /// Mean stress [Pa], compression positive.
+    pub mean_stress: f64,
+    /// Smallest and largest diameter [m].
+    pub diameters: [f64; 2],
+    /// Mean sinking of the particles when the lid was taken away and the ring let go [m].
+    pub settlement: f64,
 }
 
 /// What only limit analysis reports.
@@ -264,6 +282,8 @@ pub struct Collapse {
     pub thickness: Option<ThicknessReport>,
     /// Support movement only.
     pub support: Option<SupportReport>,
+    /// The packing of particles, where the fill is made of them.
+    pub packing: Option<PackingReport>,
     /// Both strips together, where walls are analysed beside the fill.
     pub combination: Option<Combination>,
     /// The strip below the walls, where this is the one between them.

@@ -4,6 +4,7 @@ pub mod cover;
 mod curve;
 pub mod dispersal;
 pub mod extrados;
+pub mod fill;
 pub mod laws;
 mod rings;
 mod supports;
@@ -14,6 +15,7 @@ use bridge::{Bridge, Load, SpandrelWall, Strip as Width};
 use curve::Curve;
 use dispersal::{Spread, Strip};
 use extrados::{Extrados, Stretch};
+use fill::FillRegion;
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, Movement};
 use mechanics::dem::Body;
 use mechanics::ids::{BlockId, GroupId, Id, Table};
@@ -128,6 +130,8 @@ pub struct Discretised {
     pub extrados: Extrados,
     /// Upper faces of a spandrel wall, from left to right, where the blocks include one.
     pub road: Option<Extrados>,
+    /// The region that particles are to fill, where layers are modelled so.
+    pub fill: Option<FillRegion>,
     /// Level of the surface on which loads stand: the road, or the top of the wall [m].
     pub surface: f64,
     /// Weight of loading blocks [N/m]: counted in every load, though it does not grow.
@@ -196,6 +200,27 @@ pub enum DiscretiseError {
         /// The load, from 1.
         load: usize,
     },
+    /// A layer that is weight alone would lie on particles.
+    #[error(
+        "layer {layer} of the cover is weight alone, and weight cannot act on particles: write as = \"particles\" or as = \
+         \"nothing\" for it"
+    )]
+    WeightOnParticles {
+        /// The layer, from 1.
+        layer: usize,
+    },
+    /// Backing that is weight alone would carry particles.
+    #[error("[backing] is weight alone and cannot carry particles: leave it out, or model no layer as particles")]
+    BackingUnderParticles,
+    /// A load would act on particles directly.
+    #[error("load {load} would act on particles: write through = \"block\" and the block's weight")]
+    LoadOnParticles {
+        /// The load, from 1.
+        load: usize,
+    },
+    /// There is nothing between the extrados and the road.
+    #[error("there is no region between the extrados and the road that particles could fill")]
+    NoRegion,
     /// The file moves a support that does not exist.
     #[error("support {support} does not exist: the last is {last}")]
     NoSuchSupport {
@@ -380,10 +405,10 @@ impl<'a> Build<'a> {
         id
     }
 
-    /// The block of a load that stands on the wall; gives the force that the load puts on it.
+    /// The block of a load that stands on the wall or on particles; gives the force that the load puts on it.
     fn loading_block(
         &mut self,
-        wall: &SpandrelWall,
+        stands: &Stands,
         road: &Extrados,
         load: usize,
         weight: f64,
@@ -394,18 +419,28 @@ impl<'a> Build<'a> {
         if strip.middle - half < from.x || strip.middle + half > to.x {
             return Err(WallError::BesideWall { x: strip.middle, from: from.x, to: to.x });
         }
-        let outline = Polygon::rectangle(vec2(strip.middle - half, to.y), strip.length, wall.brick_height)
+        let outline = Polygon::rectangle(vec2(strip.middle - half, to.y), strip.length, stands.height)
             .map_err(|source| WallError::Outline { x: strip.middle, y: to.y, source })?;
         let group = self.groups.push(Origin::LoadingBlock { load }.name());
-        self.walls.push(group);
+        if !stands.on_particles {
+            self.walls.push(group);
+        }
         let density = weight / (self.bridge.gravity * outline.area());
         let held = Held { x: true, y: false, rotation: true };
-        let block = self.brick(wall, outline, group, held, Origin::LoadingBlock { load });
-        self.blocks[block].density = density;
-        let at = vec2(strip.middle, to.y + wall.brick_height);
+        let block = self.block(outline, group, held, Origin::LoadingBlock { load }, None);
+        (self.blocks[block].density, self.blocks[block].rounding) = (density, stands.rounding);
+        let at = vec2(strip.middle, to.y + stands.height);
         let forces = vec![mechanics::blocks::PointForce { block, at, force: vec2(0.0, -strip.force) }];
         let ends = [strip.middle - half, strip.middle + half].map(|x| vec2(x, to.y));
         Ok(Spread { strip, ends, depths: [0.0; 2], pressures: [0.0; 2], forces, to_ground: 0.0, shift: 0.0 })
+    }
+
+    /// Where the extrados begins and ends [m].
+    fn left(&self) -> f64 {
+        self.extrados.stretches.first().map_or(0.0, |s| s.left.x)
+    }
+    fn right(&self) -> f64 {
+        self.extrados.stretches.last().map_or(0.0, |s| s.right.x)
     }
 
     fn finish(mut self) -> Result<Discretised, DiscretiseError> {
@@ -417,9 +452,18 @@ impl<'a> Build<'a> {
             let (upper, top) = self.wall(wall, surface)?;
             (road, surface) = (Some(upper), top);
         }
-        let (spreads, counted_weight) = self.spreads(road.as_ref(), surface)?;
+        let region = fill::wanted(bridge).map(|_| self.fill(surface)).transpose()?;
+        if region.is_some() {
+            let line = vec![vec2(self.left(), surface), vec2(self.right(), surface)];
+            road = Some(Extrados { stretches: Vec::new(), line });
+        }
+        let (spreads, counted_weight) = self.spreads(road.as_ref(), region.as_ref(), surface)?;
+        let mut laws = self.laws();
+        if let (Some(region), Some(particles)) = (&region, &bridge.particles) {
+            self.particle_laws(region, particles, &mut laws);
+        }
         let model = BlockModel {
-            laws: self.laws(),
+            laws,
             blocks: self.blocks,
             particles: Table::default(),
             groups: self.groups,
@@ -429,7 +473,7 @@ impl<'a> Build<'a> {
         // From zero on, for an empty sum is minus zero.
         let reference_load = spreads.iter().fold(0.0, |sum, s| sum + s.strip.force);
         let loading = Loading {
-            // A wall stands in place of the cover.
+            // A wall or particles stand in place of the cover.
             permanent: if road.is_none() { cover::weight(bridge, &extrados) } else { Vec::new() },
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),
             movements: movements(bridge, &model, &self.origins)?,
@@ -442,6 +486,7 @@ impl<'a> Build<'a> {
             faces: self.faces,
             extrados,
             road,
+            fill: region,
             surface,
             counted_weight,
             reference_load,
@@ -451,16 +496,23 @@ impl<'a> Build<'a> {
     }
 
     /// How every load reaches the blocks, and what its blocks weigh.
-    fn spreads(&mut self, road: Option<&Extrados>, surface: f64) -> Result<(Vec<Spread>, f64), DiscretiseError> {
+    fn spreads(
+        &mut self,
+        road: Option<&Extrados>,
+        region: Option<&FillRegion>,
+        surface: f64,
+    ) -> Result<(Vec<Spread>, f64), DiscretiseError> {
         let (mut spreads, mut weight) = (Vec::new(), 0.0);
         for (index, Load { kind, position, block, .. }) in self.bridge.loads.iter().enumerate() {
             for strip in dispersal::strips(kind, *position) {
-                spreads.push(match (block, road, &self.bridge.spandrel_wall) {
-                    (Some(block), Some(road), Some(wall)) => {
+                let stands = Stands::of(self.bridge, region);
+                spreads.push(match (block, road, stands) {
+                    (Some(block), Some(road), Some(stands)) => {
                         weight += block.weight;
-                        self.loading_block(wall, road, index, block.weight, strip)?
+                        self.loading_block(&stands, road, index, block.weight, strip)?
                     }
                     (Some(_), ..) => return Err(DiscretiseError::BlockOnCover { load: index + 1 }),
+                    _ if region.is_some() => return Err(DiscretiseError::LoadOnParticles { load: index + 1 }),
                     _ => spread(self.bridge, road, &self.extrados, surface, strip),
                 });
             }
@@ -488,6 +540,26 @@ impl<'a> Build<'a> {
             }
         }
         laws
+    }
+}
+
+/// What a loading block stands on, and how it is made.
+struct Stands {
+    height: f64,
+    rounding: f64,
+    on_particles: bool,
+}
+
+/// Height of a loading block that stands on particles [m]: to be seen in drawings.
+const BLOCK_HEIGHT: f64 = 0.4;
+
+impl Stands {
+    fn of(bridge: &Bridge, region: Option<&FillRegion>) -> Option<Stands> {
+        if region.is_some() {
+            return Some(Stands { height: BLOCK_HEIGHT, rounding: bridge.masonry.rounding, on_particles: true });
+        }
+        let wall = bridge.spandrel_wall.as_ref()?;
+        Some(Stands { height: wall.brick_height, rounding: wall.rounding, on_particles: false })
     }
 }
 

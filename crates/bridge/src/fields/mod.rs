@@ -4,6 +4,7 @@
 mod cover;
 mod loading;
 mod material;
+mod particles;
 mod plan;
 mod structure;
 mod wall;
@@ -211,6 +212,17 @@ pub static FILE: Section = Section {
             .optional("no walls"),
         Field::new("wall_joint", Kind::Table(&material::WALL_JOINT), "Joints of the spandrel walls.", "")
             .optional("bricks are joined as voussoirs are, each contact point standing for half its own joint"),
+        Field::new("particles", Kind::Table(&particles::PARTICLES), "Fill as particles.", "")
+            .optional("no layer is modelled as particles"),
+        Field::new("particle_joint", Kind::Table(&material::PARTICLE_JOINT), "Contacts between particles.", "")
+            .optional("no layer is modelled as particles"),
+        Field::new(
+            "particle_block_joint",
+            Kind::Table(&material::PARTICLE_BLOCK_JOINT),
+            "Contacts of particles with blocks.",
+            "",
+        )
+        .optional("as contacts between particles"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")

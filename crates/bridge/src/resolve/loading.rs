@@ -250,17 +250,17 @@ fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
 }
 
 /// A loading block stands on something: cover that is weight alone cannot carry it.
-pub(super) fn check_blocks(file: &Table<'_>, plan: &Plan, loads: &[Load], findings: &mut Findings) {
+pub(super) fn check_blocks(file: &Table<'_>, plan: &Plan, loads: &[Load], on_particles: bool, findings: &mut Findings) {
     let mut unheard = Findings::default();
     for (table, load) in file.tables("load", &mut unheard).iter().zip(loads) {
-        if load.block.is_some() && plan.strip != Strip::Wall {
+        if load.block.is_some() && plan.strip != Strip::Wall && !on_particles {
             findings
                 .error(
                     "B305",
                     table.place("through"),
                     "there is nothing for the loading block to stand on",
                     "a block cannot stand on cover that is weight alone",
-                    "write through = \"cover\", or describe a [spandrel_wall] and write strip = \"wall\" in [analysis]",
+                    "write through = \"cover\", write as = \"particles\" in [[cover]], or describe a [spandrel_wall] and write strip = \"wall\" in [analysis]",
                 )
                 .because("cover acts by its weight and as a path for loads; it has no surface that carries a block");
         }

@@ -4,6 +4,7 @@ mod cover;
 mod geometry;
 mod loading;
 mod materials;
+mod particles;
 mod plan;
 pub(crate) mod structure;
 mod wall;
@@ -28,6 +29,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
+    let particles = particles::particles(file, cover.as_ref(), findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
@@ -39,7 +41,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
         let wall_joint = spandrel_wall.as_ref().and_then(Option::as_ref).map(|wall| &wall.joint);
         plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref(), wall_joint], masonry.as_ref(), findings);
-        loading::check_blocks(file, plan, loads, findings);
+        loading::check_blocks(file, plan, loads, matches!(particles, Some(Some(_))), findings);
     }
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 
@@ -60,6 +62,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         joint: joint?,
         ring_joint: ring_joint?,
         spandrel_wall: spandrel_wall?,
+        particles: particles?,
         cover: cover?,
         loads: loads?,
         dispersal: dispersal?,

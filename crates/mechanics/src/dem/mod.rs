@@ -27,7 +27,7 @@ pub use model::Model;
 pub use outcome::{Body, ContactState, Energy, Frame, Outcome, ParticleContact, ParticleState, PathPoint, Status};
 pub use packing::{Grain, Packed, Packing, PackingError, Recipe, Target, pack};
 pub use particles::Disc;
-pub use run::collapse;
+pub use run::{Rested, collapse, collapse_from, rest};
 pub use settings::{ContactLength, Damping, Program, Settings};
 pub use state::State;
 pub use step::{StepReport, Workspace, begin, critical_time_step, exact_critical_time_step, step};

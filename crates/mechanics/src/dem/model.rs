@@ -209,6 +209,10 @@ impl Model {
 
     /// Refuses a block that the model does not have.
     pub(super) fn check_block(&self, block: BlockId) -> Result<(), ModelError> {
+        // Particles alone have no block to watch.
+        if self.is_empty() {
+            return Ok(());
+        }
         known("block", block.0, self.len())
     }
     /// Number of blocks.
@@ -257,7 +261,8 @@ impl Model {
     pub(super) fn poses(&self) -> Vec<Pose> {
         self.built.iter().map(|&c| Pose::at(c)).collect()
     }
-    pub(super) fn point_on(&self, block: BlockId, built: Vec2, pose: &Pose) -> Vec2 {
+    pub(super) fn point_on(&self, block: BlockId, built: Vec2, poses: &[Pose]) -> Vec2 {
+        let Some(pose) = poses.get(block.index()) else { return built };
         pose.place(built - self.built[block.index()])
     }
 }

@@ -69,7 +69,7 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
     state.time_step = settings.time_step_factor * critical_time_step(model, &state);
     if !state.particles.discs.is_empty() {
         // Particles may press on one another where they are built.
-        state.initial_energy = -energy(model, &state).drift();
+        state.initial_energy -= energy(model, &state).drift();
     }
     if let Damping::Viscous(share) = settings.damping {
         state.viscosity = 2.0 * share * stiffness::smallest_frequency(model, &state);

@@ -90,6 +90,17 @@ impl ParticleModel {
             gravity,
         }
     }
+    /// Every word that the particles depend on.
+    pub fn digest(&self, word: &mut dyn FnMut(u64)) {
+        word(self.len() as u64);
+        for row in 0..self.len() {
+            word(u64::from(self.ids[row]) << 8 | u64::from(self.kinds[row]));
+            self.built[row].iter().chain([&self.densities[row]]).for_each(|x| word(x.to_bits()));
+        }
+        for group in &self.laws.groups {
+            word(u64::from(group.0));
+        }
+    }
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.ids.len()
