@@ -3,10 +3,12 @@
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
 pub mod diagnostic;
+pub mod edit;
 pub mod explain;
 pub mod fields;
 mod findings;
 pub mod model;
+pub mod path;
 mod plausible;
 pub mod quantity;
 pub mod reference;
@@ -16,6 +18,7 @@ pub mod schema;
 pub mod text;
 mod tree;
 mod values;
+pub mod vary;
 
 pub use diagnostic::{Diagnostic, Severity, TextRange};
 pub use model::*;
@@ -29,6 +32,8 @@ use toml::de::DeTable;
 pub struct Read {
     /// The bridge, unless a finding is an error.
     pub bridge: Option<Bridge>,
+    /// What the file asks to vary, as far as that can be read.
+    pub vary: Vec<vary::Request>,
     /// Every finding, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -42,12 +47,13 @@ const MOST_SYNTAX_ERRORS: usize = 20;
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let bridge = read_text(text, &mut findings);
+    let (bridge, vary) = read_text(text, &mut findings).unwrap_or_default();
     let bridge = if findings.any_error() { None } else { bridge };
-    Read { bridge, diagnostics: findings.in_order(text.len()) }
+    Read { bridge, vary, diagnostics: findings.in_order(text.len()) }
 }
 
-fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
+/// The bridge and what is varied; nothing of either where the text is none of ours.
+fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<(Option<Bridge>, Vec<vary::Request>)> {
     if bytes.len() > LONGEST {
         findings.error(
             "B003",
@@ -81,6 +87,10 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
     }
     let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
     let bridge = resolve::resolve(&file, findings);
+    let vary = resolve::vary(&file, findings);
+    if broken.is_empty() {
+        resolve::check_vary(text, &vary, findings);
+    }
     if !broken.is_empty() {
         // What could not be read may be what seems to be missing, and what is left of its line means nothing.
         let lines: Vec<usize> = broken.iter().filter_map(|e| Some(findings.line(e.span()?.into()))).collect();
@@ -89,7 +99,7 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
             finding.code == "B002" || (of_a_value && !lines.contains(&line))
         });
     }
-    bridge
+    Some((bridge, vary))
 }
 
 /// What to write instead of a line that is not TOML.
