@@ -1,0 +1,146 @@
+//! What each quantity does to the answer.
+
+use super::{Row, Study};
+use bridge::vary::Setting;
+
+/// Changes below this share of the answer are the solver's and nobody's finding: its duality gap is closed to 1e-8, and
+/// a load step is refined to 1e-3 at best.
+const NOTHING: f64 = 1e-6;
+
+/// Which way the answer goes as a quantity grows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Trend {
+    /// It never falls.
+    Rising,
+    /// It never rises.
+    Falling,
+    /// It stays.
+    Flat,
+    /// It does both.
+    NotMonotone,
+    /// The quantity has no order, or fewer than two answers.
+    Unknown,
+}
+
+impl Trend {
+    /// The word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Trend::Rising => "rising",
+            Trend::Falling => "falling",
+            Trend::Flat => "flat",
+            Trend::NotMonotone => "not-monotone",
+            Trend::Unknown => "unknown",
+        }
+    }
+}
+
+/// An answer and the value that gave it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extreme {
+    /// The value as people write it.
+    pub value: String,
+    /// The answer.
+    pub outcome: f64,
+    /// Change against the file's own bridge [%].
+    pub change_percent: Option<f64>,
+}
+
+/// What a quantity does to the answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// Which quantity.
+    pub quantity: usize,
+    /// The smallest answer; the first of equals.
+    pub low: Option<Extreme>,
+    /// The largest answer; the first of equals.
+    pub high: Option<Extreme>,
+    /// Largest less smallest, over the answer of the file's own bridge [%].
+    pub swing_percent: Option<f64>,
+    /// d ln(answer) / d ln(value): over the nearest values on both sides of the file's own, or on the one side there is.
+    pub elasticity: Option<f64>,
+    /// Which way the answer goes.
+    pub trend: Trend,
+    /// Runs without the answer.
+    pub without_answer: usize,
+}
+
+/// What each quantity of a one-at-a-time study does to the answer, in the order of the quantities; nothing for a grid,
+/// where no quantity varies alone.
+pub fn sensitivity(study: &Study) -> Vec<Sensitivity> {
+    if study.design == super::Design::Grid {
+        return Vec::new();
+    }
+    (0..study.quantities.len()).map(|quantity| one(study, quantity)).collect()
+}
+
+fn one(study: &Study, quantity: usize) -> Sensitivity {
+    let own = study.baseline().and_then(|row| study.number(row));
+    let answered: Vec<(&Setting, f64)> = rows(study, quantity)
+        .filter_map(|row| Some((study.setting(row, quantity)?, study.number(row)?)))
+        .filter(|(_, outcome)| outcome.is_finite())
+        .collect();
+    let extreme = |wanted: std::cmp::Ordering| {
+        let better = |best: Option<(usize, f64)>, (at, (_, outcome)): (usize, &(&Setting, f64))| match best {
+            Some((_, known)) if outcome.total_cmp(&known) != wanted => best,
+            _ => Some((at, *outcome)),
+        };
+        let (at, outcome) = answered.iter().enumerate().fold(None, better)?;
+        Some(Extreme { value: answered[at].0.text.clone(), outcome, change_percent: change(outcome, own) })
+    };
+    let (low, high) = (extreme(std::cmp::Ordering::Less), extreme(std::cmp::Ordering::Greater));
+    let swing = low.as_ref().zip(high.as_ref()).map(|(low, high)| high.outcome - low.outcome);
+    let curve = curve(&answered);
+    Sensitivity {
+        quantity,
+        swing_percent: swing.zip(own.filter(|own| *own != 0.0)).map(|(swing, own)| 100.0 * swing / own.abs()),
+        elasticity: study.quantities[quantity].own.as_ref().and_then(|own| elasticity(&curve, own.number?)),
+        trend: trend(&curve),
+        without_answer: study.rows_of(quantity).filter(|row| study.number(row).is_none()).count(),
+        low,
+        high,
+    }
+}
+
+/// The file's own bridge and the rows of a quantity.
+fn rows(study: &Study, quantity: usize) -> impl Iterator<Item = &Row> {
+    study.baseline().into_iter().chain(study.rows_of(quantity))
+}
+
+fn change(outcome: f64, own: Option<f64>) -> Option<f64> {
+    // Adding zero takes the sign off a negative zero.
+    own.filter(|own| *own != 0.0).map(|own| 100.0 * (outcome - own) / own.abs() + 0.0)
+}
+
+/// Values with their answers in the order of the values, each value once; nothing where one has no number.
+fn curve(answered: &[(&Setting, f64)]) -> Vec<(f64, f64)> {
+    let points: Option<Vec<(f64, f64)>> =
+        answered.iter().map(|(setting, outcome)| Some((setting.number?, *outcome))).collect();
+    let mut points = points.unwrap_or_default();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points.dedup_by(|a, b| a.0 == b.0);
+    points
+}
+
+fn trend(curve: &[(f64, f64)]) -> Trend {
+    let size = curve.iter().map(|(_, outcome)| outcome.abs()).fold(0.0, f64::max);
+    let steps: Vec<f64> = curve.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
+    let rises = steps.iter().any(|step| *step > NOTHING * size);
+    let falls = steps.iter().any(|step| *step < -NOTHING * size);
+    match (steps.is_empty(), rises, falls) {
+        (true, ..) => Trend::Unknown,
+        (_, true, true) => Trend::NotMonotone,
+        (_, true, false) => Trend::Rising,
+        (_, false, true) => Trend::Falling,
+        (_, false, false) => Trend::Flat,
+    }
+}
+
+/// The slope in a log-log plot between the neighbours of the file's own value; where it is the first or the last, from
+/// it to its one neighbour.
+fn elasticity(curve: &[(f64, f64)], own: f64) -> Option<f64> {
+    let at = curve.iter().position(|(value, _)| *value == own)?;
+    let (below, above) = (curve[at.saturating_sub(1)], curve[(at + 1).min(curve.len() - 1)]);
+    let positive = [below.0, below.1, above.0, above.1].iter().all(|number| *number > 0.0);
+    (positive && above.0 > below.0).then(|| (above.1 / below.1).ln() / (above.0 / below.0).ln())
+}
