@@ -9,8 +9,10 @@ pub use sensitivity::{Extreme, Sensitivity, Trend, sensitivity};
 use crate::analysis::{self, AnalysisError};
 use crate::wire;
 use bridge::Bridge;
-use bridge::vary::{Setting, Varied};
 use mechanics::watch::Watch;
+
+pub use bridge::path::Path;
+pub use bridge::vary::{Setting, Varied};
 
 /// An analysis that can be repeated: from a bridge with its plan to numbers with names.
 #[derive(Clone, Copy)]

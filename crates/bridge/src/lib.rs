@@ -52,44 +52,32 @@ pub fn read(text: &[u8]) -> Read {
     Read { bridge, vary, diagnostics: findings.in_order(text.len()) }
 }
 
+/// Reads a file of [[vary]] tables about the quantities of a bridge file.
+pub fn read_ranges(text: &[u8], bridge: &edit::Document) -> (Vec<vary::Request>, Vec<Diagnostic>) {
+    let mut findings = Findings::of(text);
+    let requests = readable(text, &mut findings).map(|words| {
+        let (tree, broken) = DeTable::parse_recoverable(words);
+        not_toml(words, &broken, &mut findings);
+        let file = tree::Table::open(&fields::RANGES, tree.get_ref(), TextRange::new(0, 0), &mut findings);
+        let requests = resolve::vary(&file, &mut findings);
+        resolve::check_vary(bridge, &requests, &mut findings);
+        requests
+    });
+    (requests.unwrap_or_default(), findings.in_order(text.len()))
+}
+
 /// The bridge and what is varied; nothing of either where the text is none of ours.
 fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<(Option<Bridge>, Vec<vary::Request>)> {
-    if bytes.len() > LONGEST {
-        findings.error(
-            "B003",
-            TextRange::new(0, 0),
-            format!("the file is {:.1} MB long", bytes.len() as f64 / 1e6),
-            "a bridge file has a few kilobytes",
-            "check that this is the bridge file",
-        );
-        return None;
-    }
-    let text = match std::str::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => {
-            let start = error.valid_up_to();
-            let end = start + error.error_len().unwrap_or(bytes.len() - start);
-            findings.error(
-                "B001",
-                TextRange::new(start, end),
-                "the file is not UTF-8 text",
-                "this byte belongs to another encoding",
-                "save the file as UTF-8; every editor can",
-            );
-            return None;
-        }
-    };
+    let text = readable(bytes, findings)?;
     let (tree, broken) = DeTable::parse_recoverable(text);
-    for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
-        let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
-        let help = syntax_help(error.message(), text.get(range.start..range.end).unwrap_or_default());
-        findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
-    }
+    not_toml(text, &broken, findings);
     let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
     let bridge = resolve::resolve(&file, findings);
     let vary = resolve::vary(&file, findings);
-    if broken.is_empty() {
-        resolve::check_vary(text, &vary, findings);
+    if !vary.is_empty()
+        && let Some(document) = edit::Document::parse(text)
+    {
+        resolve::check_vary(&document, &vary, findings);
     }
     if !broken.is_empty() {
         // What could not be read may be what seems to be missing, and what is left of its line means nothing.
@@ -100,6 +88,44 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<(Option<Bridge>, V
         });
     }
     Some((bridge, vary))
+}
+
+/// The bytes as text.
+fn readable<'t>(bytes: &'t [u8], findings: &mut Findings) -> Option<&'t str> {
+    if bytes.len() > LONGEST {
+        findings.error(
+            "B003",
+            TextRange::new(0, 0),
+            format!("the file is {:.1} MB long", bytes.len() as f64 / 1e6),
+            "a bridge file has a few kilobytes",
+            "check that this is the bridge file",
+        );
+        return None;
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Some(text),
+        Err(error) => {
+            let start = error.valid_up_to();
+            let end = start + error.error_len().unwrap_or(bytes.len() - start);
+            findings.error(
+                "B001",
+                TextRange::new(start, end),
+                "the file is not UTF-8 text",
+                "this byte belongs to another encoding",
+                "save the file as UTF-8; every editor can",
+            );
+            None
+        }
+    }
+}
+
+/// Reports lines that are not TOML.
+fn not_toml(text: &str, broken: &[toml::de::Error], findings: &mut Findings) {
+    for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
+        let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
+        let help = syntax_help(error.message(), text.get(range.start..range.end).unwrap_or_default());
+        findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
+    }
 }
 
 /// What to write instead of a line that is not TOML.

@@ -121,7 +121,8 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: no position of the loads makes a mechanism of the bridge.",
+                "The command finished without an answer: no position of the loads makes a mechanism of the bridge, or no run of many \
+                 found the number that was asked for.",
             ),
             Status::UnusableInput => (
                 "unusable-input",

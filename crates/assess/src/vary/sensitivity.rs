@@ -1,7 +1,6 @@
 //! What each quantity does to the answer.
 
-use super::{Row, Study};
-use bridge::vary::Setting;
+use super::{Row, Setting, Study};
 
 /// Changes below this share of the answer are the solver's and nobody's finding: its duality gap is closed to 1e-8, and
 /// a load step is refined to 1e-3 at best.

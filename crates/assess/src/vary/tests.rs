@@ -1,7 +1,6 @@
 //! Studies made up from formulas whose sensitivities are known.
 
 use super::*;
-use bridge::path::Path;
 
 fn setting(number: f64) -> Setting {
     Setting { literal: format!("{number:?}"), text: format!("{number}"), number: Some(number) }

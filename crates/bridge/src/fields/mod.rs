@@ -240,6 +240,18 @@ pub static FILE: Section = Section {
     ],
 };
 
+/// A file of ranges alone.
+pub(crate) static RANGES: Section = Section {
+    path: "",
+    doc: "Quantities of a bridge file and their values.",
+    fields: &[Field::new(
+        "vary",
+        Kind::Tables(&vary::VARY),
+        "What `extrados vary` changes, and over which values.",
+        "",
+    )],
+};
+
 /// Every section of the file with the key that opens it, in the order of the reference.
 pub fn sections() -> Vec<&'static Section> {
     fn visit(section: &'static Section, found: &mut Vec<&'static Section>) {

@@ -49,11 +49,10 @@ fn range_of(from: Option<String>, to: Option<String>, points: Option<u64>, geome
 }
 
 /// Whether every request leads to a quantity of the file and to values of it.
-pub(crate) fn check(text: &str, requests: &[Request], findings: &mut Findings) {
-    let Some(document) = Document::parse(text) else { return };
+pub(crate) fn check(document: &Document, requests: &[Request], findings: &mut Findings) {
     let mut paths = Vec::new();
     for (number, request) in requests.iter().enumerate() {
-        match find(&document, &request.quantity) {
+        match find(document, &request.quantity) {
             Ok(quantity) => {
                 paths.push((number, quantity.path.to_string()));
                 if let Err(slip) = settle(&quantity, &request.spread) {
