@@ -21,6 +21,8 @@ pub struct Analysis {
     pub name: &'static str,
     /// Numbers that a reader asks for first, most wanted first.
     pub leading: &'static [&'static str],
+    /// Numbers that the analysis finds as the two ends of a bracket: the answer is no sharper than their distance.
+    pub brackets: &'static [[&'static str; 2]],
     /// Makes it.
     pub run: fn(&Bridge, &mut dyn Watch) -> Result<Outcome, AnalysisError>,
 }
@@ -29,6 +31,11 @@ pub struct Analysis {
 pub const COLLAPSE: Analysis = Analysis {
     name: "collapse",
     leading: &["minimum_thickness_m", "collapse_movement_m", "collapse_load_kn_per_m", "last_stable_load_kn_per_m"],
+    brackets: &[
+        ["collapse_load_kn_per_m", "last_stable_load_kn_per_m"],
+        ["collapse_movement_m", "last_stable_movement_m"],
+        ["minimum_thickness_factor", "thickness_factor_that_falls"],
+    ],
     run: |bridge, watch| {
         let found = analysis::collapse(bridge, None, watch)?;
         Ok(Outcome {
@@ -78,12 +85,18 @@ pub struct Row {
 pub struct Study {
     /// Name of the bridge.
     pub bridge: String,
-    /// What was repeated, in words: "collapse by limit analysis".
-    pub analysis: String,
+    /// The command that was repeated.
+    pub command: &'static str,
+    /// Which analysis the file's own plan has it make.
+    pub analysis: bridge::Analysis,
+    /// By which method, likewise.
+    pub method: bridge::Method,
     /// One at a time, or all against all.
     pub design: Design,
     /// Name of the number that figures and sensitivities are about.
     pub outcome: String,
+    /// Changes of that number up to this are the search's and not the bridge's.
+    pub resolution: f64,
     /// What was varied.
     pub quantities: Vec<Varied>,
     /// The bridge as its file has it, then every run in the order of the design.
@@ -91,6 +104,14 @@ pub struct Study {
 }
 
 impl Study {
+    /// The method in words.
+    pub fn method_in_words(&self) -> &'static str {
+        match self.method {
+            bridge::Method::Dem => "discrete elements",
+            bridge::Method::Limit => "limit analysis",
+        }
+    }
+
     /// The bridge as its file has it.
     pub fn baseline(&self) -> Option<&Row> {
         self.rows.first()
@@ -124,6 +145,16 @@ impl Study {
             }
         }
         names
+    }
+}
+
+/// How sharp a number of the file's own bridge is: the bracket that it is an end of, zero where it is none.
+pub fn resolution(analysis: &Analysis, study: &Study) -> f64 {
+    let pair = analysis.brackets.iter().find(|pair| pair.contains(&study.outcome.as_str()));
+    let ends = pair.zip(study.baseline()).map(|(pair, own)| pair.map(|name| own.outcome.number(name)));
+    match ends {
+        Some([Some(a), Some(b)]) => (a - b).abs(),
+        _ => 0.0,
     }
 }
 

@@ -61,6 +61,11 @@ fn axis_name(name: &str) -> String {
     if unit.is_empty() { words } else { format!("{words} [{unit}]") }
 }
 
+/// A value as print has it: exponents raised.
+fn pretty(text: &str) -> String {
+    text.replace("^2", "²").replace("^3", "³")
+}
+
 /// A number with its unit.
 fn with_unit(number: f64, name: &str) -> String {
     let (_, unit) = name_and_unit(name);

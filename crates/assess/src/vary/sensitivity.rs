@@ -2,9 +2,10 @@
 
 use super::{Row, Setting, Study};
 
-/// Changes below this share of the answer are the solver's and nobody's finding: its duality gap is closed to 1e-8, and
-/// a load step is refined to 1e-3 at best.
+/// Changes below this share of the answer are the solver's and nobody's finding: its duality gap is closed to 1e-8.
 const NOTHING: f64 = 1e-6;
+/// Steps of a search are equal but for rounding.
+const ROUNDING: f64 = 1.0 + 1e-6;
 
 /// Which way the answer goes as a quantity grows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,7 +95,7 @@ fn one(study: &Study, quantity: usize) -> Sensitivity {
         quantity,
         swing_percent: swing.zip(own.filter(|own| *own != 0.0)).map(|(swing, own)| 100.0 * swing / own.abs()),
         elasticity: study.quantities[quantity].own.as_ref().and_then(|own| elasticity(&curve, own.number?)),
-        trend: trend(&curve),
+        trend: trend(&curve, study.resolution),
         without_answer: study.rows_of(quantity).filter(|row| study.number(row).is_none()).count(),
         low,
         high,
@@ -121,12 +122,20 @@ fn curve(answered: &[(&Setting, f64)]) -> Vec<(f64, f64)> {
     points
 }
 
-fn trend(curve: &[(f64, f64)]) -> Trend {
+/// The answer rises where it is anywhere higher than at some smaller value, by more than the search could err; likewise
+/// it falls.
+fn trend(curve: &[(f64, f64)], resolution: f64) -> Trend {
     let size = curve.iter().map(|(_, outcome)| outcome.abs()).fold(0.0, f64::max);
-    let steps: Vec<f64> = curve.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
-    let rises = steps.iter().any(|step| *step > NOTHING * size);
-    let falls = steps.iter().any(|step| *step < -NOTHING * size);
-    match (steps.is_empty(), rises, falls) {
+    let noise = (NOTHING * size).max(ROUNDING * resolution);
+    let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+    let (mut rises, mut falls) = (false, false);
+    for (_, outcome) in curve {
+        rises |= outcome - lowest > noise;
+        falls |= highest - outcome > noise;
+        lowest = lowest.min(*outcome);
+        highest = highest.max(*outcome);
+    }
+    match (curve.len() < 2, rises, falls) {
         (true, ..) => Trend::Unknown,
         (_, true, true) => Trend::NotMonotone,
         (_, true, false) => Trend::Rising,

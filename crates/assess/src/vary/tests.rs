@@ -15,9 +15,12 @@ fn quantity(path: &str, own: f64, values: &[f64]) -> Varied {
 fn study(first: Varied, second: Varied, design: Design, answer: fn(f64, f64) -> f64) -> Study {
     let mut study = Study {
         bridge: "formula".into(),
-        analysis: "formula".into(),
+        command: "formula",
+        analysis: bridge::Analysis::Load,
+        method: bridge::Method::Limit,
         design,
         outcome: "y".into(),
+        resolution: 0.0,
         quantities: vec![first, second],
         rows: Vec::new(),
     };
@@ -64,6 +67,18 @@ fn what_goes_up_and_down_is_not_monotone_and_what_stays_is_flat() {
     assert_eq!(found[0].high.as_ref().map(|high| high.value.as_str()), Some("0"), "the file's own value counts");
     assert_eq!(found[0].elasticity, None, "zero has no logarithm");
     assert_eq!(found[1].elasticity, Some(0.0));
+}
+
+#[test]
+fn what_the_search_cannot_tell_is_flat() {
+    let stairs = |a: f64, _: f64| 10.0 + (a / 4.0).floor();
+    let values = [0.5, 3.0, 5.0, 9.0];
+    let mut study = study(quantity("a.b", 1.0, &values), quantity("c.d", 1.0, &[2.0]), Design::OneAtATime, stairs);
+    assert_eq!(sensitivity(&study)[0].trend, Trend::Rising);
+    study.resolution = 1.0;
+    assert_eq!(sensitivity(&study)[0].trend, Trend::Rising, "two steps are more than one");
+    study.rows.retain(|row| row.run.choice[0] != Some(3));
+    assert_eq!(sensitivity(&study)[0].trend, Trend::Flat);
 }
 
 #[test]

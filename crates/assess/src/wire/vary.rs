@@ -19,6 +19,7 @@ pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
         ("upper_bound_kn_per_m", limit.and_then(|l| l.upper_bound).map(kilo)),
         ("minimum_thickness_m", c.thickness.map(|t| t.crown_thickness)),
         ("minimum_thickness_factor", c.thickness.map(|t| t.factor[1])),
+        ("thickness_factor_that_falls", c.thickness.map(|t| t.factor[0])),
         ("collapse_movement_m", c.support.as_ref().and_then(|s| s.collapse)),
         ("last_stable_movement_m", c.support.as_ref().and_then(|s| s.last_stable)),
         ("max_compressive_stress_mpa", c.max_compressive_stress.map(|stress| stress / 1e6)),
@@ -72,9 +73,12 @@ fn numbers(outcome: &Outcome) -> Map<String, Value> {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct VaryObject {
     bridge: String,
-    analysis: String,
+    command: &'static str,
+    method: &'static str,
+    analysis: &'static str,
     design: &'static str,
     outcome: String,
+    outcome_resolution: f64,
     quantities: Vec<QuantityObject>,
     baseline: Option<RowObject>,
     rows: Vec<RowObject>,
@@ -147,9 +151,12 @@ impl VaryObject {
         let baseline = if rows.is_empty() { None } else { Some(rows.remove(0)) };
         VaryObject {
             bridge: study.bridge.clone(),
-            analysis: study.analysis.clone(),
+            command: study.command,
+            method: super::collapse::method(study.method),
+            analysis: super::collapse::analysis(study.analysis),
             design: study.design.word(),
             outcome: study.outcome.clone(),
+            outcome_resolution: study.resolution,
             quantities: study.quantities.iter().map(quantity).collect(),
             baseline,
             rows,

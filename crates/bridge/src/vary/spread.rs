@@ -7,6 +7,7 @@ use super::{Quantity, Slip};
 use crate::edit::literal;
 use crate::fields::{Field, Kind};
 use crate::path::Path;
+use crate::quantity;
 use crate::tree::shorten;
 
 /// Values as they were asked for, in TOML.
@@ -78,10 +79,15 @@ pub fn settle(quantity: &Quantity, spread: &Spread) -> Result<Varied, Slip> {
     })
 }
 
-/// A value without quotes.
+/// A value without quotes, with a blank before its unit.
 fn text_of(literal: &str) -> String {
     let value: Option<Value> = literal.parse().ok();
-    value.as_ref().and_then(Value::as_str).map_or_else(|| literal.to_owned(), |text| text.trim().to_owned())
+    let Some(text) = value.as_ref().and_then(Value::as_str) else { return literal.to_owned() };
+    let text = text.trim();
+    match quantity::parse(text) {
+        Ok(read) if !text.contains(' ') => format!("{} {}", read.number, read.unit.symbol),
+        _ => text.to_owned(),
+    }
 }
 
 /// A value as the file would have it: relative ones times the quantity's own.

@@ -61,7 +61,10 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         report.warn(&mut desk.screen, failure.code, &failure.message);
     }
     match found.rows {
-        Some(rows) => write(desk, report, arguments, &analysis, study(&own, plan.design(), task, rows), &folder),
+        Some(rows) => {
+            let own = plan.chosen(own.clone())?;
+            write(desk, report, arguments, &analysis, study(&own, &analysis, plan.design(), task, rows), &folder)
+        }
         None => Ok(interrupted(report, found.finished, found.jobs, &cache)),
     }
 }
@@ -121,7 +124,7 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-fn study(own: &Bridge, design: vary::Design, task: Task, finished: Vec<Finished>) -> Study {
+fn study(own: &Bridge, analysis: &Analysis, design: vary::Design, task: Task, finished: Vec<Finished>) -> Study {
     let rows = task.runs.iter().zip(&task.new_warnings).zip(finished);
     let rows = rows.map(|((run, new), mut found)| {
         found.outcome.warnings.extend(new.iter().map(|code| (*code).to_owned()));
@@ -129,9 +132,12 @@ fn study(own: &Bridge, design: vary::Design, task: Task, finished: Vec<Finished>
     });
     Study {
         bridge: own.name.clone(),
-        analysis: task.analysis_in_words,
+        command: analysis.name,
+        analysis: own.plan.analysis,
+        method: own.plan.method,
         design,
         outcome: String::new(),
+        resolution: 0.0,
         rows: rows.collect(),
         quantities: task.varied,
     }
@@ -156,6 +162,7 @@ fn write(
     folder: &Folder,
 ) -> Result<Report, Failure> {
     study.outcome = outcome(arguments, analysis, &study)?;
+    study.resolution = vary::resolution(analysis, &study);
     if study.rows.iter().all(|row| study.number(row).is_none()) {
         report.status = Status::Undetermined;
     }

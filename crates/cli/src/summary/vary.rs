@@ -1,6 +1,6 @@
 //! The answer of a study in an engineer's words.
 
-use assess::vary::{Design, Sensitivity, Study, sensitivity};
+use assess::vary::{Design, Sensitivity, Study, Trend, sensitivity};
 use std::fmt::Write;
 
 /// Runs that ended otherwise, shown at most.
@@ -9,7 +9,7 @@ const MOST_SHOWN: usize = 8;
 /// What was found, what matters most, where the rest is.
 pub fn vary(study: &Study, out: &str) -> String {
     let (name, unit) = figures::name_and_unit(&study.outcome);
-    let mut page = format!("{}: {}, {}\n\n", study.bridge, study.analysis, design(study));
+    let mut page = format!("{}: {name} by {}, {}\n\n", study.bridge, study.method_in_words(), design(study));
     let own = study.baseline().and_then(|row| Some((row, study.number(row))));
     if let Some((row, number)) = own {
         let shown = number.map_or("none".to_owned(), |number| format!("{} {unit}", figures::four_digits(number)));
@@ -20,6 +20,11 @@ pub fn vary(study: &Study, out: &str) -> String {
         Design::Grid => grid(&mut page, study, unit),
     }
     others(&mut page, study);
+    let own = study.baseline().and_then(|row| study.number(row));
+    if study.resolution > 1e-6 * own.unwrap_or(0.0).abs() {
+        let sharp = figures::four_digits(study.resolution);
+        let _ = writeln!(page, "\n  changes up to {sharp} {unit} are steps of the search");
+    }
     let _ = writeln!(page, "\nThe table, figures and finished runs are in {out}");
     page
 }
@@ -47,6 +52,7 @@ fn sensitivities(page: &mut String, study: &Study, unit: &str) {
         .map(|one| {
             let (low, high) = (one.low.as_ref(), one.high.as_ref());
             let at = |end: Option<&assess::vary::Extreme>| match end {
+                Some(end) if one.trend == Trend::Flat => digits(end.outcome),
                 Some(end) => format!("{} at {}", digits(end.outcome), end.value),
                 None => "–".to_owned(),
             };
@@ -57,7 +63,10 @@ fn sensitivities(page: &mut String, study: &Study, unit: &str) {
                 study.quantities[one.quantity].path.to_string(),
                 at(low),
                 at(high),
-                format!("{} … {}", percent(low), percent(high)),
+                match one.trend {
+                    Trend::Flat => "none".to_owned(),
+                    _ => format!("{} … {}", percent(low), percent(high)),
+                },
                 words(one),
             ]
         })
@@ -78,7 +87,9 @@ fn sensitivities(page: &mut String, study: &Study, unit: &str) {
 }
 
 fn words(one: &Sensitivity) -> String {
-    let elasticity = one.elasticity.map_or("–".to_owned(), |number| format!("{number:+.2}"));
+    // Half of the last digit shown takes the sign off what rounds to zero.
+    let elasticity = one.elasticity.map(|number| if number.abs() < 0.005 { 0.0 } else { number });
+    let elasticity = elasticity.map_or("–".to_owned(), |number| format!("{number:+.2}"));
     format!("{elasticity}, {}", one.trend.word().replace('-', " "))
 }
 

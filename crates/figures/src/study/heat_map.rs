@@ -1,6 +1,6 @@
 //! The answer over the plane of two quantities.
 
-use super::{axis_name, name_and_unit, with_unit};
+use super::{axis_name, name_and_unit, pretty, with_unit};
 use crate::colour::dark_for_much;
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
@@ -23,10 +23,10 @@ pub fn heat_map(study: &Study) -> Option<String> {
 
     let mut sheet = Sheet::new("heat-map");
     let (name, _) = name_and_unit(&study.outcome);
-    let second = format!("The {name} over {} and {}: {}", across.path, up.path, study.analysis);
+    let second = format!("The {name} over {} and {}, by {}", across.path, up.path, study.method_in_words());
     let top = sheet.title(&study.bridge, &second);
     let small = Style { size: SMALL, ..Style::default() };
-    let wide = |setting: &Setting| font::width(&setting.text, SMALL, small.weight);
+    let wide = |setting: &Setting| font::width(&pretty(&setting.text), SMALL, small.weight);
     let area = Area {
         left: MARGIN + 30.0 + up.values.iter().map(wide).fold(0.0, f64::max),
         right: WIDTH - MARGIN,
@@ -83,16 +83,17 @@ fn names(sheet: &mut Sheet, study: &Study, area: Area, cell: [f64; 2], orders: [
     let small = Style { size: SMALL, ..Style::default() };
     let [columns, lines] = orders;
     let values = |quantity: usize| &study.quantities[quantity].values;
-    let widest = values(0).iter().map(|value| font::width(&value.text, SMALL, small.weight)).fold(0.0, f64::max);
+    let widest =
+        values(0).iter().map(|value| font::width(&pretty(&value.text), SMALL, small.weight)).fold(0.0, f64::max);
     let every = (widest / (cell[0] - 6.0).max(1.0)).ceil().max(1.0) as usize;
     for (at, value) in columns.iter().enumerate().filter(|(at, _)| at % every == 0) {
         let x = area.left + cell[0] * (at as f64 + 0.5);
-        sheet.text([x, area.bottom + 17.0], &values(0)[*value].text, small.anchored(Anchor::Middle));
+        sheet.text([x, area.bottom + 17.0], &pretty(&values(0)[*value].text), small.anchored(Anchor::Middle));
     }
     let every = (1.4 * SMALL / cell[1]).ceil().max(1.0) as usize;
     for (at, value) in lines.iter().enumerate().filter(|(at, _)| at % every == 0) {
         let y = area.bottom - cell[1] * (at as f64 + 0.5) + 0.5 * font::CAPITAL * SMALL;
-        sheet.text([area.left - 7.0, y], &values(1)[*value].text, small.anchored(Anchor::End));
+        sheet.text([area.left - 7.0, y], &pretty(&values(1)[*value].text), small.anchored(Anchor::End));
     }
     let own = |quantity: usize, order: &[usize]| {
         let own = study.quantities[quantity].own.as_ref()?;

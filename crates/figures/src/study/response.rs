@@ -1,6 +1,6 @@
 //! How the answer follows one quantity.
 
-use super::{axis_name, honest, name_and_unit, with_unit};
+use super::{axis_name, honest, name_and_unit, pretty, with_unit};
 use crate::chart::{Axes, Axis, Entry, Mark, key};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Pen, SMALL, Sheet, Spot, Style};
@@ -30,10 +30,10 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
 
     let mut sheet = Sheet::new("curve");
     let (name, _) = name_and_unit(&study.outcome);
-    let top = sheet.title(&study.bridge, &format!("The {name} over {}: {}", varied.path, study.analysis));
+    let top = sheet.title(&study.bridge, &format!("The {name} over {}, by {}", varied.path, study.method_in_words()));
     let x_name = match varied.unit.as_str() {
         "" => varied.path.to_string(),
-        unit => format!("{} [{unit}]", varied.path),
+        unit => format!("{} [{}]", varied.path, pretty(unit)),
     };
     let y_name = axis_name(&study.outcome);
     let (first, last) = (points.first()?.0, points.last()?.0);

@@ -1,10 +1,10 @@
 //! The tornado chart: one bar a quantity, the one that moves the answer most on top.
 
-use super::{axis_name, honest, name_and_unit, with_unit};
+use super::{axis_name, honest, name_and_unit, pretty, with_unit};
 use crate::chart::{Axis, Mark};
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, THIN, WIDTH, font};
-use assess::vary::{Extreme, Row, Sensitivity, Study, sensitivity};
+use assess::vary::{Extreme, Row, Sensitivity, Study, Trend, sensitivity};
 
 /// Where the quantity is below its own value, above it, and where it has no order: told apart in grey print too.
 const BELOW: &str = "#9dc3e6";
@@ -25,7 +25,10 @@ pub fn tornado(study: &Study) -> Option<String> {
 
     let mut sheet = Sheet::new("tornado");
     let (name, _) = name_and_unit(&study.outcome);
-    let top = sheet.title(&study.bridge, &format!("What moves the {name}: {}, one quantity at a time", study.analysis));
+    let top = sheet.title(
+        &study.bridge,
+        &format!("What moves the {name}, one quantity at a time, by {}", study.method_in_words()),
+    );
     let plane = Plane::new(study, &bars, top, honest(low, high));
     plane.axis(&mut sheet, &study.outcome);
     for (place, one) in bars.iter().enumerate() {
@@ -70,9 +73,10 @@ impl Plane {
         let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
         let label = |one: &Sensitivity| font::width(&label(study, one), 13.0, font::Weight::Regular);
         let names = bars.iter().map(label).fold(90.0, f64::max).min(WIDEST_NAME);
-        let end = |end: &Option<Extreme>| end.as_ref().map_or(0.0, |end| wide(&end_text(end)));
-        let left = bars.iter().map(|one| end(&one.low)).fold(0.0, f64::max) + 12.0;
-        let right = bars.iter().map(|one| end(&one.high)).fold(0.0, f64::max) + 12.0;
+        let [left, right] = [0, 1].map(|end| {
+            let widths = bars.iter().map(|one| wide(&end_texts(study, one)[end]));
+            widths.fold(0.0, f64::max) + 12.0
+        });
         let heights: Vec<f64> = bars.iter().map(|one| 44.0 + 15.0 * notes(study, one).len() as f64).collect();
         let area = Area {
             left: MARGIN + names + 12.0,
@@ -132,8 +136,9 @@ impl Plane {
         let drop = 0.5 * font::CAPITAL * SMALL;
         let left = self.x(low.outcome.min(start)) - 8.0;
         let right = self.x(high.outcome.max(start)) + 8.0;
-        sheet.text([left, y + drop], &end_text(low), small().anchored(Anchor::End));
-        sheet.text([right, y + drop], &end_text(high), small());
+        let [first, last] = end_texts(study, one);
+        sheet.text([left, y + drop], &first, small().anchored(Anchor::End));
+        sheet.text([right, y + drop], &last, small());
         let name = Style::default().anchored(Anchor::End);
         let edge = self.area.left - 10.0;
         let lines = font::wrap(&label(study, one), name.size, name.weight, WIDEST_NAME);
@@ -152,14 +157,27 @@ fn label(study: &Study, one: &Sensitivity) -> String {
 }
 
 fn own_text(study: &Study, one: &Sensitivity) -> String {
-    study.quantities[one.quantity].own.as_ref().map_or("not in the file".to_owned(), |own| own.text.clone())
+    study.quantities[one.quantity].own.as_ref().map_or("not in the file".to_owned(), |own| pretty(&own.text))
 }
 
-/// The value at the end of a bar, and what it does to the answer.
-fn end_text(end: &Extreme) -> String {
-    let change = end.change_percent.filter(|change| change.abs() >= 0.05);
-    let change = change.map_or(String::new(), |change| format!("  {change:+.1} %").replace('-', "−"));
-    format!("{}{change}", end.value)
+/// What stands at both ends of a bar: the value, and what it does to the answer. The file's own value is the line through
+/// all bars and needs no words.
+fn end_texts(study: &Study, one: &Sensitivity) -> [String; 2] {
+    let varied = &study.quantities[one.quantity];
+    if one.trend == Trend::Flat {
+        let ends = [varied.values.first(), varied.values.last()].map(|end| end.map_or("", |end| end.text.as_str()));
+        return [String::new(), pretty(&format!("no change from {} to {}", ends[0], ends[1]))];
+    }
+    let own = varied.own.as_ref().map(|own| own.text.as_str());
+    let text = |end: &Option<Extreme>| match end {
+        Some(end) if Some(end.value.as_str()) == own => String::new(),
+        Some(end) => {
+            let change = end.change_percent.map_or(String::new(), |change| format!(": {change:+.1} %"));
+            pretty(&format!("{}{}", end.value, change.replace('-', "−")))
+        }
+        None => String::new(),
+    };
+    [text(&one.low), text(&one.high)]
 }
 
 /// Colour and words of the side on which a value lies.
@@ -181,7 +199,7 @@ fn ends_otherwise(study: &Study, row: &Row) -> bool {
 fn notes(study: &Study, one: &Sensitivity) -> Vec<String> {
     let mut notes: Vec<(String, Vec<String>)> = Vec::new();
     for row in study.rows_of(one.quantity).filter(|row| ends_otherwise(study, row)) {
-        let value = study.setting(row, one.quantity).map_or(String::new(), |setting| setting.text.clone());
+        let value = study.setting(row, one.quantity).map_or(String::new(), |setting| pretty(&setting.text));
         match notes.iter_mut().find(|(status, _)| *status == row.outcome.status) {
             Some((_, values)) => values.push(value),
             None => notes.push((row.outcome.status.clone(), vec![value])),

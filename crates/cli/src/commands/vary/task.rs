@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use assess::vary::{Analysis, Design, Run, runs};
 use bridge::edit::Document;
 use bridge::vary::Varied;
-use bridge::{Bridge, Diagnostic, Method, Severity};
+use bridge::{Bridge, Diagnostic, Severity};
 use std::collections::BTreeMap;
 
 /// Refusals shown at once; who has more starts with the first ones.
@@ -37,8 +37,6 @@ pub struct Task {
     pub jobs: Vec<Job>,
     /// For each run, codes of doubts that the file's own bridge does not raise.
     pub new_warnings: Vec<Vec<&'static str>>,
-    /// What is repeated, in words.
-    pub analysis_in_words: String,
 }
 
 /// A bridge to analyse.
@@ -114,8 +112,7 @@ impl Plan<'_> {
         let own: Vec<&'static str> = warnings.first().cloned().unwrap_or_default();
         let new = |doubts: Vec<&'static str>| doubts.into_iter().filter(|code| !own.contains(code)).collect();
         let new_warnings = warnings.into_iter().map(new).collect();
-        let analysis_in_words = self.words(analysis).map_err(|failure| vec![failure])?;
-        Ok(Task { varied, runs, job_of, jobs: jobs.list, new_warnings, analysis_in_words })
+        Ok(Task { varied, runs, job_of, jobs: jobs.list, new_warnings })
     }
 
     /// The bridge as its file has it, alone.
@@ -128,7 +125,6 @@ impl Plan<'_> {
             job_of: vec![0],
             jobs: vec![Job { bridge, key }],
             new_warnings: vec![Vec::new()],
-            analysis_in_words: self.words(analysis)?,
         })
     }
 
@@ -155,23 +151,9 @@ impl Plan<'_> {
     }
 
     /// With what the command line says in place of the file.
-    fn chosen(&self, mut bridge: Bridge) -> Result<Bridge, Failure> {
+    pub fn chosen(&self, mut bridge: Bridge) -> Result<Bridge, Failure> {
         self.choice.apply(&mut bridge)?;
         Ok(bridge)
-    }
-
-    fn words(&self, analysis: &Analysis) -> Result<String, Failure> {
-        let plan = self.chosen(self.own.clone())?.plan;
-        let what = match plan.analysis {
-            bridge::Analysis::Load => "load",
-            bridge::Analysis::Thickness => "thickness",
-            bridge::Analysis::SupportMovement => "support movement",
-        };
-        let method = match plan.method {
-            Method::Dem => "discrete elements",
-            Method::Limit => "limit analysis",
-        };
-        Ok(format!("{} ({what}) by {method}", analysis.name))
     }
 }
 
