@@ -80,15 +80,17 @@ fn one(study: &Study, quantity: usize) -> Sensitivity {
         .filter_map(|row| Some((study.setting(row, quantity)?, study.number(row)?)))
         .filter(|(_, outcome)| outcome.is_finite())
         .collect();
-    let extreme = |wanted: std::cmp::Ordering| {
-        let better = |best: Option<(usize, f64)>, (at, (_, outcome)): (usize, &(&Setting, f64))| match best {
-            Some((_, known)) if outcome.total_cmp(&known) != wanted => best,
-            _ => Some((at, *outcome)),
+    let size = answered.iter().map(|(_, outcome)| outcome.abs()).fold(0.0, f64::max);
+    // The file's own bridge comes first and stays where others are no better than the solver's noise.
+    let extreme = |sign: f64| {
+        let better = |best: Option<usize>, (at, (_, outcome)): (usize, &(&Setting, f64))| match best {
+            Some(known) if sign * (outcome - answered[known].1) <= NOTHING * size => Some(known),
+            _ => Some(at),
         };
-        let (at, outcome) = answered.iter().enumerate().fold(None, better)?;
-        Some(Extreme { value: answered[at].0.text.clone(), outcome, change_percent: change(outcome, own) })
+        let (setting, outcome) = answered[answered.iter().enumerate().fold(None, better)?];
+        Some(Extreme { value: setting.text.clone(), outcome, change_percent: change(outcome, own) })
     };
-    let (low, high) = (extreme(std::cmp::Ordering::Less), extreme(std::cmp::Ordering::Greater));
+    let (low, high) = (extreme(-1.0), extreme(1.0));
     let swing = low.as_ref().zip(high.as_ref()).map(|(low, high)| high.outcome - low.outcome);
     let curve = curve(&answered);
     Sensitivity {

@@ -147,6 +147,11 @@ fn no_such(text: &str, step: &Step, there: usize) -> Slip {
             format!("the file has no {} with a number", step.key),
             format!("add it to the file, or leave the number of `{}` away if there is only one", step.key),
         ),
+        (Some(index), 1) => (
+            format!("`{}` leads to number {index} of one", shorten(text)),
+            format!("the file has one of `{}`", step.key),
+            format!("write {}[1], or leave the number away", step.key),
+        ),
         (Some(index), _) => (
             format!("`{}` leads to number {index} of {there}", shorten(text)),
             format!("the file has {there} of `{}`, counted from 1", step.key),

@@ -3,7 +3,7 @@
 use super::{axis_name, honest, name_and_unit, pretty, with_unit};
 use crate::chart::{Axes, Axis, Entry, Mark, key};
 use crate::sheet::place::Room;
-use crate::sheet::{Anchor, Pen, SMALL, Sheet, Spot, Style};
+use crate::sheet::{Area, Pen, SMALL, Sheet, Spot, Style};
 use crate::ticks::Ticks;
 use assess::vary::{Row, Study};
 
@@ -61,7 +61,8 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
         let as_own = row.outcome.status == own_status;
         let Some(number) = answer else {
             without = true;
-            cross(&mut sheet, [axes.spot(*value, low)[0], axes.area.bottom - 12.0], &row.outcome.status);
+            let foot = [axes.spot(*value, low)[0], axes.area.bottom - 12.0];
+            cross(&mut sheet, foot, &row.outcome.status, axes.area);
             continue;
         };
         otherwise |= !as_own;
@@ -72,7 +73,11 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
         (if as_own { Mark::Full } else { Mark::Hollow }).draw(&mut sheet, at, CURVE);
     }
     if let Some((value, Some(number), _)) = points.iter().find(|point| own_value == Some(point.0)) {
-        let room = Room { area: axes.area.grown(-5.0), towards: [0.5, 0.8], clear: 12.0 };
+        // Beside the curve: below it where it rises to the right of the point, above it where it rises to the left.
+        let rising = points.iter().rev().find_map(|point| point.1) > points.iter().find_map(|point| point.1);
+        let right = if *value - first <= 0.5 * (last - first) { 1.0 } else { -1.0 };
+        let down = if rising { right } else { -right };
+        let room = Room { area: axes.area.grown(-5.0), towards: [0.6 * right, 0.8 * down], clear: 12.0 };
         let text = format!("as the file has it: {}", with_unit(*number, &study.outcome));
         sheet.label(axes.spot(*value, *number), &text, Style::on_drawing(), room);
     }
@@ -88,13 +93,13 @@ pub fn response(study: &Study, quantity: usize) -> Option<String> {
 }
 
 /// A run without an answer.
-fn cross(sheet: &mut Sheet, at: Spot, status: &str) {
+fn cross(sheet: &mut Sheet, at: Spot, status: &str, area: Area) {
     let arm = 4.5;
     for side in [-1.0, 1.0] {
         let (a, b) = ([at[0] - arm, at[1] - side * arm], [at[0] + arm, at[1] + side * arm]);
         sheet.line(a, b, Pen::line(ALARM, 1.6).class("without"));
     }
     let style = Style { size: SMALL, colour: ALARM, halo: true, ..Style::default() };
-    let turned = status.replace('-', " ");
-    sheet.text([at[0], at[1] - 10.0], &turned, style.anchored(Anchor::Middle));
+    let room = Room { area: area.grown(-5.0), towards: [0.0, -1.0], clear: 10.0 };
+    sheet.label(at, status, style, room);
 }
