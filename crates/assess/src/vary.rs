@@ -13,6 +13,7 @@ use mechanics::watch::Watch;
 
 pub use bridge::path::Path;
 pub use bridge::vary::{Setting, Varied};
+pub use bridge::{Analysis as AnalysisKind, Method as MethodKind};
 
 /// An analysis that can be repeated: from a bridge with its plan to numbers with names.
 #[derive(Clone, Copy)]

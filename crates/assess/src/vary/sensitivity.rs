@@ -55,7 +55,9 @@ pub struct Sensitivity {
     pub low: Option<Extreme>,
     /// The largest answer; the first of equals.
     pub high: Option<Extreme>,
-    /// Largest less smallest, over the answer of the file's own bridge [%].
+    /// Largest less smallest, the answer of the file's own bridge counted among them.
+    pub swing: Option<f64>,
+    /// The same over the answer of the file's own bridge [%].
     pub swing_percent: Option<f64>,
     /// d ln(answer) / d ln(value): over the nearest values on both sides of the file's own, or on the one side there is.
     pub elasticity: Option<f64>,
@@ -91,10 +93,13 @@ fn one(study: &Study, quantity: usize) -> Sensitivity {
         Some(Extreme { value: setting.text.clone(), outcome, change_percent: change(outcome, own) })
     };
     let (low, high) = (extreme(-1.0), extreme(1.0));
-    let swing = low.as_ref().zip(high.as_ref()).map(|(low, high)| high.outcome - low.outcome);
+    let ends = low.as_ref().zip(high.as_ref()).map(|(low, high)| [low.outcome, high.outcome]);
+    let with_own = |[low, high]: [f64; 2]| own.map_or(high - low, |own| high.max(own) - low.min(own));
+    let swing = ends.map(with_own);
     let curve = curve(&answered);
     Sensitivity {
         quantity,
+        swing,
         swing_percent: swing.zip(own.filter(|own| *own != 0.0)).map(|(swing, own)| 100.0 * swing / own.abs()),
         elasticity: study.quantities[quantity].own.as_ref().and_then(|own| elasticity(&curve, own.number?)),
         trend: trend(&curve, study.resolution),

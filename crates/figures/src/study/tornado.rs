@@ -3,7 +3,7 @@
 use super::{axis_name, honest, name_and_unit, pretty, with_unit};
 use crate::chart::{Axis, Mark};
 use crate::elevation::INK;
-use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, THIN, WIDTH, font};
+use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
 use assess::vary::{Extreme, Row, Sensitivity, Study, Trend, sensitivity};
 
 /// Where the quantity is below its own value, above it, and where it has no order: told apart in grey print too.
@@ -17,7 +17,7 @@ const WIDEST_NAME: f64 = 250.0;
 /// The bars, with the answer of the file's own bridge as a line through all of them. None without an answer.
 pub fn tornado(study: &Study) -> Option<String> {
     let mut bars: Vec<Sensitivity> = sensitivity(study).into_iter().filter(|one| one.low.is_some()).collect();
-    bars.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
+    bars.sort_by(|a, b| b.swing.unwrap_or(0.0).total_cmp(&a.swing.unwrap_or(0.0)));
     let ends = |one: &Sensitivity| [&one.low, &one.high].map(|end| end.as_ref().map_or(f64::NAN, |end| end.outcome));
     let own = study.baseline().and_then(|row| study.number(row));
     let numbers = || bars.iter().flat_map(|one| ends(one)).chain(own).filter(|number| number.is_finite());
@@ -44,11 +44,6 @@ pub fn tornado(study: &Study) -> Option<String> {
     }
     let bottom = key(&mut sheet, plane.area.bottom + 50.0, study, &bars);
     Some(sheet.finish(bottom))
-}
-
-fn swing(one: &Sensitivity) -> f64 {
-    let ends = one.low.as_ref().zip(one.high.as_ref());
-    ends.map_or(0.0, |(low, high)| high.outcome - low.outcome)
 }
 
 fn small() -> Style {
@@ -121,12 +116,11 @@ impl Plane {
         let (Some(low), Some(high)) = (&one.low, &one.high) else { return };
         let y = self.y(place);
         let start = own.unwrap_or(low.outcome);
-        for end in [low, high] {
+        let sides = [(low, low.outcome < start), (high, high.outcome > start)];
+        for (end, _) in sides.into_iter().filter(|(_, apart)| *apart) {
             let (a, b) = (self.x(start.min(end.outcome)), self.x(start.max(end.outcome)));
             let area = Area { left: a, right: b, top: y - 0.5 * BAR, bottom: y + 0.5 * BAR };
-            if b > a {
-                sheet.rectangle(area, Pen::shape(side(study, one, end).0, INK, THIN).class("swing"));
-            }
+            sheet.rectangle(area, Pen::shape(side(study, one, end).0, INK, THIN).class("swing"));
         }
         for row in study.rows_of(one.quantity) {
             let Some(number) = study.number(row) else { continue };
@@ -169,15 +163,18 @@ fn end_texts(study: &Study, one: &Sensitivity) -> [String; 2] {
         return [String::new(), pretty(&format!("no change from {} to {}", ends[0], ends[1]))];
     }
     let own = varied.own.as_ref().map(|own| own.text.as_str());
-    let text = |end: &Option<Extreme>| match end {
+    let start = study.baseline().and_then(|row| study.number(row));
+    let text = |end: &Option<Extreme>, sign: f64| match end {
         Some(end) if Some(end.value.as_str()) == own => String::new(),
+        // Both ends on one side of the file's own answer: the farther one says it.
+        Some(end) if start.is_some_and(|start| sign * (end.outcome - start) < 0.0) => String::new(),
         Some(end) => {
             let change = end.change_percent.map_or(String::new(), |change| format!(": {change:+.1} %"));
             pretty(&format!("{}{}", end.value, change.replace('-', "−")))
         }
         None => String::new(),
     };
-    [text(&one.low), text(&one.high)]
+    [text(&one.low, -1.0), text(&one.high, 1.0)]
 }
 
 /// Colour and words of the side on which a value lies.
@@ -216,21 +213,32 @@ fn key(sheet: &mut Sheet, top: f64, study: &Study, bars: &[Sensitivity]) -> f64 
         ends.filter(|(_, end)| Some(end.outcome) != own).any(|(one, end)| side(study, one, end).0 == colour)
     };
     let texts = ["value below the file's own", "value above the file's own", "another word, or not in the file"];
-    let (mut x, y) = (MARGIN, top + 14.0);
+    let (mut x, mut y) = (MARGIN, top + 14.0);
+    let mut entry = |sheet: &mut Sheet, text: &str, sign: &dyn Fn(&mut Sheet, Spot)| {
+        let wide = 32.0 + font::width(text, SMALL, font::Weight::Regular);
+        if x > MARGIN && x + wide > WIDTH - MARGIN {
+            (x, y) = (MARGIN, y + 18.0);
+        }
+        sign(sheet, [x + 14.0, y - 4.5]);
+        sheet.text([x + 32.0, y], text, small());
+        x += wide + 16.0;
+        y
+    };
+    let mut bottom = top;
     sheet.open("key");
     for (colour, text) in [BELOW, ABOVE, WORDS].into_iter().zip(texts).filter(|(colour, _)| used(colour)) {
-        let area = Area { left: x + 2.0, right: x + 26.0, top: y - 10.0, bottom: y + 1.0 };
-        sheet.rectangle(area, Pen::shape(colour, INK, THIN));
-        sheet.text([x + 32.0, y], text, small());
-        x += 50.0 + font::width(text, SMALL, font::Weight::Regular);
+        bottom = entry(sheet, text, &|sheet, [x, y]| {
+            let area = Area { left: x - 12.0, right: x + 12.0, top: y - 5.5, bottom: y + 5.5 };
+            sheet.rectangle(area, Pen::shape(colour, INK, THIN));
+        });
     }
-    Mark::Full.draw(sheet, [x + 10.0, y - 4.0], INK);
-    sheet.text([x + 20.0, y], "one run", small());
-    x += 38.0 + font::width("one run", SMALL, font::Weight::Regular);
-    if study.rows.iter().any(|row| ends_otherwise(study, row) && study.number(row).is_some()) {
-        Mark::Hollow.draw(sheet, [x + 10.0, y - 4.0], INK);
-        sheet.text([x + 20.0, y], "ended otherwise", small());
+    let answered = || study.rows.iter().skip(1).filter(|row| study.number(row).is_some());
+    if answered().any(|row| !ends_otherwise(study, row)) {
+        bottom = entry(sheet, "one run", &|sheet, at| Mark::Full.draw(sheet, at, INK));
+    }
+    if answered().any(|row| ends_otherwise(study, row)) {
+        bottom = entry(sheet, "ended otherwise", &|sheet, at| Mark::Hollow.draw(sheet, at, INK));
     }
     sheet.close();
-    y + 8.0
+    bottom + 8.0
 }
