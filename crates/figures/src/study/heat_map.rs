@@ -17,7 +17,7 @@ const NONE: &str = "#f2f2f2";
 /// and without an answer.
 pub fn heat_map(study: &Study) -> Option<String> {
     let [across, up] = &study.quantities[..] else { return None };
-    let answers = || study.rows.iter().filter_map(|row| study.number(row)).filter(|number| number.is_finite());
+    let answers = || study.rows.iter().skip(1).filter_map(|row| study.number(row)).filter(|number| number.is_finite());
     let (low, high) = (answers().reduce(f64::min)?, answers().reduce(f64::max)?);
     let (columns, lines) = (order(&across.values), order(&up.values));
 
@@ -50,10 +50,15 @@ pub fn heat_map(study: &Study) -> Option<String> {
         };
         // The middle of the colour map is about as dark as letters may be read on in black.
         let letters = if found.is_some_and(|number| share(number) > 0.5) { "#ffffff" } else { "#111111" };
-        let fits = font::width(&text, SMALL, small.weight) < cell[0] - 4.0;
-        if numbers && fits {
-            let at = [left + 0.5 * cell[0], bottom - 0.5 * cell[1] + 0.5 * font::CAPITAL * SMALL];
-            sheet.text(at, &text, Style { colour: letters, ..small.anchored(Anchor::Middle) });
+        let lines = font::wrap(&text, SMALL, small.weight, cell[0] - 8.0);
+        let high = 1.25 * SMALL * lines.len() as f64;
+        if numbers && high < cell[1] - 4.0 {
+            let middle = [left + 0.5 * cell[0], bottom - 0.5 * cell[1] + 0.5 * font::CAPITAL * SMALL];
+            for (at, line) in lines.iter().enumerate() {
+                let drop = 1.25 * SMALL * (at as f64 - 0.5 * (lines.len() - 1) as f64);
+                let style = Style { colour: letters, ..small.anchored(Anchor::Middle) };
+                sheet.text([middle[0], middle[1] + drop], line, style);
+            }
         }
     }
     let bottom = names(&mut sheet, study, area, cell, [&columns, &lines]);

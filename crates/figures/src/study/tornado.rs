@@ -42,6 +42,9 @@ pub fn tornado(study: &Study) -> Option<String> {
         let middle = x.clamp(MARGIN + half, WIDTH - MARGIN - half);
         sheet.text([middle, plane.area.top - 8.0], &text, small().anchored(Anchor::Middle));
     }
+    for (place, one) in bars.iter().enumerate() {
+        plane.notes(&mut sheet, study, one, place);
+    }
     let bottom = key(&mut sheet, plane.area.bottom + 50.0, study, &bars);
     Some(sheet.finish(bottom))
 }
@@ -68,10 +71,18 @@ impl Plane {
         let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
         let label = |one: &Sensitivity| font::width(&label(study, one), 13.0, font::Weight::Regular);
         let names = bars.iter().map(label).fold(90.0, f64::max).min(WIDEST_NAME);
-        let [left, right] = [0, 1].map(|end| {
-            let widths = bars.iter().map(|one| wide(&end_texts(study, one)[end]));
-            widths.fold(0.0, f64::max) + 12.0
-        });
+        let reserve = |end: usize| {
+            let apart = bars.iter().filter(|one| one.trend != Trend::Flat);
+            apart.map(|one| wide(&end_texts(study, one)[end])).fold(0.0, f64::max) + 12.0
+        };
+        let (left, mut right) = (reserve(0), reserve(1));
+        // What stays has its words beside the line through all bars, where there is room on the way to the last bar's end.
+        let own = study.baseline().and_then(|row| study.number(row));
+        let share = own.map_or(0.5, |own| (own - range[0]) / (range[1] - range[0])).clamp(0.05, 1.0);
+        let room = WIDTH - 2.0 * MARGIN - names - 12.0 - left;
+        for one in bars.iter().filter(|one| one.trend == Trend::Flat) {
+            right = right.max((wide(&end_texts(study, one)[1]) + 14.0 - room * (1.0 - share)) / share);
+        }
         let heights: Vec<f64> = bars.iter().map(|one| 44.0 + 15.0 * notes(study, one).len() as f64).collect();
         let area = Area {
             left: MARGIN + names + 12.0,
@@ -138,9 +149,13 @@ impl Plane {
         let lines = font::wrap(&label(study, one), name.size, name.weight, WIDEST_NAME);
         sheet.text([edge, y - 1.0], lines.first().map_or("", String::as_str), name);
         sheet.text([edge, y + 14.0], &own_text(study, one), grey().anchored(Anchor::End));
+    }
+
+    /// How runs of a quantity ended that ended otherwise, over everything else that is drawn.
+    fn notes(&self, sheet: &mut Sheet, study: &Study, one: &Sensitivity, place: usize) {
         for (line, note) in notes(study, one).iter().enumerate() {
-            let at = [self.area.left + 8.0, y + 27.0 + 15.0 * line as f64];
-            sheet.text(at, note, Style { colour: ALARM, ..small() });
+            let at = [self.area.left + 8.0, self.y(place) + 27.0 + 15.0 * line as f64];
+            sheet.text(at, note, Style { colour: ALARM, ..Style::on_drawing() });
         }
     }
 }
