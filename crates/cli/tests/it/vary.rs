@@ -288,3 +288,46 @@ fn quantities_are_listed_and_another_number_can_be_asked_for() {
     assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F117")));
     assert!(answer["errors"][0]["help"].as_str().is_some_and(|help| help.contains("collapse_load_kn_per_m")));
 }
+
+#[test]
+fn the_tutorial_shows_what_the_program_finds() {
+    let page = include_str!("../../../../docs/tutorials/vary.md");
+    let stage = Stage::with_example("vary-tutorial", "bridgemill");
+    let commands = page.lines().filter_map(|line| line.strip_prefix("extrados vary b/"));
+    let mut count = 0;
+    for command in commands {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        let file = format!("bridge/{}", words[0]);
+        let ending = stage.run(&[&["vary", &file, "--quiet", "--out", "o"], &words[1..]].concat());
+        assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+        let shown = ending.stdout.split("\n\nThe table").next().unwrap_or_default();
+        assert!(page.contains(shown.trim_end()), "{command} prints\n{shown}");
+        count += 1;
+    }
+    assert_eq!(count, 3);
+    let example = stage.read("bridge/vary.toml");
+    for table in
+        page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap_or_default().split("\n\n")
+    {
+        let keys = table.lines().map(|line| line.split(" #").next().unwrap_or_default().trim_end());
+        assert!(keys.into_iter().all(|line| example.contains(line)), "the example has {table}");
+    }
+}
+
+/// Physics by another road: rigid blocks whose only weight is their own carry in proportion to it, and an arch in which
+/// nothing slides does not know its friction.
+#[test]
+fn the_load_of_rigid_blocks_is_proportional_to_their_weight() {
+    let stage = stage("physics");
+    let words = ["vary", FILE, "--method", "limit", "--set", "masonry.density=x0.5..x2:4:geometric"];
+    let (answer, _) = stage.object(&[&words[..], &["--set", "joint.friction_angle=25deg,40deg"]].concat());
+    let load =
+        |row: &Value| number(&row["outcomes"], "collapse_load_kn_per_m") / number(&row["values"], "masonry.density");
+    let own = load(&answer["baseline"]);
+    for row in &answer["rows"].as_array().expect("rows")[..4] {
+        // The solver closes its gap to 1e-8 of the load.
+        assert!((load(row) / own - 1.0).abs() < 1e-7, "{row}");
+    }
+    assert!((number(&answer["sensitivity"][0], "elasticity") - 1.0).abs() < 1e-6, "{}", answer["sensitivity"][0]);
+    assert_eq!(answer["sensitivity"][1]["trend"], "flat");
+}
