@@ -23,11 +23,9 @@ pub struct Cache {
 pub struct Key(String);
 
 impl Cache {
-    /// The cache in a folder of results, which is there already.
-    pub fn in_folder(folder: &Path) -> io::Result<Cache> {
-        let folder = folder.join(NAME);
-        fs::create_dir_all(&folder)?;
-        Ok(Cache { folder, program: program() })
+    /// The cache in a folder of results; its own folder comes with the first run that is kept.
+    pub fn in_folder(folder: &Path) -> Cache {
+        Cache { folder: folder.join(NAME), program: program() }
     }
 
     /// Where it is.
@@ -52,6 +50,7 @@ impl Cache {
 
     /// Keeps a finished run, whole or not at all.
     pub fn put(&self, key: &Key, outcome: &Outcome, seconds: f64) -> io::Result<()> {
+        fs::create_dir_all(&self.folder)?;
         write_whole(&self.file(key), wire::run_record(outcome, seconds).as_bytes())
     }
 

@@ -45,7 +45,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return Ok(refused(desk, report, &refusals));
     }
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.file)))?;
-    let cache = Cache::in_folder(folder.path()).map_err(|error| Failure::unwritable(folder.path(), &error))?;
+    let cache = Cache::in_folder(folder.path());
     let work = Work { analysis: &analysis, cache: &cache, quiet: desk.screen.quiet };
     let count = vary::count(plan.design(), &varied.iter().map(|one| one.values.len()).collect::<Vec<_>>());
     if let Some(runs) = too_many(count, arguments.most_runs) {
@@ -63,6 +63,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     match found.rows {
         Some(rows) => {
             let own = plan.chosen(own.clone())?;
+            report.fields.insert("tolerance".to_owned(), json!(own.plan.tolerance));
+            report.fields.insert("seed".to_owned(), json!(own.plan.seed));
             write(desk, report, arguments, &analysis, study(&own, &analysis, plan.design(), task, rows), &folder)
         }
         None => Ok(interrupted(report, found.finished, found.jobs, &cache)),
@@ -166,7 +168,8 @@ fn write(
     if study.rows.iter().all(|row| study.number(row).is_none()) {
         report.status = Status::Undetermined;
     }
-    report.fields = report::fields_of(wire::VaryObject::new(&study));
+    let settings = std::mem::replace(&mut report.fields, report::fields_of(wire::VaryObject::new(&study)));
+    report.fields.extend(settings);
     report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
     report.summary = summary::vary(&study, &folder.path().display().to_string());
     let mut files = figures::study(&study).map_err(|error| results::not_drawn(folder.path(), &error))?;

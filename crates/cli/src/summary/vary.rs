@@ -96,8 +96,12 @@ fn words(one: &Sensitivity) -> String {
 /// Where a grid is lowest and highest.
 fn grid(page: &mut String, study: &Study, unit: &str) {
     let answered = || study.rows.iter().skip(1).filter_map(|row| Some((row, study.number(row)?)));
-    let low = answered().min_by(|a, b| a.1.total_cmp(&b.1));
-    let high = answered().max_by(|a, b| a.1.total_cmp(&b.1));
+    // The first of those that differ by no more than the solver's noise.
+    let first = |sign: f64| {
+        let best = answered().map(|(_, number)| sign * number).reduce(f64::max)?;
+        answered().find(|(_, number)| sign * number >= best - 1e-6 * best.abs())
+    };
+    let (low, high) = (first(-1.0), first(1.0));
     for (word, end) in [("smallest", low), ("largest", high)] {
         let Some((row, number)) = end else { continue };
         let _ = writeln!(page, "  {word:<9} {} {unit} at {}", figures::four_digits(number), values(study, row));

@@ -13,9 +13,9 @@ const LONG: [&str; 8] = [
     "vary",
     FILE,
     "--set",
-    "joint.normal_stiffness=x0.5..x2:6",
+    "joint.normal_stiffness=x0.5..x2:4",
     "--set",
-    "masonry.density=-10%..+10%:4",
+    "masonry.density=-10%..+10%:2",
     "--json",
     "--quiet",
 ];
@@ -62,7 +62,8 @@ fn threads_change_no_bit_and_no_order() {
         let with = |threads: &str| {
             let out = format!("{method}-{threads}");
             let words = ["vary", FILE, "--method", method, "--threads", threads, "--out", &out];
-            let (answer, ending) = stage.object(&words);
+            let set = ["--set", "span.thickness=-5%,+5%", "--set", "analysis.damping=local,viscous"];
+            let (answer, ending) = stage.object(&[&words[..], if method == "dem" { &set } else { &[] }].concat());
             assert_eq!(ending.code, Some(0), "{}", ending.stderr);
             assert_eq!(answer["threads"].to_string(), threads);
             (numbers(&answer), out)
@@ -89,7 +90,7 @@ fn a_killed_command_goes_on_where_it_was() {
     let kept = stage.names("torn/cache").iter().filter(|name| name.ends_with(".json")).count() as u64;
     let (resumed, ending) = stage.object(&[&LONG[..6], &["--out", "torn"]].concat());
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
-    assert!(kept >= 2 && kept < 11 && from_cache(&resumed) >= kept, "{kept} kept, {} taken up", from_cache(&resumed));
+    assert!(kept >= 2 && kept < 7 && from_cache(&resumed) >= kept, "{kept} kept, {} taken up", from_cache(&resumed));
     assert_eq!(numbers(&resumed), numbers(&whole));
     assert_eq!(stage.read("torn/vary.csv"), stage.read("whole/vary.csv"));
 }
@@ -107,7 +108,7 @@ fn an_interrupted_command_keeps_what_is_finished_and_says_so() {
     let cancelled = object(&String::from_utf8_lossy(&output.stdout));
     assert_eq!((output.status.code(), cancelled["status"].as_str()), (Some(130), Some("cancelled")));
     let finished = cancelled["runs_finished"].as_u64().expect("a count");
-    assert!((1..11).contains(&finished) && cancelled["runs"] == 11, "{cancelled}");
+    assert!((1..7).contains(&finished) && cancelled["runs"] == 7, "{cancelled}");
     assert_eq!(stage.names("o"), ["cache"]);
     assert_eq!(stage.names("o/cache").len() as u64, finished, "whole runs only");
 }

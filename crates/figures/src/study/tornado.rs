@@ -20,7 +20,7 @@ pub fn tornado(study: &Study) -> Option<String> {
     bars.sort_by(|a, b| b.swing.unwrap_or(0.0).total_cmp(&a.swing.unwrap_or(0.0)));
     let ends = |one: &Sensitivity| [&one.low, &one.high].map(|end| end.as_ref().map_or(f64::NAN, |end| end.outcome));
     let own = study.baseline().and_then(|row| study.number(row));
-    let numbers = || bars.iter().flat_map(|one| ends(one)).chain(own).filter(|number| number.is_finite());
+    let numbers = || bars.iter().flat_map(ends).chain(own).filter(|number| number.is_finite());
     let (low, high) = (numbers().reduce(f64::min)?, numbers().reduce(f64::max)?);
 
     let mut sheet = Sheet::new("tornado");
