@@ -112,7 +112,8 @@ impl Status {
             Status::Cancelled => (
                 "cancelled",
                 130,
-                "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers.",
+                "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers. \
+                 `vary` keeps finished runs, and the same command takes them up by itself.",
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
             Status::Inadequate => {

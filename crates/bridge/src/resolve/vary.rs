@@ -7,6 +7,10 @@ use crate::vary::{Request, Slip, Spread, find, settle, twice};
 
 use super::structure::{exclude, need};
 
+/// Requests whose paths are looked up while reading, which must end at once whatever the file is; `extrados vary` looks
+/// at all of them.
+const MOST_LOOKED_UP: usize = 200;
+
 /// The requests of a file, as far as they can be read.
 pub(crate) fn vary(file: &Table<'_>, findings: &mut Findings) -> Vec<Request> {
     file.tables("vary", findings).iter().filter_map(|table| request(table, findings)).collect()
@@ -51,7 +55,7 @@ fn range_of(from: Option<String>, to: Option<String>, points: Option<u64>, geome
 /// Whether every request leads to a quantity of the file and to values of it.
 pub(crate) fn check(document: &Document, requests: &[Request], findings: &mut Findings) {
     let mut paths = Vec::new();
-    for (number, request) in requests.iter().enumerate() {
+    for (number, request) in requests.iter().enumerate().take(MOST_LOOKED_UP) {
         match find(document, &request.quantity) {
             Ok(quantity) => {
                 paths.push((number, quantity.path.to_string()));

@@ -10,7 +10,7 @@ const MOST_SHOWN: usize = 8;
 pub fn vary(study: &Study, out: &str) -> String {
     let (name, unit) = figures::name_and_unit(&study.outcome);
     let mut page = format!("{}: {name} by {}, {}\n\n", study.bridge, study.method_in_words(), design(study));
-    let own = study.baseline().and_then(|row| Some((row, study.number(row))));
+    let own = study.baseline().map(|row| (row, study.number(row)));
     if let Some((row, number)) = own {
         let shown = number.map_or("none".to_owned(), |number| format!("{} {unit}", figures::four_digits(number)));
         let _ = writeln!(page, "  {name} as the file has it: {shown} ({})", row.outcome.status);

@@ -90,7 +90,7 @@ fn a_killed_command_goes_on_where_it_was() {
     let kept = stage.names("torn/cache").iter().filter(|name| name.ends_with(".json")).count() as u64;
     let (resumed, ending) = stage.object(&[&LONG[..6], &["--out", "torn"]].concat());
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
-    assert!(kept >= 2 && kept < 7 && from_cache(&resumed) >= kept, "{kept} kept, {} taken up", from_cache(&resumed));
+    assert!((2..7).contains(&kept) && from_cache(&resumed) >= kept, "{kept} kept, {} taken up", from_cache(&resumed));
     assert_eq!(numbers(&resumed), numbers(&whole));
     assert_eq!(stage.read("torn/vary.csv"), stage.read("whole/vary.csv"));
 }
