@@ -67,7 +67,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
             report.fields.insert("seed".to_owned(), json!(own.plan.seed));
             write(desk, report, arguments, &analysis, study(&own, &analysis, plan.design(), task, rows), &folder)
         }
-        None => Ok(interrupted(report, found.finished, found.jobs, &cache)),
+        None => Ok(interrupted(report, found.finished, found.runs, &cache)),
     }
 }
 
@@ -146,13 +146,13 @@ fn study(own: &Bridge, analysis: &Analysis, design: vary::Design, task: Task, fi
 }
 
 /// An interrupted command: what is finished is kept, and the same command goes on with the rest.
-fn interrupted(mut report: Report, finished: usize, jobs: usize, cache: &Cache) -> Report {
+fn interrupted(mut report: Report, finished: usize, runs: usize, cache: &Cache) -> Report {
     report.status = Status::Cancelled;
     let shown = cache.path().display().to_string();
     report.summary = format!(
-        "interrupted; {finished} of {jobs} runs are kept in {shown}\ngo on with the same command: it takes them up by itself\n"
+        "interrupted; {finished} of {runs} runs are kept in {shown}\ngo on with the same command: it takes them up by itself\n"
     );
-    report.with("runs_finished", finished).with("runs", jobs).with("cache", shown)
+    report.with("runs_finished", finished).with("runs", runs).with("cache", shown)
 }
 
 fn write(

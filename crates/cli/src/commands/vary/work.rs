@@ -36,10 +36,10 @@ pub struct Finished {
 pub struct Found {
     /// For each run, what it gave; nothing where the command was interrupted.
     pub rows: Option<Vec<Finished>>,
-    /// Jobs that are finished.
+    /// Runs that are finished.
     pub finished: usize,
-    /// Jobs there are.
-    pub jobs: usize,
+    /// Runs there are.
+    pub runs: usize,
     /// What kept a finished run from being kept.
     pub trouble: Option<io::Error>,
 }
@@ -51,7 +51,6 @@ impl Work<'_> {
         let made: Vec<Option<(Finished, io::Result<()>)>> =
             task.jobs.par_iter().with_max_len(1).map(|job| self.one(job, &bar)).collect();
         bar.finish();
-        let jobs = made.len();
         let mut trouble = None;
         let made: Vec<Option<Finished>> = made
             .into_iter()
@@ -61,13 +60,13 @@ impl Work<'_> {
                 Some(finished)
             })
             .collect();
-        let finished = made.iter().flatten().count();
+        let finished = task.job_of.iter().filter(|job| made[**job].is_some()).count();
         let all: Option<Vec<Finished>> = made.into_iter().collect();
         if let Some(message) = all.as_ref().and_then(|all| not_set_up(&all[task.job_of[0]])) {
             return Err(message);
         }
         let rows = all.map(|all| task.job_of.iter().map(|job| all[*job].clone()).collect());
-        Ok(Found { rows, finished, jobs, trouble })
+        Ok(Found { rows, finished, runs: task.runs.len(), trouble })
     }
 
     /// One job, from the cache or computed; nothing where the command was asked to stop.
