@@ -198,6 +198,8 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Kind::Slope => "a slope in quotes",
         Kind::Share => "a share of a span, in quotes",
         Kind::Points => "a list of points",
+        Kind::Value => "a value as the quantity has it",
+        Kind::Values => "a list of values",
         Kind::Support => "the name of a support, in quotes",
         Kind::Table(_) => "a table",
         Kind::Tables(_) => "a list of tables",

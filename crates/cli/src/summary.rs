@@ -1,5 +1,9 @@
 //! The answer of a collapse analysis in an engineer's words.
 
+mod vary;
+
+pub use vary::vary;
+
 use assess::analysis::{Collapse, Combination, Sweep};
 use assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};

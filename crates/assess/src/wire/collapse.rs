@@ -146,6 +146,23 @@ struct Component {
     last_stable_load_kn: Option<f64>,
 }
 
+/// The word for a method.
+pub(super) fn method(method: Method) -> &'static str {
+    match method {
+        Method::Dem => "dem",
+        Method::Limit => "limit",
+    }
+}
+
+/// The word for an analysis.
+pub(super) fn analysis(analysis: Analysis) -> &'static str {
+    match analysis {
+        Analysis::Load => "load",
+        Analysis::Thickness => "thickness",
+        Analysis::SupportMovement => "support-movement",
+    }
+}
+
 /// The word for an edge.
 pub fn edge(edge: HingeAt) -> &'static str {
     match edge {
@@ -167,15 +184,8 @@ impl CollapseObject {
             schema: "extrados.collapse/1",
             status: c.status.word(),
             bridge: c.bridge.clone(),
-            method: match c.method {
-                Method::Dem => "dem",
-                Method::Limit => "limit",
-            },
-            analysis: match c.analysis {
-                Analysis::Load => "load",
-                Analysis::Thickness => "thickness",
-                Analysis::SupportMovement => "support-movement",
-            },
+            method: method(c.method),
+            analysis: analysis(c.analysis),
             collapse_load_kn_per_m: per_metre(c.collapse_load),
             last_stable_load_kn_per_m: per_metre(c.last_stable_load),
             collapse_load_kn: total(c.collapse_load),

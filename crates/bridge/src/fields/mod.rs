@@ -8,6 +8,7 @@ mod particles;
 mod plan;
 mod structure;
 mod wall;
+mod vary;
 
 use crate::quantity::Dimension;
 
@@ -68,6 +69,10 @@ pub enum Kind {
     Share,
     /// A list of points, each a pair of lengths.
     Points,
+    /// A value of whatever quantity: text, a number, true or false, a list.
+    Value,
+    /// A list of such values.
+    Values,
     /// A support: "left abutment", "pier 1", "right abutment".
     Support,
     /// A table.
@@ -159,10 +164,17 @@ impl Field {
 
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
+        self.literal(self.example)
+    }
+
+    /// A text of the card as the file would have it, in quotes where it is text.
+    pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
-            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points => self.example.to_owned(),
+            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Values => {
+                text.to_owned()
+            }
             Kind::Table(_) | Kind::Tables(_) => String::new(),
-            _ => format!("\"{}\"", self.example),
+            _ => format!("\"{text}\""),
         }
     }
 
@@ -240,7 +252,21 @@ pub static FILE: Section = Section {
             .optional("supports do not move"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
             .optional("limit analysis of the load, with the defaults"),
+        Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
+            .optional("nothing is varied"),
     ],
+};
+
+/// A file of ranges alone.
+pub(crate) static RANGES: Section = Section {
+    path: "",
+    doc: "Quantities of a bridge file and their values.",
+    fields: &[Field::new(
+        "vary",
+        Kind::Tables(&vary::VARY),
+        "What `extrados vary` changes, and over which values.",
+        "",
+    )],
 };
 
 /// Every section of the file with the key that opens it, in the order of the reference.

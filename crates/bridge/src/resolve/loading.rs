@@ -46,11 +46,7 @@ pub(super) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
 pub(crate) fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64>> {
     let (field, raw) = table.entry("slope")?;
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-    let value = text.split_once(':').and_then(|(vertical, horizontal)| {
-        let (vertical, horizontal) = (decimal(vertical)?, decimal(horizontal)?);
-        Some(vertical / horizontal)
-    });
-    match value.filter(|value| value.is_finite() && field.limits.allow(*value)) {
+    match read_slope(text).filter(|value| value.is_finite() && field.limits.allow(*value)) {
         Some(value) => Some(At { value, range: raw.span().into() }),
         None => {
             findings.error(
@@ -63,6 +59,12 @@ pub(crate) fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64
             None
         }
     }
+}
+
+/// Vertical over horizontal.
+pub(crate) fn read_slope(text: &str) -> Option<f64> {
+    let (vertical, horizontal) = text.split_once(':')?;
+    Some(decimal(vertical)? / decimal(horizontal)?)
 }
 
 fn decimal(text: &str) -> Option<f64> {
@@ -229,7 +231,8 @@ fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
     Some(At { value: start + share * (end - start), range })
 }
 
-fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
+/// Share and number of the span, where one is named.
+pub(crate) fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
     let text = text.trim();
     let (share, span) = match text.find("span") {
         Some(at) => (text[..at].trim(), text[at + 4..].trim()),

@@ -8,13 +8,15 @@ mod particles;
 mod plan;
 pub(crate) mod structure;
 mod wall;
+mod vary;
 
 use crate::findings::Findings;
 use crate::model::Bridge;
 use crate::plausible;
 use crate::tree::Table;
 
-pub(crate) use loading::slope;
+pub(crate) use loading::{read_share, read_slope, slope};
+pub(crate) use vary::{check as check_vary, vary};
 
 /// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.
 pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridge> {

@@ -6,3 +6,4 @@ mod messages;
 mod mutation;
 mod reading;
 mod reference;
+mod vary;

@@ -34,18 +34,11 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
 
 /// Sets what the command line says in place of the file.
 fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.sweep && arguments.method == Some(crate::args::Method::Dem) {
+    if arguments.sweep && arguments.choice.method == Some(crate::args::Method::Dem) {
         let message = "--sweep is limit analysis: --method dem cannot do it";
         return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
     }
-    let plan = &mut bridge.plan;
-    arguments.overrides.apply(plan);
-    plan.method = arguments.method.map_or(plan.method, |method| method.planned());
-    plan.analysis = arguments.analysis.map_or(plan.analysis, |analysis| analysis.planned());
-    if let Some(text) = &arguments.resolution {
-        plan.resolution = Some(quantities::line_load("--resolution", text, bridge.width)?);
-    }
-    Ok(())
+    arguments.choice.apply(bridge)
 }
 
 /// The analysis under a watcher; nothing found means that it was interrupted, and the report says so.

@@ -6,6 +6,7 @@ mod collapse;
 mod explain;
 mod new;
 mod schema;
+mod vary;
 mod verify;
 
 use crate::args::{Arguments, Command};
@@ -81,6 +82,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::New(arguments) => new::run(arguments).map(Answer::from),
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
+        Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(_) => Ok(schema::run()),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
