@@ -30,6 +30,7 @@ pub fn settings(bridge: &Bridge) -> dem::Settings {
         tolerance: plan.tolerance,
         step_limit: plan.step_limit,
         time_step_factor: plan.time_step_factor,
+        scaled_inertia: bridge.particles.is_some(),
     }
 }
 

@@ -290,6 +290,7 @@ impl Blocks {
             tolerance: a.tolerance,
             step_limit: a.step_limit,
             time_step_factor: 0.8,
+            scaled_inertia: false,
         };
         let mut watch = mechanics::watch::Unwatched;
         let o = dem::collapse(model, loading, &program, &settings, None, &mut watch).map_err(|e| e.to_string())?;

@@ -7,8 +7,8 @@ mod material;
 mod particles;
 mod plan;
 mod structure;
-mod wall;
 mod vary;
+mod wall;
 
 use crate::quantity::Dimension;
 

@@ -7,8 +7,8 @@ mod materials;
 mod particles;
 mod plan;
 pub(crate) mod structure;
-mod wall;
 mod vary;
+mod wall;
 
 use crate::findings::Findings;
 use crate::model::Bridge;

@@ -30,7 +30,7 @@ pub(super) fn unbalanced_ratio(model: &Model, state: &State) -> f64 {
             }
         }
     }
-    (sum + state.particles.unbalanced(&model.particles)) / model.acting_scale(state.factor)
+    (sum + state.particles.unbalanced()) / model.acting_scale(state.factor)
 }
 
 /// Kinetic energy of all that is free [J/m].

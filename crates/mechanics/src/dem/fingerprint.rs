@@ -97,5 +97,6 @@ pub(super) fn fingerprint(model: &Model, program: &Program, settings: &Settings)
     d.number(settings.tolerance);
     d.word(settings.step_limit);
     d.number(settings.time_step_factor);
+    d.word(u64::from(settings.scaled_inertia));
     d.value()
 }

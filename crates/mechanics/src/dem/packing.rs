@@ -139,6 +139,7 @@ pub fn pack(
         tolerance: 0.0,
         step_limit: u64::MAX,
         time_step_factor: 0.9,
+        scaled_inertia: false,
     };
     let mut growth = Growth {
         state: begin(&model, &settings),
@@ -340,7 +341,7 @@ impl Growth<'_> {
             self.run(LOOK);
             taken += LOOK;
             let (pressed, _) = self.contact_sums();
-            if self.state.particles.unbalanced(&self.model.particles) <= SETTLED * pressed {
+            if self.state.particles.unbalanced() <= SETTLED * pressed {
                 break;
             }
         }

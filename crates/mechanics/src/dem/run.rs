@@ -116,7 +116,7 @@ fn drive(
     let belongs = fingerprint(model, program, settings);
     let mut run = match resume {
         Some(words) => words::decode(model, words, belongs).ok_or(ModelError::ForeignState)?,
-        None => start(model, state()),
+        None => start(model, state(), settings),
     };
     let mut work = Workspace::default();
     loop {
@@ -136,8 +136,8 @@ fn drive(
     }
 }
 
-fn start(model: &Model, state: State) -> Run {
-    let critical = reported_critical_time_step(model, &state);
+fn start(model: &Model, state: State, settings: &Settings) -> Run {
+    let critical = reported_critical_time_step(model, &state, settings);
     Run {
         stage: Stage::new(&state),
         stable: None,
@@ -159,11 +159,11 @@ fn start(model: &Model, state: State) -> Run {
 /// Most particles for which the critical time step is reported from the eigenvalue; the bound is reported above.
 const EXACT_UP_TO: usize = 20_000;
 
-fn reported_critical_time_step(model: &Model, state: &State) -> f64 {
+fn reported_critical_time_step(model: &Model, state: &State, settings: &Settings) -> f64 {
     if model.particles.len() <= EXACT_UP_TO {
         exact_critical_time_step(model, state)
     } else {
-        critical_time_step(model, state)
+        critical_time_step(model, state, settings)
     }
 }
 

@@ -66,7 +66,7 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
             memory.bonded = true;
         }
     }
-    state.time_step = settings.time_step_factor * critical_time_step(model, &state);
+    state.time_step = settings.time_step_factor * critical_time_step(model, &state, settings);
     if !state.particles.discs.is_empty() {
         // Particles may press on one another where they are built.
         state.initial_energy -= energy(model, &state).drift();
@@ -79,11 +79,11 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
 
 /// `2 / omega` [s], Bathe 1982, with the largest frequency of the contact stiffness system; with particles, whose pairs
 /// change all the time, with a bound on it that costs one pass over the contacts.
-pub fn critical_time_step(model: &Model, state: &State) -> f64 {
+pub fn critical_time_step(model: &Model, state: &State, settings: &Settings) -> f64 {
     let omega = if state.particles.discs.is_empty() {
         stiffness::largest_frequency(model, state)
     } else {
-        stiffness::frequency_bound(model, state)
+        stiffness::frequency_bound(model, state, settings.scaled_inertia)
     };
     // Without any contact nothing limits the step; a hundredth of a second resolves a fall.
     if omega > 0.0 { 2.0 / omega } else { 0.01 }
@@ -99,10 +99,13 @@ pub fn exact_critical_time_step(model: &Model, state: &State) -> f64 {
 #[inline]
 pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings) -> StepReport {
     if search(model, state, settings.contact_length) {
-        state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state));
+        state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state, settings));
     }
     if state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, state.steps) {
-        state.time_step = settings.time_step_factor * critical_time_step(model, state);
+        if settings.scaled_inertia {
+            scale_inertia(model, state);
+        }
+        state.time_step = settings.time_step_factor * critical_time_step(model, state, settings);
     }
     match settings.contact_length {
         ContactLength::Fixed => resist::<false>(state),
@@ -124,12 +127,20 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
             integrate::<false>(model, state, work, 0.0)
         }
     };
-    integrate_particles(model, state, settings.damping, report)
+    integrate_particles(state, settings.damping, report)
+}
+
+/// Gives the particles the inertia that suits their springs; what their motion gains by it is booked with the damping.
+fn scale_inertia(model: &Model, state: &mut State) {
+    let before = state.particles.true_inertia(&model.particles);
+    let squares = stiffness::squares(model, state, true);
+    let gained = state.particles.scale_inertia(&before, &squares[model.len()..]);
+    state.damped -= gained;
 }
 
 /// Moves the particles on; how far they went bounds the next search.
-fn integrate_particles(model: &Model, state: &mut State, damping: Damping, report: StepReport) -> StepReport {
-    let (moved, damped) = state.particles.integrate(&model.particles, damping, state.viscosity, state.time_step);
+fn integrate_particles(state: &mut State, damping: Damping, report: StepReport) -> StepReport {
+    let (moved, damped) = state.particles.integrate(damping, state.viscosity, state.time_step);
     state.damped += damped;
     state.particles.travel += moved.max(report.moved);
     StepReport { particles_moved: moved, ..report }

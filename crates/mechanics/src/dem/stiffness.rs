@@ -111,10 +111,20 @@ fn each_spring(model: &Model, state: &State, touching_only: bool, mut each: impl
 
 /// A bound on the largest angular frequency [rad/s] with every near pair closed, from one pass over the springs.
 ///
-/// A spring's energy between two bodies is at most `(1 + t) a^2 + (1 + 1/t) b^2` for any `t`; with the ratio of the two
-/// inverse masses this is exact for two bodies alone and for regular packings. What is left is one small matrix for each
-/// body, whose largest eigenvalue is bounded by its translation, its rotation and their coupling.
-pub(super) fn frequency_bound(model: &Model, state: &State) -> f64 {
+/// A spring's energy between two bodies is at most `(1 + t) a^2 + (1 + 1/t) b^2` for any `t`. The root of the ratio of the
+/// two inverse masses is exact for regular packings and shares well between a light particle with few contacts and a heavy
+/// body with many. What is left is one small matrix for each body, whose largest eigenvalue is bounded by its translation,
+/// its rotation and their coupling.
+pub(super) fn frequency_bound(model: &Model, state: &State, scaled_inertia: bool) -> f64 {
+    squares(model, state, scaled_inertia).into_iter().fold(0.0, f64::max).sqrt()
+}
+
+/// Share of a spring between block and particle that the block bears where the particle's inertia is scaled: particles
+/// can be given more of it, blocks cannot. `1 + t` for the block, `1 + 1/t` for the particle.
+const LEAN_SHARE: f64 = 1.25;
+
+/// The same body by body, squared [1/s^2]: blocks first, then particles.
+pub(super) fn squares(model: &Model, state: &State, scaled_inertia: bool) -> Vec<f64> {
     let bodies = model.len() + state.particles.discs.len();
     // xx, xy, yy, rotation, coupling of rotation with x and y.
     let mut sums = vec![[0.0_f64; 6]; bodies];
@@ -124,7 +134,19 @@ pub(super) fn frequency_bound(model: &Model, state: &State) -> f64 {
         for (i, row, own, other) in [(s.one, &s.row_one, a, b), (s.two, &s.row_two, b, a)] {
             if own + row[2].abs() > 0.0 {
                 // A body that can only turn gets the even share; beside a held one there is nothing to share.
-                let share = if own > 0.0 { 1.0 + other / own } else { 2.0 };
+                let lean = s.one < model.len() && s.two >= model.len();
+                let share = match (scaled_inertia && lean, own > 0.0) {
+                    _ if other == 0.0 => 1.0,
+                    (true, _) => {
+                        if i < model.len() {
+                            LEAN_SHARE
+                        } else {
+                            LEAN_SHARE / (LEAN_SHARE - 1.0)
+                        }
+                    }
+                    (false, true) => 1.0 + (other / own).sqrt(),
+                    (false, false) => 2.0,
+                };
                 let [x, y, turn] = *row;
                 for (sum, more) in sums[i].iter_mut().zip([x * x, x * y, y * y, turn * turn, x * turn, y * turn]) {
                     *sum += share * more;
@@ -134,7 +156,7 @@ pub(super) fn frequency_bound(model: &Model, state: &State) -> f64 {
     });
     let larger = |a: f64, b: f64, c: f64| 0.5 * (a + b + ((a - b) * (a - b) + 4.0 * c * c).sqrt());
     let of_body = |&[xx, xy, yy, turn, cx, cy]: &[f64; 6]| larger(larger(xx, yy, xy), turn, cx.hypot(cy));
-    sums.iter().map(of_body).fold(0.0, f64::max).sqrt()
+    sums.iter().map(of_body).collect()
 }
 
 fn apply(springs: &[Spring], x: &[[f64; 3]], y: &mut [[f64; 3]]) {

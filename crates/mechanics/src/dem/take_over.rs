@@ -28,7 +28,7 @@ pub fn take_over(model: &Model, settings: &Settings, (old, before): (&Model, &St
     let mut work = Workspace::default();
     state.particles.travel = f64::INFINITY;
     state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, 0);
-    state.time_step = settings.time_step_factor * critical_time_step(model, &state);
+    state.time_step = settings.time_step_factor * critical_time_step(model, &state, settings);
     state.initial_energy -= energy(model, &state).drift();
     state
 }

@@ -130,7 +130,14 @@ pub fn program(resolution: Option<f64>) -> Program {
 }
 
 pub fn paper(damping: Damping, contact_length: ContactLength) -> Settings {
-    Settings { damping, contact_length, tolerance: 1e-5, step_limit: 2_000_000, time_step_factor: 0.9 }
+    Settings {
+        damping,
+        contact_length,
+        tolerance: 1e-5,
+        step_limit: 2_000_000,
+        time_step_factor: 0.9,
+        scaled_inertia: false,
+    }
 }
 
 pub fn run((model, loading): &(BlockModel, Loading), resolution: Option<f64>, settings: &Settings) -> Outcome {

@@ -29,6 +29,7 @@ pub fn settings(damping: Damping) -> Settings {
         tolerance: 1e-5,
         step_limit: 2_000_000,
         time_step_factor: 0.9,
+        scaled_inertia: false,
     }
 }
 

@@ -31,7 +31,7 @@ fn the_critical_step_of_the_lattice() {
         let patch = exact_critical_time_step(&m.model, &m.state) / unit;
         // One percent of safety on the power iteration, and the edges.
         assert!((patch / reference - 1.0).abs() < 0.02, "{share}: {patch} {reference}");
-        let bound = critical_time_step(&m.model, &m.state) / unit;
+        let bound = critical_time_step(&m.model, &m.state, &m.settings) / unit;
         assert!(bound <= reference * (1.0 + 1e-6) && bound >= 0.93 * reference, "{share}: {bound} {reference}");
     }
 }

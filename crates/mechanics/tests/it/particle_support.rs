@@ -25,7 +25,14 @@ pub const SHEAR: f64 = 0.222e9 * 0.15;
 pub const DENSITY: f64 = 1890.0;
 
 pub fn settings(damping: Damping, time_step_factor: f64) -> Settings {
-    Settings { damping, contact_length: ContactLength::Fixed, tolerance: 1e-6, step_limit: 1_000_000, time_step_factor }
+    Settings {
+        damping,
+        contact_length: ContactLength::Fixed,
+        tolerance: 1e-6,
+        step_limit: 1_000_000,
+        time_step_factor,
+        scaled_inertia: false,
+    }
 }
 
 /// Particles and held blocks under one law; group 0 are the blocks, group 1 the particles.

@@ -18,13 +18,12 @@ const SLIDES: f64 = 1.0 - 1e-12;
 
 impl Particles {
     /// Sum over the particles of the out-of-balance force [N/m], moments counted at the radius of gyration.
-    pub fn unbalanced(&self, model: &ParticleModel) -> f64 {
+    pub fn unbalanced(&self) -> f64 {
         let mut sum = 0.0;
         for chunk in &self.chunks {
             with_forces(chunk, &self.chunks, |k, force| {
-                let mass = 1.0 / self.discs[chunk.first as usize + k].inverse_mass;
-                sum += (force[0] + mass * model.gravity.x).abs() + (force[1] + mass * model.gravity.y).abs();
-                sum += std::f64::consts::SQRT_2 * force[2].abs();
+                let _ = k;
+                sum += force[0].abs() + force[1].abs() + std::f64::consts::SQRT_2 * force[2].abs();
             });
         }
         sum
@@ -33,14 +32,15 @@ impl Particles {
     /// Work of gravity since the particles were built and elastic energy, both `half` a step [s] back.
     pub fn energy(&self, model: &ParticleModel, half: f64) -> ParticleEnergy {
         let mut sum = ParticleEnergy::default();
-        for (disc, built) in self.discs.iter().zip(&model.built) {
+        for ((disc, built), weight) in self.discs.iter().zip(&model.built).zip(&model.weights) {
             let moved = vec2(disc.x - disc.vx * half - built[0], disc.y - disc.vy * half - built[1]);
-            sum.gravity += moved.dot(model.gravity) / disc.inverse_mass;
+            sum.gravity += moved.dot(vec2(weight[0], weight[1]));
         }
         for chunk in &self.chunks {
             with_forces(chunk, &self.chunks, |k, force| {
-                let disc = &self.discs[chunk.first as usize + k];
-                sum.elastic -= half * (force[0] * disc.vx + force[1] * disc.vy + force[2] * disc.rim);
+                let (disc, w) = (&self.discs[chunk.first as usize + k], &model.weights[chunk.first as usize + k]);
+                let of_contacts = (force[0] - w[0]) * disc.vx + (force[1] - w[1]) * disc.vy + force[2] * disc.rim;
+                sum.elastic -= half * of_contacts;
             });
             for c in &chunk.contacts {
                 let (_, overlap) = meeting(&self.discs[chunk.first as usize + c.one as usize], &self.discs[c.other()]);

@@ -85,8 +85,12 @@ pub(in crate::dem) struct Chunk {
 
 impl Chunk {
     /// Forces of all pairs of particles of this chunk after a step of `dt` [s].
-    pub fn resist(&mut self, discs: &[Disc], laws: &[PairLaw], dt: f64) {
-        self.forces.fill([0.0; 3]);
+    /// What acts on each particle begins with its weight.
+    pub fn resist(&mut self, discs: &[Disc], weights: &[[f64; 2]], laws: &[PairLaw], dt: f64) {
+        let range = self.first as usize..(self.first + self.count) as usize;
+        let (own, guests) = self.forces.split_at_mut(self.count as usize);
+        own.iter_mut().zip(&weights[range]).for_each(|(force, w)| *force = [w[0], w[1], 0.0]);
+        guests.fill([0.0; 3]);
         let own = &discs[self.first as usize..(self.first + self.count) as usize];
         let (groups, rest) = self.contacts.as_chunks_mut::<LANES>();
         let mut dissipated = 0.0;

@@ -2,13 +2,10 @@
 
 use super::chunk::{Chunk, Force, larger, smaller};
 use super::disc::Disc;
-use crate::plane::Vec2;
 
 /// What acts on all particles alike in one step.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dem) struct Motion {
-    /// Acceleration of gravity [m/s^2].
-    pub gravity: Vec2,
     /// Time step [s].
     pub dt: f64,
     /// Share of local damping.
@@ -28,7 +25,7 @@ pub(in crate::dem) struct Tally {
     pub damped: f64,
 }
 
-/// Calls `each` with every particle of a chunk and the whole force on it, gravity left out.
+/// Calls `each` with every particle of a chunk and the whole force on it, its weight included.
 #[inline(always)]
 pub(in crate::dem) fn with_forces(chunk: &Chunk, chunks: &[Chunk], mut each: impl FnMut(usize, Force)) {
     let mut incoming = chunk.incoming.iter().peekable();
@@ -49,16 +46,15 @@ pub(in crate::dem) fn integrate<const LOCAL: bool>(
     chunks: &[Chunk],
     motion: &Motion,
 ) -> Tally {
-    let Motion { gravity, dt, local, viscosity } = *motion;
+    let Motion { dt, local, viscosity } = *motion;
     let half = 0.5 * viscosity * dt;
     let (share, slow) = (1.0 / (1.0 + half), 2.0 * half / (1.0 + half));
-    let fall = [gravity.x * dt, gravity.y * dt, 0.0];
     let mut tally = Tally::default();
     with_forces(chunk, chunks, |k, force| {
         let disc = &mut discs[k];
         // A disc's moment of inertia is half of m r^2, so its rim is accelerated by twice force over mass.
         let scale = disc.inverse_mass * dt;
-        let push = [force[0] * scale + fall[0], force[1] * scale + fall[1], 2.0 * force[2] * scale];
+        let push = [force[0] * scale, force[1] * scale, 2.0 * force[2] * scale];
         let old = [disc.vx, disc.vy, disc.rim];
         let mut new = [0.0; 3];
         let mut drain = [0.0; 3];

@@ -48,8 +48,10 @@ pub(super) struct ParticleModel {
     /// Group of each row, as numbered by the laws.
     kinds: Vec<u8>,
     laws: PairLaws,
-    /// Mass density of each kind [kg/m^3] is that of its particles; the reciprocal mass of each row follows.
+    /// Mass density of each row [kg/m^3].
     densities: Vec<f64>,
+    /// Weight of each row as built [N/m].
+    pub weights: Vec<[f64; 2]>,
     gravity: Vec2,
 }
 
@@ -81,6 +83,7 @@ impl ParticleModel {
         ids.iter().enumerate().for_each(|(row, &id)| rows[id as usize] = row as u32);
         let rowed = || ids.iter().map(|&id| &particles[ParticleId(id)]);
         ParticleModel {
+            weights: rowed().map(|p| [gravity.x * p.mass(), gravity.y * p.mass()]).collect(),
             built: rowed().map(|p| [p.centre.x, p.centre.y, p.radius]).collect(),
             kinds: rowed().map(|p| laws.kind(p.group).unwrap_or_default()).collect(),
             densities: rowed().map(|p| p.density).collect(),
@@ -196,7 +199,7 @@ impl Particles {
         let discs = &self.discs[..];
         let pairs = &model.laws.pairs[..];
         each_chunk(&mut self.chunks, &|chunk| {
-            chunk.resist(discs, pairs, dt);
+            chunk.resist(discs, &model.weights, pairs, dt);
             chunk.lean(discs, blocks, velocities, dt);
         });
         let mut lost = 0.0;
@@ -212,12 +215,12 @@ impl Particles {
 
     /// Moves all particles on. Returns the largest distance moved [m], not finite if a number broke, and the energy
     /// taken out by damping [J/m].
-    pub fn integrate(&mut self, model: &ParticleModel, damping: Damping, viscosity: f64, dt: f64) -> (f64, f64) {
+    pub fn integrate(&mut self, damping: Damping, viscosity: f64, dt: f64) -> (f64, f64) {
         let (local, share) = match damping {
             Damping::Local(share) => (true, share),
             _ => (false, 0.0),
         };
-        let motion = Motion { gravity: model.gravity, dt, local: share, viscosity };
+        let motion = Motion { dt, local: share, viscosity };
         let chunks = &self.chunks[..];
         let one = |chunk: &Chunk, discs: &mut [Disc]| match local {
             true => integrate::<true>(discs, chunk, chunks, &motion),
@@ -267,10 +270,36 @@ impl Particles {
         sums.iter().fold((0.0, 0.0), |(s, k), (stiff, kinetic)| (s + stiff, k + kinetic))
     }
 
+    /// Sets the inertia of every particle to its mass and gives what was there [m/kg].
+    pub fn true_inertia(&mut self, model: &ParticleModel) -> Vec<f64> {
+        let true_mass =
+            |(row, disc): (usize, &mut Disc)| std::mem::replace(&mut disc.inverse_mass, 1.0 / model.mass(row));
+        self.discs.iter_mut().enumerate().map(true_mass).collect()
+    }
+
+    /// Gives particles on which springs of more than the middle one's frequency pull as much more inertia as brings them
+    /// down to it. `squares` are bounds on the squared frequencies [1/s^2] with the true masses. Returns the kinetic energy
+    /// gained by it [J/m].
+    pub fn scale_inertia(&mut self, before: &[f64], squares: &[f64]) -> f64 {
+        if squares.is_empty() {
+            return 0.0;
+        }
+        let mut sorted = squares.to_vec();
+        let middle = *sorted.select_nth_unstable_by(squares.len() / 2, f64::total_cmp).1;
+        let mut gained = 0.0;
+        for (row, (disc, square)) in self.discs.iter_mut().zip(squares).enumerate() {
+            let old = Disc { inverse_mass: before[row], ..*disc }.kinetic_energy();
+            let scale = if middle > 0.0 { (square / middle).max(1.0) } else { 1.0 };
+            disc.inverse_mass /= scale;
+            gained += disc.kinetic_energy() - old;
+        }
+        gained
+    }
+
     /// Bytes held for each particle, the model's share included.
     pub fn bytes(&self, model: &ParticleModel, cells: &Cells) -> usize {
         let chunks: usize = self.chunks.iter().map(Chunk::bytes).sum();
         let rows = 64 * self.discs.capacity() + 24 * self.previous.capacity();
-        chunks + rows + cells.bytes() + model.len() * (4 + 4 + 24 + 1 + 8)
+        chunks + rows + cells.bytes() + model.len() * (4 + 4 + 24 + 1 + 8 + 16)
     }
 }
