@@ -132,9 +132,13 @@ fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         d.surface - d.extrados.crown()
     ));
     let bearer = match wall.loaded_bricks {
-        _ if d.counted_weight > 0.0 => "through a block that is held upright, whose weight counts in the load".to_string(),
+        _ if d.counted_weight > 0.0 => {
+            "through a block that is held upright, whose weight counts in the load".to_string()
+        }
         None => "as forces on the bricks of the uppermost course under them, by their loaded length".to_string(),
-        Some(count) => format!("as forces on the {count} nearest bricks of the uppermost course, without shifting them"),
+        Some(count) => {
+            format!("as forces on the {count} nearest bricks of the uppermost course, without shifting them")
+        }
     };
     c.assumptions.push(format!("Loads act {bearer}; walls do not lean out of their plane."));
 }

@@ -9,8 +9,8 @@ mod rings;
 mod supports;
 pub mod wall;
 
-use bridge::{Bridge, Load, SpandrelWall, Strip as Width};
 use bridge::ring::Misfit;
+use bridge::{Bridge, Load, SpandrelWall, Strip as Width};
 use curve::Curve;
 use dispersal::{Spread, Strip};
 use extrados::{Extrados, Stretch};

@@ -30,9 +30,14 @@ pub(super) static SPANDREL_WALL: Section = Section {
         Field::new("rounding", Kind::Quantity(Length), "radius of the bricks' rounded corners", "10 mm")
             .at_least(0.0)
             .optional("as [masonry] says"),
-        Field::new("top", Kind::Quantity(Length), "level of the wall's top above the highest crown's extrados", "0.478 m")
-            .positive()
-            .optional("the road surface"),
+        Field::new(
+            "top",
+            Kind::Quantity(Length),
+            "level of the wall's top above the highest crown's extrados",
+            "0.478 m",
+        )
+        .positive()
+        .optional("the road surface"),
         Field::new(
             "extent",
             Kind::Quantity(Length),

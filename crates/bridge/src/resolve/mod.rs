@@ -25,12 +25,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let joint = materials::joint(file, "joint", findings);
     let ring_joint = if file.has("ring_joint") { materials::joint(file, "ring_joint", findings) } else { joint };
     let width = general.as_ref().map(|general| general.width);
-    let parts = wall::Parts {
-        width,
-        masonry: masonry.as_ref(),
-        joint: joint.as_ref(),
-        abutments: abutments.as_ref(),
-    };
+    let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);

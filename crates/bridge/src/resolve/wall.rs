@@ -15,7 +15,11 @@ pub(super) struct Parts<'a> {
 }
 
 /// The walls; `None` inside where the file has none.
-pub(super) fn spandrel_wall(file: &Table<'_>, parts: &Parts<'_>, findings: &mut Findings) -> Option<Option<SpandrelWall>> {
+pub(super) fn spandrel_wall(
+    file: &Table<'_>,
+    parts: &Parts<'_>,
+    findings: &mut Findings,
+) -> Option<Option<SpandrelWall>> {
     let own = if file.has("wall_joint") { Some(joint(file, "wall_joint", findings)) } else { None };
     if !file.has("spandrel_wall") {
         if file.has("wall_joint") {

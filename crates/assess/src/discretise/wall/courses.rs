@@ -32,11 +32,8 @@ struct Below {
 
 /// The pieces of every course.
 pub fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallError> {
-    let mut here: Vec<Stretch> = line
-        .iter()
-        .enumerate()
-        .map(|(segment, s)| Stretch { segment, from: s.left.x, to: s.right.x })
-        .collect();
+    let mut here: Vec<Stretch> =
+        line.iter().enumerate().map(|(segment, s)| Stretch { segment, from: s.left.x, to: s.right.x }).collect();
     for s in line {
         for p in [s.left, s.right] {
             if layout.top - p.y < layout.least {
@@ -169,7 +166,11 @@ fn head_joints(cuts: &mut Vec<f64>, course: usize, layout: &Layout) {
     while origin + k * layout.length < last {
         let x = origin + k * layout.length;
         let at = cuts.partition_point(|&c| c < x);
-        if at > 0 && at < cuts.len() && x - cuts[at - 1] >= COMFORT * layout.least && cuts[at] - x >= COMFORT * layout.least {
+        if at > 0
+            && at < cuts.len()
+            && x - cuts[at - 1] >= COMFORT * layout.least
+            && cuts[at] - x >= COMFORT * layout.least
+        {
             cuts.insert(at, x);
         }
         k += 1.0;

@@ -60,7 +60,11 @@ pub fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallError> {
             let (first, last) = (group[0].left, group[group.len() - 1].right);
             flat = Some(clipped(Segment { left: first, right: last }, layout.ends));
             if groups.peek().is_none() {
-                valley(&Valley { flat: flat.unwrap_or(ends(last)), left: before.clone(), right: vec![] }, layout, &mut ground)?;
+                valley(
+                    &Valley { flat: flat.unwrap_or(ends(last)), left: before.clone(), right: vec![] },
+                    layout,
+                    &mut ground,
+                )?;
             }
             continue;
         }

@@ -104,7 +104,9 @@ pub enum WallError {
         x: f64,
     },
     /// A block stands beside the wall.
-    #[error("the loading block at x = {x:.3} m does not stand on the spandrel wall, which runs from {from:.3} m to {to:.3} m")]
+    #[error(
+        "the loading block at x = {x:.3} m does not stand on the spandrel wall, which runs from {from:.3} m to {to:.3} m"
+    )]
     BesideWall {
         /// Middle of the block [m].
         x: f64,

@@ -7,7 +7,6 @@ use bridge::ring::Profile;
 use bridge::{Ring, Span, Strip};
 use mechanics::blocks::interfaces;
 
-
 /// Bricks of 0.40 x 0.60 m in half bond, from the road down.
 pub fn wall() -> SpandrelWall {
     SpandrelWall {
@@ -206,7 +205,8 @@ fn bridgemill_walls_touch_every_back_below_them() {
             let touches = |want: fn(&Origin) -> bool| {
                 joints.iter().any(|j| {
                     j.points.len() == 2
-                        && ((j.first == id && want(&d.origins[j.second])) || (j.second == id && want(&d.origins[j.first])))
+                        && ((j.first == id && want(&d.origins[j.second]))
+                            || (j.second == id && want(&d.origins[j.first])))
                 })
             };
             match origin {
