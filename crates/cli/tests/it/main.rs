@@ -7,3 +7,4 @@ mod interruption;
 mod messages;
 mod misuse;
 mod stage;
+mod walls;
