@@ -1,9 +1,9 @@
 //! Spandrel walls: coursed bricks on the line of the extrados, cut so that every piece is convex, rests on the backs
 //! below it face to face, and is nowhere thinner than a stated least thickness.
 //!
-//! Where the extrados is flat enough, bricks are cut by vertical joints at the corners between backs ([`courses`]);
+//! Where the extrados is flat enough, bricks are cut by vertical joints at the corners between backs (`courses.rs`);
 //! where it is so steep that these would be slivers, stones with level beds run from the backs outwards
-//! ([`haunch`]).
+//! (`haunch.rs`).
 
 mod courses;
 mod haunch;
