@@ -27,6 +27,17 @@ pub fn settings(bridge: &Bridge) -> limit::Settings {
     }
 }
 
+/// The plan's settings, but where only one load can stand: walls of blocks lock where sliding dilates, so that theirs
+/// is never the associated one.
+pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
+    match settings(bridge) {
+        s if d.road.is_some() && s.friction == limit::Friction::Associated => {
+            limit::Settings { friction: limit::Friction::Automatic, ..s }
+        }
+        s => s,
+    }
+}
+
 /// The load factor at which the blocks as built become a mechanism.
 pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     let mut d = discretise(bridge)?;
