@@ -65,8 +65,8 @@ pub fn collapse_by_dem(
     }
     // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
     // limit analysis lets a joint crush under its edge.
-    let uncrushed = limit::Settings { crushing: false, ..by_limit::settings(bridge) };
-    let rigid = limit::collapse_load(&d.model, &d.loading, &uncrushed)?;
+    let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, &d) };
+    let rigid = by_limit::solve(&d, &uncrushed)?;
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
     let (mut chosen, plan) = (Vec::new(), &bridge.plan);
@@ -106,7 +106,7 @@ pub fn collapse_by_dem(
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     notes::dem(bridge, &d, &mut c);
     if by_limit::settings(bridge).crushing {
-        let crushed = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
+        let crushed = by_limit::solve(&d, &by_limit::single(bridge, &d))?.factor;
         notes::crushed(c.last_stable_load, crushed.map(load), &mut c.warnings);
     }
     Ok(c)

@@ -2,6 +2,7 @@
 
 use super::report::{Collapse, Combination, Component, Status};
 use super::{AnalysisError, collapse};
+use crate::warning::{self, Warning};
 use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
@@ -22,7 +23,16 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
         return Ok(found);
     }
     let walls = strip(bridge, Strip::Wall, kept[1], watch)?;
-    found.combination = Some(combination(&found, &walls, [bridge.width - wall.thickness, wall.thickness]));
+    let sum = combination(&found, &walls, [bridge.width - wall.thickness, wall.thickness]);
+    if let (Some(total), Some(load)) = (sum.collapse_load, walls.collapse_load) {
+        let message = format!(
+            "the walls carry {:.0} % of the sum of both strips on {:.0} % of the width",
+            100.0 * load * wall.thickness / total,
+            100.0 * wall.thickness / bridge.width
+        );
+        found.warnings.push(Warning::new(warning::STRIPS_ADDED, message));
+    }
+    found.combination = Some(sum);
     if walls.status.exit_code() > found.status.exit_code() {
         found.status = walls.status;
     }

@@ -51,7 +51,7 @@ pub fn sweep(
     let mut d = discretise(bridge)?;
     d.loading.variable.clear();
     d.loading.movements.clear();
-    let settings = by_limit::settings(bridge);
+    let settings = by_limit::single(bridge, &d);
     let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
     let points: Vec<SweepPoint> = places
         .par_chunks(CHUNK)

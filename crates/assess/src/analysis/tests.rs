@@ -373,3 +373,20 @@ fn a_loading_block_needs_a_wall_to_stand_on() {
     b.spandrel_wall = None;
     assert!(matches!(discretise(&b), Err(DiscretiseError::NoWall)));
 }
+
+#[test]
+fn a_wall_between_fixed_walls_locks() {
+    let mut b = walled();
+    b.spandrel_wall.as_mut().unwrap().end_walls = true;
+    for friction in [bridge::Friction::Automatic, bridge::Friction::NonAssociated] {
+        b.plan.friction = friction;
+        let c = answer(&b);
+        // Sliding that dilates locks. The iteration without dilation may fail there or run off; no such number is an
+        // answer.
+        let weight = discretise(&b).unwrap().model.free_weight();
+        assert!(c.collapse_load.is_none_or(|load| load < 1e3 * weight), "{:?}", c.collapse_load);
+        assert_eq!(c.collapse_load.is_some(), c.status == Status::Collapsed);
+    }
+    b.plan.friction = bridge::Friction::Associated;
+    assert_eq!(answer(&b).status, Status::Locks);
+}

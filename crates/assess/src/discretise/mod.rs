@@ -368,7 +368,7 @@ impl<'a> Build<'a> {
 
     /// Bricks on the extrados and the fixed walls at their ends; gives the upper faces.
     fn wall(&mut self, wall: &SpandrelWall, surface: f64) -> Result<(Extrados, f64), WallError> {
-        let layout = wall::layout(self.bridge, wall, &self.seats, self.extrados.crown(), surface);
+        let layout = wall::layout(self.bridge, wall, &self.seats, self.extrados.crown(), surface)?;
         let pieces = wall::cut(&self.seats, &layout, wall.rounding)?;
         let group = self.groups.push("spandrel wall".into());
         self.walls.push(group);

@@ -8,3 +8,4 @@ mod messages;
 mod misuse;
 mod stage;
 mod vary;
+mod walls;

@@ -34,12 +34,11 @@ struct Below {
 pub fn cut(line: &[Segment], layout: &Layout) -> Result<Vec<Piece>, WallError> {
     let mut here: Vec<Stretch> =
         line.iter().enumerate().map(|(segment, s)| Stretch { segment, from: s.left.x, to: s.right.x }).collect();
-    for s in line {
-        for p in [s.left, s.right] {
-            if layout.top - p.y < layout.least {
-                return Err(WallError::Low { x: p.x, height: layout.top - p.y, least: layout.least });
-            }
-        }
+    let corners = line.iter().flat_map(|s| [s.left, s.right]);
+    if let Some(highest) = corners.max_by(|a, b| a.y.total_cmp(&b.y))
+        && layout.top - highest.y < layout.least
+    {
+        return Err(WallError::Low { x: highest.x, height: layout.top - highest.y, least: layout.least });
     }
     let mut pieces = Vec::new();
     for (course, &top) in layout.beds.iter().enumerate() {

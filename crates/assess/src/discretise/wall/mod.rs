@@ -1,9 +1,9 @@
 //! Spandrel walls: coursed bricks on the line of the extrados, cut so that every piece is convex, rests on the backs
 //! below it face to face, and is nowhere thinner than a stated least thickness.
 //!
-//! Where the extrados is flat enough, bricks are cut by vertical joints at the corners between backs ([`courses`]);
+//! Where the extrados is flat enough, bricks are cut by vertical joints at the corners between backs (`courses.rs`);
 //! where it is so steep that these would be slivers, stones with level beds run from the backs outwards
-//! ([`haunch`]).
+//! (`haunch.rs`).
 
 mod courses;
 mod haunch;
@@ -97,6 +97,21 @@ pub enum WallError {
         /// What is wrong.
         source: PolygonError,
     },
+    /// Bricks so small that their number is no model.
+    #[error(
+        "about {count:.0} bricks of {length} x {height} m make the spandrel wall, more than the {most} that are analysed: \
+             describe larger ones in [spandrel_wall]"
+    )]
+    TooMany {
+        /// About so many.
+        count: f64,
+        /// Length of a brick [m].
+        length: f64,
+        /// Height of a course [m].
+        height: f64,
+        /// As many as can be.
+        most: usize,
+    },
     /// The faces below the wall do not run from left to right.
     #[error("the extrados leans back over x = {x:.3} m, where no wall can stand on it")]
     Overhang {
@@ -117,9 +132,18 @@ pub enum WallError {
     },
 }
 
+/// Most bricks of a wall: as many as there may be voussoirs in a bridge file.
+const MOST: usize = 100_000;
+
 /// The wall's extent and courses on these seats; `crown` and `surface` are the levels of the extrados at the highest
 /// crown and of the road [m].
-pub fn layout(bridge: &Bridge, wall: &SpandrelWall, seats: &[Seat], crown: f64, surface: f64) -> Layout {
+pub fn layout(
+    bridge: &Bridge,
+    wall: &SpandrelWall,
+    seats: &[Seat],
+    crown: f64,
+    surface: f64,
+) -> Result<Layout, WallError> {
     let back = |seat: &Seat| (seat.right - seat.left).norm();
     // Mean length of the backs of the span with the shortest ones: pieces of cut bricks cannot be longer.
     let shortest = (0..bridge.spans.len()).filter_map(|span| {
@@ -136,7 +160,12 @@ pub fn layout(bridge: &Bridge, wall: &SpandrelWall, seats: &[Seat], crown: f64, 
     };
     let middle = 0.5 * crate::discretise::bridge_length(bridge);
     let lowest = seats.iter().map(|s| s.left.y.min(s.right.y)).fold(top, f64::min);
-    Layout {
+    let (length, height) = (wall.brick_length, wall.brick_height);
+    let count = ((ends[1] - ends[0]) / length).max(1.0) * ((top - lowest) / height).max(1.0);
+    if count.is_nan() || count > MOST as f64 {
+        return Err(WallError::TooMany { count, length, height, most: MOST });
+    }
+    Ok(Layout {
         ends,
         top,
         beds: beds(top, lowest, wall, least),
@@ -145,7 +174,7 @@ pub fn layout(bridge: &Bridge, wall: &SpandrelWall, seats: &[Seat], crown: f64, 
         bond: wall.bond,
         head_joint: wall.head_joint.unwrap_or(middle),
         least,
-    }
+    })
 }
 
 /// Levels of the beds from the top down to the lowest seat [m].

@@ -223,3 +223,20 @@ fn bridgemill_walls_touch_every_back_below_them() {
         assert!(d.loading.permanent.is_empty());
     }
 }
+
+#[test]
+fn walls_that_cannot_be_are_refused_with_a_reason() {
+    let refused = |change: fn(&mut SpandrelWall)| {
+        let mut wall = wall();
+        change(&mut wall);
+        match discretise(&walled(bridgemill(), wall)) {
+            Err(DiscretiseError::Wall(reason)) => reason,
+            other => panic!("{:?}", other.map(|d| d.model.blocks.len())),
+        }
+    };
+    assert!(matches!(refused(|w| w.brick_length = 1e-6), WallError::TooMany { .. }));
+    assert!(matches!(refused(|w| w.brick_height = 1e-9), WallError::TooMany { .. }));
+    assert!(matches!(refused(|w| w.top = Some(0.01)), WallError::Low { x, .. } if (x - 9.15).abs() < 0.35));
+    // Corners rounded by 80 mm leave nothing of pieces of 84 mm.
+    assert!(matches!(refused(|w| w.rounding = 0.08), WallError::Outline { .. }));
+}
