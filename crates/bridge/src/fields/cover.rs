@@ -31,9 +31,10 @@ pub(super) static COVER: Section = Section {
             "whether its weight acts on the ring; loads disperse through it either way",
             "true",
         )
+        .only("as", &["weight"])
         .default("true"),
         Field::new("as", Kind::Word(BODIES), "what the layer is in the discrete element method", "particles")
-            .optional("\"weight\", or \"nothing\" where `weighs = false`"),
+            .default("weight"),
         Field::new(
             "friction_angle",
             Kind::Quantity(Angle),

@@ -29,10 +29,6 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
     let body = table.word("as", findings);
     let friction_angle = table.quantity("friction_angle", findings);
     let cohesion = table.quantity("cohesion", findings);
-    if table.has("as") && table.has("weighs") {
-        super::structure::exclude(table, "weighs", "`as`", findings);
-        return None;
-    }
     let body = maybe(table, "as", body)?;
     let particles = body == Some("particles");
     let slab = table.quantity("block_length", findings);
