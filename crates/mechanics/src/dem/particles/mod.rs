@@ -23,7 +23,7 @@ pub(super) use neighbours::{Blocks, chunks, number_all};
 
 use super::settings::Damping;
 use crate::blocks::{LawTable, Particle};
-use crate::ids::{GroupId, ParticleId, Table};
+use crate::ids::{GroupId, Id, ParticleId, Table};
 use crate::plane::Vec2;
 pub(super) use chunk::Contact;
 use integrate::{Motion, Tally, integrate};
@@ -106,6 +106,15 @@ impl ParticleModel {
     /// Weight of all particles [N/m], positive.
     pub fn weight(&self) -> f64 {
         (0..self.len()).map(|row| self.mass(row)).sum::<f64>() * (self.gravity.x.abs() + self.gravity.y.abs())
+    }
+    /// Hands out all that distinguishes these particles from others, as words.
+    pub fn words(&self, to: &mut dyn FnMut(u64)) {
+        to(self.len() as u64);
+        [self.gravity.x, self.gravity.y].iter().for_each(|x| to(x.to_bits()));
+        for row in 0..self.len() {
+            to(u64::from(self.ids[row]) << 32 | self.group(row as u32).index() as u64);
+            self.built[row].iter().chain([&self.densities[row]]).for_each(|x| to(x.to_bits()));
+        }
     }
     /// A contact of the rows `i` and `j`, `i < j`.
     pub fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
