@@ -133,8 +133,12 @@ pub(super) fn frequency_bound(model: &Model, state: &State) -> f64 {
         }
     });
     let larger = |a: f64, b: f64, c: f64| 0.5 * (a + b + ((a - b) * (a - b) + 4.0 * c * c).sqrt());
+    // A particle that is near to nothing may yet meet its like, at the latest before the next search.
+    let discs = &state.particles.discs;
+    let meets = discs.iter().enumerate().map(|(i, disc)| model.particles.of_its_like(&model.laws, i as u32, disc));
+    let alone = meets.fold(0.0, f64::max);
     let of_body = |&[xx, xy, yy, turn, cx, cy]: &[f64; 6]| larger(larger(xx, yy, xy), turn, cx.hypot(cy));
-    sums.iter().map(of_body).fold(0.0, f64::max).sqrt()
+    sums.iter().map(of_body).fold(alone, f64::max).sqrt()
 }
 
 fn apply(springs: &[Spring], x: &[[f64; 3]], y: &mut [[f64; 3]]) {

@@ -34,7 +34,7 @@ fn case() -> (BlockModel, Loading, Program) {
 /// Small steps, so that stages last for several looks.
 fn damped(damping: Damping) -> Settings {
     let factor = if damping == Damping::Adaptive { 0.06 } else { 0.3 };
-    Settings { step_limit: 40_000, tolerance: 1e-10, ..settings(damping, factor) }
+    Settings { step_limit: 100_000, tolerance: 1e-10, ..settings(damping, factor) }
 }
 
 /// Whatever the damping, and wherever the run is stopped: in the fall, at rest, under load.

@@ -70,7 +70,10 @@ pub struct Moving {
 
 impl Moving {
     pub fn new(world: &BlockModel, settings: Settings) -> Moving {
-        let model = Model::new(world, &Loading::default()).unwrap();
+        Moving::loaded(world, &Loading::default(), settings)
+    }
+    pub fn loaded(world: &BlockModel, loading: &Loading, settings: Settings) -> Moving {
+        let model = Model::new(world, loading).unwrap();
         let state = begin(&model, &settings);
         Moving { model, state, work: Workspace::default(), settings }
     }

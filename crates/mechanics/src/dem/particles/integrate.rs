@@ -9,7 +9,8 @@ use crate::plane::Vec2;
 pub(in crate::dem) struct Motion {
     /// Acceleration of gravity [m/s^2].
     pub gravity: Vec2,
-    /// Time step [s].
+    /// Time between the old velocities and the new [s], and time step [s]; one where the step has not just changed.
+    pub between: f64,
     pub dt: f64,
     /// Share of local damping.
     pub local: f64,
@@ -49,15 +50,15 @@ pub(in crate::dem) fn integrate<const LOCAL: bool>(
     chunks: &[Chunk],
     motion: &Motion,
 ) -> Tally {
-    let Motion { gravity, dt, local, viscosity } = *motion;
-    let half = 0.5 * viscosity * dt;
+    let Motion { gravity, between, dt, local, viscosity } = *motion;
+    let half = 0.5 * viscosity * between;
     let (share, slow) = (1.0 / (1.0 + half), 2.0 * half / (1.0 + half));
-    let fall = [gravity.x * dt, gravity.y * dt, 0.0];
+    let fall = [gravity.x * between, gravity.y * between, 0.0];
     let mut tally = Tally::default();
     with_forces(chunk, chunks, |k, force| {
         let disc = &mut discs[k];
         // A disc's moment of inertia is half of m r^2, so its rim is accelerated by twice force over mass.
-        let scale = disc.inverse_mass * dt;
+        let scale = disc.inverse_mass * between;
         let push = [force[0] * scale + fall[0], force[1] * scale + fall[1], 2.0 * force[2] * scale];
         let old = [disc.vx, disc.vy, disc.rim];
         let mut new = [0.0; 3];
@@ -72,7 +73,7 @@ pub(in crate::dem) fn integrate<const LOCAL: bool>(
             } else {
                 new[c] = old[c] + push[c] * share - slow * old[c];
                 let mean = 0.5 * (old[c] + new[c]);
-                drain[c] = viscosity * dt * mean * mean;
+                drain[c] = viscosity * between * mean * mean;
             }
         }
         tally.damped += (drain[0] + drain[1] + 0.5 * drain[2]) / disc.inverse_mass;

@@ -123,6 +123,12 @@ impl ParticleModel {
         let k = stiffness(laws.between(self.group(i), self.group(j)), sum, sum);
         Contact::new(j, law, (one, 0), shear, (k.normal, k.shear))
     }
+    /// Square of the largest angular frequency [1/s^2] of a row's particle and another like it that touch: both give way
+    /// to the normal spring, and to the shear spring with three times their masses' reciprocal, for their rims turn.
+    pub fn of_its_like(&self, laws: &LawTable, row: u32, disc: &Disc) -> f64 {
+        let k = stiffness(laws.between(self.group(row), self.group(row)), 2.0 * disc.radius, 2.0 * disc.radius);
+        2.0 * disc.inverse_mass * k.normal.max(3.0 * k.shear)
+    }
     /// Length that a contact of two rows stands for [m].
     fn length(&self, laws: &LawTable, (i, j): (u32, u32), sum: f64) -> f64 {
         laws.between(self.group(i), self.group(j)).fixed_length.unwrap_or(sum)
@@ -208,14 +214,14 @@ impl Particles {
         lost
     }
 
-    /// Moves all particles on. Returns the largest distance moved [m], not finite if a number broke, and the energy
+    /// Moves all particles on: velocities by the first time [s], places by the second. Returns the largest distance moved [m], not finite if a number broke, and the energy
     /// taken out by damping [J/m].
-    pub fn integrate(&mut self, model: &ParticleModel, damping: Damping, viscosity: f64, dt: f64) -> (f64, f64) {
+    pub fn integrate(&mut self, model: &ParticleModel, damping: Damping, viscosity: f64, (between, dt): (f64, f64)) -> (f64, f64) {
         let (local, share) = match damping {
             Damping::Local(share) => (true, share),
             _ => (false, 0.0),
         };
-        let motion = Motion { gravity: model.gravity, dt, local: share, viscosity };
+        let motion = Motion { gravity: model.gravity, between, dt, local: share, viscosity };
         let chunks = &self.chunks[..];
         let one = |chunk: &Chunk, discs: &mut [Disc]| match local {
             true => integrate::<true>(discs, chunk, chunks, &motion),
