@@ -34,6 +34,8 @@ pub struct StepReport {
     pub moved: f64,
     /// The same for the particles' centres.
     pub particles_moved: f64,
+    /// Whether the neighbours of particles were searched anew.
+    pub searched: bool,
 }
 
 /// The state in which the blocks are built: at rest, touching where they touch.
@@ -103,7 +105,8 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
     if search(model, state, settings.contact_length) {
         state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state));
     }
-    if state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, state.steps) {
+    let searched = state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, state.steps);
+    if searched {
         state.time_step = settings.time_step_factor * critical_time_step(model, state);
     }
     match settings.contact_length {
@@ -128,7 +131,7 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
             integrate::<false>(model, state, work, 0.0, between)
         }
     };
-    integrate_particles(model, state, settings.damping, report, between)
+    integrate_particles(model, state, settings.damping, StepReport { searched, ..report }, between)
 }
 
 /// Moves the particles on; how far they went bounds the next search.
@@ -219,7 +222,7 @@ fn integrate<const LOCAL: bool>(
     state.travel += moved;
     state.feature_travel += moved;
     state.steps += 1;
-    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0 }
+    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0, searched: false }
 }
 
 /// Sets the viscosity to critical at the frequency of the present motion, its Rayleigh quotient (Underwood 1983,

@@ -25,6 +25,7 @@ mod limit_thickness;
 mod limit_walls;
 mod particle_energy;
 mod particle_lattice;
+mod particle_packing;
 mod particle_pairs;
 mod particle_reference;
 mod particle_resume;
