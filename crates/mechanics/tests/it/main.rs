@@ -30,7 +30,7 @@ mod particle_packing;
 mod particle_pairs;
 mod particle_reference;
 mod particle_resume;
-mod particle_threads;
 mod particle_steps;
 mod particle_support;
 mod particle_take_over;
+mod particle_threads;

@@ -51,7 +51,11 @@ fn a_cloud_keeps_its_momentum_and_angular_momentum() {
 }
 
 fn box_of(width: f64, height: f64) -> Vec<Block> {
-    vec![wall(vec2(-1.0, -0.5), width + 2.0, 0.5), wall(vec2(-0.5, 0.0), 0.5, height), wall(vec2(width, 0.0), 0.5, height)]
+    vec![
+        wall(vec2(-1.0, -0.5), width + 2.0, 0.5),
+        wall(vec2(-0.5, 0.0), 0.5, height),
+        wall(vec2(width, 0.0), 0.5, height),
+    ]
 }
 
 /// What the account leaves unexplained of the work done since `before`, and the most that it may [1].

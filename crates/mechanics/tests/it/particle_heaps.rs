@@ -5,20 +5,26 @@ use mechanics::blocks::{Block, Held};
 use mechanics::dem::{Body, Damping, frame};
 use mechanics::plane::{Vec2, vec2};
 
-/// A column of discs is let go on a floor of knobs, so slowly (local damping) that it slumps rather than flies. Its flanks
-/// come to rest below the angle of friction of the contacts, 26.6 degrees: discs that are free to roll pass on less shear
-/// than they could. In steady shear of such discs friction as a whole is 0.25 to 0.3 whatever the contacts' (da Cruz and others
-/// 2005, Estrada and others 2008), 14 to 17 degrees, and slopes stand at rest some degrees steeper or, having slumped, flatter.
+/// A column of discs is let go on a floor of knobs and comes to rest as a heap. Nothing keeps a disc from rolling: one that
+/// lies on a slope sits in a socket between two others and rolls out of it where the slope is steeper than the socket's
+/// side, whatever the friction: `asin(R / (R + r))` for a disc of radius `r` on two of radius `R` that touch, 30 degrees for
+/// equal discs and 37 for the smallest on two of the largest. Discs without any friction carry a tenth of the pressure as
+/// shear (Peyneau and Roux 2008), 6 degrees. Between these the slope must come to rest.
 #[test]
-fn a_heap_of_discs_stands_below_the_angle_of_friction() {
+fn a_heap_of_discs_stands_as_steep_as_its_discs_lie_in_their_sockets() {
     let friction = 0.5;
     let discs: Vec<(Vec2, f64)> =
-        loose(16, 32, 4).into_iter().map(|(c, r)| (c + vec2(-0.5 * 16.0 * 0.185, 0.06), r)).collect();
+        loose(14, 26, 4).into_iter().map(|(c, r)| (c + vec2(-0.5 * 14.0 * 0.185, 0.06), r)).collect();
     let knob = |k: i32| stone(&regular(vec2(0.14 * f64::from(k), 0.0), 0.06, 8, 0.1), 0.01, Held::FIXED);
     let mut blocks: Vec<Block> = (-60..=60).map(knob).collect();
-    blocks.push(wall(vec2(-9.0, -0.6), 18.0, 0.57));
+    // What rolls off stays near, for the search.
+    blocks.extend([
+        wall(vec2(-9.0, -0.6), 18.0, 0.57),
+        wall(vec2(-8.5, 0.1), 0.3, 2.0),
+        wall(vec2(8.2, 0.1), 0.3, 2.0),
+    ]);
     let world = world(fill(friction), vec2(0.0, -9.81), blocks, &discs);
-    let mut m = Moving::new(&world, settings(Damping::Local(0.5), 0.8));
+    let mut m = Moving::new(&world, settings(Damping::Local(0.2), 0.8));
     m.run(60_000);
     let p = m.state.particles(&m.model);
     // Highest disc in each slice of two and a half diameters; a line through the middle of each flank.
@@ -37,13 +43,21 @@ fn a_heap_of_discs_stands_below_the_angle_of_friction() {
     };
     let top = heights.iter().position(|h| *h == peak).unwrap();
     let middle = |from: usize, to: usize| -> Vec<(f64, f64)> {
-        (from..to).filter(|&k| heights[k] > 0.2 * peak && heights[k] < 0.8 * peak).map(|k| (k as f64 * slice, heights[k])).collect()
+        (from..to)
+            .filter(|&k| heights[k] > 0.2 * peak && heights[k] < 0.8 * peak)
+            .map(|k| (k as f64 * slice, heights[k]))
+            .collect()
     };
     let (left, right) = (slope(&middle(0, top)), slope(&middle(top, 60)));
-    let fastest = p.iter().map(|d| d.velocity.norm()).fold(0.0, f64::max);
-    println!("{left:.1} and {right:.1} degrees, {peak:.2} m high, {fastest:.1e} m/s; friction {:.1}", friction.atan().to_degrees());
+    let moving = p.iter().filter(|d| d.velocity.norm() > 0.02).count();
+    println!(
+        "{left:.1} and {right:.1} degrees, {peak:.2} m high, {moving} moving; friction {:.1}",
+        friction.atan().to_degrees()
+    );
+    // Nothing slides any more; single discs still roll about on the floor.
+    assert!(moving * 20 < p.len(), "{moving}");
     for angle in [left, right] {
-        assert!(angle > 8.0 && angle < friction.atan().to_degrees(), "{angle}");
+        assert!(angle > 6.0 && angle < (0.09_f64 / 0.15).asin().to_degrees(), "{angle}");
     }
 }
 

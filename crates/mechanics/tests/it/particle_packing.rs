@@ -106,7 +106,13 @@ fn a_concave_region_is_filled() {
         let r = 0.97 * g.radius;
         let inside = g.centre.x > r && g.centre.x < 3.0 - r && g.centre.y > r && g.centre.y < 2.0 - r;
         let corner = g.centre - vec2(1.5, 1.0);
-        let notch = if corner.x < 0.0 { -corner.y } else if corner.y > 0.0 { corner.x } else { corner.norm() };
+        let notch = if corner.x < 0.0 {
+            -corner.y
+        } else if corner.y > 0.0 {
+            corner.x
+        } else {
+            corner.norm()
+        };
         assert!(inside && notch > r, "{g:?}");
     }
     assert!(packing.packed.solid_fraction > 0.8, "{:?}", packing.packed);

@@ -131,7 +131,8 @@ impl Reference {
         }
         self.carried = carried;
         let (damping, between) = (self.damping, 0.5 * (dt + ahead));
-        let advance = |v: f64, push: f64| v + push - (v + 0.5 * push).clamp(-damping * push.abs(), damping * push.abs());
+        let advance =
+            |v: f64, push: f64| v + push - (v + 0.5 * push).clamp(-damping * push.abs(), damping * push.abs());
         for s in &mut self.solids {
             if !s.held {
                 s.velocity.x = advance(s.velocity.x, s.force.x / s.mass * between);
@@ -209,7 +210,8 @@ fn run(m: &mut Moving, reference: &mut Reference, gravity: Vec2, steps: usize, t
         }
         for (s, p) in reference.solids.iter().zip(m.state.particles(&m.model).iter()) {
             apart.place = apart.place.max((s.centre - p.centre).norm());
-            apart.velocity = apart.velocity.max((s.velocity - p.velocity).norm()).max((s.spin - p.spin).abs() * p.radius);
+            apart.velocity =
+                apart.velocity.max((s.velocity - p.velocity).norm()).max((s.spin - p.spin).abs() * p.radius);
         }
         for (s, v) in reference.solids[discs..].iter().zip(&m.state.velocities) {
             let spin = (s.spin - v[2]).abs();

@@ -36,19 +36,25 @@ fn the_bound_lies_below_the_critical_step() {
         assert!(share <= 1.0 + 1e-5, "{share}");
         shares.push(share);
     }
-    assert!(shares.iter().all(|s| *s > 0.5), "{shares:?}");
+    assert!(shares.iter().all(|s| *s > 0.85), "{shares:?}");
 }
 
 /// Largest kinetic energy of a shaken packing over that at the start, and after how many steps it passed `most`.
 fn shaken(factor: f64, most: f64) -> (f64, u64) {
     let world = packed(1, 1.5, false);
-    let mut m = Moving::new(&world, settings(Damping::None, factor));
-    m.run(1);
+    let mut m = Moving::new(&world, settings(Damping::Local(0.7), 0.8));
+    m.run(5_000);
+    m.settings = settings(Damping::None, factor);
+    // The step is set by the next search.
+    let before = m.state.time_step;
+    m.run(1_001);
+    assert!(m.state.time_step != before);
     let mut chance = Chance(3);
+    let begun = m.state.steps;
     // Slow enough that no contact opens under 1 MPa.
     for k in 0..world.particles.len() {
-        let v = vec2(chance.between(-1e-6, 1e-6), chance.between(-1e-6, 1e-6));
-        m.state.set_particle_velocity(&m.model, ParticleId::new(k), v, chance.between(-1e-5, 1e-5));
+        let v = vec2(chance.between(-1e-4, 1e-4), chance.between(-1e-4, 1e-4));
+        m.state.set_particle_velocity(&m.model, ParticleId::new(k), v, chance.between(-1e-3, 1e-3));
     }
     let rest = energy(&m.model, &m.state);
     let whole = rest.kinetic;
@@ -61,7 +67,7 @@ fn shaken(factor: f64, most: f64) -> (f64, u64) {
             break;
         }
     }
-    (largest, m.state.steps)
+    (largest, m.state.steps - begun)
 }
 
 /// Just below the critical step a shaken packing swings for ever; at 1.3 of it the swing grows without end.
@@ -70,8 +76,8 @@ fn the_critical_step_parts_stable_from_unstable() {
     let m = Moving::new(&packed(1, 1.5, false), settings(Damping::None, 0.8));
     let exact = exact_critical_time_step(&m.model, &m.state) / critical_time_step(&m.model, &m.state);
     for (factor, stable) in [(0.98, true), (0.98 * exact, true), (1.3 * exact, false)] {
-        let (largest, steps) = shaken(factor, 1e6);
+        let (largest, steps) = shaken(factor, 1e2);
         println!("{factor}: {largest:e} after {steps} steps");
-        assert_eq!(largest < 1e6, stable, "{factor}: {largest:e}");
+        assert_eq!(largest < 1e2, stable, "{factor}: {largest:e}");
     }
 }

@@ -33,7 +33,8 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         Ok(None) => return Ok(Report::new(Status::Cancelled)),
         Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
     };
-    let mut copies: Vec<(State, Workspace)> = (0..arguments.copies.unwrap_or(0)).map(|_| (state.clone(), work.clone())).collect();
+    let mut copies: Vec<(State, Workspace)> =
+        (0..arguments.copies.unwrap_or(0)).map(|_| (state.clone(), work.clone())).collect();
     let steps = STEPS.max(PARTICLE_STEPS / count as u64);
     let (mut alone, mut together) = (Vec::new(), Vec::new());
     let mut stepped = Stepped::default();
@@ -116,7 +117,8 @@ fn run_steps(disks: &Disks, (state, work): (&mut State, &mut Workspace), steps: 
 
 /// Seconds until the last of the copies has made its steps, each on a thread of its own.
 fn side_by_side(disks: &Disks, copies: &mut [(State, Workspace)], steps: u64) -> Result<f64, Failure> {
-    let no_thread = |error: rayon::ThreadPoolBuildError| Failure::input("F108", error.to_string(), "ask for fewer copies");
+    let no_thread =
+        |error: rayon::ThreadPoolBuildError| Failure::input("F108", error.to_string(), "ask for fewer copies");
     let pool = |_| rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(no_thread);
     let pools: Vec<rayon::ThreadPool> = (0..copies.len()).map(pool).collect::<Result<_, _>>()?;
     let clock = Clock::start();

@@ -216,7 +216,13 @@ impl Particles {
 
     /// Moves all particles on: velocities by the first time [s], places by the second. Returns the largest distance moved [m], not finite if a number broke, and the energy
     /// taken out by damping [J/m].
-    pub fn integrate(&mut self, model: &ParticleModel, damping: Damping, viscosity: f64, (between, dt): (f64, f64)) -> (f64, f64) {
+    pub fn integrate(
+        &mut self,
+        model: &ParticleModel,
+        damping: Damping,
+        viscosity: f64,
+        (between, dt): (f64, f64),
+    ) -> (f64, f64) {
         let (local, share) = match damping {
             Damping::Local(share) => (true, share),
             _ => (false, 0.0),
