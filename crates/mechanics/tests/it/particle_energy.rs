@@ -45,7 +45,6 @@ fn a_cloud_keeps_its_momentum_and_angular_momentum() {
     let account = energy(&m.model, &m.state);
     assert!(account.dissipated > 0.05 * account.kinetic, "{account:?}");
     for c in 0..3 {
-        println!("momentum {c}: {:e} of {sizes}", after[c] - before[c]);
         assert!((after[c] - before[c]).abs() < 1e-12 * sizes, "{c}: {:e} of {sizes}", after[c] - before[c]);
     }
 }
@@ -129,12 +128,10 @@ fn the_account_of_particles_closes() {
         for damping in [Damping::None, Damping::Local(0.7)] {
             for (what, run) in [("fall", fall as fn(_, _) -> _), ("column", column), ("thrown", thrown)] {
                 let (drift, most): (f64, f64) = run(damping, factor);
-                println!("{what}, {damping:?}, {factor}: {drift:.1e} of at most {most:.1e}");
                 assert!(drift.abs() < most, "{what}, {damping:?}, {factor}: {drift:e} {most:e}");
             }
         }
         let (drift, _) = sheared(Damping::Local(0.7), factor);
-        println!("sheared, {factor}: {drift:.1e}");
         assert!(drift.abs() < 1e-3, "{factor}: {drift:e}");
     }
 }
@@ -148,7 +145,6 @@ fn a_cloud_keeps_its_energy() {
         let start = energy(&m.model, &m.state).kinetic;
         m.run((4_000.0 / factor) as usize);
         let (drift, most) = unexplained(&m, (energy(&m.model, &m.state), start), start);
-        println!("cloud, {factor}: {drift:.1e} of at most {most:.1e}");
         assert!(drift.abs() < most, "{factor}: {drift:e} {most:e}");
     }
 }

@@ -50,10 +50,6 @@ fn a_heap_of_discs_stands_as_steep_as_its_discs_lie_in_their_sockets() {
     };
     let (left, right) = (slope(&middle(0, top)), slope(&middle(top, 60)));
     let moving = p.iter().filter(|d| d.velocity.norm() > 0.02).count();
-    println!(
-        "{left:.1} and {right:.1} degrees, {peak:.2} m high, {moving} moving; friction {:.1}",
-        friction.atan().to_degrees()
-    );
     // Nothing slides any more; single discs still roll about on the floor.
     assert!(moving * 20 < p.len(), "{moving}");
     for angle in [left, right] {
@@ -108,7 +104,6 @@ fn a_silo_follows_janssen() {
             walls[slice as usize] += force.x.abs() / (2.0 * height / SLICES as f64);
         }
     }
-    println!("weight {weight:.0}, floor {floor:.0}, walls {held:.0} of {pressed:.0} pressed, {height:.2} m high");
     // At rest: what is left moves at less than a millimetre a second.
     assert!(((floor + held) / weight - 1.0).abs() < 2e-3, "{floor} {held} {weight}");
     let mobilised = held / pressed;
@@ -122,7 +117,6 @@ fn a_silo_follows_janssen() {
     }
     let ratio = a.0 * width / (2.0 * mobilised * height);
     let active = (45.0 - 0.5 * friction.atan().to_degrees()).to_radians().tan().powi(2);
-    println!("mobilised {mobilised:.3}, K {ratio:.3} (active {active:.3}), floor carries {share:.3}");
     assert!(ratio > active && ratio < 1.0, "{ratio}");
     // A slice presses through some twenty contacts, whose forces scatter about as much as their mean: a quarter.
     let unit = weight / (width * height);
@@ -130,7 +124,6 @@ fn a_silo_follows_janssen() {
     for (k, found) in walls.iter().enumerate() {
         let depth = (k as f64 + 0.5) / SLICES as f64 * a.0;
         let janssen = saturated * (1.0 - (-depth).exp());
-        println!("slice {k}: {found:.0} {janssen:.0} Pa");
         assert!((found - janssen).abs() < 0.3 * saturated, "slice {k}: {found} {janssen}");
     }
 }

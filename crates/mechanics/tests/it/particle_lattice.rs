@@ -75,7 +75,6 @@ fn the_moduli_of_the_triangular_lattice() {
         let modulus = 2.0 * 3f64.sqrt() * (1.0 + k) / (3.0 + k);
         let ratio = (1.0 - k) / (3.0 + k);
         let direct = modulus / (1.0 - ratio * ratio);
-        println!("{k}: {xx:?} {yy:?} {xy:?}, {direct} {}", direct * ratio);
         let near = |found: f64, exact: f64| assert!((found - exact).abs() < 1e-4 * direct, "{k}: {found} {exact}");
         near(xx[0], direct);
         near(yy[1], direct);

@@ -36,7 +36,6 @@ fn a_packing_meets_its_stress() {
     for stress in [2e4, 1e5, 1e6] {
         let packing = in_box(3.0, &recipe(300, Target::Stress(stress))).unwrap();
         let (share, out) = covered(&packing, 3.0);
-        println!("{stress:e}: {:?}, {share}, {out:e}, {} steps", packing.packed, packing.steps);
         // The generator's own promise: twice a twentieth.
         assert!((packing.packed.mean_stress / stress - 1.0).abs() <= 0.1, "{:?}", packing.packed);
         assert!((packing.packed.solid_fraction - share).abs() < 1e-9);
@@ -67,7 +66,6 @@ fn frictionless_discs_jam_as_counting_says() {
     // Contacts with walls count once and not twice: about one for each diameter of 0.15 m along them.
     let carrying = (p.coordination + 4.0 * 4.4 / 0.15 / 600.0) / (1.0 - p.rattlers);
     let inside = covered_inside(&packing, 4.4, 0.4);
-    println!("{p:?}, of those that carry {carrying}, {inside} inside");
     assert!((carrying - 4.0).abs() < 0.25, "{p:?} {carrying}");
     assert!((inside - 0.84).abs() < 0.01, "{p:?} {inside}");
 }
@@ -142,7 +140,6 @@ fn absurd_recipes_are_answered() {
         assert_eq!(pack(&walls, &region, &recipe(30, stress), &mut Unwatched), Err(PackingError::NoRoom(30)));
     }
     let end = |what: &str, found: Result<Packing, PackingError>| {
-        println!("{what}: {:?}", found.as_ref().map(|p| p.packed));
         if let Ok(p) = &found {
             assert!(p.grains.iter().all(|g| g.centre.is_finite() && g.radius > 0.0), "{what}");
         }

@@ -273,7 +273,6 @@ fn every_step_is_that_of_the_reference() {
         let mut m = Moving::new(&world, settings(Damping::Local(damping), 0.8));
         let mut reference = Reference::new(&world, 0.6, damping);
         let apart = run(&mut m, &mut reference, world.gravity, 6_000, true);
-        println!("falling, damping {damping}: {apart:?}");
         assert!(apart.place < 1e-12 && apart.velocity < 1e-9 && apart.shear < 1e-5, "{apart:?}");
         assert!(apart.contacts > 60 && apart.closings > 500, "{apart:?}");
 
@@ -282,7 +281,6 @@ fn every_step_is_that_of_the_reference() {
         m.state.velocities[4] = pushed;
         let mut reference = Reference::new(&world, 0.6, damping);
         let apart = run(&mut m, &mut reference, world.gravity, 6_000, true);
-        println!("ploughed, damping {damping}: {apart:?}");
         assert!(apart.place < 1e-12 && apart.velocity < 1e-9 && apart.shear < 1e-5, "{apart:?}");
         assert!(apart.contacts > 30 && apart.closings > 500, "{apart:?}");
     }
@@ -296,6 +294,5 @@ fn the_reference_goes_the_same_way_until_chaos() {
     let mut m = Moving::new(&world, settings(Damping::Local(0.7), 0.8));
     let mut reference = Reference::new(&world, 0.6, 0.7);
     let apart = run(&mut m, &mut reference, world.gravity, 700, false);
-    println!("alone: {apart:?}");
     assert!(apart.place < 1e-10 && apart.contacts > 15, "{apart:?}");
 }

@@ -31,7 +31,6 @@ fn the_bound_lies_below_the_critical_step() {
     {
         let m = Moving::new(&packed(seed, ratio, block), settings(Damping::None, 0.8));
         let share = critical_time_step(&m.model, &m.state) / (1.01 * exact_critical_time_step(&m.model, &m.state));
-        println!("size ratio {ratio}, block {block}: {share:.4}");
         // Power iteration ends within 1e-6 of a frequency's square, from below.
         assert!(share <= 1.0 + 1e-5, "{share}");
         shares.push(share);
@@ -77,7 +76,6 @@ fn the_critical_step_parts_stable_from_unstable() {
     let exact = exact_critical_time_step(&m.model, &m.state) / critical_time_step(&m.model, &m.state);
     for (factor, stable) in [(0.98, true), (0.98 * exact, true), (1.3 * exact, false)] {
         let (largest, steps) = shaken(factor, 1e2);
-        println!("{factor}: {largest:e} after {steps} steps");
-        assert_eq!(largest < 1e2, stable, "{factor}: {largest:e}");
+        assert_eq!(largest < 1e2, stable, "{factor}: {largest:e} after {steps} steps");
     }
 }

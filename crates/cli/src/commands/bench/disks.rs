@@ -12,7 +12,7 @@ use mechanics::dem::{State, Workspace, step};
 
 /// Steps of one repeat: at least as many as there may be between two searches for neighbours, and enough for a clock.
 const STEPS: u64 = 1_000;
-const PARTICLE_STEPS: u64 = 20_000_000;
+const PARTICLE_STEPS: u64 = 10_000_000;
 
 /// What some steps of one box told.
 #[derive(Debug, Clone, Copy, Default)]
