@@ -30,7 +30,7 @@ const PACKED: usize = 2_000;
 const SETTLING: (u64, u64) = (1_000, 20_000);
 
 /// Largest move in a step, as a share of the mean radius, below which the discs count as near rest.
-const REST: f64 = 1e-6;
+const REST: f64 = 1e-5;
 
 /// A box of discs.
 #[derive(Debug, Clone)]
