@@ -3,6 +3,7 @@
 pub mod analysis;
 pub mod checkpoint;
 pub mod discretise;
+pub mod disks;
 pub mod outcome;
 pub mod vary;
 pub mod verify;
