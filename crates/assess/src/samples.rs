@@ -36,6 +36,7 @@ pub fn bridgemill() -> Bridge {
         joint,
         ring_joint: joint,
         spandrel_wall: None,
+        calibration: Calibration::default(),
         cover: Cover { depth: 0.478, layers: vec![], backing: None },
         loads: vec![Load {
             name: "knife edge".into(),

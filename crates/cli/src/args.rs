@@ -26,6 +26,8 @@ pub enum Command {
     Check(Check),
     /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
     Collapse(Box<Collapse>),
+    /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
+    CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
     /// Print the JSON Schema of bridge files, for editors
@@ -108,6 +110,25 @@ pub struct Collapse {
     /// What to set in place of the file's plan.
     #[command(flatten)]
     pub overrides: Overrides,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados calibrate-fill`.
+#[derive(Debug, Args)]
+pub struct CalibrateFill {
+    /// The bridge file (TOML), with a layer as particles
+    pub file: PathBuf,
+    /// Modulus that the fill is to have, in place of the file's, such as "40 MPa"
+    #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
+    pub modulus: Option<String>,
+    /// Packings that samples are cut from, in place of the file's; the check takes as many again
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub seeds: Option<u32>,
+    /// Folder for results [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -250,6 +271,7 @@ impl Command {
             Command::New(new) => &new.speech,
             Command::Check(check) => &check.speech,
             Command::Collapse(collapse) => &collapse.speech,
+            Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
             Command::Verify(verify) => &verify.speech,
@@ -263,6 +285,7 @@ impl Command {
             Command::New(_) => "new",
             Command::Check(_) => "check",
             Command::Collapse(_) => "collapse",
+            Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",
             Command::Verify(_) => "verify",
