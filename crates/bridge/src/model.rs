@@ -297,7 +297,7 @@ impl Default for Calibration {
             ignored_steps: 4,
             multiples: vec![1.0, 2.0, 4.0, 6.0, 8.0],
             compare_with: Vec::new(),
-            seeds: 4,
+            seeds: 16,
             tolerance: 0.01,
             least_replacement: 0.5,
         }

@@ -1,7 +1,7 @@
 //! The answer of a collapse analysis in an engineer's words.
 
-use assess::analysis::{Collapse, Combination, Sweep};
 use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
+use assess::analysis::{Collapse, Combination, Sweep};
 use assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
 use std::fmt::Write;

@@ -2,7 +2,6 @@
 
 use super::tables::row;
 use crate::analysis::calibrate::{At, CalibrationReport, Measured, Spread};
-use bridge::Modulus;
 use serde::Serialize;
 
 /// The result of a calibration of fill. Status, warnings and times are those of the command.
@@ -91,10 +90,7 @@ impl CalibrationObject {
             multiple: shown.map(|m| m.multiple),
             multiple_standard_error: report.multiple_error(),
             wanted_modulus_mpa: report.plan.wanted_modulus.map(|m| m / 1e6),
-            matched: match report.modulus {
-                Modulus::Tangent => "tangent",
-                Modulus::Secant => "secant",
-            },
+            matched: report.matched(),
             tangent_modulus_mpa: tangent.as_ref().map(|s| s.mean),
             tangent_standard_error_mpa: tangent.as_ref().map(|s| s.standard_error),
             secant_modulus_mpa: secant.as_ref().map(|s| s.mean),

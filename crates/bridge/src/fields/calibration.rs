@@ -18,7 +18,9 @@ pub(super) static CALIBRATION: Section = Section {
             .optional("the moduli of `multiples` are measured, and nothing is looked for"),
         Field::new("modulus", Kind::Word(MODULI), "which modulus is compared with `wanted_modulus`", "tangent")
             .default("tangent"),
-        Field::new("sample_size", Kind::Quantity(Length), "side of the square samples", "1 m").positive().default("1 m"),
+        Field::new("sample_size", Kind::Quantity(Length), "side of the square samples", "1 m")
+            .positive()
+            .default("1 m"),
         Field::new("block_weight", Kind::Quantity(LineLoad), "weight of the block that presses, per metre", "2.6 kN/m")
             .positive()
             .default("2.6 kN/m"),
@@ -47,10 +49,10 @@ pub(super) static CALIBRATION: Section = Section {
         )
         .positive()
         .optional("there is nothing to compare with"),
-        Field::new("seeds", Kind::Count, "packings from which samples are cut, and as many again for the check", "4")
+        Field::new("seeds", Kind::Count, "packings from which samples are cut, and as many again for the check", "16")
             .at_least(1.0)
             .at_most(1000.0)
-            .default("4"),
+            .default("16"),
         Field::new("tolerance", Kind::Number, "the wanted modulus is met within this share", "0.01")
             .at_least(1e-4)
             .at_most(0.5)

@@ -163,12 +163,9 @@ impl Field {
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
         match self.kind {
-            Kind::Number
-            | Kind::Numbers
-            | Kind::Count
-            | Kind::Flag
-            | Kind::Quantities(_)
-            | Kind::Points => self.example.to_owned(),
+            Kind::Number | Kind::Numbers | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points => {
+                self.example.to_owned()
+            }
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{}\"", self.example),
         }

@@ -56,9 +56,7 @@ fn write(desk: &Desk, found: &CalibrationReport, mut report: Report, folder: &Fo
         files.extend(figures::both(&name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     let tables = [("curve", wire::calibration_curves(found)), ("moduli", wire::calibration_moduli(found))];
-    files.extend(
-        tables.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }),
-    );
+    files.extend(tables.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }));
     report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
     folder.fill(
         |staging| results::write(staging, &files),

@@ -107,7 +107,8 @@ fn samples(
     for (fill, &seed) in packed.into_iter().zip(seeds) {
         let Some(fill) = fill? else { return Ok(None) };
         let squares = squares::squares(&fill.region, bridge.calibration.sample_size, 2.0 * fill.largest());
-        samples.extend(squares.into_iter().enumerate().map(|(k, corner)| Sample::cut(bridge, &fill, (seed, k), corner)));
+        samples
+            .extend(squares.into_iter().enumerate().map(|(k, corner)| Sample::cut(bridge, &fill, (seed, k), corner)));
     }
     if samples.is_empty() {
         return Err(AnalysisError::NoSample { size: bridge.calibration.sample_size });
@@ -124,8 +125,7 @@ fn measure(
 ) -> Result<Option<Vec<Measured>>, AnalysisError> {
     let jobs: Vec<(f64, usize)> =
         multiples.iter().flat_map(|&multiple| (0..samples.len()).map(move |k| (multiple, k))).collect();
-    let pressed =
-        crowd.each("pressing", 1.0, &jobs, |&(multiple, k), watch| rig.press(&samples[k], multiple, watch));
+    let pressed = crowd.each("pressing", 1.0, &jobs, |&(multiple, k), watch| rig.press(&samples[k], multiple, watch));
     let Some(pressed) = pressed else { return Ok(None) };
     let pressed = pressed.into_iter().collect::<Result<Vec<Pressed>, _>>()?;
     let of = |(k, &multiple): (usize, &f64)| {
@@ -141,6 +141,14 @@ impl CalibrationReport {
         match self.modulus {
             Modulus::Tangent => measured.tangent,
             Modulus::Secant => measured.secant,
+        }
+    }
+
+    /// The word for it.
+    pub fn matched(&self) -> &'static str {
+        match self.modulus {
+            Modulus::Tangent => "tangent",
+            Modulus::Secant => "secant",
         }
     }
 

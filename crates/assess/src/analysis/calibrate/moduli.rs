@@ -34,7 +34,8 @@ pub struct Moduli {
 impl Curve {
     /// From stress [Pa] and sinking [m], over a height [m].
     pub fn new(path: &[[f64; 2]], height: f64) -> Curve {
-        let point = |&[stress, displacement]: &[f64; 2]| CurvePoint { stress, strain: displacement / height, displacement };
+        let point =
+            |&[stress, displacement]: &[f64; 2]| CurvePoint { stress, strain: displacement / height, displacement };
         Curve { points: path.iter().map(point).collect() }
     }
 

@@ -133,7 +133,8 @@ impl Measured {
     pub fn new(multiple: f64, samples: &[Sample], pressed: &[Pressed], plan: &Calibration) -> Measured {
         let curves: Vec<Curve> = pressed.iter().map(|p| Curve::new(&p.path, p.height)).collect();
         let whole = |k: &usize| {
-            let rests = pressed[*k].status == dem::Status::StableToLastLoad && curves[*k].points.len() == plan.steps + 1;
+            let rests =
+                pressed[*k].status == dem::Status::StableToLastLoad && curves[*k].points.len() == plan.steps + 1;
             rests.then(|| curves[*k].moduli(plan.ignored_steps)).flatten().map(|moduli| (*k, moduli))
         };
         let counted: Vec<(usize, Moduli)> = (0..samples.len()).filter_map(|k| whole(&k)).collect();

@@ -30,8 +30,7 @@ pub fn search(
     table: &[Measured],
     press: &mut dyn FnMut(f64) -> Result<Option<Measured>, AnalysisError>,
 ) -> Result<Found, AnalysisError> {
-    let mut known: Vec<(At, Measured)> =
-        table.iter().filter_map(|m| Some((m.at(modulus)?, m.clone()))).collect();
+    let mut known: Vec<(At, Measured)> = table.iter().filter_map(|m| Some((m.at(modulus)?, m.clone()))).collect();
     known.sort_by(|a, b| a.0.multiple.total_cmp(&b.0.multiple));
     let mut beyond = [BEYOND; 2];
     loop {
@@ -145,7 +144,11 @@ mod tests {
             let (found, presses) = find(soft, 40.0, table);
             let Found::Multiple(found) = found else { panic!("{table:?}") };
             // One percent of the modulus is 2.7 % of the multiple.
-            assert!((found.multiple / 4.925 - 1.0).abs() < 0.028 && presses <= 6, "{table:?} {} {presses}", found.multiple);
+            assert!(
+                (found.multiple / 4.925 - 1.0).abs() < 0.028 && presses <= 6,
+                "{table:?} {} {presses}",
+                found.multiple
+            );
         }
         let Found::Multiple(found) = find(soft, 28.5, &[1.0, 2.0]).0 else { panic!() };
         assert_eq!(found.multiple, 2.0, "a multiple of the table that fits needs no press");

@@ -84,7 +84,8 @@ mod tests {
 
     #[test]
     fn squares_keep_off_a_hump() {
-        let back: Vec<(f64, f64)> = (0..=40).map(|k| (k as f64 * 0.5, 3.0 - 0.03 * (k as f64 * 0.5 - 10.0).powi(2))).collect();
+        let back: Vec<(f64, f64)> =
+            (0..=40).map(|k| (k as f64 * 0.5, 3.0 - 0.03 * (k as f64 * 0.5 - 10.0).powi(2))).collect();
         let outline: Vec<(f64, f64)> = back.iter().copied().chain([(20.0, 4.0), (0.0, 4.0)]).collect();
         let region = region(&outline, 4.0);
         let found = squares(&region, 1.0, 0.1);
