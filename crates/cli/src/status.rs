@@ -121,7 +121,8 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: no position of the loads makes a mechanism of the bridge.",
+                "The command finished without an answer: no position of the loads makes a mechanism of the bridge, or no contact \
+                 stiffness gives the fill the wanted modulus.",
             ),
             Status::UnusableInput => (
                 "unusable-input",

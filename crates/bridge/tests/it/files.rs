@@ -14,8 +14,14 @@ pub const TINY: &str = include_str!("files/tiny.toml");
 /// Spandrel walls, with everything that they may say.
 pub const WALLS: &str = include_str!("files/walls.toml");
 
+/// Fill as a number of particles.
+pub const PARTICLES: &str = include_str!("files/particles.toml");
+
+/// Fill as particles of given diameters, and all that its calibration may say.
+pub const CALIBRATION: &str = include_str!("files/calibration.toml");
+
 /// All of them.
-pub const GOOD: [&str; 5] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS];
+pub const GOOD: [&str; 7] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, CALIBRATION];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

@@ -24,11 +24,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let found = calibrate::calibrate_fill(&bridge, &mut watcher);
     watcher.finish();
     let found = found.map_err(|error| results::not_set_up(&error))?;
-    let mut report = source.report(match found.verdict {
-        Verdict::Completed => Status::Completed,
-        Verdict::Undetermined => Status::Undetermined,
-        Verdict::Cancelled => Status::Cancelled,
-    });
+    let mut report = source.report(Status::named(found.verdict.word()).unwrap_or(Status::Undetermined));
     if found.verdict == Verdict::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }

@@ -18,6 +18,17 @@ pub enum Verdict {
     Cancelled,
 }
 
+impl Verdict {
+    /// Its word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Completed => "completed",
+            Verdict::Undetermined => "undetermined",
+            Verdict::Cancelled => "cancelled",
+        }
+    }
+}
+
 /// A multiple of the file's stiffness and the modulus there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct At {
