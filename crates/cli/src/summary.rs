@@ -61,11 +61,11 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
 /// Moduli of the fill, the stiffness that was found, and its check.
 pub fn calibration(found: &CalibrationReport, out: &str) -> String {
     let mut page = format!(
-        "{}: {} squares of {:.2} m out of {} packings, {} particles\n\n",
+        "{}: {} squares of {:.2} m out of {}, {} particles\n\n",
         found.bridge,
         found.squares,
         found.plan.sample_size,
-        found.seeds.len(),
+        found.packings(),
         found.particles
     );
     page += "  multiple   kn [GPa/m]   ks [GPa/m]   tangent [MPa]    secant [MPa]    without the first steps [MPa]\n";

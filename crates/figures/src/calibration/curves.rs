@@ -2,7 +2,7 @@
 
 use super::STYLES;
 use crate::chart::{Axes, Axis, Entry, key};
-use crate::sheet::{Pen, Sheet, Spot};
+use crate::sheet::{HAIR, Pen, Sheet, Spot};
 use crate::ticks::Ticks;
 use assess::analysis::calibrate::{CalibrationReport, Measured};
 
@@ -33,6 +33,13 @@ pub fn stress_strain(report: &CalibrationReport) -> Option<String> {
         let side = |sign: f64| m.curve.iter().map(move |(p, d)| (p.strain + sign * d, p.stress));
         let band: Vec<Spot> = side(1.0).chain(side(-1.0).rev()).map(|(strain, stress)| spot(strain, stress)).collect();
         sheet.polygon(&band, Pen::shape(&pale(colour), "none", 0.0).class("band"));
+    }
+    // Bands lie over one another: their edges show through.
+    for (k, m) in rows.iter().enumerate() {
+        for sign in [-1.0, 1.0] {
+            let edge: Vec<Spot> = m.curve.iter().map(|(p, d)| spot(p.strain + sign * d, p.stress)).collect();
+            sheet.polyline(&edge, Pen::line(STYLES[k % STYLES.len()].0, HAIR).class("edge"));
+        }
     }
     sheet.close();
     sheet.open_clipped("curves", "plane-curves", axes.area);

@@ -41,7 +41,7 @@ pub fn moduli(report: &CalibrationReport) -> Option<String> {
     let top = sheet.title(&report.bridge, "Modulus of confined fill over the stiffness of its contacts");
     let x_name =
         format!("multiple of the contact stiffness of the file, {:.3} GPa/m normal", report.stiffness[0] / 1e9);
-    let x = Axis::round(&x_name, Ticks::over(0.0, wide, 8));
+    let x = Axis::round(&x_name, Ticks::over(0.0, 1.04 * wide, 8));
     let y = Axis::round("modulus [MPa]", Ticks::over(0.0, high / 1e6, 7));
     let (axes, mut bottom) = Axes::draw(&mut sheet, top, HEIGHT, &x, &y);
     let mut entries: Vec<Entry> = Vec::new();
@@ -87,9 +87,9 @@ pub fn moduli(report: &CalibrationReport) -> Option<String> {
     }
     bottom = key(&mut sheet, bottom, &entries);
     let caption = format!(
-        "Bars: two standard errors of the mean to either side, {} squares out of {} packings.",
+        "Bars: two standard errors of the mean to either side, {} squares out of {}.",
         report.squares,
-        report.seeds.len()
+        report.packings()
     );
     bottom = sheet.caption(bottom, &caption);
     Some(sheet.finish(bottom))

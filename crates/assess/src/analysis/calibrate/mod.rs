@@ -158,6 +158,12 @@ impl CalibrationReport {
         self.found.as_ref().or_else(of_file)
     }
 
+    /// "16 packings", for sentences.
+    pub fn packings(&self) -> String {
+        let count = self.seeds.len();
+        format!("{count} packing{}", if count == 1 { "" } else { "s" })
+    }
+
     /// The multiple that was found, where the table does not have it.
     pub fn found_beside_the_table(&self) -> Option<&Measured> {
         self.found.as_ref().filter(|found| self.table.iter().all(|m| m.multiple != found.multiple))
