@@ -74,6 +74,17 @@ pub enum AnalysisError {
         /// Side of the square [m].
         size: f64,
     },
+    /// A sample that holds next to nothing.
+    #[error(
+        "a square of {size} m holds too few particles of {diameter:.3} m: write a sample_size of {:.2} m or more in [calibration]",
+        LEAST_SAMPLE * .diameter
+    )]
+    SmallSample {
+        /// Side of the square [m].
+        size: f64,
+        /// Mean diameter of the particles [m].
+        diameter: f64,
+    },
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,
@@ -86,6 +97,9 @@ pub enum AnalysisError {
         why: &'static str,
     },
 }
+
+/// Least side of a sample of fill in mean diameters of its particles: narrower ones are walls more than fill.
+pub(crate) const LEAST_SAMPLE: f64 = 4.0;
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
 pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {

@@ -16,7 +16,7 @@ pub struct Crowd<'a> {
 
 /// What a worker tells.
 enum Said {
-    /// It took so many steps, and is at this share of its piece.
+    /// It took so many steps more.
     Going { steps: u64 },
     /// A piece is finished.
     Finished,

@@ -18,8 +18,8 @@ pub use press::Pressed;
 pub use report::{At, CalibrationReport, Check, Confined, Drawn, Measured, Verdict};
 pub use sample::{Cut, Sample};
 
-use super::AnalysisError;
 use super::by_dem::require_stiffness;
+use super::{AnalysisError, LEAST_SAMPLE};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, Modulus, Particles, Strip};
 use crowd::Crowd;
@@ -44,7 +44,7 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     let mut report = CalibrationReport::blank(&bridge, &seeds);
 
     let Some(samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
-    crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * (rounds + 1.0));
+    crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds);
     report.describe(&samples);
     report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
     let rig = Rig::new(&bridge, &samples[0].laws);
@@ -106,6 +106,10 @@ fn samples(
     let mut samples = Vec::new();
     for (fill, &seed) in packed.into_iter().zip(seeds) {
         let Some(fill) = fill? else { return Ok(None) };
+        let (size, diameter) = (bridge.calibration.sample_size, fill.mean_diameter());
+        if size < LEAST_SAMPLE * diameter {
+            return Err(AnalysisError::SmallSample { size, diameter });
+        }
         let squares = squares::squares(&fill.region, bridge.calibration.sample_size, 2.0 * fill.largest());
         samples
             .extend(squares.into_iter().enumerate().map(|(k, corner)| Sample::cut(bridge, &fill, (seed, k), corner)));

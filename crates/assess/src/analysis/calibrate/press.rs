@@ -92,7 +92,7 @@ impl Rig {
         let press = Block {
             density,
             held: Held { x: true, y: false, rotation: true },
-            ..fixed(vec2(gap, top), size - 2.0 * gap, height).map_err(shapeless)?
+            ..fixed(vec2(gap, top), size - 2.0 * gap, height).map_err(shapeless(sample))?
         };
         let walls = [
             fixed(vec2(0.0, -thickness), size, thickness),
@@ -101,7 +101,7 @@ impl Rig {
         ];
         let mut blocks: Table<BlockId, Block> = Table::default();
         for wall in walls {
-            blocks.push(wall.map_err(shapeless)?);
+            blocks.push(wall.map_err(shapeless(sample))?);
         }
         let at = press.outline.centroid();
         let block = blocks.push(press);
@@ -138,9 +138,10 @@ struct Built {
     watched: (BlockId, Vec2),
 }
 
-fn shapeless(_: PolygonError) -> AnalysisError {
-    // Sides are positive lengths: only a size near zero leaves nothing of them.
-    AnalysisError::NoSample { size: 0.0 }
+/// Sides are positive lengths: only a sample of next to nothing leaves no shape.
+fn shapeless(sample: &Sample) -> impl Fn(PolygonError) -> AnalysisError {
+    let (size, diameter) = (sample.size, sample.mean_diameter);
+    move |_| AnalysisError::SmallSample { size, diameter }
 }
 
 /// The laws with the stiffness among particles multiplied.

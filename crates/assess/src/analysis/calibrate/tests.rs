@@ -134,6 +134,7 @@ fn what_cannot_be_calibrated_says_so() {
     };
     assert!(reason(|b| b.particles = None).contains("as = \"particles\""));
     assert!(reason(|b| b.calibration.sample_size = 5.0).contains("smaller sample_size"));
+    assert!(reason(|b| b.calibration.sample_size = 0.3).contains("too few particles"));
     let saved = |b: &mut Bridge| b.particles.as_mut().unwrap().file = Some("packing.csv".into());
     assert!(reason(saved).contains("remove `file`"));
 }
