@@ -30,6 +30,8 @@ pub enum Command {
     Collapse(Box<Collapse>),
     /// Repeat an analysis over ranges of the file's quantities: table, tornado chart, curves
     Vary(Box<Vary>),
+    /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
+    CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
     /// Print the JSON Schema of bridge files, for editors
@@ -154,6 +156,25 @@ pub struct Vary {
     /// Which analysis.
     #[command(flatten)]
     pub choice: Choice,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados calibrate-fill`.
+#[derive(Debug, Args)]
+pub struct CalibrateFill {
+    /// The bridge file (TOML), with a layer as particles
+    pub file: PathBuf,
+    /// Modulus that the fill is to have, in place of the file's, such as "40 MPa"
+    #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
+    pub modulus: Option<String>,
+    /// Packings that samples are cut from, in place of the file's; the check takes as many again
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub seeds: Option<u32>,
+    /// Folder for results [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -305,6 +326,7 @@ impl Command {
             Command::Check(check) => &check.speech,
             Command::Collapse(collapse) => &collapse.speech,
             Command::Vary(vary) => &vary.speech,
+            Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
             Command::Verify(verify) => &verify.speech,
@@ -319,6 +341,7 @@ impl Command {
             Command::Check(_) => "check",
             Command::Collapse(_) => "collapse",
             Command::Vary(_) => "vary",
+            Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",
             Command::Verify(_) => "verify",

@@ -2,11 +2,12 @@
 
 use super::blocks::Blocks;
 use crate::analysis;
-use crate::wire::{CollapseObject, Run};
+use crate::wire::{CalibrationObject, CollapseObject, Run};
 use mechanics::watch::Unwatched;
 use serde_json::Value as Json;
 
-/// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, bare blocks otherwise.
+/// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, bare blocks otherwise. A
+/// bridge with a `[calibration]` is calibrated, others are made to collapse.
 pub fn measure(document: &toml::Table) -> Result<Json, String> {
     if !document.contains_key("bridge") && !document.contains_key("span") {
         let blocks: Blocks = toml::Value::Table(document.clone()).try_into().map_err(|e| format!("blocks: {e}"))?;
@@ -19,11 +20,24 @@ pub fn measure(document: &toml::Table) -> Result<Json, String> {
         let said: Vec<String> = errors.map(|d| format!("{} {} ({})", d.code, d.message, d.label)).collect();
         return Err(said.join("; "));
     };
+    if document.contains_key("calibration") {
+        return calibrated(&bridge);
+    }
     let found = analysis::collapse(&bridge, None, &mut Unwatched).map_err(|e| e.to_string())?;
     let object = CollapseObject::new(&found, &Run::default());
     let mut value = serde_json::to_value(&object).map_err(|e| e.to_string())?;
     if let Json::Object(keys) = &mut value {
         keys.extend(derived(&bridge, &found));
+    }
+    Ok(value)
+}
+
+/// The result object of a calibration of fill, with its status.
+fn calibrated(bridge: &bridge::Bridge) -> Result<Json, String> {
+    let found = analysis::calibrate::calibrate_fill(bridge, &mut Unwatched).map_err(|e| e.to_string())?;
+    let mut value = serde_json::to_value(CalibrationObject::new(&found)).map_err(|e| e.to_string())?;
+    if let Json::Object(keys) = &mut value {
+        keys.insert("status".to_string(), found.verdict.word().into());
     }
     Ok(value)
 }

@@ -1,6 +1,7 @@
 //! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
+mod calibration;
 mod cover;
 mod loading;
 mod material;
@@ -57,6 +58,8 @@ pub enum Kind {
     LineLoad,
     /// A bare number.
     Number,
+    /// A list of bare numbers.
+    Numbers,
     /// A whole number.
     Count,
     /// true or false.
@@ -170,9 +173,13 @@ impl Field {
     /// A text of the card as the file would have it, in quotes where it is text.
     pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
-            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Values => {
-                text.to_owned()
-            }
+            Kind::Number
+            | Kind::Numbers
+            | Kind::Count
+            | Kind::Flag
+            | Kind::Quantities(_)
+            | Kind::Points
+            | Kind::Values => text.to_owned(),
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{text}\""),
         }
@@ -235,6 +242,13 @@ pub static FILE: Section = Section {
             "",
         )
         .optional("as contacts between particles"),
+        Field::new(
+            "calibration",
+            Kind::Table(&calibration::CALIBRATION),
+            "How the contact stiffness of particles is found.",
+            "",
+        )
+        .optional("the defaults"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")

@@ -1,6 +1,7 @@
 //! One file per command. Each gives a [`Report`] or says why it could not; speaking is done here, once.
 
 mod bench;
+mod calibrate;
 mod check;
 mod collapse;
 mod explain;
@@ -85,6 +86,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
+        Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(_) => Ok(schema::run()),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
