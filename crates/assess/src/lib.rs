@@ -4,6 +4,7 @@ pub mod analysis;
 pub mod checkpoint;
 pub mod discretise;
 pub mod outcome;
+pub mod packing_file;
 pub mod verify;
 pub mod warning;
 pub mod wire;

@@ -2,10 +2,12 @@
 //! that stands never changes.
 
 mod collapse;
+mod particles;
 mod sweep;
 mod tables;
 
 pub use collapse::CollapseObject;
+pub use particles::{particle_contacts, particles};
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 

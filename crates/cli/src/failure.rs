@@ -97,6 +97,13 @@ pub const CARDS: &[Card] = &[
         text: "Each case has a case.toml with title, kind, source and at least one [[expect]]: a quantity, its value or bounds, a \
                tolerance and the reason for it. The message names the file and what is missing or misspelt in it.",
     },
+    Card {
+        code: "F113",
+        title: "a saved packing cannot be used",
+        text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the columns x_m, y_m and \
+               radius_m, then a row per particle; lines that begin with # are remarks. The message names each line that cannot be \
+               read. Every run writes its packing as packing.csv into its folder of results.",
+    },
 ];
 
 impl Failure {

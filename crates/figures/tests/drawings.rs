@@ -354,3 +354,46 @@ fn results_that_are_not_numbers_and_lists_that_do_not_fit_do_no_harm() {
     }
     assert!(figures::all(&picture).is_ok());
 }
+
+#[test]
+fn every_particle_is_drawn_once_in_each_panel() {
+    let picture = sample::filled();
+    let count = |svg: &str| svg.matches("<circle").count();
+    let particles = picture.particles.len();
+    let hinges = picture.hinges.len();
+    assert_eq!(count(&figures::bridge_as_drawn(&picture)), particles);
+    assert_eq!(count(&figures::packing(&picture).unwrap()), 2 * particles);
+    assert_eq!(count(&figures::displacement(&picture).unwrap()), 2 * particles);
+    assert_eq!(count(&figures::fill_stress(&picture).unwrap()), 2 * particles);
+    assert_eq!(count(&figures::force_chains(&picture).unwrap()), particles);
+    assert_eq!(count(&figures::collapse_frames(&picture).unwrap()), 6 * particles);
+    assert_eq!(count(&figures::mechanism(&picture).unwrap()), particles + hinges + 1);
+}
+
+#[test]
+fn force_chains_are_as_wide_as_their_force_is_large() {
+    let picture = sample::filled();
+    let svg = figures::force_chains(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let paths: Vec<Node> = document.descendants().filter(|n| n.has_tag_name("path")).collect();
+    let lines: usize = paths.iter().map(|p| p.attribute("d").unwrap().matches('M').count()).sum();
+    let forces = &picture.snapshots[picture.last_stable.unwrap()].particle_forces;
+    assert_eq!(lines, forces.len());
+    // The one contact with the block carries most and is alone in the widest path.
+    let widest = paths.iter().map(|p| number(p, "stroke-width")).fold(0.0, f64::max);
+    let last = paths.iter().find(|p| number(p, "stroke-width") == widest).unwrap();
+    assert_eq!(last.attribute("d").unwrap().matches('M').count(), 1);
+}
+
+#[test]
+fn twenty_thousand_particles_stay_within_some_megabytes() {
+    let mut picture = sample::filled();
+    let times = 20_000usize.div_ceil(picture.particles.len());
+    let grow = |list: &mut Vec<assess::outcome::DiscState>| *list = list.repeat(times);
+    picture.snapshots.iter_mut().for_each(|s| grow(&mut s.particles));
+    picture.particles = std::iter::repeat_n(picture.particles.clone(), times).flatten().collect();
+    picture.particles.iter_mut().for_each(|d| d.radius *= 0.2);
+    for (name, svg) in figures::drawings(&picture) {
+        assert!(svg.len() < 8_000_000, "{name}: {} bytes", svg.len());
+    }
+}

@@ -116,6 +116,9 @@ fn tables(found: &Collapse) -> Vec<figures::File> {
         ("thrust-line", wire::thrust_line(found)),
         ("blocks", wire::blocks(found)),
         ("contacts", wire::contacts(found)),
+        ("particles", wire::particles(found)),
+        ("particle-contacts", wire::particle_contacts(found)),
+        ("packing", assess::packing_file::write(found)),
     ];
     let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
     filled.map(|(name, text)| table(name, text)).collect()
