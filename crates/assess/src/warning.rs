@@ -90,6 +90,10 @@ cards! {
     BOUNDS_APART = "A113", "the bounds of limit analysis differ",
         "The load recomputed from the forces and the load recomputed from the mechanism differ by more than the \
          tolerance. Trust the lower one.";
+    /// Too many particles for figures.
+    NOT_DRAWN = "A120", "too many particles to be drawn",
+        "Drawings hold at most 200 000 particles; above that no viewer of drawings would open them. The figures show blocks, \
+         supports and loads only, and those that need particles are left out. ParaView files and tables hold every particle.";
 }
 
 impl Warning {

@@ -11,7 +11,7 @@ use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
 use assess::analysis::{self, Collapse};
-use assess::wire;
+use assess::{warning, wire};
 use bridge::Bridge;
 use serde_json::json;
 use std::time::Duration;
@@ -95,6 +95,9 @@ fn write(desk: &mut Desk, found: &Collapse, mut report: Report, folder: &Folder)
             let message = format!("strip of the walls: {}", warning.message);
             report.warn(&mut desk.screen, warning.code, &message);
         }
+    }
+    if let Some(words) = figures::left_out(&found.picture) {
+        report.warn(&mut desk.screen, warning::NOT_DRAWN, &words);
     }
     report.fields = report::fields_of(wire::CollapseObject::new(found, &wire::Run::default()));
     report.summary = summary::collapse(found, &folder.path().display().to_string());

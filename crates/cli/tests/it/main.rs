@@ -6,4 +6,5 @@ mod house;
 mod interruption;
 mod messages;
 mod misuse;
+mod particles;
 mod stage;
