@@ -2,11 +2,17 @@
 
 use crate::elevation::INK;
 use crate::geometry::View;
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
 use assess::outcome::{Picture, Point, Snapshot};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// More particles than this are not drawn: the files would be too large to be opened by what shows drawings.
 pub const MOST: usize = 200_000;
+/// From so many particles on they are drawn as dots without outline, which keeps files small.
+const MANY: usize = 5_000;
+/// Radii of dots are rounded to this on the sheet, a fiftieth of a millimetre on paper.
+const STEP: f64 = 0.1;
 /// Discs smaller than this on the sheet have no outline, which would hide their colour.
 const OUTLINED: f64 = 1.4;
 /// Outline of a particle.
@@ -50,16 +56,39 @@ pub fn draw<'c>(
     view: &View,
     picture: &Picture,
     place: impl Fn(usize) -> Point,
-    colour: impl Fn(usize) -> std::borrow::Cow<'c, str>,
+    colour: impl Fn(usize) -> Cow<'c, str>,
 ) {
     if !drawable(picture) {
         return;
+    }
+    if picture.particles.len() > MANY {
+        return dots(sheet, view, picture, place, colour);
     }
     let mean = mean_radius(picture) * view.scale();
     let rim = if mean < OUTLINED { Pen::line("none", 0.0) } else { Pen::line(RIM, (0.06 * mean).clamp(0.15, 0.5)) };
     sheet.open_drawn("particles", rim);
     for (k, disc) in picture.particles.iter().enumerate() {
         sheet.disc(view.spot(place(k)), disc.radius * view.scale(), &colour(k));
+    }
+    sheet.close();
+}
+
+/// Draws every particle as a dot, those of one colour and size together.
+fn dots<'c>(
+    sheet: &mut Sheet,
+    view: &View,
+    picture: &Picture,
+    place: impl Fn(usize) -> Point,
+    colour: impl Fn(usize) -> Cow<'c, str>,
+) {
+    let mut alike: BTreeMap<(Cow<'c, str>, u64), Vec<Spot>> = BTreeMap::new();
+    for (k, disc) in picture.particles.iter().enumerate() {
+        let steps = (disc.radius * view.scale() / STEP).round().max(1.0) as u64;
+        alike.entry((colour(k), steps)).or_default().push(view.spot(place(k)));
+    }
+    sheet.open("particles");
+    for ((colour, steps), spots) in &alike {
+        sheet.dots(spots, *steps as f64 * STEP, colour);
     }
     sheet.close();
 }
@@ -71,7 +100,9 @@ pub fn by_layer(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option
 
 /// Pale particles behind something.
 pub fn pale(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
-    if drawable(picture) {
+    if picture.particles.len() > MANY && drawable(picture) {
+        dots(sheet, view, picture, |k| place(picture, state, k), |_| "#efece4".into());
+    } else if drawable(picture) {
         sheet.open_drawn("pale-particles", Pen::line("#d5d0c6", 0.3));
         for (k, disc) in picture.particles.iter().enumerate() {
             sheet.disc(view.spot(place(picture, state, k)), disc.radius * view.scale(), "#faf8f4");

@@ -394,6 +394,6 @@ fn twenty_thousand_particles_stay_within_some_megabytes() {
     picture.particles = std::iter::repeat_n(picture.particles.clone(), times).flatten().collect();
     picture.particles.iter_mut().for_each(|d| d.radius *= 0.2);
     for (name, svg) in figures::drawings(&picture) {
-        assert!(svg.len() < 8_000_000, "{name}: {} bytes", svg.len());
+        assert!(svg.len() < 4_000_000, "{name}: {} bytes", svg.len());
     }
 }

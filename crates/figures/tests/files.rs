@@ -135,6 +135,14 @@ fn a_broken_drawing_or_an_absurd_size_is_an_answer() {
     assert!(matches!(figures::png(&svg, 1_000_000), Err(figures::RasterError::Size(..))));
 }
 
+fn singles(document: &Document, name: &str) -> Vec<f32> {
+    bytes(document, name).chunks_exact(4).map(|c| f32::from_le_bytes(c.try_into().unwrap())).collect()
+}
+
+fn shorts(document: &Document, name: &str) -> Vec<i32> {
+    bytes(document, name).chunks_exact(4).map(|c| i32::from_le_bytes(c.try_into().unwrap())).collect()
+}
+
 #[test]
 fn particles_and_their_forces_read_back_as_written() {
     let picture = sample::filled();
@@ -143,26 +151,28 @@ fn particles_and_their_forces_read_back_as_written() {
     let document = Document::parse(&file).unwrap();
     let count = picture.particles.len();
     assert!(bytes(&document, "types").iter().all(|&t| t == 1));
-    assert_eq!(reals(&document, "radius_m"), picture.particles.iter().map(|d| d.radius).collect::<Vec<_>>());
-    assert_eq!(wholes(&document, "layer")[0], picture.particles[0].layer as i64);
+    assert_eq!(singles(&document, "radius_m"), picture.particles.iter().map(|d| d.radius as f32).collect::<Vec<_>>());
+    assert_eq!(shorts(&document, "layer")[0], picture.particles[0].layer as i32);
     assert_eq!(
-        reals(&document, "stress_yy_kpa"),
-        state.particles.iter().map(|p| p.stress[1] / 1e3).collect::<Vec<_>>()
+        singles(&document, "stress_yy_kpa"),
+        state.particles.iter().map(|p| (p.stress[1] / 1e3) as f32).collect::<Vec<_>>()
     );
-    let (points, moved) = (reals(&document, "Points"), reals(&document, "displacement_m"));
+    let (points, moved) = (singles(&document, "Points"), singles(&document, "displacement_m"));
     for k in 0..count {
-        assert_eq!([points[3 * k], points[3 * k + 1]], state.particles[k].centre);
-        assert!((points[3 * k + 1] - moved[3 * k + 1] - picture.particles[k].centre[1]).abs() < 1e-12);
+        assert_eq!([points[3 * k], points[3 * k + 1]], state.particles[k].centre.map(|c| c as f32));
+        // Seven digits of some metres.
+        let packed = picture.particles[k].centre[1] as f32;
+        assert!((points[3 * k + 1] - moved[3 * k + 1] - packed).abs() < 2e-6);
     }
 
     let file = figures::vtk::particle_forces(&picture, 5).unwrap();
     let document = Document::parse(&file).unwrap();
     let list = &state.particle_forces;
     assert!(bytes(&document, "types").iter().all(|&t| t == 3));
-    assert_eq!(wholes(&document, "offsets").last(), Some(&(2 * list.len() as i64)));
-    let expected: Vec<f64> = list.iter().map(|f| f.compression / 1e3).collect();
-    assert_eq!(reals(&document, "compression_kn_per_m"), expected);
-    let (block, other) = (wholes(&document, "partner_block"), wholes(&document, "partner_particle"));
+    assert_eq!(shorts(&document, "offsets").last(), Some(&(2 * list.len() as i32)));
+    let expected: Vec<f32> = list.iter().map(|f| (f.compression / 1e3) as f32).collect();
+    assert_eq!(singles(&document, "compression_kn_per_m"), expected);
+    let (block, other) = (shorts(&document, "partner_block"), shorts(&document, "partner_particle"));
     assert!(block.iter().zip(&other).all(|(b, o)| (*b < 0) != (*o < 0)));
     assert!(figures::vtk::particles(&sample::arch(), 0).is_none());
 }

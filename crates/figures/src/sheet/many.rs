@@ -17,6 +17,21 @@ impl Sheet {
             let _ = writeln!(self.body, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"/>");
         }
     }
+    /// Discs of one radius and one colour as one path: dots of a round pen, a quarter of the size of circles.
+    pub fn dots(&mut self, spots: &[Spot], radius: f64, colour: &str) {
+        let mut path = String::new();
+        for at in spots.iter().filter(|s| s.iter().all(|c| c.is_finite())) {
+            // Not every viewer draws a line without length.
+            let _ = write!(path, "M{} {}h.01", number(at[0]), number(at[1]));
+        }
+        if !path.is_empty() && radius.is_finite() {
+            let width = number(2.0 * radius);
+            let _ = writeln!(
+                self.body,
+                "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
+            );
+        }
+    }
     /// Lines of one width in the colour of the group that they are in, as one path.
     pub fn strokes(&mut self, lines: &[[Spot; 2]], width: f64) {
         let mut path = String::new();

@@ -1,4 +1,5 @@
-//! Particles as points and the forces between them as lines.
+//! Particles as points and the forces between them as lines. There are many of both, so that their numbers have seven
+//! digits; tables have all of them.
 
 use super::write::{Array, Grid};
 use crate::stress::most_compressive;
@@ -50,6 +51,7 @@ pub fn particles(picture: &Picture, snapshot: usize) -> Option<String> {
         Array::real("compression_kpa", 1, &compression),
     ];
     let grid = Grid {
+        short: true,
         remark: PARTICLES,
         field: &[("load", state.load)],
         points: &points,
@@ -101,6 +103,7 @@ pub fn particle_forces(picture: &Picture, snapshot: usize) -> Option<String> {
         Array::whole("partner_block", &block),
     ];
     let grid = Grid {
+        short: true,
         remark: FORCES,
         field: &[("load", state.load)],
         points: &points,
