@@ -142,7 +142,8 @@ impl Settled {
     }
 }
 
-/// What came before the loads.
+/// What came before the loads. There is one of them a run.
+#[allow(clippy::large_enum_variant)]
 enum Before {
     /// Ring and fill at rest.
     Rested(Settled),

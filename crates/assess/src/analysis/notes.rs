@@ -99,10 +99,10 @@ pub fn filled(c: &mut Collapse) {
             .into(),
     );
     if let Some(p) = &c.packing {
+        let origin = p.seed.map_or("read from a file".to_string(), |seed| format!("seed {seed}"));
         c.assumptions.push(format!(
-            "The packing is one of many (seed {}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
+            "The packing is one of many ({origin}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
              rest.",
-            c.seed,
             p.solid_fraction,
             p.coordination,
             p.mean_stress / 1e3
