@@ -2,7 +2,7 @@
 
 mod sample;
 
-use assess::outcome::{Hinge, HingeAt, Picture};
+use assess::outcome::{Hinge, HingeAt, Partner, Picture};
 use resvg::usvg;
 use roxmltree::{Document, Node};
 use std::sync::Arc;
@@ -353,6 +353,35 @@ fn results_that_are_not_numbers_and_lists_that_do_not_fit_do_no_harm() {
         assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
     }
     assert!(figures::all(&picture).is_ok());
+}
+
+#[test]
+fn particles_that_are_not_numbers_and_forces_between_nobody_do_no_harm() {
+    let mut picture = sample::filled();
+    let stable = picture.last_stable.unwrap();
+    let state = &mut picture.snapshots[stable];
+    state.particles[3].centre = [f64::NAN, 1.0];
+    state.particles[4].centre = [1e300, -1e300];
+    state.particles[5].stress = [f64::NAN; 3];
+    state.particle_forces[0].compression = f64::NAN;
+    state.particle_forces[1].particle = 1_000_000;
+    state.particle_forces[2].partner = Partner::Particle(1_000_000);
+    state.particle_forces[3].partner = Partner::Shape(1_000_000);
+    picture.particles[6].centre = [f64::INFINITY; 2];
+    picture.particles[7].layer = usize::MAX;
+    picture.snapshots[stable + 1].particles.truncate(9);
+    picture.fill[2] = [f64::NAN; 2];
+    for (name, svg) in figures::drawings(&picture) {
+        Document::parse(&svg).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
+    }
+    assert!(figures::all(&picture).is_ok());
+    picture.snapshots[0].particles.clear();
+    assert!(figures::displacement(&picture).is_none());
+    picture.snapshots.clear();
+    assert!(figures::force_chains(&picture).is_none() && figures::packing(&picture).is_some());
+    picture.particles.clear();
+    assert!(figures::packing(&picture).is_none());
 }
 
 #[test]
