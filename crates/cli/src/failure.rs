@@ -98,7 +98,7 @@ pub const CARDS: &[Card] = &[
                tolerance and the reason for it. The message names the file and what is missing or misspelt in it.",
     },
     Card {
-        code: "F113",
+        code: "F120",
         title: "a saved packing cannot be used",
         text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the columns x_m, y_m and \
                radius_m, then a row per particle; lines that begin with # are remarks. The message names each line that cannot be \

@@ -176,7 +176,7 @@ fn take_packing(particles: &mut bridge::Particles, beside: &Path) -> Result<(), 
     let text = read_file(&path)?;
     particles.grains = assess::packing_file::read(&text).map_err(|error| {
         let message = format!("cannot use the packing {}: {error}", path.display());
-        Failure::input("F113", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
+        Failure::input("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
     })?;
     Ok(())
 }
