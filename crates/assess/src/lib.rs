@@ -5,6 +5,7 @@ pub mod checkpoint;
 pub mod discretise;
 pub mod disks;
 pub mod outcome;
+pub mod packing_file;
 pub mod vary;
 pub mod verify;
 pub mod warning;

@@ -204,6 +204,10 @@ pub struct Picture {
     pub shapes: Vec<Shape>,
     /// Particles as packed.
     pub particles: Vec<Disc>,
+    /// What the layers of particles are, from the extrados up, as the file names them.
+    pub layers: Vec<String>,
+    /// Outline of the region that particles fill, counter-clockwise [m]; empty where there is none.
+    pub fill: Vec<Point>,
     /// Outline of the road surface, where there is a cover [m].
     pub surface: Vec<Point>,
     /// Where loads touch the surface: middle and length [m].

@@ -111,6 +111,10 @@ cards! {
     LEFT_OUT = "A122", "samples were left out",
         "A sample counts only if it came to rest in every load step and became shorter in each. The message says how many did \
          not, and at which multiple of the stiffness. Many of them make the mean doubtful: use smaller load steps, or fewer.";
+    /// Too many particles for figures.
+    NOT_DRAWN = "A123", "too many particles to be drawn",
+        "Drawings hold at most 200 000 particles; above that no viewer of drawings would open them. The figures show blocks, \
+         supports and loads only, and those that need particles are left out. ParaView files and tables hold every particle.";
 }
 
 impl Warning {

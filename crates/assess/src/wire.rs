@@ -3,12 +3,14 @@
 
 mod calibration;
 mod collapse;
+mod particles;
 mod sweep;
 mod tables;
 mod vary;
 
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
 pub use collapse::CollapseObject;
+pub use particles::{particle_contacts, particles};
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 pub use vary::{VaryObject, collapse_numbers, run_from_record, run_record, vary_table};

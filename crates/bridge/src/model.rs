@@ -328,6 +328,18 @@ pub enum LayerKind {
     Ballast,
 }
 
+impl LayerKind {
+    /// The word in bridge files.
+    pub fn word(self) -> &'static str {
+        match self {
+            LayerKind::Fill => "fill",
+            LayerKind::SubBase => "sub-base",
+            LayerKind::Surfacing => "surfacing",
+            LayerKind::Ballast => "ballast",
+        }
+    }
+}
+
 /// Solid backing above the haunches, up to a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Backing {

@@ -130,6 +130,13 @@ pub const CARDS: &[Card] = &[
         text: "--outcome names one of the numbers that the runs found, which the message lists. Which there are depends on the \
                analysis: limit analysis has bounds, discrete elements have iterations.",
     },
+    Card {
+        code: "F118",
+        title: "a saved packing cannot be used",
+        text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the columns x_m, y_m and \
+               radius_m, then a row per particle; lines that begin with # are remarks. The message names each line that cannot be \
+               read. Every run writes its packing as packing.csv into its folder of results.",
+    },
 ];
 
 impl Failure {

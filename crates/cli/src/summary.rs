@@ -22,6 +22,7 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
         Analysis::SupportMovement => movement(&mut page, found),
     }
     mechanism(&mut page, found);
+    packing(&mut page, found);
     effort(&mut page, found);
     if let Some(both) = &found.combination {
         combination(&mut page, both);
@@ -235,6 +236,22 @@ fn hinge(hinge: &Hinge) -> String {
     };
     // Adding zero takes the sign off a negative zero.
     format!("{:.2} ({edge})", (100.0 * hinge.point[0]).round() / 100.0 + 0.0)
+}
+
+fn packing(page: &mut String, found: &Collapse) {
+    let Some(p) = &found.packing else { return };
+    let [least, most] = p.diameters;
+    let _ = writeln!(page, "  {:<22}  {} of {least:.3} to {most:.3} m across", "particles", p.grains.len());
+    let origin = p.seed.map_or("read from a file".to_owned(), |seed| format!("seed {seed}"));
+    let _ = writeln!(
+        page,
+        "  {:<22}  solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa, settled {:.1} mm, {origin}",
+        "packing at rest",
+        p.solid_fraction,
+        p.coordination,
+        p.mean_stress / 1e3,
+        1e3 * p.settlement
+    );
 }
 
 fn effort(page: &mut String, found: &Collapse) {

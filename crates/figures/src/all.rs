@@ -1,7 +1,10 @@
 //! Everything that is written beside the result of a collapse analysis.
 
 use crate::raster::RasterError;
-use crate::{bridge_as_drawn, collapse_frames, load_displacement, mechanism, png, stress, thrust_line, vtk};
+use crate::{
+    animation, bridge_as_drawn, collapse_frames, displacement, fill_stress, force_chains, load_displacement, mechanism,
+    packing, png, stress, thrust_line, vtk,
+};
 use assess::outcome::Picture;
 
 /// Width of PNG pictures [pixels]: 160 mm at 380 dots per inch.
@@ -25,6 +28,10 @@ pub fn drawings(picture: &Picture) -> Vec<(String, String)> {
         ("stress", shown.and_then(|k| stress(picture, k))),
         ("load-displacement", load_displacement(picture)),
         ("collapse", collapse_frames(picture)),
+        ("packing", packing(picture)),
+        ("force-chains", force_chains(picture)),
+        ("displacement", displacement(picture)),
+        ("fill-stress", fill_stress(picture)),
     ];
     let mut out = vec![("bridge".to_string(), bridge_as_drawn(picture))];
     out.extend(optional.into_iter().filter_map(|(name, svg)| Some((name.to_string(), svg?))));
@@ -40,7 +47,7 @@ pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
     ])
 }
 
-/// The ParaView files: one VTU a snapshot for blocks and contacts, their series, and the mechanism.
+/// The ParaView files: one VTU a snapshot for blocks, contacts, particles and their forces, the series, and the mechanism.
 pub fn paraview(picture: &Picture) -> Vec<File> {
     let mut files = Vec::new();
     let mut put = |name: String, text: String| {
@@ -51,7 +58,12 @@ pub fn paraview(picture: &Picture) -> Vec<File> {
     }
     let moments = vtk::moments(picture);
     type Writer = fn(&Picture, usize) -> Option<String>;
-    let kinds: [(&str, Writer); 2] = [("blocks", vtk::blocks), ("contacts", vtk::contacts)];
+    let kinds: [(&str, Writer); 4] = [
+        ("blocks", vtk::blocks),
+        ("contacts", vtk::contacts),
+        ("particles", vtk::particles),
+        ("particle-forces", vtk::particle_forces),
+    ];
     for (kind, write) in kinds {
         let mut listed = Vec::new();
         for (k, &moment) in moments.iter().enumerate() {
@@ -72,6 +84,9 @@ pub fn all(picture: &Picture) -> Result<Vec<File>, RasterError> {
     let mut files = Vec::new();
     for (name, svg) in drawings(picture) {
         files.extend(both(&name, &svg)?);
+    }
+    if let Some(bytes) = animation(picture)? {
+        files.push(File { name: "animation.png".into(), bytes });
     }
     files.extend(paraview(picture));
     Ok(files)

@@ -1,6 +1,7 @@
 //! The bridge as its file draws it.
 
 use crate::dimension;
+use crate::discs;
 use crate::elevation::{self as draw, Sign};
 use crate::geometry::View;
 use crate::sheet::{Sheet, place::Room};
@@ -15,6 +16,7 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };
     let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);
     let view = View::fit(extent, frame);
+    discs::by_layer(&mut sheet, &view, picture, None);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::surface(&mut sheet, &view, picture);
@@ -34,8 +36,12 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     if on_surface || !picture.loads.is_empty() {
         entries.push((Sign::Load, if on_surface { "variable load on the surface" } else { "variable load" }));
     }
+    y = discs::key(&mut sheet, y + 4.0, picture, false);
     if !entries.is_empty() {
-        y = draw::key(&mut sheet, y + 4.0, &entries);
+        y = draw::key(&mut sheet, y, &entries);
+    }
+    if let Some(words) = discs::left_out(picture) {
+        y = sheet.caption(y, &format!("{words}."));
     }
     sheet.finish(y)
 }

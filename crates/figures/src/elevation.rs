@@ -96,11 +96,19 @@ pub fn avoid_blocks(sheet: &mut Sheet, view: &View, shapes: &[Shape], place: imp
     }
 }
 
-/// Loads as they touch the surface: a bar of their length under a row of arrows.
+/// Level on which a load stands: the top of the loading block at its place, or the surface [m].
+fn foot(picture: &Picture, middle: Point) -> f64 {
+    let blocks = picture.shapes.iter().filter(|s| s.role == "block" && !s.held);
+    let extents = blocks.filter_map(|s| Extent::of(s.outline.iter().copied()));
+    let here = extents.filter(|e| e.low[0] <= middle[0] && middle[0] <= e.high[0]);
+    here.map(|e| e.high[1]).fold(middle[1], f64::max)
+}
+
+/// Loads as they touch the surface or their loading block: a bar of their length under a row of arrows.
 pub fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
     sheet.open("surface-loads");
     for &(middle, length) in &picture.surface_loads {
-        let [x, y] = view.spot(middle);
+        let [x, y] = view.spot([middle[0], foot(picture, middle)]);
         let half = (0.5 * length.max(0.0) * view.scale()).max(2.0);
         let gaps = ((2.0 * half / 9.0).round() as usize).clamp(0, 24);
         let (top, tip) = (y - ARROW, y - 1.5);
@@ -180,10 +188,11 @@ pub fn frame(extent: Extent, top: f64, tallest: f64) -> Area {
 /// Tallest drawing on one sheet.
 pub const TALLEST: f64 = 470.0;
 
-/// Blocks, surface and load points; none without blocks.
+/// Blocks, fill, surface and load points; none without blocks.
 pub fn extent(picture: &Picture) -> Option<Extent> {
     let blocks = as_built(&picture.shapes)?;
-    let above = picture.surface.iter().copied().chain(picture.surface_loads.iter().map(|l| l.0));
+    let loads = picture.surface_loads.iter().map(|l| l.0);
+    let above = picture.surface.iter().chain(&picture.fill).copied().chain(loads);
     let whole = Extent::of(above).map_or(blocks, |e| blocks.with(e));
     // A single tiny block or a line still needs a sheet that is not degenerate.
     let size = whole.size()[0].max(whole.size()[1]).max(1e-6);

@@ -8,17 +8,26 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod all;
+mod animation;
+mod bar;
 mod calibration;
+mod chains;
 mod chart;
 mod colour;
 mod dimension;
+mod discs;
+mod displaced;
 mod drawn;
 mod elevation;
 mod envelope;
+mod fill_stress;
 mod frames;
 mod geometry;
 mod load_path;
 mod mechanism;
+mod near;
+mod packing;
+mod panels;
 mod raster;
 mod sheet;
 mod sliding;
@@ -30,12 +39,18 @@ pub mod vtk;
 mod words;
 
 pub use all::{File, PNG_WIDTH, all, both, drawings, paraview};
+pub use animation::animation;
 pub use calibration::calibration;
+pub use chains::force_chains;
+pub use discs::left_out;
+pub use displaced::displacement;
 pub use drawn::bridge_as_drawn;
 pub use envelope::{Quantity, Sweep, envelope};
+pub use fill_stress::fill_stress;
 pub use frames::collapse_frames;
 pub use load_path::load_displacement;
 pub use mechanism::mechanism;
+pub use packing::packing;
 pub use raster::{RasterError, png};
 pub use stress::{most_compressive, stress};
 pub use study::{heat_map, name_and_unit, response, study, study_drawings, tornado};

@@ -1,5 +1,6 @@
 //! The mechanism of collapse.
 
+use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
 use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved};
 use crate::sheet::place::Room;
@@ -9,6 +10,8 @@ use assess::outcome::{Hinge, HingeAt, Picture, Point, Shape};
 
 /// Share of the larger dimension of the bridge that the largest displacement is drawn with.
 const SHARE: f64 = 0.05;
+/// The same where a loading block sinks into particles, which stand as packed.
+const SHARE_IN_FILL: f64 = 0.02;
 
 /// With more hinges than this they are drawn small and without labels, which would hide the drawing; the place of
 /// the circle tells the edge.
@@ -30,7 +33,8 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     let built = as_built(&picture.shapes)?;
     let size = built.size()[0].max(built.size()[1]);
     let largest = largest_displacement(&picture.shapes, motions, Turn::Small);
-    let scale = if largest > 0.0 { SHARE * size / largest } else { 0.0 };
+    let share = if picture.particles.is_empty() { SHARE } else { SHARE_IN_FILL };
+    let scale = if largest > 0.0 { share * size / largest } else { 0.0 };
     let place = |k: usize| moved(&picture.shapes[k], motions[k], scale, Turn::Small);
 
     let mut sheet = Sheet::new("mechanism");
@@ -47,6 +51,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
     let view = View::fit(extent, frame);
     draw::faint_surface(&mut sheet, &view, picture);
+    discs::pale(&mut sheet, &view, picture, None);
     draw::ghost(&mut sheet, &view, &picture.shapes);
     draw::blocks(&mut sheet, &view, &picture.shapes, place);
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
@@ -90,7 +95,9 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
             "A mechanism has a shape but no size: exaggerated here to a largest displacement of {shown} at the scale of the bar."
         )
     };
-    if !picture.loads.is_empty() {
+    if !picture.particles.is_empty() {
+        caption += " Particles are drawn as packed.";
+    } else if !picture.loads.is_empty() {
         caption = format!("{caption} {}", draw::LOAD_WORDS);
     }
     y = sheet.caption(y, &caption);

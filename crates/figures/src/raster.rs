@@ -19,26 +19,45 @@ pub enum RasterError {
     Pack(String),
 }
 
-/// A picture `width_px` pixels wide on white ground.
+/// Turns drawings into pixels.
+pub struct Rasteriser {
+    options: usvg::Options<'static>,
+}
+
+impl Rasteriser {
+    /// With the embedded font.
+    pub fn new() -> Rasteriser {
+        let mut fonts = usvg::fontdb::Database::new();
+        for file in font::files() {
+            fonts.load_font_source(usvg::fontdb::Source::Binary(Arc::new(file)));
+        }
+        // Every other family falls back to the embedded one.
+        fonts.set_sans_serif_family("DejaVu Sans");
+        let options =
+            usvg::Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".into(), ..Default::default() };
+        Rasteriser { options }
+    }
+
+    /// A picture `width_px` pixels wide on white ground.
+    pub fn pixels(&self, svg: &str, width_px: u32) -> Result<tiny_skia::Pixmap, RasterError> {
+        let tree = usvg::Tree::from_str(svg, &self.options).map_err(|e| RasterError::Svg(e.to_string()))?;
+        let size = tree.size();
+        let scale = width_px as f32 / size.width();
+        let height_px = (size.height() * scale).round() as u32;
+        // Larger pictures are a mistake, and would ask for gigabytes.
+        const LARGEST: u32 = 20_000;
+        if width_px > LARGEST || height_px > LARGEST {
+            return Err(RasterError::Size(width_px, height_px));
+        }
+        let mut pixels = tiny_skia::Pixmap::new(width_px, height_px).ok_or(RasterError::Size(width_px, height_px))?;
+        pixels.fill(tiny_skia::Color::WHITE);
+        resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());
+        Ok(pixels)
+    }
+}
+
+/// A PNG picture `width_px` pixels wide on white ground.
 pub fn png(svg: &str, width_px: u32) -> Result<Vec<u8>, RasterError> {
-    let mut fonts = usvg::fontdb::Database::new();
-    for file in font::files() {
-        fonts.load_font_source(usvg::fontdb::Source::Binary(Arc::new(file)));
-    }
-    // Every other family falls back to the embedded one.
-    fonts.set_sans_serif_family("DejaVu Sans");
-    let options = usvg::Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".into(), ..Default::default() };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| RasterError::Svg(e.to_string()))?;
-    let size = tree.size();
-    let scale = width_px as f32 / size.width();
-    let height_px = (size.height() * scale).round() as u32;
-    // Larger pictures are a mistake, and would ask for gigabytes.
-    const LARGEST: u32 = 20_000;
-    if width_px > LARGEST || height_px > LARGEST {
-        return Err(RasterError::Size(width_px, height_px));
-    }
-    let mut pixels = tiny_skia::Pixmap::new(width_px, height_px).ok_or(RasterError::Size(width_px, height_px))?;
-    pixels.fill(tiny_skia::Color::WHITE);
-    resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    let pixels = Rasteriser::new().pixels(svg, width_px)?;
     pixels.encode_png().map_err(|e| RasterError::Pack(e.to_string()))
 }

@@ -1,11 +1,13 @@
 //! Stress in the blocks and at the joints.
 
+use crate::bar::Scale;
 use crate::colour::dark_for_much;
+use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
 use crate::geometry::{
     Extent, Turn, View, as_built, back, centroid, exaggerated, largest_displacement, moved, round_down,
 };
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
+use crate::sheet::{Area, MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
 use assess::outcome::{Picture, Point, Snapshot};
@@ -60,16 +62,18 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let free = || (0..count).filter(|&k| !picture.shapes[k].held);
     let largest = free().map(compression).filter(|s| s.is_finite()).fold(0.0, f64::max);
     let ticks = Ticks::over(0.0, if largest > 0.0 { largest / 1e6 } else { 1.0 }, 6);
-    let full = ticks.range()[1] * 1e6;
+    let title = "most compressive principal stress, average of each block [MPa]";
+    let scale_of_stress = Scale { title, ticks, colour: dark_for_much, cut: false };
 
     sheet.open_clipped("blocks", "room", frame);
+    discs::pale(&mut sheet, &view, picture, Some(state));
     let width = draw::outline_width(&picture.shapes, &view);
     for (k, shape) in picture.shapes.iter().enumerate().filter(|(_, s)| s.held) {
         let fill = draw::fill(&sheet, shape);
         sheet.polygon(&view.spots(&place(k)), Pen::shape(&fill, INK, 0.75).class("support"));
     }
     for k in free() {
-        let colour = dark_for_much(compression(k) / full);
+        let colour = scale_of_stress.of(compression(k) / 1e6);
         // White joints can be told from light and from dark blocks.
         sheet.polygon(&view.spots(&place(k)), Pen::shape(&colour, "white", width).class("block"));
     }
@@ -77,7 +81,7 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
     let highest = contact_bars(&mut sheet, picture, state, &view, scale, frame);
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 8.0);
-    y = legend(&mut sheet, y + 6.0, &ticks);
+    y = scale_of_stress.draw(&mut sheet, MARGIN, MARGIN + 444.0, y + 6.0);
     let mut entries = Vec::new();
     if highest > 0.0 {
         entries.push((Sign::Contact, "contact stress, as a bar out of the joint"));
@@ -102,6 +106,10 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
 
 /// How many times larger displacements are drawn: a round number.
 pub(crate) fn exaggeration(picture: &Picture, state: &Snapshot, extent: Extent) -> f64 {
+    // Particles would overlap.
+    if !picture.particles.is_empty() {
+        return 1.0;
+    }
     let size = extent.size()[0].max(extent.size()[1]);
     let largest = largest_displacement(&picture.shapes, &state.motions, Turn::Finite);
     if largest <= 1e-12 * size { 1.0 } else { round_down(SHARE * size / largest).max(1.0) }
@@ -148,39 +156,6 @@ fn drawn(picture: &Picture, state: &Snapshot, block: usize, point: Point, scale:
         }
         _ => point,
     }
-}
-
-/// The colours with their values; returns the y below.
-fn legend(sheet: &mut Sheet, top: f64, ticks: &Ticks) -> f64 {
-    const STEPS: usize = 96;
-    let style = Style { size: SMALL, ..Style::default() };
-    let y = sheet.paragraph(
-        MARGIN,
-        top,
-        WIDTH - 2.0 * MARGIN,
-        "most compressive principal stress, average of each block [MPa]",
-        style,
-    );
-    let (left, right) = (MARGIN + 10.0, MARGIN + 430.0);
-    let (upper, lower) = (y + 5.0, y + 19.0);
-    let at = |share: f64| left + share * (right - left);
-    sheet.open("legend");
-    for k in 0..STEPS {
-        let (a, b) = (k as f64 / STEPS as f64, (k + 1) as f64 / STEPS as f64);
-        let colour = dark_for_much(0.5 * (a + b));
-        // Neighbours overlap a little, so that no white seam shows between them.
-        let end = (at(b) + 0.4).min(right);
-        sheet.rectangle(Area { left: at(a), right: end, top: upper, bottom: lower }, Pen::shape(&colour, "none", 0.0));
-    }
-    sheet.rectangle(Area { left, right, top: upper, bottom: lower }, Pen::line(INK, HAIR));
-    let [low, high] = ticks.range();
-    for &value in &ticks.values {
-        let x = at((value - low) / (high - low));
-        sheet.line([x, lower], [x, lower + 4.0], Pen::line(INK, 0.9));
-        sheet.text([x, lower + 17.0], &ticks.words(value), style.anchored(Anchor::Middle));
-    }
-    sheet.close();
-    lower + 24.0
 }
 
 #[cfg(test)]

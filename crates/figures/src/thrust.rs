@@ -1,5 +1,6 @@
 //! The line of thrust inside the ring.
 
+use crate::discs;
 use crate::elevation::{self as draw, INK, Sign, THRUST};
 use crate::geometry::{View, as_built};
 use crate::mechanism::mark_hinges;
@@ -32,6 +33,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     let extent = draw::extent(picture).unwrap_or(built);
     let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
     let view = View::fit(extent, frame);
+    discs::pale(&mut sheet, &view, picture, None);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::faint_surface(&mut sheet, &view, picture);
@@ -77,7 +79,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         entries.push((Sign::Load, "load"));
     }
     y = draw::key(&mut sheet, y + 2.0, &entries);
-    if !picture.loads.is_empty() {
+    if !picture.loads.is_empty() && picture.particles.is_empty() {
         y = sheet.caption(y, draw::LOAD_WORDS);
     }
     Some(sheet.finish(y))

@@ -2,7 +2,7 @@
 
 mod sample;
 
-use assess::outcome::{Hinge, HingeAt, Picture};
+use assess::outcome::{Hinge, HingeAt, Partner, Picture};
 use resvg::usvg;
 use roxmltree::{Document, Node};
 use std::sync::Arc;
@@ -406,4 +406,76 @@ fn curves_mark_runs_that_ended_otherwise_and_heat_maps_count_their_cells() {
     let names: Vec<String> = figures::study_drawings(&study).into_iter().map(|(name, _)| name).collect();
     assert_eq!(names[..2], ["tornado", "curve-joint-friction_angle"]);
     assert!(figures::study_drawings(&sample::studies::without_answer()).is_empty());
+}
+
+#[test]
+fn particles_that_are_not_numbers_and_forces_between_nobody_do_no_harm() {
+    let mut picture = sample::filled();
+    let stable = picture.last_stable.unwrap();
+    let state = &mut picture.snapshots[stable];
+    state.particles[3].centre = [f64::NAN, 1.0];
+    state.particles[4].centre = [1e300, -1e300];
+    state.particles[5].stress = [f64::NAN; 3];
+    state.particle_forces[0].compression = f64::NAN;
+    state.particle_forces[1].particle = 1_000_000;
+    state.particle_forces[2].partner = Partner::Particle(1_000_000);
+    state.particle_forces[3].partner = Partner::Shape(1_000_000);
+    picture.particles[6].centre = [f64::INFINITY; 2];
+    picture.particles[7].layer = usize::MAX;
+    picture.snapshots[stable + 1].particles.truncate(9);
+    picture.fill[2] = [f64::NAN; 2];
+    for (name, svg) in figures::drawings(&picture) {
+        Document::parse(&svg).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
+    }
+    assert!(figures::all(&picture).is_ok());
+    picture.snapshots[0].particles.clear();
+    assert!(figures::displacement(&picture).is_none());
+    picture.snapshots.clear();
+    assert!(figures::force_chains(&picture).is_none() && figures::packing(&picture).is_some());
+    picture.particles.clear();
+    assert!(figures::packing(&picture).is_none());
+}
+
+#[test]
+fn every_particle_is_drawn_once_in_each_panel() {
+    let picture = sample::filled();
+    let count = |svg: &str| svg.matches("<circle").count();
+    let particles = picture.particles.len();
+    let hinges = picture.hinges.len();
+    assert_eq!(count(&figures::bridge_as_drawn(&picture)), particles);
+    assert_eq!(count(&figures::packing(&picture).unwrap()), 2 * particles);
+    assert_eq!(count(&figures::displacement(&picture).unwrap()), 2 * particles);
+    assert_eq!(count(&figures::fill_stress(&picture).unwrap()), 2 * particles);
+    assert_eq!(count(&figures::force_chains(&picture).unwrap()), particles);
+    assert_eq!(count(&figures::collapse_frames(&picture).unwrap()), 6 * particles);
+    assert_eq!(count(&figures::mechanism(&picture).unwrap()), particles + hinges + 1);
+}
+
+#[test]
+fn force_chains_are_as_wide_as_their_force_is_large() {
+    let picture = sample::filled();
+    let svg = figures::force_chains(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let paths: Vec<Node> = document.descendants().filter(|n| n.has_tag_name("path")).collect();
+    let lines: usize = paths.iter().map(|p| p.attribute("d").unwrap().matches('M').count()).sum();
+    let forces = &picture.snapshots[picture.last_stable.unwrap()].particle_forces;
+    assert_eq!(lines, forces.len());
+    // The one contact with the block carries most and is alone in the widest path.
+    let widest = paths.iter().map(|p| number(p, "stroke-width")).fold(0.0, f64::max);
+    let last = paths.iter().find(|p| number(p, "stroke-width") == widest).unwrap();
+    assert_eq!(last.attribute("d").unwrap().matches('M').count(), 1);
+}
+
+#[test]
+fn twenty_thousand_particles_stay_within_some_megabytes() {
+    let mut picture = sample::filled();
+    let times = 20_000usize.div_ceil(picture.particles.len());
+    let grow = |list: &mut Vec<assess::outcome::DiscState>| *list = list.repeat(times);
+    picture.snapshots.iter_mut().for_each(|s| grow(&mut s.particles));
+    picture.particles = std::iter::repeat_n(picture.particles.clone(), times).flatten().collect();
+    picture.particles.iter_mut().for_each(|d| d.radius *= 0.2);
+    for (name, svg) in figures::drawings(&picture) {
+        assert!(svg.len() < 4_000_000, "{name}: {} bytes", svg.len());
+    }
 }

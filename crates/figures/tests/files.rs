@@ -134,3 +134,85 @@ fn a_broken_drawing_or_an_absurd_size_is_an_answer() {
     assert!(matches!(figures::png(&svg, 0), Err(figures::RasterError::Size(0, _))));
     assert!(matches!(figures::png(&svg, 1_000_000), Err(figures::RasterError::Size(..))));
 }
+
+fn singles(document: &Document, name: &str) -> Vec<f32> {
+    bytes(document, name).chunks_exact(4).map(|c| f32::from_le_bytes(c.try_into().unwrap())).collect()
+}
+
+fn shorts(document: &Document, name: &str) -> Vec<i32> {
+    bytes(document, name).chunks_exact(4).map(|c| i32::from_le_bytes(c.try_into().unwrap())).collect()
+}
+
+#[test]
+fn particles_and_their_forces_read_back_as_written() {
+    let picture = sample::filled();
+    let state = &picture.snapshots[5];
+    let file = figures::vtk::particles(&picture, 5).unwrap();
+    let document = Document::parse(&file).unwrap();
+    let count = picture.particles.len();
+    assert!(bytes(&document, "types").iter().all(|&t| t == 1));
+    assert_eq!(singles(&document, "radius_m"), picture.particles.iter().map(|d| d.radius as f32).collect::<Vec<_>>());
+    assert_eq!(shorts(&document, "layer")[0], picture.particles[0].layer as i32);
+    assert_eq!(
+        singles(&document, "stress_yy_kpa"),
+        state.particles.iter().map(|p| (p.stress[1] / 1e3) as f32).collect::<Vec<_>>()
+    );
+    let (points, moved) = (singles(&document, "Points"), singles(&document, "displacement_m"));
+    for k in 0..count {
+        assert_eq!([points[3 * k], points[3 * k + 1]], state.particles[k].centre.map(|c| c as f32));
+        // Seven digits of some metres.
+        let packed = picture.particles[k].centre[1] as f32;
+        assert!((points[3 * k + 1] - moved[3 * k + 1] - packed).abs() < 2e-6);
+    }
+
+    let file = figures::vtk::particle_forces(&picture, 5).unwrap();
+    let document = Document::parse(&file).unwrap();
+    let list = &state.particle_forces;
+    assert!(bytes(&document, "types").iter().all(|&t| t == 3));
+    assert_eq!(shorts(&document, "offsets").last(), Some(&(2 * list.len() as i32)));
+    let expected: Vec<f32> = list.iter().map(|f| (f.compression / 1e3) as f32).collect();
+    assert_eq!(singles(&document, "compression_kn_per_m"), expected);
+    let (block, other) = (shorts(&document, "partner_block"), shorts(&document, "partner_particle"));
+    assert!(block.iter().zip(&other).all(|(b, o)| (*b < 0) != (*o < 0)));
+    assert!(figures::vtk::particles(&sample::arch(), 0).is_none());
+}
+
+#[test]
+fn the_animation_has_a_frame_for_every_state_and_says_for_how_long() {
+    let file = figures::animation(&sample::filled()).unwrap().unwrap();
+    assert!(file.len() < 2_000_000, "{} bytes", file.len());
+    let mut reader = png::Decoder::new(&file[..]).read_info().unwrap();
+    assert_eq!(reader.info().animation_control.unwrap().num_frames, 9);
+    let mut buffer = vec![0; reader.output_buffer_size()];
+    for k in 0..9 {
+        reader.next_frame(&mut buffer).unwrap();
+        let shown = reader.info().frame_control().unwrap().delay_num;
+        assert_eq!(
+            shown,
+            if k < 4 {
+                400
+            } else if k < 8 {
+                160
+            } else {
+                2500
+            }
+        );
+    }
+    assert!(figures::animation(&sample::two_rings()).unwrap().is_none());
+}
+
+#[test]
+fn runs_without_particles_have_none_of_their_files() {
+    let names: Vec<String> = figures::all(&sample::arch()).unwrap().into_iter().map(|f| f.name).collect();
+    for part in ["packing", "force-chains", "displacement.", "fill-stress", "particle"] {
+        let own = |n: &String| n.trim_start_matches("paraview/").starts_with(part);
+        assert!(!names.iter().any(own), "{part}: {names:?}");
+    }
+    let names: Vec<String> = figures::all(&sample::filled()).unwrap().into_iter().map(|f| f.name).collect();
+    for name in ["packing.svg", "force-chains.png", "displacement.svg", "fill-stress.svg", "animation.png"] {
+        assert!(names.iter().any(|n| n == name), "{name}: {names:?}");
+    }
+    for name in ["paraview/particles.pvd", "paraview/particle-forces-0008.vtu"] {
+        assert!(names.iter().any(|n| n == name), "{name}: {names:?}");
+    }
+}

@@ -31,6 +31,7 @@ pub fn collapse_filled(
         what: "load_step",
         why: "limit analysis, from which it would be chosen, knows no particles",
     })?;
+    fits(&region, &particles.grains)?;
     let kept = resume.map(Kept::read).transpose()?;
     let grains = match &kept {
         Some(kept) => kept.grains.clone(),
@@ -56,7 +57,7 @@ pub fn collapse_filled(
     c.collapse_load = outcome.collapse_factor.map(factor);
     c.last_stable_load = outcome.last_stable_factor.map(factor);
     c.load_step = Some(load_step);
-    c.packing = outcome.frames.first().map(|frame| packing_report(&d, &region, &grains, frame));
+    c.packing = outcome.frames.first().map(|frame| packing_report(bridge, &d, &region, &grains, frame));
     if let (Some(dem), Some(rested)) = (&mut c.dem, settled) {
         dem.iterations_total += rested.outcome.iterations;
     }
@@ -74,11 +75,41 @@ pub(super) fn packing(
     watch: &mut dyn Watch,
 ) -> Result<Vec<Grain>, PackingError> {
     if !particles.grains.is_empty() {
-        let grain = |g: &[f64; 3]| Grain { centre: vec2(g[0], g[1]), radius: g[2] };
-        return Ok(particles.grains.iter().map(grain).collect());
+        return Ok(saved(particles));
     }
     let mould = region.mould(&without_loading_blocks(d));
     Ok(pack(&mould, &region.outline, &region.recipe(bridge, particles), watch)?.grains)
+}
+
+/// The particles of a file.
+fn saved(particles: &Particles) -> Vec<Grain> {
+    let grain = |g: &[f64; 3]| Grain { centre: vec2(g[0], g[1]), radius: g[2] };
+    particles.grains.iter().map(grain).collect()
+}
+
+/// The blocks with the particles of a file, where it was read.
+pub fn as_saved(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
+    let mut d = discretise(bridge)?;
+    if let (Some(region), Some(particles)) = (d.fill.clone(), &bridge.particles)
+        && !particles.grains.is_empty()
+    {
+        fits(&region, &particles.grains)?;
+        fill(&mut d, &region, &saved(particles));
+    }
+    Ok(d)
+}
+
+/// Refuses a packing of another region: the centres of its particles must lie in this one.
+fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), AnalysisError> {
+    let astray = |g: &&[f64; 3]| !region.holds(vec2(g[0], g[1]));
+    match grains.iter().find(astray) {
+        None => Ok(()),
+        Some(&[x, y, _]) => Err(AnalysisError::ForeignPacking {
+            astray: grains.iter().filter(astray).count(),
+            count: grains.len(),
+            first: [x, y],
+        }),
+    }
 }
 
 /// Puts the particles into the model; each belongs to the layer at its centre.
@@ -111,7 +142,8 @@ impl Settled {
     }
 }
 
-/// What came before the loads.
+/// What came before the loads. There is one of them a run.
+#[allow(clippy::large_enum_variant)]
 enum Before {
     /// Ring and fill at rest.
     Rested(Settled),
@@ -272,7 +304,13 @@ impl Watch for Part<'_> {
 }
 
 /// What the particles amount to at rest under their own weight.
-fn packing_report(d: &Discretised, region: &FillRegion, grains: &[Grain], frame: &Frame) -> PackingReport {
+fn packing_report(
+    bridge: &Bridge,
+    d: &Discretised,
+    region: &FillRegion,
+    grains: &[Grain],
+    frame: &Frame,
+) -> PackingReport {
     let solid: f64 = grains.iter().map(|g| std::f64::consts::PI * g.radius * g.radius).sum();
     let (mut touching, mut virial) = (0usize, 0.0);
     for c in &frame.particle_contacts {
@@ -292,6 +330,7 @@ fn packing_report(d: &Discretised, region: &FillRegion, grains: &[Grain], frame:
         mean_stress: 0.5 * virial / region.area,
         diameters: [sizes.clone().fold(f64::INFINITY, f64::min), sizes.fold(0.0, f64::max)],
         settlement: settlement(d, frame),
+        seed: bridge.particles.as_ref().is_some_and(|p| p.grains.is_empty()).then_some(bridge.plan.seed),
     }
 }
 
@@ -321,6 +360,6 @@ fn not_at_rest(bridge: &Bridge, d: &Discretised, region: &FillRegion, rested: &S
         _ => super::Status::UnstableUnderSelfWeight,
     };
     let grains: Vec<Grain> = d.model.particles.iter().map(|p| Grain { centre: p.centre, radius: p.radius }).collect();
-    c.packing = Some(packing_report(d, region, &grains, &rested.frame()));
+    c.packing = Some(packing_report(bridge, d, region, &grains, &rested.frame()));
     c
 }

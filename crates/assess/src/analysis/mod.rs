@@ -23,7 +23,7 @@ pub use report::{
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
 
-use crate::discretise::{DiscretiseError, discretise, fill};
+use crate::discretise::{DiscretiseError, fill};
 use crate::outcome::Picture;
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
@@ -85,6 +85,19 @@ pub enum AnalysisError {
         /// Mean diameter of the particles [m].
         diameter: f64,
     },
+    /// A packing that was saved belongs to another bridge.
+    #[error(
+        "{astray} of the {count} particles of the saved packing lie outside the region of the fill, the first at \
+         x = {:.3} m, y = {:.3} m: the packing is of another bridge", first[0], first[1]
+    )]
+    ForeignPacking {
+        /// Particles outside.
+        astray: usize,
+        /// All particles.
+        count: usize,
+        /// Centre of the first one outside [m].
+        first: [f64; 2],
+    },
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,
@@ -102,8 +115,9 @@ pub enum AnalysisError {
 pub(crate) const LEAST_SAMPLE: f64 = 4.0;
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
+/// Particles are drawn where a saved packing says where they are.
 pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
-    Ok(picture::built(bridge, &discretise(bridge)?, "as built"))
+    Ok(picture::built(bridge, &filled::as_saved(bridge)?, "as built"))
 }
 
 /// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run

@@ -99,10 +99,10 @@ pub fn filled(c: &mut Collapse) {
             .into(),
     );
     if let Some(p) = &c.packing {
+        let origin = p.seed.map_or("read from a file".to_string(), |seed| format!("seed {seed}"));
         c.assumptions.push(format!(
-            "The packing is one of many (seed {}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
+            "The packing is one of many ({origin}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
              rest.",
-            c.seed,
             p.solid_fraction,
             p.coordination,
             p.mean_stress / 1e3
@@ -224,7 +224,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             "fill and backing act by their weight alone; their resistance is left out",
         ));
     }
-    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| layer(l.name)).collect();
+    let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| l.name.word()).collect();
     if !unloaded.is_empty() {
         c.assumptions
             .push(format!("The weight of these layers is left out, as the file says: {}.", unloaded.join(", ")));
@@ -245,14 +245,4 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             bridge.dispersal.slope
         ),
     });
-}
-
-/// A layer in the words of the bridge file.
-fn layer(kind: bridge::LayerKind) -> &'static str {
-    match kind {
-        bridge::LayerKind::Fill => "fill",
-        bridge::LayerKind::SubBase => "sub-base",
-        bridge::LayerKind::Surfacing => "surfacing",
-        bridge::LayerKind::Ballast => "ballast",
-    }
 }

@@ -23,12 +23,20 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         title: format!("{}: {title}", bridge.name),
         shapes: shapes.collect(),
         particles: particles(d),
+        layers: layers(bridge, d),
+        fill: d.fill.iter().flat_map(|fill| &fill.outline).map(|&v| point(v)).collect(),
         surface: surface.into_iter().map(point).collect(),
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
         dimensions: dimensions(bridge),
         ..Picture::default()
     }
+}
+
+/// What the layers of particles are, from the extrados up.
+fn layers(bridge: &Bridge, d: &Discretised) -> Vec<String> {
+    let filled = bridge.cover.layers.iter().filter(|layer| layer.particles && d.fill.is_some());
+    filled.map(|layer| layer.name.word().to_string()).collect()
 }
 
 /// The particles as packed, each with its layer.

@@ -158,6 +158,8 @@ pub struct PackingReport {
     pub diameters: [f64; 2],
     /// Mean sinking of the particles when the lid was taken away and the ring let go [m].
     pub settlement: f64,
+    /// Seed from which it grew; none where it was read from a file.
+    pub seed: Option<u64>,
 }
 
 /// What only limit analysis reports.

@@ -1,6 +1,7 @@
 //! Analyses of published bridges.
 
 use super::*;
+use crate::discretise::discretise;
 use crate::outcome::HingeAt;
 use crate::samples::{bridgemill, case_two, semicircle};
 use bridge::{ContactPoints, Method};
@@ -142,6 +143,9 @@ fn filled(b: &mut Bridge) {
         thickness: 0.4,
         density: 1900.0,
         weighs: true,
+        particles: false,
+        friction_angle: None,
+        cohesion: None,
         elastic_modulus: None,
         friction_angle: None,
         cohesion: None,

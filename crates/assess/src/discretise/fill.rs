@@ -285,6 +285,15 @@ impl FillRegion {
         })
     }
 
+    /// Whether a point lies inside: a ray to the right crosses the outline an odd number of times.
+    pub fn holds(&self, point: Vec2) -> bool {
+        let next = self.outline.iter().cycle().skip(1);
+        let crosses = |(a, b): &(&Vec2, &Vec2)| {
+            (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        };
+        self.outline.iter().zip(next).filter(crosses).count() % 2 == 1
+    }
+
     /// How to fill the region, as the file wants it.
     pub fn recipe(&self, bridge: &Bridge, particles: &Particles) -> Recipe {
         let lowest = self.layer_at(f64::NEG_INFINITY);

@@ -38,6 +38,8 @@ pub struct CollapseObject {
     #[serde(flatten)]
     support: Option<Support>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    packing: Option<Packing>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     combination: Option<Combination>,
     #[serde(skip_serializing_if = "Option::is_none")]
     wall_strip: Option<Box<CollapseObject>>,
@@ -125,6 +127,17 @@ struct Support {
     collapse_movement_m: Option<f64>,
     last_stable_movement_m: Option<f64>,
     movement_step_m: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Packing {
+    solid_fraction: f64,
+    coordination: f64,
+    mean_stress_kpa: f64,
+    smallest_diameter_m: f64,
+    largest_diameter_m: f64,
+    settlement_mm: f64,
+    seed: Option<u64>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -258,6 +271,15 @@ impl CollapseObject {
                 collapse_movement_m: s.collapse,
                 last_stable_movement_m: s.last_stable,
                 movement_step_m: s.step,
+            }),
+            packing: c.packing.as_ref().map(|p| Packing {
+                solid_fraction: p.solid_fraction,
+                coordination: p.coordination,
+                mean_stress_kpa: kilo(p.mean_stress),
+                smallest_diameter_m: p.diameters[0],
+                largest_diameter_m: p.diameters[1],
+                settlement_mm: 1e3 * p.settlement,
+                seed: p.seed,
             }),
             combination: c.combination.as_ref().map(combination),
             wall_strip: c.wall_strip.as_ref().map(|wall| {

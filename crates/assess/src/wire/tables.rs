@@ -6,7 +6,7 @@ use bridge::Analysis;
 use std::fmt::Write;
 
 /// What the states of an analysis are counted by, and what divides its SI unit: a load, or the movement of a support.
-fn counted(c: &Collapse) -> (&'static str, f64) {
+pub(super) fn counted(c: &Collapse) -> (&'static str, f64) {
     match c.analysis {
         Analysis::SupportMovement => ("movement_m", 1.0),
         _ => ("load_kn_per_m", 1e3),

@@ -11,7 +11,7 @@ use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
 use assess::analysis::{self, Collapse};
-use assess::wire;
+use assess::{warning, wire};
 use bridge::Bridge;
 use serde_json::json;
 use std::time::Duration;
@@ -89,6 +89,9 @@ fn write(desk: &mut Desk, found: &Collapse, mut report: Report, folder: &Folder)
             report.warn(&mut desk.screen, warning.code, &message);
         }
     }
+    if let Some(words) = figures::left_out(&found.picture) {
+        report.warn(&mut desk.screen, warning::NOT_DRAWN, &words);
+    }
     report.fields = report::fields_of(wire::CollapseObject::new(found, &wire::Run::default()));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
     let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
@@ -109,6 +112,9 @@ fn tables(found: &Collapse) -> Vec<figures::File> {
         ("thrust-line", wire::thrust_line(found)),
         ("blocks", wire::blocks(found)),
         ("contacts", wire::contacts(found)),
+        ("particles", wire::particles(found)),
+        ("particle-contacts", wire::particle_contacts(found)),
+        ("packing", assess::packing_file::write(found)),
     ];
     let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
     filled.map(|(name, text)| table(name, text)).collect()

@@ -155,7 +155,10 @@ impl Source {
     /// Reads a file and shows what was found in it.
     fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
         let text = read_file(path)?;
-        let read = bridge::read(&text);
+        let mut read = bridge::read(&text);
+        if let Some(particles) = read.bridge.as_mut().and_then(|bridge| bridge.particles.as_mut()) {
+            take_packing(particles, path)?;
+        }
         let name = path.display().to_string();
         let any_error = read.bridge.is_none();
         if any_error || !desk.screen.quiet {
@@ -170,6 +173,18 @@ impl Source {
         report.add_findings(&self.name, &self.text, &self.read.diagnostics);
         report
     }
+}
+
+/// Reads the packing that the bridge file names; its path is relative to the bridge file.
+fn take_packing(particles: &mut bridge::Particles, beside: &Path) -> Result<(), Failure> {
+    let Some(name) = &particles.file else { return Ok(()) };
+    let path = beside.parent().unwrap_or(Path::new("")).join(name);
+    let text = read_file(&path)?;
+    particles.grains = assess::packing_file::read(&text).map_err(|error| {
+        let message = format!("cannot use the packing {}: {error}", path.display());
+        Failure::input("F118", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
+    })?;
+    Ok(())
 }
 
 /// The bytes of a file; a folder is refused in words.

@@ -65,6 +65,8 @@ fn the_folder_holds_result_tables_figures_and_paraview_files() {
         "stress.svg",
         "thrust-line.svg",
         "load-displacement.svg",
+        "collapse.svg",
+        "animation.png",
         "paraview",
     ] {
         assert!(names.iter().any(|there| there == name), "{name} is not among {names:?}");

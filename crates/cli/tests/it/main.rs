@@ -7,6 +7,7 @@ mod house;
 mod interruption;
 mod messages;
 mod misuse;
+mod particles;
 mod stage;
 mod vary;
 mod walls;

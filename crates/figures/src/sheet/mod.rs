@@ -4,6 +4,7 @@
 //! covers no other text.
 
 pub mod font;
+mod many;
 pub mod place;
 
 use font::Weight;

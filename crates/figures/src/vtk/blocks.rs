@@ -73,6 +73,7 @@ fn file(shapes: &[Shape], motions: &[Motion], turn: Turn, state: Option<&Snapsho
     }
     let field: Vec<(&str, f64)> = state.map(|s| ("load", s.load)).into_iter().collect();
     Grid {
+        short: false,
         remark: REMARK,
         field: &field,
         points: &points,

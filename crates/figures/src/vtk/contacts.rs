@@ -31,6 +31,7 @@ pub fn contacts(picture: &Picture, snapshot: usize) -> Option<String> {
         Array::whole("second block", &second),
     ];
     let grid = Grid {
+        short: false,
         remark: REMARK,
         field: &[("load", state.load)],
         points: &points,

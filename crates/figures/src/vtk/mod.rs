@@ -2,9 +2,11 @@
 
 mod blocks;
 mod contacts;
+mod particles;
 mod series;
 mod write;
 
 pub use blocks::{blocks, mechanism, role_number};
 pub use contacts::contacts;
+pub use particles::{particle_forces, particles};
 pub use series::{moments, series};

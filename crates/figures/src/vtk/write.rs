@@ -34,8 +34,10 @@ impl<'a> Array<'a> {
         Array { name, components: 1, values: Values::Whole(values) }
     }
 
-    fn write(&self, out: &mut String) {
+    fn write(&self, out: &mut String, short: bool) {
         let (kind, bytes): (_, Vec<u8>) = match self.values {
+            Values::Real(v) if short => ("Float32", v.iter().flat_map(|&x| (x as f32).to_le_bytes()).collect()),
+            Values::Whole(v) if short => ("Int32", v.iter().flat_map(|&x| (x as i32).to_le_bytes()).collect()),
             // ParaView shows what is not a number as such; it must not stop the file from loading.
             Values::Real(v) => ("Float64", v.iter().flat_map(|x| x.to_le_bytes()).collect()),
             Values::Whole(v) => ("Int64", v.iter().flat_map(|x| x.to_le_bytes()).collect()),
@@ -55,6 +57,8 @@ impl<'a> Array<'a> {
 
 /// A grid.
 pub struct Grid<'a> {
+    /// Whether numbers are written with four bytes instead of eight: seven digits, enough for what is looked at.
+    pub short: bool,
     /// Remark at the head of the file.
     pub remark: &'a str,
     /// Numbers that belong to the whole, one value each.
@@ -87,7 +91,7 @@ impl Grid<'_> {
             for (name, value) in self.field {
                 let array = Array::real(name, 1, std::slice::from_ref(value));
                 let mut text = String::new();
-                array.write(&mut text);
+                array.write(&mut text, false);
                 out.push_str(&text.replace("NumberOfComponents=\"1\"", "NumberOfTuples=\"1\""));
             }
             out.push_str("</FieldData>\n");
@@ -100,7 +104,7 @@ impl Grid<'_> {
         );
         let mut section = |name: &str, arrays: &[Array]| {
             let _ = writeln!(out, "<{name}>");
-            arrays.iter().for_each(|a| a.write(&mut out));
+            arrays.iter().for_each(|a| a.write(&mut out, self.short));
             let _ = writeln!(out, "</{name}>");
         };
         section("PointData", self.at_points);

@@ -181,7 +181,7 @@ fn state(shapes: &[Shape], joints: &[Joint], at: [usize; 4], motions: Vec<Motion
         })
         .collect();
     let velocities = motions.iter().map(|m| [0.1 * m.translation[0], 0.1 * m.translation[1]]).collect();
-    Snapshot { load, motions, velocities, contacts, stresses }
+    Snapshot { load, motions, velocities, contacts, stresses, ..Snapshot::default() }
 }
 
 fn patch(joints: &[Joint], middle: f64, half: f64, force: f64) -> Vec<LoadArrow> {
@@ -271,8 +271,8 @@ fn segmental(title: &str, span: f64, rise: f64, count: usize, thickness: f64) ->
             Dimension { measure: Measure::Thickness, from: j[quarter][0], to: j[quarter][1] },
         ],
         collapse_load: Some(216_870.0),
-        moves_supports: false,
         shapes,
+        ..Picture::default()
     }
 }
 
@@ -394,6 +394,7 @@ pub fn falling_wall() -> Picture {
             velocities: vec![[0.1, -1.0]; shapes.len()],
             contacts: vec![],
             stresses: vec![[-1e4, -5e4, 0.0]; shapes.len()],
+            ..Snapshot::default()
         })
         .collect();
     Picture {
@@ -421,6 +422,89 @@ pub fn single_block() -> Picture {
     }
 }
 
+/// The arch between end walls under particles in two layers, loaded through a block.
+pub fn filled() -> Picture {
+    let mut p = arch();
+    p.title = "Fill as particles".into();
+    let (left, right, crown, road) = (-1.6, 19.9, 3.561, 4.361);
+    for (a, b) in [(left - 0.5, left), (right, right + 0.5)] {
+        p.shapes.push(shape(rectangle(a, b, 0.0, road + 1.0), "wall", true));
+    }
+    p.shapes.push(shape(rectangle(4.2, 4.95, road, road + 0.4), "block", false));
+    p.surface = vec![[left, road], [right, road]];
+    p.surface_loads = vec![([4.575, road], 0.75)];
+    p.loads = vec![LoadArrow { at: [4.575, road + 0.4], force: [0.0, -1e3] }];
+    // The back of the ring, as high over x as the parabola through its ends and crown.
+    let back = |x: f64| crown - (crown - 0.6) * ((x - 9.15) / 9.9).powi(2).min(1.0);
+    p.fill = (0..=40).map(|k| left + (right - left) * f64::from(k) / 40.0).map(|x| [x, back(x)]).collect();
+    p.fill.extend([[right, road], [left, road]]);
+    p.layers = vec!["fill".into(), "surfacing".into()];
+    for row in 0..16 {
+        for column in 0..86 {
+            let shift = if row % 2 == 0 { 0.0 } else { 0.125 };
+            let at = [left + 0.125 + 0.25 * f64::from(column) + shift, road - 0.125 - 0.2165 * f64::from(row)];
+            if at[0] < right - 0.1 && at[1] > back(at[0]) + 0.125 {
+                p.particles.push(Disc {
+                    centre: at,
+                    radius: 0.118 + 0.007 * f64::from((row * column) % 2),
+                    layer: usize::from(row < 2),
+                });
+            }
+        }
+    }
+    let count = p.shapes.len();
+    for (n, s) in p.snapshots.iter_mut().enumerate() {
+        let sink = 0.004 * n as f64 + if n > 3 { 0.1 * (n - 3) as f64 } else { 0.0 };
+        s.motions.resize(count, Motion::default());
+        s.motions[count - 1].translation[1] = -sink;
+        s.velocities.resize(count, [0.0, 0.0]);
+        s.stresses.resize(count, [0.0; 3]);
+        let near = |at: Point| (-((at[0] - 4.575).powi(2) + (at[1] - road).powi(2))).exp();
+        let state = |d: &Disc| DiscState {
+            centre: [
+                d.centre[0] + 0.4 * sink * near(d.centre) * (d.centre[0] - 4.575),
+                d.centre[1] - sink * near(d.centre),
+            ],
+            angle: sink,
+            velocity: [0.0, -sink],
+            stress: [-5e3 - 5e4 * near(d.centre), -1e4 - 1.5e5 * near(d.centre), 1e3],
+        };
+        s.particles = p.particles.iter().map(state).collect();
+        for k in 1..p.particles.len() {
+            let (a, b) = (s.particles[k - 1].centre, s.particles[k].centre);
+            let way = [b[0] - a[0], b[1] - a[1]];
+            let length = way[0].hypot(way[1]);
+            if length < 0.3 {
+                s.particle_forces.push(ParticleForce {
+                    particle: k,
+                    partner: Partner::Particle(k - 1),
+                    point: [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])],
+                    normal: [way[0] / length, way[1] / length],
+                    compression: 2e3 + 4e4 * near(b),
+                    shear: 100.0,
+                    stress: 1e5,
+                    sliding: k % 50 == 0,
+                });
+            }
+        }
+        s.particle_forces.push(ParticleForce {
+            particle: 20,
+            partner: Partner::Shape(count - 1),
+            point: [4.575, road - sink],
+            normal: [0.0, -1.0],
+            compression: 6e4,
+            shear: 0.0,
+            stress: 4e5,
+            sliding: false,
+        });
+    }
+    p.mechanism.as_mut().unwrap().resize(count, Motion { translation: [0.0, -0.4], rotation: 0.0 });
+    for k in count - 3..count - 1 {
+        p.mechanism.as_mut().unwrap()[k] = Motion::default();
+    }
+    p
+}
+
 /// All of them with a short name.
 pub fn every() -> Vec<(&'static str, Picture)> {
     vec![
@@ -431,6 +515,7 @@ pub fn every() -> Vec<(&'static str, Picture)> {
         ("spans", multi_span()),
         ("wall", falling_wall()),
         ("block", single_block()),
+        ("filled", filled()),
         ("empty", Picture { title: "Nothing".into(), ..Picture::default() }),
     ]
 }

@@ -1,0 +1,67 @@
+//! Elevations one below the other, each with its words.
+
+use crate::elevation as draw;
+use crate::geometry::{Extent, View};
+use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
+use crate::words;
+use assess::outcome::{Picture, Snapshot};
+
+/// Tallest of two elevations on a sheet.
+const TALLEST: f64 = 330.0;
+
+/// What is drawn in a panel.
+pub type Drawing<'a> = &'a mut dyn FnMut(&mut Sheet, &View);
+
+/// Draws one panel of the whole width below `top`, framed; its words stand below it. Returns the y below them.
+pub fn panel(sheet: &mut Sheet, extent: Extent, top: f64, name: &str, text: &str, content: Drawing) -> f64 {
+    let area = draw::frame(extent, top, TALLEST);
+    let view = View::fit(extent, area);
+    // The frame hugs a bridge that is narrower than the sheet.
+    let half = 0.5 * view.scale() * extent.size()[0];
+    let middle = 0.5 * (area.left + area.right);
+    let area = Area { left: middle - half, right: middle + half, ..area };
+    sheet.open_clipped("panel", name, area);
+    content(sheet, &view);
+    sheet.close();
+    sheet.rectangle(area, Pen::line("#9a9a9a", HAIR));
+    let style = Style { size: SMALL, ..Style::default() };
+    sheet.paragraph(MARGIN, area.bottom + 3.0, WIDTH - 2.0 * MARGIN, text, style) + 6.0
+}
+
+/// The blocks where they are in a state; those whose role is "block" only where wanted.
+pub fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&Snapshot>) {
+    draw::blocks(sheet, view, &picture.shapes, |k| outline(picture, state, k));
+}
+
+/// Outline of a block where it is in a state, or as built [m].
+pub fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize) -> Vec<assess::outcome::Point> {
+    use crate::geometry::{Turn, moved};
+    let shape = &picture.shapes[block];
+    state.and_then(|s| s.motions.get(block)).map_or(shape.outline.clone(), |&m| moved(shape, m, 1.0, Turn::Finite))
+}
+
+/// A state's load in words, and whether it is the last stable one.
+pub fn load(picture: &Picture, snapshot: usize) -> String {
+    let load = picture.snapshots[snapshot].load;
+    let size = if picture.moves_supports { words::metres(load) } else { words::force(load) };
+    match picture.last_stable {
+        Some(stable) if stable == snapshot => format!("{size}, last stable"),
+        Some(stable) if snapshot > stable => {
+            format!("{size}, on the way down, {} of {}", snapshot - stable, picture.snapshots.len() - stable - 1)
+        }
+        _ => size,
+    }
+}
+
+/// The state that figures of particles show: the last stable one, or the last of all; none where it does not fit.
+pub fn shown(picture: &Picture) -> Option<usize> {
+    picture.last_stable.or(picture.snapshots.len().checked_sub(1)).filter(|&k| fits(picture, k))
+}
+
+/// Whether a state has every block and every particle.
+pub fn fits(picture: &Picture, snapshot: usize) -> bool {
+    picture
+        .snapshots
+        .get(snapshot)
+        .is_some_and(|s| s.motions.len() == picture.shapes.len() && s.particles.len() == picture.particles.len())
+}

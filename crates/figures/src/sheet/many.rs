@@ -1,0 +1,46 @@
+//! Many small marks of one kind, written short: a run has thousands of particles and twice as many contacts.
+
+use super::{Pen, Sheet, Spot, number};
+use std::fmt::Write as _;
+
+impl Sheet {
+    /// Like [`Sheet::open`], with a pen for all that follows.
+    pub fn open_drawn(&mut self, class: &str, pen: Pen) {
+        let _ = write!(self.body, "<g class=\"{class}\"");
+        Pen { class: "", ..pen }.write(&mut self.body);
+        self.body.push_str(">\n");
+    }
+    /// A disc that takes its outline from the group that it is in.
+    pub fn disc(&mut self, at: Spot, radius: f64, fill: &str) {
+        if at.iter().all(|c| c.is_finite()) && radius.is_finite() {
+            let (x, y, r) = (number(at[0]), number(at[1]), number(radius));
+            let _ = writeln!(self.body, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"/>");
+        }
+    }
+    /// Discs of one radius and one colour as one path: dots of a round pen, a quarter of the size of circles.
+    pub fn dots(&mut self, spots: &[Spot], radius: f64, colour: &str) {
+        let mut path = String::new();
+        for at in spots.iter().filter(|s| s.iter().all(|c| c.is_finite())) {
+            // Not every viewer draws a line without length.
+            let _ = write!(path, "M{} {}h.01", number(at[0]), number(at[1]));
+        }
+        if !path.is_empty() && radius.is_finite() {
+            let width = number(2.0 * radius);
+            let _ = writeln!(
+                self.body,
+                "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
+            );
+        }
+    }
+    /// Lines of one width in the colour of the group that they are in, as one path.
+    pub fn strokes(&mut self, lines: &[[Spot; 2]], width: f64) {
+        let mut path = String::new();
+        for [from, to] in lines.iter().filter(|l| l.iter().flatten().all(|c| c.is_finite())) {
+            let [a, b, c, d] = [from[0], from[1], to[0], to[1]].map(number);
+            let _ = write!(path, "M{a} {b}L{c} {d}");
+        }
+        if !path.is_empty() {
+            let _ = writeln!(self.body, "<path d=\"{path}\" stroke-width=\"{}\"/>", number(width));
+        }
+    }
+}
