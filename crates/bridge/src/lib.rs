@@ -2,6 +2,7 @@
 //!
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
+pub mod blocks;
 pub mod diagnostic;
 pub mod explain;
 pub mod fields;
@@ -42,12 +43,45 @@ const MOST_SYNTAX_ERRORS: usize = 20;
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let bridge = read_text(text, &mut findings);
+    let bridge = read_text(text, &fields::FILE, resolve::resolve, &mut findings);
     let bridge = if findings.any_error() { None } else { bridge };
     Read { bridge, diagnostics: findings.in_order(text.len()) }
 }
 
-fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
+/// What reading a block model file gives.
+#[derive(Debug, Clone)]
+pub struct ReadBlocks {
+    /// The model's description, unless a finding is an error.
+    pub file: Option<blocks::BlockFile>,
+    /// Every finding, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a block model file from its bytes (TOML, UTF-8). The drawing that it names is not looked at.
+pub fn read_blocks(text: &[u8]) -> ReadBlocks {
+    let mut findings = Findings::of(text);
+    let file = read_text(text, &fields::blocks::FILE, resolve::blocks::resolve, &mut findings);
+    let file = if findings.any_error() { None } else { file };
+    ReadBlocks { file, diagnostics: findings.in_order(text.len()) }
+}
+
+/// Whether a text is a block model file rather than a bridge file, by the sections it opens.
+pub fn is_block_file(text: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(text) else { return false };
+    if text.len() > LONGEST {
+        return false;
+    }
+    let (tree, _) = DeTable::parse_recoverable(text);
+    let has = |key: &str| tree.get_ref().get(key).is_some();
+    !has("bridge") && !has("span") && ["model", "drawing", "block", "material"].into_iter().any(has)
+}
+
+fn read_text<T>(
+    bytes: &[u8],
+    kind: &'static fields::Section,
+    resolve: fn(&tree::Table<'_>, &mut Findings) -> Option<T>,
+    findings: &mut Findings,
+) -> Option<T> {
     if bytes.len() > LONGEST {
         findings.error(
             "B003",
@@ -79,8 +113,8 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
         let help = syntax_help(error.message(), text.get(range.start..range.end).unwrap_or_default());
         findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
     }
-    let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
-    let bridge = resolve::resolve(&file, findings);
+    let file = tree::Table::open(kind, tree.get_ref(), TextRange::new(0, 0), findings);
+    let value = resolve(&file, findings);
     if !broken.is_empty() {
         // What could not be read may be what seems to be missing, and what is left of its line means nothing.
         let lines: Vec<usize> = broken.iter().filter_map(|e| Some(findings.line(e.span()?.into()))).collect();
@@ -89,7 +123,7 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<Bridge> {
             finding.code == "B002" || (of_a_value && !lines.contains(&line))
         });
     }
-    bridge
+    value
 }
 
 /// What to write instead of a line that is not TOML.

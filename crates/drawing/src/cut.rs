@@ -7,7 +7,7 @@ use geo::{Coord, Line};
 
 /// Cuts a simple counter-clockwise outline along diagonals from its reflex corners until every piece is convex. Of the
 /// diagonals of a corner the shortest is taken among those that leave no reflex angle there, and the shortest of all
-/// where none does. A reflex corner always sees another corner (Meisters 1975), so that every piece can be cut.
+/// where none does. A reflex corner of a simple outline always sees another corner, so that every piece can be cut.
 pub(crate) fn convex(points: Vec<Point>) -> Vec<Vec<Point>> {
     let mut open = vec![points];
     let mut done = Vec::new();

@@ -34,14 +34,15 @@ pub(crate) fn check(strand: Strand, options: &Options, findings: &mut Findings) 
     let mut points = without_collinear(points, &place, findings);
     let area = signed_area(&points);
     let perimeter: f64 = edges(&points).map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1])).sum();
+    let crossing = if is_line(&points) { None } else { crossing(&points) };
+    if let Some(at) = crossing {
+        let help = "draw the outline so that it runs around the block once";
+        findings.error("D302", place.at(at), "the outline crosses or touches itself", help);
+        return Vec::new();
+    }
     if points.len() < 3 || area.abs() <= 0.5 * COINCIDE * perimeter {
         let message = format!("the outline has no area: {:.3e} m^2", area.abs());
         findings.error("D304", place, message, "take it out, or draw the whole block");
-        return Vec::new();
-    }
-    if let Some(at) = crossing(&points) {
-        let help = "draw the outline so that it runs around the block once";
-        findings.error("D302", place.at(at), "the outline crosses or touches itself", help);
         return Vec::new();
     }
     if area < 0.0 {
@@ -167,6 +168,14 @@ pub(crate) fn signed_area(points: &[Point]) -> f64 {
     0.5 * edges(points)
         .map(|(a, b)| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]))
         .sum::<f64>()
+}
+
+/// Whether all points lie on one line.
+fn is_line(points: &[Point]) -> bool {
+    let Some(&first) = points.first() else { return true };
+    let reach = |p: &Point| (p[0] - first[0]).hypot(p[1] - first[1]);
+    let farthest = points.iter().copied().max_by(|a, b| reach(a).total_cmp(&reach(b))).unwrap_or(first);
+    points.iter().all(|&p| off(first, farthest, p) <= COINCIDE)
 }
 
 /// Where the outline crosses or touches itself, if it does. Predicates are exact (Shewchuk), so that no crossing is

@@ -1,6 +1,7 @@
 //! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
+pub mod blocks;
 mod cover;
 mod loading;
 mod material;
@@ -66,6 +67,8 @@ pub enum Kind {
     Share,
     /// A list of points, each a pair of lengths.
     Points,
+    /// A list of rows of as many bare numbers; the key carries their unit.
+    Rows(usize),
     /// A support: "left abutment", "pier 1", "right abutment".
     Support,
     /// A table.
@@ -158,7 +161,9 @@ impl Field {
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
         match self.kind {
-            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points => self.example.to_owned(),
+            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Rows(_) => {
+                self.example.to_owned()
+            },
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{}\"", self.example),
         }
@@ -226,8 +231,22 @@ pub static FILE: Section = Section {
     ],
 };
 
-/// Every section of the file with the key that opens it, in the order of the reference.
+/// Every section of the bridge file with the key that opens it, in the order of the reference.
 pub fn sections() -> Vec<&'static Section> {
+    sections_of(&FILE)
+}
+
+/// Every section of the kind of file that this section belongs to; those of both kinds are found in bridge files.
+pub fn neighbours(section: &'static Section) -> Vec<&'static Section> {
+    let bridge = sections();
+    match bridge.iter().any(|known| std::ptr::eq(*known, section)) {
+        true => bridge,
+        false => sections_of(&blocks::FILE),
+    }
+}
+
+/// Every section of a kind of file, in the order of the reference.
+pub fn sections_of(file: &'static Section) -> Vec<&'static Section> {
     fn visit(section: &'static Section, found: &mut Vec<&'static Section>) {
         if found.iter().any(|known| std::ptr::eq(*known, section)) {
             return;
@@ -240,6 +259,6 @@ pub fn sections() -> Vec<&'static Section> {
         }
     }
     let mut found = Vec::new();
-    visit(&FILE, &mut found);
+    visit(file, &mut found);
     found
 }
