@@ -26,6 +26,8 @@ pub enum Command {
     Check(Check),
     /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
     Collapse(Box<Collapse>),
+    /// Convert between bridge files, block model files, drawings (DXF) and ParaView files (VTU), by extension
+    Convert(Convert),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
     /// Print the JSON Schema of bridge files, for editors
@@ -66,7 +68,7 @@ pub struct New {
 /// `extrados check`.
 #[derive(Debug, Args)]
 pub struct Check {
-    /// The bridge file (TOML)
+    /// The bridge file or block model file (TOML)
     pub file: PathBuf,
     /// Folder for the drawing [default: out/NAME]
     #[arg(long, value_name = "DIR")]
@@ -79,7 +81,7 @@ pub struct Check {
 /// `extrados collapse`.
 #[derive(Debug, Args)]
 pub struct Collapse {
-    /// The bridge file (TOML)
+    /// The bridge file or block model file (TOML)
     pub file: PathBuf,
     /// Folder for results [default: out/NAME]
     #[arg(long, value_name = "DIR")]
@@ -99,6 +101,9 @@ pub struct Collapse {
     /// Refine the collapse load below the load step to this, such as "1 kN/m"
     #[arg(long, value_name = "LOAD", allow_hyphen_values = true)]
     pub resolution: Option<String>,
+    /// How many times larger displacements are in deformed.dxf [default: as in the figures]
+    #[arg(long, value_name = "TIMES", value_parser = times)]
+    pub displacement_scale: Option<f64>,
     /// Take up the checkpoint of an interrupted run
     #[arg(long)]
     pub resume: bool,
@@ -135,6 +140,33 @@ pub struct Overrides {
     /// Most iterations in one load step
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub step_limit: Option<u64>,
+}
+
+/// `extrados convert`.
+#[derive(Debug, Args)]
+pub struct Convert {
+    /// A bridge file or a block model file (.toml), or a drawing (.dxf)
+    pub from: PathBuf,
+    /// What to write: .toml, .dxf or .vtu
+    pub to: PathBuf,
+    /// Unit of a drawing, in place of what its header says
+    #[arg(long, value_name = "UNIT", value_parser = ["m", "cm", "mm", "ft", "in"])]
+    pub unit: Option<String>,
+    /// How far a chord may lie from its curve, such as "1 mm"
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub chord_tolerance: Option<String>,
+    /// How far apart ends may lie that are meant to meet, such as "1 mm"
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub gap_tolerance: Option<String>,
+    /// Cut concave outlines into convex pieces
+    #[arg(long)]
+    pub cut_concave: bool,
+    /// Replace TO where it exists; never the input
+    #[arg(long)]
+    pub overwrite: bool,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
 }
 
 /// `extrados explain`.
@@ -250,6 +282,7 @@ impl Command {
             Command::New(new) => &new.speech,
             Command::Check(check) => &check.speech,
             Command::Collapse(collapse) => &collapse.speech,
+            Command::Convert(convert) => &convert.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
             Command::Verify(verify) => &verify.speech,
@@ -263,6 +296,7 @@ impl Command {
             Command::New(_) => "new",
             Command::Check(_) => "check",
             Command::Collapse(_) => "collapse",
+            Command::Convert(_) => "convert",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",
             Command::Verify(_) => "verify",
@@ -348,6 +382,13 @@ fn seconds(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|seconds| *seconds >= 0.0 && *seconds <= 1e6)
         .ok_or_else(|| "write a number of seconds, such as 2".to_owned())
+}
+
+fn times(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|times| *times > 0.0 && *times <= 1e6)
+        .ok_or_else(|| "write a positive number, such as 50".to_owned())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// Points drawn in one go, from where a file is no drawing of a bridge.
 const MOST_POINTS: usize = 2_000_000;
 /// Expanded entities, likewise: a few nested references with rows and columns multiply beyond any memory.
-const MOST_EXPANDED: usize = 500_000;
+const MOST_EXPANDED: usize = 100_000;
 /// Block references inside one another.
 const DEEPEST: usize = 16;
 /// Coordinates beyond this belong to no bridge [m].

@@ -12,6 +12,7 @@ mod chart;
 mod colour;
 mod dimension;
 mod drawn;
+pub mod dxf;
 mod elevation;
 mod envelope;
 mod frames;

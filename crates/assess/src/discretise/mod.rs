@@ -48,6 +48,11 @@ pub enum Origin {
         /// Course, from the foundation up.
         course: usize,
     },
+    /// A block of a model that is no bridge, counted from 0.
+    Block {
+        /// Its place among the blocks.
+        number: usize,
+    },
 }
 
 impl Origin {
@@ -57,6 +62,7 @@ impl Origin {
             Origin::Voussoir { .. } => "voussoir",
             Origin::Abutment { .. } | Origin::Foundation { .. } => "abutment",
             Origin::Pier { .. } => "pier",
+            Origin::Block { .. } => "block",
         }
     }
     /// A name for tables and messages, counted from 1.
@@ -69,6 +75,7 @@ impl Origin {
             Origin::Abutment { .. } => "right abutment".into(),
             Origin::Foundation { support } => format!("foundation of pier {support}"),
             Origin::Pier { support, course } => format!("pier {support} course {}", course + 1),
+            Origin::Block { number } => format!("block {}", number + 1),
         }
     }
 }

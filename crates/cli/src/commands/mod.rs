@@ -3,7 +3,9 @@
 mod bench;
 mod check;
 mod collapse;
+mod convert;
 mod explain;
+mod model;
 mod new;
 mod schema;
 mod verify;
@@ -81,6 +83,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::New(arguments) => new::run(arguments).map(Answer::from),
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
+        Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(_) => Ok(schema::run()),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),

@@ -1,0 +1,182 @@
+//! Bodies: those that the file lists, and those that its drawing holds on mapped layers.
+
+use super::Said;
+use bridge::TextRange;
+use bridge::blocks::{BlockFile, DrawingPart, MappedLayer, Role};
+use mechanics::plane::{Core, Polygon, vec2};
+
+/// A block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Its name: given, or the layer and a number from 1.
+    pub name: String,
+    /// Its layer.
+    pub layer: String,
+    /// Place of its material.
+    pub material: usize,
+    /// Whether it is a support.
+    pub held: bool,
+    /// Corners, counter-clockwise [m].
+    pub outline: Vec<[f64; 2]>,
+}
+
+/// A circular particle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Particle {
+    /// Its layer.
+    pub layer: String,
+    /// Place of its material, which gives its density.
+    pub material: usize,
+    /// Centre [m].
+    pub centre: [f64; 2],
+    /// Radius [m].
+    pub radius: f64,
+}
+
+/// Every body of the model; what is wrong with them is said.
+pub(super) fn bodies(
+    file: &BlockFile,
+    drawing: Option<&drawing::Drawing>,
+    said: &mut Said,
+) -> (Vec<Body>, Vec<Particle>) {
+    let mut bodies = Vec::new();
+    let mut particles = Vec::new();
+    for block in &file.blocks {
+        let mut outline = block.outline.clone();
+        if signed_area(&outline) < 0.0 {
+            outline.reverse();
+        }
+        let name = block.name.clone().unwrap_or_else(|| numbered(&bodies, &block.layer));
+        let body = Body { name, layer: block.layer.clone(), material: block.material, held: block.held, outline };
+        add(file, body, block.range, &mut bodies, said);
+    }
+    for listed in &file.particles {
+        particles.extend(listed.circles.iter().map(|&[x, y, radius]| Particle {
+            layer: listed.layer.clone(),
+            material: listed.material,
+            centre: [x, y],
+            radius,
+        }));
+    }
+    if let (Some(part), Some(drawing)) = (&file.drawing, drawing) {
+        map(part, drawing, said);
+        drawn(file, part, drawing, &mut bodies, &mut particles, said);
+    }
+    let free = bodies.iter().any(|body| !body.held);
+    if !bodies.is_empty() && !free && !said.any_error() {
+        let range = file.drawing.as_ref().map_or(TextRange::new(0, 0), |part| part.range);
+        let help = "give a layer or a block role = \"block\"".to_owned();
+        said.error("D405", range, "every block is a support: there is nothing to analyse".into(), "no free block", help);
+    }
+    (bodies, particles)
+}
+
+/// A name from the layer and a number from 1.
+fn numbered(bodies: &[Body], layer: &str) -> String {
+    format!("{layer} {}", 1 + bodies.iter().filter(|body| body.layer == layer).count())
+}
+
+/// Adds a body, or says why the engines cannot take it.
+fn add(file: &BlockFile, body: Body, range: TextRange, bodies: &mut Vec<Body>, said: &mut Said) {
+    let rounding = file.materials[body.material].masonry.rounding;
+    let corners = body.outline.iter().map(|&[x, y]| vec2(x, y)).collect();
+    if let Err(reason) = Polygon::new(corners).and_then(|outline| Core::new(&outline, rounding)) {
+        let help = "corners run once around a convex outline; the rounding of the material must leave some of each edge";
+        said.error("D405", range, format!("{}: {reason}", body.name), "cannot be a block", help.into());
+    }
+    if bodies.iter().any(|known| known.name == body.name) {
+        let help = "give each block a name of its own, or none".to_owned();
+        said.error("D405", range, format!("two blocks are called {}", body.name), "named before", help);
+    }
+    bodies.push(body);
+}
+
+fn signed_area(points: &[[f64; 2]]) -> f64 {
+    let n = points.len();
+    let cross = |i: usize| {
+        let (o, a, b) = (points[0], points[i], points[(i + 1) % n]);
+        (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
+    };
+    (0..n).map(cross).sum()
+}
+
+fn same(a: &str, b: &str) -> bool {
+    a.to_uppercase() == b.to_uppercase()
+}
+
+/// The entry of a layer.
+fn entry<'a>(part: &'a DrawingPart, layer: &str) -> Option<&'a MappedLayer> {
+    part.layers.iter().find(|mapped| same(&mapped.name, layer))
+}
+
+/// Layers of the drawing without an entry, and entries without a layer.
+fn map(part: &DrawingPart, drawing: &drawing::Drawing, said: &mut Said) {
+    for layer in drawing.layers.iter().filter(|layer| entry(part, layer).is_none()) {
+        let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+        let outlines = drawing.outlines.iter().filter(|outline| outline.layer == *layer).count();
+        let circles = drawing.circles.iter().filter(|circle| circle.layer == *layer).count();
+        let role = if circles > outlines { "particles" } else { "block" };
+        let message = format!(
+            "layer {layer} of the drawing has no entry: {}, {}",
+            count(outlines, "outline"),
+            count(circles, "circle")
+        );
+        let help = format!(
+            "add [[drawing.layer]] with name = \"{layer}\", role = \"{role}\" (or \"support\", \"ignore\") and material = \"…\""
+        );
+        said.error("D401", part.range, message, "has a layer that nothing is said about", help);
+    }
+    for mapped in part.layers.iter().filter(|mapped| mapped.role != Role::Ignore) {
+        if !drawing.layers.iter().any(|layer| same(layer, &mapped.name)) {
+            let list = drawing.layers.join(", ");
+            let help = format!("the layers with outlines or circles are {list}");
+            let message = format!("there is nothing on a layer {}", mapped.name);
+            said.error("D402", mapped.range, message, "not in the drawing", help);
+        }
+    }
+    for (k, mapped) in part.layers.iter().enumerate() {
+        if part.layers[..k].iter().any(|before| same(&before.name, &mapped.name)) {
+            let help = "keep one of the two".to_owned();
+            said.error("D405", mapped.range, format!("two entries for layer {}", mapped.name), "named before", help);
+        }
+    }
+}
+
+fn drawn(
+    file: &BlockFile,
+    part: &DrawingPart,
+    drawing: &drawing::Drawing,
+    bodies: &mut Vec<Body>,
+    particles: &mut Vec<Particle>,
+    said: &mut Said,
+) {
+    let wrong = |mapped: &MappedLayer, what: &str, place: &drawing::Place, said: &mut Said| {
+        let message = format!("{what} on layer {} ({})", mapped.name, place.words());
+        let help = "move it to another layer of the drawing, or change the role of this one".to_owned();
+        said.error("D403", mapped.range, message, "does not fit the role of the layer", help);
+    };
+    for outline in &drawing.outlines {
+        let Some(mapped) = entry(part, &outline.layer) else { continue };
+        match (mapped.role, mapped.material) {
+            (Role::Block | Role::Support, Some(material)) => {
+                let (layer, name) = (outline.layer.clone(), numbered(bodies, &outline.layer));
+                let held = mapped.role == Role::Support;
+                let body = Body { name, layer, material, held, outline: outline.points.clone() };
+                add(file, body, mapped.range, bodies, said);
+            }
+            (Role::Particles, _) => wrong(mapped, "an outline", &outline.place, said),
+            _ => {}
+        }
+    }
+    for circle in &drawing.circles {
+        let Some(mapped) = entry(part, &circle.layer) else { continue };
+        match (mapped.role, mapped.material) {
+            (Role::Particles, Some(material)) => {
+                let (centre, radius) = (circle.centre, circle.radius);
+                particles.push(Particle { layer: circle.layer.clone(), material, centre, radius });
+            }
+            (Role::Block | Role::Support, _) => wrong(mapped, "a circle", &circle.place, said),
+            _ => {}
+        }
+    }
+}
