@@ -30,7 +30,7 @@ pub enum Command {
     Convert(Convert),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
-    /// Print the JSON Schema of bridge files, for editors
+    /// Print the JSON Schema of bridge files or block model files, for editors
     Schema(Schema),
     /// Run the verification cases and print their table
     Verify(Verify),
@@ -182,6 +182,9 @@ pub struct Explain {
 /// `extrados schema`.
 #[derive(Debug, Args)]
 pub struct Schema {
+    /// Of block model files instead of bridge files
+    #[arg(long)]
+    pub blocks: bool,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,

@@ -5,7 +5,7 @@ use crate::geometry::{Turn, as_built, block_at, centroid, displacement, largest_
 use crate::stress::{exaggeration, most_compressive};
 use crate::ticks::Ticks;
 use crate::{File, words};
-use assess::outcome::{ContactForce, Motion, Picture, Point, Shape};
+use assess::outcome::{ContactForce, Motion, Picture, Point, Shape, Snapshot};
 use drawing::{Item, Sheet};
 
 /// The longest arrow or force line, as a share of the larger dimension of the model.
@@ -92,7 +92,9 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
     for shape in &picture.shapes {
         outline(&mut sheet, "AS-BUILT", GREY, shape.outline.clone());
     }
-    if let Some(state) = stable {
+    // Limit analysis knows no displacements before collapse.
+    let displaced = |state: &&Snapshot| largest_displacement(&picture.shapes, &state.motions, Turn::Finite) > 0.0;
+    if let Some(state) = stable.filter(displaced) {
         let scale = scale.unwrap_or_else(|| exaggeration(picture, state, extent));
         let layer = format!("LAST-STABLE-X{scale}");
         for (shape, &motion) in picture.shapes.iter().zip(&state.motions) {
