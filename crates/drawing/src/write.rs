@@ -7,6 +7,12 @@ use dxf::entities::{Circle, Entity, EntityType, LwPolyline};
 use dxf::enums::{AcadVersion, DrawingUnits, Units};
 use dxf::{Color, LwPolylineVertex};
 
+/// Group 440, said outright: some programs take the default of zero for invisible. DXF Reference: 2 in the highest byte
+/// for a value of its own, 255 in the lowest for opaque.
+const OPAQUE: i32 = 0x0200_00FF;
+/// Group 370: as wide as the layer says.
+const BY_LAYER: i16 = -1;
+
 /// A layer of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
@@ -109,5 +115,7 @@ fn entity(item: &Item) -> Entity {
     };
     let mut entity = Entity::new(specific);
     entity.common.layer = layer_name(layer);
+    entity.common.transparency = OPAQUE;
+    entity.common.lineweight_enum_value = BY_LAYER;
     entity
 }

@@ -9,7 +9,7 @@ use assess::outcome::{ContactForce, Motion, Picture, Point, Shape, Snapshot};
 use drawing::{Item, Sheet};
 
 /// The longest arrow or force line, as a share of the larger dimension of the model.
-const LONGEST: f64 = 0.1;
+const LONGEST: f64 = 0.05;
 /// The largest displacement of a mechanism, likewise: as in its figure.
 const MECHANISM: f64 = 0.05;
 /// Radius of the circle that marks a hinge, likewise.
@@ -73,7 +73,7 @@ pub fn model(picture: &Picture) -> Sheet {
 
 /// A shaft and two barbs, as one line.
 fn arrow(tail: Point, head: Point) -> Vec<Point> {
-    let (dx, dy) = (0.2 * (tail[0] - head[0]), 0.2 * (tail[1] - head[1]));
+    let (dx, dy) = (0.15 * (tail[0] - head[0]), 0.15 * (tail[1] - head[1]));
     let barb = |side: f64| [head[0] + dx - side * 0.5 * dy, head[1] + dy + side * 0.5 * dx];
     vec![tail, head, barb(1.0), head, barb(-1.0)]
 }
@@ -94,10 +94,12 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
     }
     // Limit analysis knows no displacements before collapse.
     let displaced = |state: &&Snapshot| largest_displacement(&picture.shapes, &state.motions, Turn::Finite) > 0.0;
+    // A support that stays is drawn once, as built.
+    let moves = |(shape, motion): &(&Shape, &Motion)| !shape.held || **motion != Motion::default();
     if let Some(state) = stable.filter(displaced) {
         let scale = scale.unwrap_or_else(|| exaggeration(picture, state, extent));
         let layer = format!("LAST-STABLE-X{scale}");
-        for (shape, &motion) in picture.shapes.iter().zip(&state.motions) {
+        for (shape, &motion) in picture.shapes.iter().zip(&state.motions).filter(moves) {
             outline(&mut sheet, &layer, 5, moved(shape, motion, scale, Turn::Finite));
         }
     }
@@ -108,7 +110,7 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
             let u = displacement(at, centroid(&picture.shapes[k].outline), motions[k], Turn::Small);
             [at[0] + scale * u[0], at[1] + scale * u[1]]
         };
-        for (shape, &motion) in picture.shapes.iter().zip(motions) {
+        for (shape, &motion) in picture.shapes.iter().zip(motions).filter(moves) {
             outline(&mut sheet, "COLLAPSE", RED, moved(shape, motion, scale, Turn::Small));
         }
         for hinge in &picture.hinges {
