@@ -230,8 +230,9 @@ fn unknown_key(
     findings: &mut Findings,
 ) -> Option<&'static str> {
     let known = section.fields.iter().map(|field| field.key);
-    let elsewhere =
-        crate::fields::neighbours(section).into_iter().find(|other| !other.path.is_empty() && other.field(key).is_some());
+    let elsewhere = crate::fields::neighbours(section)
+        .into_iter()
+        .find(|other| !other.path.is_empty() && other.field(key).is_some());
     let near = nearest(key, known.clone());
     let (label, help) = if let Some(near) = near {
         (format!("did you mean `{near}`?"), format!("write `{near}`"))

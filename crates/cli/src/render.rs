@@ -99,7 +99,8 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
             2 => ", and once more on this layer".to_owned(),
             n => format!(", and {} times more on this layer", n - 1),
         };
-        let _ = writeln!(page, "note[{}]: {}{others} ({name}: {})", finding.code, finding.message, finding.place.words());
+        let _ =
+            writeln!(page, "note[{}]: {}{others} ({name}: {})", finding.code, finding.message, finding.place.words());
     }
     if errors + warnings > 0 {
         let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });

@@ -93,11 +93,7 @@ pub const CARDS: &[Card] = &[
         "lines and arcs chained",
         "Loose lines and arcs of one layer whose ends meet became one closed outline. Nothing has to be done.",
     ),
-    card(
-        "D206",
-        "a clockwise outline turned",
-        "Outlines run counter-clockwise. Nothing has to be done.",
-    ),
+    card("D206", "a clockwise outline turned", "Outlines run counter-clockwise. Nothing has to be done."),
     card(
         "D207",
         "a concave outline cut into pieces",
@@ -122,11 +118,7 @@ pub const CARDS: &[Card] = &[
          the sagitta of that arc: a chord_tolerance at least as large makes one chord of it. Otherwise cut the block in two in the \
          drawing, or state concave = \"cut\".",
     ),
-    card(
-        "D304",
-        "an outline without area",
-        "The corners lie on one line, or a radius is zero. Take the entity out.",
-    ),
+    card("D304", "an outline without area", "The corners lie on one line, or a radius is zero. Take the entity out."),
     card(
         "D305",
         "outlines that overlap",

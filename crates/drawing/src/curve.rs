@@ -31,7 +31,7 @@ fn chords(radius: f64, sweep: f64, tolerance: f64) -> usize {
     let cosine = 1.0 - tolerance / radius;
     let step = if cosine > -1.0 { 2.0 * cosine.acos() } else { TAU };
     // A chord over more than half a circle says nothing; a full circle needs three of them.
-    let step = step.min(TAU / 3.0).max(1e-9);
+    let step = step.clamp(1e-9, TAU / 3.0);
     let count = (sweep.abs() / step * (1.0 - 1e-12)).ceil();
     if count.is_finite() { (count as usize).clamp(1, MOST) } else { 1 }
 }

@@ -192,7 +192,8 @@ impl Expansion<'_> {
         let turn = if ellipse.normal.z < 0.0 { -1.0 } else { 1.0 };
         let (major, share) = ([ellipse.major_axis.x, ellipse.major_axis.y], ellipse.minor_axis_ratio);
         let heights = [ellipse.center.z, ellipse.major_axis.z];
-        if !self.is_flat(&place, context, heights.into_iter()) || !self.has_size(&place, share * major[0].hypot(major[1]))
+        if !self.is_flat(&place, context, heights.into_iter())
+            || !self.has_size(&place, share * major[0].hypot(major[1]))
         {
             return;
         }
@@ -256,8 +257,7 @@ impl Expansion<'_> {
                 }
                 // Every repetition counts, even of an empty block.
                 self.expanded += 1;
-                let (dx, dy) =
-                    (f64::from(column) * insert.column_spacing, f64::from(row) * insert.row_spacing);
+                let (dx, dy) = (f64::from(column) * insert.column_spacing, f64::from(row) * insert.row_spacing);
                 let mut own = Transform {
                     x: [scales[0] * c, scales[0] * s],
                     y: [-scales[1] * s, scales[1] * c],
@@ -297,8 +297,7 @@ impl Expansion<'_> {
         // Round-off of a turned coordinate system.
         let upright = normal.x.hypot(normal.y) <= 1e-9 * size && size > 0.0;
         if !upright {
-            let message =
-                format!("the entity lies in a plane with normal ({}, {}, {})", normal.x, normal.y, normal.z);
+            let message = format!("the entity lies in a plane with normal ({}, {}, {})", normal.x, normal.y, normal.z);
             self.findings.error("D105", place.clone(), message, "draw it in the plane z = 0");
             return None;
         }

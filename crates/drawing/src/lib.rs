@@ -23,7 +23,7 @@ mod write;
 
 pub use finding::{Finding, Place, Severity};
 pub use read::{Circle, Concave, Drawing, Options, Outline, Read, read};
-pub use units::{Unit, UNITS};
+pub use units::{UNITS, Unit};
 pub use write::{Item, Layer, Sheet, layer_name};
 
 /// A point [m].

@@ -134,7 +134,8 @@ pub(crate) fn straightened(points: Vec<Point>) -> (Vec<Point>, Option<Point>) {
         return (points, None);
     }
     // Start at a corner that is certainly one: the lowest of the leftmost points.
-    let start = (0..n).min_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
+    let start =
+        (0..n).min_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
     let start = start.unwrap_or(0);
     kept.push(points[start]);
     for k in 1..n {
@@ -165,9 +166,7 @@ fn edges(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
 /// Area [m^2], positive counter-clockwise.
 pub(crate) fn signed_area(points: &[Point]) -> f64 {
     let Some(&o) = points.first() else { return 0.0 };
-    0.5 * edges(points)
-        .map(|(a, b)| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]))
-        .sum::<f64>()
+    0.5 * edges(points).map(|(a, b)| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])).sum::<f64>()
 }
 
 /// Whether all points lie on one line.

@@ -84,7 +84,10 @@ fn report(a: &Outline, b: &Outline, findings: &mut Findings) {
     let (message, help) = if shared >= 0.999 * larger {
         (format!("the same outline is drawn twice: here and as {other}"), "delete one of them")
     } else if shared >= 0.999 * smaller {
-        (format!("one outline lies inside another: here and {other}"), "a hole cannot be drawn: cut the outer block in two")
+        (
+            format!("one outline lies inside another: here and {other}"),
+            "a hole cannot be drawn: cut the outer block in two",
+        )
     } else {
         let message = format!("two outlines overlap by {shared:.3e} m^2: here and {other}");
         (message, "let blocks touch along their edges; move or trim one of them")

@@ -112,8 +112,10 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
     let unit = unit(sieved.unit, options, findings);
     for ((layer, kind), count) in sieved.left_out.iter().filter(|((layer, _), _)| !is_ignored(options, layer)) {
         let place = Place { layer: layer.clone(), ..Place::default() };
-        let message = format!("{count} of kind {kind} left out: only lines, arcs, polylines, circles, ellipses, splines \
-                               and block references become outlines");
+        let message = format!(
+            "{count} of kind {kind} left out: only lines, arcs, polylines, circles, ellipses, splines \
+                               and block references become outlines"
+        );
         findings.warning("D104", place, message, "draw what is meant to be a block as a closed polyline");
     }
     let loaded = match dxf::Drawing::load(&mut sieved.text.as_bytes()) {

@@ -105,8 +105,7 @@ fn entity(item: &Item) -> Entity {
         Item::Line { layer, points, closed } => {
             let mut line = LwPolyline::default();
             line.set_is_closed(*closed);
-            line.vertices =
-                points.iter().map(|&[x, y]| LwPolylineVertex { x, y, ..Default::default() }).collect();
+            line.vertices = points.iter().map(|&[x, y]| LwPolylineVertex { x, y, ..Default::default() }).collect();
             (layer, EntityType::LwPolyline(line))
         }
         Item::Circle { layer, centre: [x, y], radius } => {

@@ -152,7 +152,8 @@ pub fn stress(picture: &Picture) -> Option<Sheet> {
     if strongest > 0.0 {
         let half = 0.5 * LONGEST * size(picture) / strongest;
         // The scale is read off the layer: how many kilonewtons a metre of line stands for.
-        let layer = format!("CONTACT-FORCES-1M-IS-{}-KN", words::four_digits(strongest / 1e3 / (LONGEST * size(picture))));
+        let layer =
+            format!("CONTACT-FORCES-1M-IS-{}-KN", words::four_digits(strongest / 1e3 / (LONGEST * size(picture))));
         for c in &state.contacts {
             let [fx, fy] = force(c);
             let (dx, dy) = (half * fx, half * fy);

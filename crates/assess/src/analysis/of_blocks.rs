@@ -133,11 +133,8 @@ fn notes(scene: &Scene, c: &mut Collapse) {
     if let (Some(stable), Some(bound), Method::Dem) = (c.last_stable_load, c.limit_load, c.method)
         && stable > bound
     {
-        let message = format!(
-            "last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m",
-            stable / 1e3,
-            bound / 1e3
-        );
+        let message =
+            format!("last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m", stable / 1e3, bound / 1e3);
         c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
     }
     c.assumptions.push("The loads act on the blocks as the file says; nothing spreads them.".into());
@@ -145,11 +142,8 @@ fn notes(scene: &Scene, c: &mut Collapse) {
 }
 
 fn built(scene: &Scene, title: &str) -> Picture {
-    let shape = |body: &crate::blocks::Body| Shape {
-        outline: body.outline.clone(),
-        role: "block".to_owned(),
-        held: body.held,
-    };
+    let shape =
+        |body: &crate::blocks::Body| Shape { outline: body.outline.clone(), role: "block".to_owned(), held: body.held };
     let variable = scene.forces.iter().filter(|force| !force.permanent);
     Picture {
         title: format!("{}: {title}", scene.name),

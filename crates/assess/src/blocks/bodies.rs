@@ -33,10 +33,12 @@ pub struct Particle {
     pub radius: f64,
 }
 
-/// Every body of the model; what is wrong with them is said.
+/// Every body of the model; what is wrong with them is said. What a refused drawing seems to lack may be what could not
+/// be read of it, and is not said.
 pub(super) fn bodies(
     file: &BlockFile,
     drawing: Option<&drawing::Drawing>,
+    refused: bool,
     said: &mut Said,
 ) -> (Vec<Body>, Vec<Particle>) {
     let mut bodies = Vec::new();
@@ -59,14 +61,20 @@ pub(super) fn bodies(
         }));
     }
     if let (Some(part), Some(drawing)) = (&file.drawing, drawing) {
-        map(part, drawing, said);
+        map(part, drawing, refused, said);
         drawn(file, part, drawing, &mut bodies, &mut particles, said);
     }
     let free = bodies.iter().any(|body| !body.held);
-    if !bodies.is_empty() && !free && !said.any_error() {
+    if !bodies.is_empty() && !free && !refused && !said.any_error() {
         let range = file.drawing.as_ref().map_or(TextRange::new(0, 0), |part| part.range);
         let help = "give a layer or a block role = \"block\"".to_owned();
-        said.error("D405", range, "every block is a support: there is nothing to analyse".into(), "no free block", help);
+        said.error(
+            "D405",
+            range,
+            "every block is a support: there is nothing to analyse".into(),
+            "no free block",
+            help,
+        );
     }
     (bodies, particles)
 }
@@ -81,7 +89,8 @@ fn add(file: &BlockFile, body: Body, range: TextRange, bodies: &mut Vec<Body>, s
     let rounding = file.materials[body.material].masonry.rounding;
     let corners = body.outline.iter().map(|&[x, y]| vec2(x, y)).collect();
     if let Err(reason) = Polygon::new(corners).and_then(|outline| Core::new(&outline, rounding)) {
-        let help = "corners run once around a convex outline; the rounding of the material must leave some of each edge";
+        let help =
+            "corners run once around a convex outline; the rounding of the material must leave some of each edge";
         said.error("D405", range, format!("{}: {reason}", body.name), "cannot be a block", help.into());
     }
     if bodies.iter().any(|known| known.name == body.name) {
@@ -110,7 +119,7 @@ fn entry<'a>(part: &'a DrawingPart, layer: &str) -> Option<&'a MappedLayer> {
 }
 
 /// Layers of the drawing without an entry, and entries without a layer.
-fn map(part: &DrawingPart, drawing: &drawing::Drawing, said: &mut Said) {
+fn map(part: &DrawingPart, drawing: &drawing::Drawing, refused: bool, said: &mut Said) {
     for layer in drawing.layers.iter().filter(|layer| entry(part, layer).is_none()) {
         let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
         let outlines = drawing.outlines.iter().filter(|outline| outline.layer == *layer).count();
@@ -126,7 +135,7 @@ fn map(part: &DrawingPart, drawing: &drawing::Drawing, said: &mut Said) {
         );
         said.error("D401", part.range, message, "has a layer that nothing is said about", help);
     }
-    for mapped in part.layers.iter().filter(|mapped| mapped.role != Role::Ignore) {
+    for mapped in part.layers.iter().filter(|mapped| mapped.role != Role::Ignore && !refused) {
         if !drawing.layers.iter().any(|layer| same(layer, &mapped.name)) {
             let list = drawing.layers.join(", ");
             let help = format!("the layers with outlines or circles are {list}");

@@ -91,12 +91,16 @@ fn named(load: &BodyLoad, name: &str, bodies: &[Body], said: &mut Said) -> Optio
 /// How deep a point lies inside a convex outline [m]; negative outside.
 fn depth(points: &[[f64; 2]], at: [f64; 2]) -> f64 {
     let n = points.len();
-    let inside = |i: usize| {
+    let edge = |i: usize| {
         let (p, q) = (points[i], points[(i + 1) % n]);
-        let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-        (dx * (at[1] - p[1]) - dy * (at[0] - p[0])) / dx.hypot(dy)
+        let (dx, dy, x, y) = (q[0] - p[0], q[1] - p[1], at[0] - p[0], at[1] - p[1]);
+        let length = dx.hypot(dy);
+        // To the left of the edge, and how far from its nearest point.
+        let along = ((x * dx + y * dy) / length).clamp(0.0, length);
+        ((dx * y - dy * x) / length, (x - along * dx / length).hypot(y - along * dy / length))
     };
-    (0..n).map(inside).fold(f64::INFINITY, f64::min)
+    let inside = (0..n).map(|i| edge(i).0).fold(f64::INFINITY, f64::min);
+    if inside >= 0.0 { inside } else { -(0..n).map(|i| edge(i).1).fold(f64::INFINITY, f64::min) }
 }
 
 /// Area [m^2] and centroid [m] of an outline.

@@ -82,9 +82,9 @@ pub fn options(file: &BlockFile) -> drawing::Options {
 pub fn assemble(file: &BlockFile, dxf: Option<&[u8]>) -> Assembled {
     let read = dxf.map(|bytes| drawing::read(bytes, &options(file)));
     let mut said = Said::default();
-    let (bodies, particles) = bodies::bodies(file, read.as_ref().map(|read| &read.drawing), &mut said);
+    let refused = read.as_ref().is_some_and(|read| !read.is_usable());
+    let (bodies, particles) = bodies::bodies(file, read.as_ref().map(|read| &read.drawing), refused, &mut said);
     let findings = read.map_or_else(Vec::new, |read| read.findings);
-    let refused = findings.iter().any(|finding| finding.severity == drawing::Severity::Error);
     let laws = laws::laws(file, &bodies, &mut said);
     // A load would miss the very block that could not be read.
     let forces = if refused || said.any_error() { Vec::new() } else { loads::forces(file, &bodies, &mut said) };
@@ -112,7 +112,15 @@ struct Said {
 impl Said {
     fn error(&mut self, code: &'static str, range: TextRange, message: String, label: &str, help: String) {
         let severity = Severity::Error;
-        self.list.push(Diagnostic { code, severity, message, range, label: label.into(), note: None, help: Some(help) });
+        self.list.push(Diagnostic {
+            code,
+            severity,
+            message,
+            range,
+            label: label.into(),
+            note: None,
+            help: Some(help),
+        });
     }
 
     fn any_error(&self) -> bool {

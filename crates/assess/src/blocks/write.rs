@@ -39,8 +39,13 @@ pub fn skeleton(of: &Skeleton<'_>) -> String {
         block(&mut page, &outline.layer, &outline.layer, None, false, &outline.points);
     }
     for layer in &of.drawing.layers {
-        let circles: Vec<[f64; 3]> = of.drawing.circles.iter().filter(|c| c.layer == *layer)
-            .map(|c| [c.centre[0], c.centre[1], c.radius]).collect();
+        let circles: Vec<[f64; 3]> = of
+            .drawing
+            .circles
+            .iter()
+            .filter(|c| c.layer == *layer)
+            .map(|c| [c.centre[0], c.centre[1], c.radius])
+            .collect();
         particles(&mut page, layer, layer, &circles);
     }
     page
@@ -49,7 +54,13 @@ pub fn skeleton(of: &Skeleton<'_>) -> String {
 /// A block model file from a model, with every number that decides an analysis: read again, it gives the same model.
 pub fn toml(scene: &Scene) -> String {
     let mut page = format!("# {}: every block listed, in metres.\n\n", one_line(&scene.name));
-    let _ = writeln!(page, "[model]\nname = {}\nwidth = \"{} m\"\ngravity = \"{} m/s^2\"\n", text(&scene.name), scene.width, scene.gravity);
+    let _ = writeln!(
+        page,
+        "[model]\nname = {}\nwidth = \"{} m\"\ngravity = \"{} m/s^2\"\n",
+        text(&scene.name),
+        scene.width,
+        scene.gravity
+    );
     for material in &scene.materials {
         let m = &material.masonry;
         let _ = writeln!(page, "[[material]]\nname = {}\ndensity = \"{} kg/m^3\"", text(&material.name), m.density);
@@ -170,7 +181,9 @@ fn load(page: &mut String, name: &str, at: [f64; 2], force: [f64; 2], permanent:
 
 fn plan(page: &mut String, plan: &bridge::Plan) {
     let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", if plan.method == Method::Dem { "dem" } else { "limit" });
-    for (key, value) in [("load_step", plan.load_step), ("load_limit", plan.load_limit), ("resolution", plan.resolution)] {
+    for (key, value) in
+        [("load_step", plan.load_step), ("load_limit", plan.load_limit), ("resolution", plan.resolution)]
+    {
         if let Some(value) = value {
             let _ = writeln!(page, "{key} = \"{value} N/m\"");
         }

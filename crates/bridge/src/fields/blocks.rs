@@ -11,10 +11,8 @@ const ROLES: &[Word] = &[
     Word { word: "ignore", doc: "nothing of it is read" },
 ];
 
-const BLOCK_ROLES: &[Word] = &[
-    Word { word: "block", doc: "free to move" },
-    Word { word: "support", doc: "does not move" },
-];
+const BLOCK_ROLES: &[Word] =
+    &[Word { word: "block", doc: "free to move" }, Word { word: "support", doc: "does not move" }];
 
 /// Units that drawings are made in; [`crate::quantity`] knows their size.
 const UNITS: &[Word] = &[
@@ -68,10 +66,15 @@ static DRAWING: Section = Section {
             .positive()
             .at_most(1.0)
             .default("1 mm"),
-        Field::new("gap_tolerance", Kind::Quantity(Length), "how far apart ends may lie that are meant to meet", "1 mm")
-            .positive()
-            .at_most(1.0)
-            .default("1 mm"),
+        Field::new(
+            "gap_tolerance",
+            Kind::Quantity(Length),
+            "how far apart ends may lie that are meant to meet",
+            "1 mm",
+        )
+        .positive()
+        .at_most(1.0)
+        .default("1 mm"),
         Field::new("concave", Kind::Word(CONCAVE), "what becomes of an outline that is not convex", "refuse")
             .default("refuse"),
         Field::new("layer", Kind::Tables(&LAYER), "What is on its layers.", ""),
@@ -155,15 +158,21 @@ static LOAD: Section = Section {
         Field::new("name", Kind::Text, "name of the load", "knife edge").optional("numbered"),
         Field::new("x", Kind::Quantity(Length), "where the force acts, to the right", "4.575 m")
             .optional("with `block` or `layer`"),
-        Field::new("y", Kind::Quantity(Length), "where the force acts, up", "3.10 m").optional("with `block` or `layer`"),
+        Field::new("y", Kind::Quantity(Length), "where the force acts, up", "3.10 m")
+            .optional("with `block` or `layer`"),
         Field::new("block", Kind::Text, "name of the block on whose centroid it acts", "keystone")
             .optional("with a point or `layer`"),
         Field::new("layer", Kind::Text, "layer whose free blocks share it in proportion to their mass", "RING")
             .optional("with a point or `block`"),
         Field::new("down", Kind::LineLoad, "force downwards, per metre of width or over the whole width", "1 kN/m")
             .optional("no vertical part"),
-        Field::new("right", Kind::LineLoad, "force to the right, per metre of width or over the whole width", "0.2 kN/m")
-            .optional("no horizontal part"),
+        Field::new(
+            "right",
+            Kind::LineLoad,
+            "force to the right, per metre of width or over the whole width",
+            "0.2 kN/m",
+        )
+        .optional("no horizontal part"),
         Field::new("permanent", Kind::Flag, "whether it is there from the start, and does not grow", "false")
             .default("false"),
     ],

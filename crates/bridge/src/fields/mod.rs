@@ -163,7 +163,7 @@ impl Field {
         match self.kind {
             Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Rows(_) => {
                 self.example.to_owned()
-            },
+            }
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{}\"", self.example),
         }

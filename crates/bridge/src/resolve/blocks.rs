@@ -166,7 +166,13 @@ fn joints(
             (true, true) => first.zip(second).map(|(a, b)| Some([a.min(b), a.max(b)])),
             (false, true) => {
                 let help = "write the material of the other side as `first`";
-                findings.error("B011", table.place("second"), "`first` is missing in [[joint]]", "one side alone", help);
+                findings.error(
+                    "B011",
+                    table.place("second"),
+                    "`first` is missing in [[joint]]",
+                    "one side alone",
+                    help,
+                );
                 None
             }
         };
@@ -189,7 +195,12 @@ fn joints(
 fn series(table: &Table<'_>, joint: &crate::model::Joint, materials: &[Material], findings: &mut Findings) {
     let is_series = |stiffness: Option<JointStiffness>| matches!(stiffness, Some(JointStiffness::Series(_)));
     let keys = [
-        ("mortar_normal_stiffness", is_series(joint.normal_stiffness), "elastic_modulus", "elastic_modulus = \"15 GPa\""),
+        (
+            "mortar_normal_stiffness",
+            is_series(joint.normal_stiffness),
+            "elastic_modulus",
+            "elastic_modulus = \"15 GPa\"",
+        ),
         ("mortar_shear_stiffness", is_series(joint.shear_stiffness), "poisson_ratio", "poisson_ratio = 0.2"),
     ];
     for (key, used, what, line) in keys {
@@ -198,7 +209,8 @@ fn series(table: &Table<'_>, joint: &crate::model::Joint, materials: &[Material]
         };
         if let Some(bare) = materials.iter().find(lacks).filter(|_| used) {
             let message = format!("the series rule needs the {} of {}", what.replace('_', " "), bare.name);
-            let help = format!("add a line like {line} to that [[material]], or give the stiffness of the whole contact");
+            let help =
+                format!("add a line like {line} to that [[material]], or give the stiffness of the whole contact");
             findings.error("B401", table.place(key), message, "stiffness of the mortar joint alone", help);
         }
     }

@@ -160,7 +160,10 @@ fn written_documents_are_up_to_date() {
             std::fs::write(&path, &fresh).unwrap();
         }
         let written = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(written == fresh, "docs/input/{name} is out of date; EXTRADOS_WRITE_DOCS=1 cargo test -p bridge writes it");
+        assert!(
+            written == fresh,
+            "docs/input/{name} is out of date; EXTRADOS_WRITE_DOCS=1 cargo test -p bridge writes it"
+        );
     }
 }
 

@@ -48,7 +48,8 @@ pub fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
         Content::Drawing(drawing) => (drawing.outlines.len(), drawing.circles.len()),
     };
     let shown = arguments.to.display().to_string();
-    let mut summary = format!("{}: {blocks} blocks, {particles} particles written to {shown}\n", arguments.from.display());
+    let mut summary =
+        format!("{}: {blocks} blocks, {particles} particles written to {shown}\n", arguments.from.display());
     if matches!((&content, to.as_str()), (Content::Drawing(_), "toml")) {
         summary += "fill in the lines marked TO FILL IN, then: extrados check ";
         summary += &shown;
@@ -63,7 +64,8 @@ fn ending(path: &Path) -> String {
 }
 
 fn no_pair(from: &str, to: &str) -> Failure {
-    let shown = |ending: &str| if ending.is_empty() { "a file without extension".to_owned() } else { format!(".{ending}") };
+    let shown =
+        |ending: &str| if ending.is_empty() { "a file without extension".to_owned() } else { format!(".{ending}") };
     let message = format!("there is no conversion from {} to {}", shown(from), shown(to));
     Failure::input("F113", message, "convert .toml to .dxf, .vtu or .toml, or .dxf to .toml, .vtu or .dxf")
 }
@@ -145,7 +147,8 @@ fn sheet(content: &Content) -> Sheet {
         sheet.layer(layer, colour);
         sheet.items.push(item);
     };
-    let line = |layer: &str, points: &[[f64; 2]]| Item::Line { layer: layer.into(), points: points.into(), closed: true };
+    let line =
+        |layer: &str, points: &[[f64; 2]]| Item::Line { layer: layer.into(), points: points.into(), closed: true };
     let circle = |layer: &str, centre, radius| Item::Circle { layer: layer.into(), centre, radius };
     match content {
         Content::Model(scene) => {

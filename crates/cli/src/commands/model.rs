@@ -67,10 +67,10 @@ impl Model {
     /// An answer with what was found.
     pub fn report(&self, status: Status) -> Report {
         let mut report = Report::new(status);
-        report.add_findings(&self.name, &self.text, &self.diagnostics);
         if let Some(place) = &self.drawing {
             report.add_drawing(&place.display().to_string(), &self.findings);
         }
+        report.add_findings(&self.name, &self.text, &self.diagnostics);
         report
     }
 }
@@ -158,9 +158,7 @@ fn word(role: Role) -> &'static str {
 }
 
 fn layers(scene: &Scene) -> Vec<Value> {
-    let row = |((layer, material, role), count): ((String, String, &str), usize)| {
-        json!({ "layer": layer, "material": material, "role": role, "count": count })
-    };
+    let row = |((layer, material, role), count): ((String, String, &str), usize)| json!({ "layer": layer, "material": material, "role": role, "count": count });
     counts(scene).into_iter().map(row).collect()
 }
 

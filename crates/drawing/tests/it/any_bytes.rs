@@ -5,8 +5,7 @@ use drawing::Options;
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
-const DRAWINGS: [&str; 6] =
-    ["curves.dxf", "repairs.dxf", "refused.dxf", "references.dxf", "r12.dxf", "left-out.dxf"];
+const DRAWINGS: [&str; 6] = ["curves.dxf", "repairs.dxf", "refused.dxf", "references.dxf", "r12.dxf", "left-out.dxf"];
 
 fn options() -> Options {
     Options { unit: Some(1.0), ..Options::default() }
@@ -53,7 +52,8 @@ fn nothing_and_what_is_no_drawing_is_refused() {
 
 /// A drawing of these entities.
 fn drawn(blocks: &str, entities: &str) -> Vec<u8> {
-    format!("0\nSECTION\n2\nBLOCKS\n{blocks}0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n").into_bytes()
+    format!("0\nSECTION\n2\nBLOCKS\n{blocks}0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n")
+        .into_bytes()
 }
 
 #[test]
@@ -70,9 +70,11 @@ fn hostile_counts_end_soon() {
     let arrays = drawn(&nested, &insert("B7", ""));
     let empty = drawn(&block("E", ""), &insert("E", "70\n32000\n71\n32000\n"));
     // Curves that would need endless chords, or have endless degrees.
-    let huge = drawn("", "0\nCIRCLE\n8\nL\n10\n0\n20\n0\n40\n1e300\n0\nARC\n8\nL\n10\n0\n20\n0\n40\n1e5\n50\n0\n51\n1e300\n");
+    let huge =
+        drawn("", "0\nCIRCLE\n8\nL\n10\n0\n20\n0\n40\n1e300\n0\nARC\n8\nL\n10\n0\n20\n0\n40\n1e5\n50\n0\n51\n1e300\n");
     let spline = drawn("", "0\nSPLINE\n8\nL\n70\n8\n71\n32000\n40\n0\n40\n1\n10\n0\n20\n0\n30\n0\n");
-    let bulges = drawn("", "0\nLWPOLYLINE\n8\nL\n70\n1\n10\n0\n20\n0\n42\n1e300\n10\n1\n20\n0\n42\n-1e-300\n10\n1\n20\n1\n");
+    let bulges =
+        drawn("", "0\nLWPOLYLINE\n8\nL\n70\n1\n10\n0\n20\n0\n42\n1e300\n10\n1\n20\n0\n42\n-1e-300\n10\n1\n20\n1\n");
     for (name, bytes) in
         [("own", own), ("arrays", arrays), ("empty", empty), ("huge", huge), ("spline", spline), ("bulges", bulges)]
     {

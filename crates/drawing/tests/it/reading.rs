@@ -101,10 +101,8 @@ fn repairs_are_said_with_their_places() {
 
 #[test]
 fn references_are_expanded_with_scale_rotation_mirror_and_arrays() {
-    let read = drawing::read(
-        &bytes("references.dxf"),
-        &Options { ignored: vec!["stretched".into()], ..Options::default() },
-    );
+    let read =
+        drawing::read(&bytes("references.dxf"), &Options { ignored: vec!["stretched".into()], ..Options::default() });
     // What lies in a block on a layer of its own stays there.
     let outlines = |layer: &'static str| read.drawing.outlines.iter().filter(move |o| o.layer == layer);
     let box_of = |layer: &'static str| {
