@@ -1,7 +1,7 @@
 //! Drawings (DXF) as closed outlines and circles in metres, both ways. A leaf: it knows neither bridges nor mechanics.
 //!
 //! Reading never fails, whatever the bytes are: it gives what it understood and every finding, each with the layer, the
-//! handle and the coordinates of its place. [`read()`] goes through four steps: [`sieve`](mod@sieve) keeps the parts of
+//! handle and the coordinates of its place. [`read()`] goes through four steps: the sieve keeps the parts of
 //! the file that describe geometry, the crate `dxf` reads them, curves become chords and block references are expanded,
 //! and what comes out is chained, repaired and checked until only convex outlines are left.
 //!

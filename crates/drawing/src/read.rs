@@ -4,6 +4,7 @@ use crate::Point;
 use crate::finding::{Finding, Findings, Place, Severity};
 use crate::units::numbered;
 use crate::{chain, entities, outline, overlap, sieve};
+use std::collections::BTreeSet;
 
 /// What to do with an outline that is not convex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,11 +127,11 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         }
     };
     let drawn = entities::expand(&loaded, unit, options, findings);
-    let mut layers: Vec<String> = Vec::new();
-    for place in drawn.strands.iter().map(|s| &s.place).chain(drawn.rings.iter().map(|r| &r.place)) {
-        if !layers.contains(&place.layer) {
-            layers.push(place.layer.clone());
-        }
+    let layers = layers(&drawn);
+    if layers.len() > MOST_LAYERS {
+        let message = format!("there are outlines on more than {MOST_LAYERS} layers");
+        findings.error("D106", Place::default(), message, "export only the outlines of the blocks");
+        return None;
     }
     let closed = chain::close(drawn.strands, options, findings);
     let outlines: Vec<Outline> =
@@ -148,6 +149,16 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         findings.error("D101", Place::default(), "there is no outline and no circle in the drawing", help);
     }
     Some(Drawing { outlines, circles, layers, unit })
+}
+
+/// Layers with outlines or circles, from where a file is no drawing of blocks.
+const MOST_LAYERS: usize = 5_000;
+
+/// Every layer on which something is drawn, in order of first use.
+fn layers(drawn: &entities::Strands) -> Vec<String> {
+    let places = drawn.strands.iter().map(|s| &s.place).chain(drawn.rings.iter().map(|r| &r.place));
+    let mut known = BTreeSet::new();
+    places.filter(|place| known.insert(place.layer.as_str())).map(|place| place.layer.clone()).collect()
 }
 
 /// Metres in one unit of the drawing: what the caller says, else the header.

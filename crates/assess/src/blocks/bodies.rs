@@ -4,6 +4,7 @@ use super::Said;
 use bridge::TextRange;
 use bridge::blocks::{BlockFile, DrawingPart, MappedLayer, Role};
 use mechanics::plane::{Core, Polygon, vec2};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A block.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,16 +42,16 @@ pub(super) fn bodies(
     refused: bool,
     said: &mut Said,
 ) -> (Vec<Body>, Vec<Particle>) {
-    let mut bodies = Vec::new();
+    let mut bodies = Bodies::default();
     let mut particles = Vec::new();
     for block in &file.blocks {
         let mut outline = block.outline.clone();
         if signed_area(&outline) < 0.0 {
             outline.reverse();
         }
-        let name = block.name.clone().unwrap_or_else(|| numbered(&bodies, &block.layer));
+        let name = bodies.name(block.name.clone(), &block.layer);
         let body = Body { name, layer: block.layer.clone(), material: block.material, held: block.held, outline };
-        add(file, body, block.range, &mut bodies, said);
+        bodies.add(file, body, block.range, said);
     }
     for listed in &file.particles {
         particles.extend(listed.circles.iter().map(|&[x, y, radius]| Particle {
@@ -64,6 +65,7 @@ pub(super) fn bodies(
         map(part, drawing, refused, said);
         drawn(file, part, drawing, &mut bodies, &mut particles, said);
     }
+    let bodies = bodies.list;
     let free = bodies.iter().any(|body| !body.held);
     if !bodies.is_empty() && !free && !refused && !said.any_error() {
         let range = file.drawing.as_ref().map_or(TextRange::new(0, 0), |part| part.range);
@@ -79,25 +81,37 @@ pub(super) fn bodies(
     (bodies, particles)
 }
 
-/// A name from the layer and a number from 1.
-fn numbered(bodies: &[Body], layer: &str) -> String {
-    format!("{layer} {}", 1 + bodies.iter().filter(|body| body.layer == layer).count())
+/// The blocks so far, and what they are called.
+#[derive(Default)]
+struct Bodies {
+    list: Vec<Body>,
+    names: BTreeSet<String>,
+    on_layer: BTreeMap<String, usize>,
 }
 
-/// Adds a body, or says why the engines cannot take it.
-fn add(file: &BlockFile, body: Body, range: TextRange, bodies: &mut Vec<Body>, said: &mut Said) {
-    let rounding = file.materials[body.material].masonry.rounding;
-    let corners = body.outline.iter().map(|&[x, y]| vec2(x, y)).collect();
-    if let Err(reason) = Polygon::new(corners).and_then(|outline| Core::new(&outline, rounding)) {
-        let help =
-            "corners run once around a convex outline; the rounding of the material must leave some of each edge";
-        said.error("D405", range, format!("{}: {reason}", body.name), "cannot be a block", help.into());
+impl Bodies {
+    /// The name that is given, or the layer and a number from 1.
+    fn name(&mut self, given: Option<String>, layer: &str) -> String {
+        let count = self.on_layer.entry(layer.to_owned()).or_insert(0);
+        *count += 1;
+        given.unwrap_or_else(|| format!("{layer} {count}"))
     }
-    if bodies.iter().any(|known| known.name == body.name) {
-        let help = "give each block a name of its own, or none".to_owned();
-        said.error("D405", range, format!("two blocks are called {}", body.name), "named before", help);
+
+    /// Adds a body, or says why the engines cannot take it.
+    fn add(&mut self, file: &BlockFile, body: Body, range: TextRange, said: &mut Said) {
+        let rounding = file.materials[body.material].masonry.rounding;
+        let corners = body.outline.iter().map(|&[x, y]| vec2(x, y)).collect();
+        if let Err(reason) = Polygon::new(corners).and_then(|outline| Core::new(&outline, rounding)) {
+            let help =
+                "corners run once around a convex outline; the rounding of the material must leave some of each edge";
+            said.error("D405", range, format!("{}: {reason}", body.name), "cannot be a block", help.into());
+        }
+        if !self.names.insert(body.name.clone()) {
+            let help = "give each block a name of its own, or none".to_owned();
+            said.error("D405", range, format!("two blocks are called {}", body.name), "named before", help);
+        }
+        self.list.push(body);
     }
-    bodies.push(body);
 }
 
 fn signed_area(points: &[[f64; 2]]) -> f64 {
@@ -120,10 +134,12 @@ fn entry<'a>(part: &'a DrawingPart, layer: &str) -> Option<&'a MappedLayer> {
 
 /// Layers of the drawing without an entry, and entries without a layer.
 fn map(part: &DrawingPart, drawing: &drawing::Drawing, refused: bool, said: &mut Said) {
+    let mut numbers: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
+    drawing.outlines.iter().for_each(|outline| numbers.entry(&outline.layer).or_default()[0] += 1);
+    drawing.circles.iter().for_each(|circle| numbers.entry(&circle.layer).or_default()[1] += 1);
     for layer in drawing.layers.iter().filter(|layer| entry(part, layer).is_none()) {
         let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
-        let outlines = drawing.outlines.iter().filter(|outline| outline.layer == *layer).count();
-        let circles = drawing.circles.iter().filter(|circle| circle.layer == *layer).count();
+        let [outlines, circles] = numbers.get(layer.as_str()).copied().unwrap_or_default();
         let role = if circles > outlines { "particles" } else { "block" };
         let message = format!(
             "layer {layer} of the drawing has no entry: {}, {}",
@@ -155,7 +171,7 @@ fn drawn(
     file: &BlockFile,
     part: &DrawingPart,
     drawing: &drawing::Drawing,
-    bodies: &mut Vec<Body>,
+    bodies: &mut Bodies,
     particles: &mut Vec<Particle>,
     said: &mut Said,
 ) {
@@ -168,10 +184,10 @@ fn drawn(
         let Some(mapped) = entry(part, &outline.layer) else { continue };
         match (mapped.role, mapped.material) {
             (Role::Block | Role::Support, Some(material)) => {
-                let (layer, name) = (outline.layer.clone(), numbered(bodies, &outline.layer));
+                let (layer, name) = (outline.layer.clone(), bodies.name(None, &outline.layer));
                 let held = mapped.role == Role::Support;
                 let body = Body { name, layer, material, held, outline: outline.points.clone() };
-                add(file, body, mapped.range, bodies, said);
+                bodies.add(file, body, mapped.range, said);
             }
             (Role::Particles, _) => wrong(mapped, "an outline", &outline.place, said),
             _ => {}
