@@ -51,7 +51,7 @@ pub const CARDS: &[Card] = &[
     card(
         "D106",
         "more than a drawing of a bridge holds",
-        "Files above 64 MB, more than 200 000 entities, references that multiply without end, outlines of thousands of points, and \
+        "Files above 64 MB, more than 200 000 entities or 5000 layers, references that multiply without end, outlines of thousands of points, and \
          coordinates beyond 1000 km are no drawing of blocks, and may be one meant to do harm. Export only the outlines, near the \
          origin.",
     ),

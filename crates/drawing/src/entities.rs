@@ -80,14 +80,10 @@ impl Expansion<'_> {
         if self.full || entity.common.is_in_paper_space {
             return;
         }
-        self.expanded += 1;
-        if self.expanded > MOST_EXPANDED || self.points > MOST_POINTS {
-            self.full = true;
-            let message = "block references and curves expand to more than a drawing of a bridge holds";
-            self.findings.error("D106", place(entity, context), message, "export only the outlines of the blocks");
+        let place = place(entity, context);
+        if self.is_full(&place) {
             return;
         }
-        let place = place(entity, context);
         if let EntityType::Insert(insert) = &entity.specific {
             return self.insert(insert, &place, context);
         }
@@ -252,11 +248,10 @@ impl Expansion<'_> {
         let base = [block.base_point.x, block.base_point.y];
         for row in 0..insert.row_count.max(1) {
             for column in 0..insert.column_count.max(1) {
-                if self.full {
+                // Every repetition counts, even of an empty block.
+                if self.is_full(place) {
                     return;
                 }
-                // Every repetition counts, even of an empty block.
-                self.expanded += 1;
                 let (dx, dy) = (f64::from(column) * insert.column_spacing, f64::from(row) * insert.row_spacing);
                 let mut own = Transform {
                     x: [scales[0] * c, scales[0] * s],
@@ -284,6 +279,17 @@ impl Expansion<'_> {
             let place = place.at(points[0]);
             self.out.strands.push(Strand { place, points, closed, flattened });
         }
+    }
+
+    /// Counts one more entity or repetition; whether there are more than a drawing of a bridge holds, which is said once.
+    fn is_full(&mut self, place: &Place) -> bool {
+        self.expanded += 1;
+        if !self.full && (self.expanded > MOST_EXPANDED || self.points > MOST_POINTS) {
+            self.full = true;
+            let message = "block references and curves expand to more than a drawing of a bridge holds";
+            self.findings.error("D106", place.clone(), message, "export only the outlines of the blocks");
+        }
+        self.full
     }
 
     /// The tolerance of chords before a map.

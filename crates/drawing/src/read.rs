@@ -128,11 +128,6 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
     };
     let drawn = entities::expand(&loaded, unit, options, findings);
     let layers = layers(&drawn);
-    if layers.len() > MOST_LAYERS {
-        let message = format!("there are outlines on more than {MOST_LAYERS} layers");
-        findings.error("D106", Place::default(), message, "export only the outlines of the blocks");
-        return None;
-    }
     let closed = chain::close(drawn.strands, options, findings);
     let outlines: Vec<Outline> =
         closed.into_iter().flat_map(|strand| outline::check(strand, options, findings)).collect();
@@ -150,9 +145,6 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
     }
     Some(Drawing { outlines, circles, layers, unit })
 }
-
-/// Layers with outlines or circles, from where a file is no drawing of blocks.
-const MOST_LAYERS: usize = 5_000;
 
 /// Every layer on which something is drawn, in order of first use.
 fn layers(drawn: &entities::Strands) -> Vec<String> {

@@ -6,12 +6,15 @@
 //! Group codes after Autodesk, DXF Reference (2018).
 
 use crate::finding::{Findings, Place};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// No drawing of a bridge is longer [bytes].
 const LONGEST: usize = 64 << 20;
 /// Entities read in one go; more is no drawing of a bridge, but something else.
 const MOST_ENTITIES: usize = 200_000;
+
+/// Layers that entities lie on, likewise: the reader looks through all of them for each.
+const MOST_LAYERS: usize = 5_000;
 
 /// What goes on to the crate `dxf`, and what the file says of itself.
 #[derive(Debug, Default)]
@@ -120,6 +123,7 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
     // The version says that the text below is UTF-8.
     out.text.push_str("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1024\n");
     let (mut section, mut opened, mut entities, mut in_polyline) = ("", "", 0, false);
+    let mut layers: BTreeSet<&str> = BTreeSet::new();
     let mut at = 0;
     while at < groups.len() {
         let group = &groups[at];
@@ -150,8 +154,9 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
             opened = section;
         }
         entities += 1;
-        if entities > MOST_ENTITIES {
-            let message = format!("there are more than {MOST_ENTITIES} entities");
+        layers.extend(body.iter().find(|g| g.code == 8).map(|g| g.value));
+        if entities > MOST_ENTITIES || layers.len() > MOST_LAYERS {
+            let message = format!("there are more than {MOST_ENTITIES} entities or {MOST_LAYERS} layers");
             findings.error("D106", Place::default(), message, "export only the outlines of the blocks");
             break;
         }

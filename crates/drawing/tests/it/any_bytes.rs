@@ -83,6 +83,20 @@ fn hostile_counts_end_soon() {
 }
 
 #[test]
+fn crowds_end_soon() {
+    let square = |layer: usize, x: f64| {
+        format!("0\nLWPOLYLINE\n8\nL{layer}\n70\n1\n10\n{x}\n20\n0\n10\n{}\n20\n0\n10\n{x}\n20\n1\n", x + 1.0)
+    };
+    let many =
+        |layers: usize, step: f64| -> String { (0..30_000).map(|k| square(k % layers, step * k as f64)).collect() };
+    // All in one place, each on a layer of its own, and side by side: only the last is a drawing.
+    assert!(!soon(&drawn("", &many(1, 1e-6))).is_usable());
+    assert!(!soon(&drawn("", &many(30_000, 2.0))).is_usable());
+    let read = soon(&drawn("", &many(7, 2.0)));
+    assert!(read.is_usable() && read.drawing.outlines.len() == 30_000 && read.drawing.layers.len() == 7);
+}
+
+#[test]
 fn an_entity_with_a_bad_number_is_named_with_its_line() {
     for bad in ["nan", "inf", "1e999", "one", ""] {
         let line = format!("0\nLINE\n5\n2A\n8\nRING\n10\n{bad}\n20\n0\n11\n1\n21\n0\n");
