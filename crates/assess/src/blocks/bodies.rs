@@ -141,11 +141,11 @@ fn map(part: &DrawingPart, drawing: &drawing::Drawing, refused: bool, said: &mut
         let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
         let [outlines, circles] = numbers.get(layer.as_str()).copied().unwrap_or_default();
         let role = if circles > outlines { "particles" } else { "block" };
-        let message = format!(
-            "layer {layer} of the drawing has no entry: {}, {}",
-            count(outlines, "outline"),
-            count(circles, "circle")
-        );
+        let found = match (outlines, circles) {
+            (0, 0) => "what is on it cannot be used as it is".to_owned(),
+            _ => format!("{}, {}", count(outlines, "outline"), count(circles, "circle")),
+        };
+        let message = format!("layer {layer} of the drawing has no entry: {found}");
         let help = format!(
             "add [[drawing.layer]] with name = \"{layer}\", role = \"{role}\" (or \"support\", \"ignore\") and material = \"…\""
         );
