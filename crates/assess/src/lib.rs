@@ -5,6 +5,7 @@ pub mod blocks;
 pub mod checkpoint;
 pub mod discretise;
 pub mod outcome;
+pub mod vary;
 pub mod verify;
 pub mod warning;
 pub mod wire;

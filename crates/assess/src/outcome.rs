@@ -9,10 +9,64 @@ pub type Point = [f64; 2];
 pub struct Shape {
     /// Outline, counter-clockwise [m].
     pub outline: Vec<Point>,
-    /// What it is: "voussoir", "abutment", "pier", "backing", "block".
+    /// What it is: "voussoir", "abutment", "pier", "backing", "wall", "block".
     pub role: String,
     /// Whether it is a support.
     pub held: bool,
+}
+
+/// A particle as it was packed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Disc {
+    /// Centre [m].
+    pub centre: Point,
+    /// Radius [m].
+    pub radius: f64,
+    /// The layer it belongs to, counted from 0 from the extrados up.
+    pub layer: usize,
+}
+
+/// A particle at one load.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct DiscState {
+    /// Centre [m].
+    pub centre: Point,
+    /// Angle turned since it was packed [rad].
+    pub angle: f64,
+    /// Velocity of its centre [m/s].
+    pub velocity: Point,
+    /// Average stress [Pa], tension positive: xx, yy, xy.
+    pub stress: [f64; 3],
+}
+
+/// What a particle touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Partner {
+    /// Index into the shapes.
+    Shape(usize),
+    /// Index into the particles.
+    Particle(usize),
+}
+
+/// A force on a particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParticleForce {
+    /// Index into the particles.
+    pub particle: usize,
+    /// What exerts it.
+    pub partner: Partner,
+    /// Where [m].
+    pub point: Point,
+    /// Unit normal from the partner to the particle.
+    pub normal: Point,
+    /// Compression [N/m], positive.
+    pub compression: f64,
+    /// Shear [N/m], positive when the force on the particle acts along the normal turned left.
+    pub shear: f64,
+    /// Compressive stress [Pa].
+    pub stress: f64,
+    /// Whether it slides.
+    pub sliding: bool,
 }
 
 /// How a block has moved: translation of its centroid [m] and rotation [rad].
@@ -66,7 +120,7 @@ pub struct ContactForce {
 }
 
 /// The bridge at one load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Snapshot {
     /// Load [N/m].
     pub load: f64,
@@ -78,6 +132,10 @@ pub struct Snapshot {
     pub contacts: Vec<ContactForce>,
     /// Average stress of each block [Pa], tension positive: xx, yy, xy; empty where it is not known.
     pub stresses: Vec<[f64; 3]>,
+    /// The particles.
+    pub particles: Vec<DiscState>,
+    /// Forces on the particles that touch something.
+    pub particle_forces: Vec<ParticleForce>,
 }
 
 /// A point of the line of thrust.
@@ -144,6 +202,8 @@ pub struct Picture {
     pub title: String,
     /// Blocks as built.
     pub shapes: Vec<Shape>,
+    /// Particles as packed.
+    pub particles: Vec<Disc>,
     /// Outline of the road surface, where there is a cover [m].
     pub surface: Vec<Point>,
     /// Where loads touch the surface: middle and length [m].

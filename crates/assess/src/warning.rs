@@ -90,6 +90,12 @@ cards! {
     BOUNDS_APART = "A113", "the bounds of limit analysis differ",
         "The load recomputed from the forces and the load recomputed from the mechanism differ by more than the \
          tolerance. Trust the lower one.";
+    /// Strips added up.
+    STRIPS_ADDED = "A114", "the loads of two strips are added up",
+        "The strip between the walls and that below them are analysed by themselves, and their collapse loads added up by \
+         their widths. Both must reach them together for the sum to hold: a stiff wall fails while the rest is still far \
+         from its load, and walls lean outwards before they fail in their plane. Where the walls carry much more of the \
+         sum than their share of the width, rely on the strip between them.";
 }
 
 impl Warning {

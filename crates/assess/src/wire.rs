@@ -4,10 +4,12 @@
 mod collapse;
 mod sweep;
 mod tables;
+mod vary;
 
 pub use collapse::CollapseObject;
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
+pub use vary::{VaryObject, collapse_numbers, run_from_record, run_record, vary_table};
 
 use serde::Serialize;
 

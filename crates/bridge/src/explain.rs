@@ -2,6 +2,7 @@
 
 mod errors;
 mod geometry;
+mod vary;
 mod warnings;
 
 /// The card of a code.
@@ -24,7 +25,7 @@ pub struct Card {
 }
 
 /// All cards, by subject.
-pub const CARDS: [&[Card]; 3] = [errors::CARDS, geometry::CARDS, warnings::CARDS];
+pub const CARDS: [&[Card]; 4] = [errors::CARDS, geometry::CARDS, vary::CARDS, warnings::CARDS];
 
 /// All cards one after the other.
 pub fn cards() -> impl Iterator<Item = &'static Card> {

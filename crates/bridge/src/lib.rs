@@ -4,10 +4,12 @@
 
 pub mod blocks;
 pub mod diagnostic;
+pub mod edit;
 pub mod explain;
 pub mod fields;
 mod findings;
 pub mod model;
+pub mod path;
 mod plausible;
 pub mod quantity;
 pub mod reference;
@@ -17,6 +19,7 @@ pub mod schema;
 pub mod text;
 mod tree;
 mod values;
+pub mod vary;
 
 pub use diagnostic::{Diagnostic, Severity, TextRange};
 pub use model::*;
@@ -30,6 +33,8 @@ use toml::de::DeTable;
 pub struct Read {
     /// The bridge, unless a finding is an error.
     pub bridge: Option<Bridge>,
+    /// What the file asks to vary, as far as that can be read.
+    pub vary: Vec<vary::Request>,
     /// Every finding, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -43,9 +48,9 @@ const MOST_SYNTAX_ERRORS: usize = 20;
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let bridge = read_text(text, &fields::FILE, resolve::resolve, &mut findings);
+    let (bridge, vary) = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
     let bridge = if findings.any_error() { None } else { bridge };
-    Read { bridge, diagnostics: findings.in_order(text.len()) }
+    Read { bridge, vary, diagnostics: findings.in_order(text.len()) }
 }
 
 /// What reading a block model file gives.
@@ -60,7 +65,13 @@ pub struct ReadBlocks {
 /// Reads a block model file from its bytes (TOML, UTF-8). The drawing that it names is not looked at.
 pub fn read_blocks(text: &[u8]) -> ReadBlocks {
     let mut findings = Findings::of(text);
-    let file = read_text(text, &fields::blocks::FILE, resolve::blocks::resolve, &mut findings);
+    let file = read_text(
+        text,
+        &fields::blocks::FILE,
+        |_, table, findings| resolve::blocks::resolve(table, findings),
+        &mut findings,
+    );
+    let file = file.flatten();
     let file = if findings.any_error() { None } else { file };
     ReadBlocks { file, diagnostics: findings.in_order(text.len()) }
 }
@@ -76,12 +87,57 @@ pub fn is_block_file(text: &[u8]) -> bool {
     !has("bridge") && !has("span") && ["model", "drawing", "block", "material"].into_iter().any(has)
 }
 
+/// Reads a file of [[vary]] tables about the quantities of a bridge file.
+pub fn read_ranges(text: &[u8], bridge: &edit::Document) -> (Vec<vary::Request>, Vec<Diagnostic>) {
+    let mut findings = Findings::of(text);
+    let requests = readable(text, &mut findings).map(|words| {
+        let (tree, broken) = DeTable::parse_recoverable(words);
+        not_toml(words, &broken, &mut findings);
+        let file = tree::Table::open(&fields::RANGES, tree.get_ref(), TextRange::new(0, 0), &mut findings);
+        let requests = resolve::vary(&file, &mut findings);
+        resolve::check_vary(bridge, &requests, &mut findings);
+        requests
+    });
+    (requests.unwrap_or_default(), findings.in_order(text.len()))
+}
+
+/// The bridge and what is varied.
+fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> (Option<Bridge>, Vec<vary::Request>) {
+    let bridge = resolve::resolve(file, findings);
+    let vary = resolve::vary(file, findings);
+    if !vary.is_empty()
+        && let Some(document) = edit::Document::parse(text)
+    {
+        resolve::check_vary(&document, &vary, findings);
+    }
+    (bridge, vary)
+}
+
+/// What a file of this kind means; nothing where the text is none of ours.
 fn read_text<T>(
     bytes: &[u8],
     kind: &'static fields::Section,
-    resolve: fn(&tree::Table<'_>, &mut Findings) -> Option<T>,
+    resolve: impl Fn(&str, &tree::Table<'_>, &mut Findings) -> T,
     findings: &mut Findings,
 ) -> Option<T> {
+    let text = readable(bytes, findings)?;
+    let (tree, broken) = DeTable::parse_recoverable(text);
+    not_toml(text, &broken, findings);
+    let file = tree::Table::open(kind, tree.get_ref(), TextRange::new(0, 0), findings);
+    let value = resolve(text, &file, findings);
+    if !broken.is_empty() {
+        // What could not be read may be what seems to be missing, and what is left of its line means nothing.
+        let lines: Vec<usize> = broken.iter().filter_map(|e| Some(findings.line(e.span()?.into()))).collect();
+        findings.retain(|finding, line| {
+            let of_a_value = finding.code.starts_with("B1") || finding.code == "B010";
+            finding.code == "B002" || (of_a_value && !lines.contains(&line))
+        });
+    }
+    Some(value)
+}
+
+/// The bytes as text.
+fn readable<'t>(bytes: &'t [u8], findings: &mut Findings) -> Option<&'t str> {
     if bytes.len() > LONGEST {
         findings.error(
             "B003",
@@ -92,8 +148,8 @@ fn read_text<T>(
         );
         return None;
     }
-    let text = match std::str::from_utf8(bytes) {
-        Ok(text) => text,
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Some(text),
         Err(error) => {
             let start = error.valid_up_to();
             let end = start + error.error_len().unwrap_or(bytes.len() - start);
@@ -104,26 +160,18 @@ fn read_text<T>(
                 "this byte belongs to another encoding",
                 "save the file as UTF-8; every editor can",
             );
-            return None;
+            None
         }
-    };
-    let (tree, broken) = DeTable::parse_recoverable(text);
+    }
+}
+
+/// Reports lines that are not TOML.
+fn not_toml(text: &str, broken: &[toml::de::Error], findings: &mut Findings) {
     for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
         let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
         let help = syntax_help(error.message(), text.get(range.start..range.end).unwrap_or_default());
         findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
     }
-    let file = tree::Table::open(kind, tree.get_ref(), TextRange::new(0, 0), findings);
-    let value = resolve(&file, findings);
-    if !broken.is_empty() {
-        // What could not be read may be what seems to be missing, and what is left of its line means nothing.
-        let lines: Vec<usize> = broken.iter().filter_map(|e| Some(findings.line(e.span()?.into()))).collect();
-        findings.retain(|finding, line| {
-            let of_a_value = finding.code.starts_with("B1") || finding.code == "B010";
-            finding.code == "B002" || (of_a_value && !lines.contains(&line))
-        });
-    }
-    value
 }
 
 /// What to write instead of a line that is not TOML.

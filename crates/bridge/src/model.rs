@@ -23,6 +23,10 @@ pub struct Bridge {
     pub joint: Joint,
     /// Joints between rings of one span; `joint` where the file gives none.
     pub ring_joint: Joint,
+    /// Walls of coursed masonry that stand on the rings, where the file describes them.
+    pub spandrel_wall: Option<SpandrelWall>,
+    /// How layers of the cover are filled with particles, where some are.
+    pub particles: Option<Particles>,
     /// What lies above the rings, from the extrados up.
     pub cover: Cover,
     /// What is placed on the road or rail, in the order of the file.
@@ -122,6 +126,49 @@ pub struct Joint {
     pub least_length: Option<f64>,
 }
 
+/// Spandrel walls: coursed masonry on the extrados, all walls of the bridge taken together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpandrelWall {
+    /// Length of a brick [m].
+    pub brick_length: f64,
+    /// Height of a course [m].
+    pub brick_height: f64,
+    /// Thickness of all walls together across the bridge [m].
+    pub thickness: f64,
+    /// Share of a brick by which every other course is shifted.
+    pub bond: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+    /// Radius of the bricks' rounded corners [m].
+    pub rounding: f64,
+    /// Joints between bricks, and between bricks and whatever they stand on.
+    pub joint: Joint,
+    /// Level of the wall's top above the highest crown's extrados [m]; the road surface where the file gives none.
+    pub top: Option<f64>,
+    /// How far the wall reaches behind the outer springings at the extrados [m]; to the abutments' backs where the file
+    /// gives none.
+    pub extent: Option<f64>,
+    /// Whether fixed walls stand at both ends.
+    pub end_walls: bool,
+    /// Where courses are counted from.
+    pub courses_from: CoursesFrom,
+    /// Place of a head joint of the uppermost course [m]; the middle of the bridge where the file gives none.
+    pub head_joint: Option<f64>,
+    /// How many bricks of the uppermost course carry a load; none: those under it, each by its loaded length.
+    pub loaded_bricks: Option<usize>,
+    /// Share of a brick's height, its length or a voussoir's back, whichever is least, below which no piece is left.
+    pub least_piece: f64,
+}
+
+/// Where the courses of a wall are counted from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CoursesFrom {
+    /// From the top down: the uppermost course is whole.
+    Top,
+    /// From the level of the springings up.
+    Springings,
+}
+
 /// What lies above the extrados.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cover {
@@ -145,8 +192,65 @@ pub struct Layer {
     pub density: f64,
     /// Whether its weight acts on the ring.
     pub weighs: bool,
+    /// Whether it is modelled as particles; its weight then reaches the ring through them.
+    pub particles: bool,
+    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
+    pub friction_angle: Option<f64>,
+    /// See above.
+    pub cohesion: Option<f64>,
     /// Young's modulus [Pa].
     pub elastic_modulus: Option<f64>,
+}
+
+/// How a region is filled with particles, and how they touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Particles {
+    /// How many and how large.
+    pub sizes: Sizes,
+    /// How densely.
+    pub density: Packing,
+    /// A packing that was saved, relative to the bridge file.
+    pub file: Option<String>,
+    /// Centres and radii [m] read from that file; empty until somebody reads it.
+    pub grains: Vec<[f64; 3]>,
+    /// Young's modulus of the particles in the series rule [Pa].
+    pub elastic_modulus: Option<f64>,
+    /// Poisson's ratio in the series rule.
+    pub poisson_ratio: Option<f64>,
+    /// Contacts between particles.
+    pub joint: Joint,
+    /// Contacts of particles with blocks.
+    pub block_joint: Joint,
+}
+
+/// Sizes of particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sizes {
+    /// So many, with this ratio of the largest to the smallest diameter.
+    Count {
+        /// How many.
+        count: usize,
+        /// Largest over smallest diameter.
+        ratio: f64,
+    },
+    /// Diameters from the smallest to the largest [m].
+    Diameters {
+        /// Smallest [m].
+        smallest: f64,
+        /// Largest [m].
+        largest: f64,
+    },
+}
+
+/// How densely particles are packed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Packing {
+    /// Until they press with the cover's weight at half its mean depth.
+    OwnWeight,
+    /// Until they press with this mean stress [Pa].
+    Stress(f64),
+    /// Until they cover this share of the region.
+    SolidFraction(f64),
 }
 
 /// The four words for what lies above an arch.
@@ -181,6 +285,15 @@ pub struct Load {
     /// Position of its reference point (middle of a knife edge or patch, first axle of a pattern) along the
     /// bridge, from the left springing of the first span, at the intrados [m].
     pub position: f64,
+    /// The block that brings it onto the surface, where there is one.
+    pub block: Option<LoadingBlock>,
+}
+
+/// A rigid block of the load's length that stands on the surface, held against rotation and sideways movement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadingBlock {
+    /// Its weight [N/m]; counted in the load.
+    pub weight: f64,
 }
 
 /// Shape and size of a load. Forces are vertical, downwards positive.
@@ -241,6 +354,8 @@ pub struct Plan {
     pub method: Method,
     /// Which analysis `collapse` makes unless it is told.
     pub analysis: Analysis,
+    /// Which strip of the bridge's width it is made for.
+    pub strip: Strip,
     /// Load increment of the discrete element method [N/m per metre of width, total of the load].
     pub load_step: Option<f64>,
     /// Largest load tried [N/m].
@@ -274,6 +389,17 @@ pub enum Method {
     Dem,
     /// Limit analysis.
     Limit,
+}
+
+/// A strip of the bridge's width with what stands on its rings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Strip {
+    /// Between the walls: rings and cover.
+    Fill,
+    /// Below the walls: rings and bricks.
+    Wall,
+    /// One after the other, and both together by their widths.
+    Both,
 }
 
 /// What is made to collapse.

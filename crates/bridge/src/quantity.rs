@@ -167,6 +167,11 @@ pub enum Unreadable {
     UnknownUnit(f64, String, Option<&'static Unit>),
 }
 
+/// A number in another unit of the same dimension.
+pub fn convert(number: f64, from: &Unit, to: &Unit) -> Option<f64> {
+    (from.dimension == to.dimension).then(|| number * from.size / to.size)
+}
+
 /// Reads "18.30 m".
 pub fn parse(text: &str) -> Result<Quantity, Unreadable> {
     let text = text.trim();

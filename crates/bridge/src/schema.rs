@@ -86,6 +86,8 @@ fn property(field: &Field) -> Value {
             json!({ "type": "array", "minItems": 1, "items": {
                 "type": "array", "minItems": count, "maxItems": count, "items": { "type": "number" } } })
         }
+        Kind::Value => one_value(),
+        Kind::Values => json!({ "type": "array", "minItems": 1, "items": one_value() }),
         Kind::Number => bounds(json!({ "type": "number" }), field),
         Kind::Count => bounds(json!({ "type": "integer" }), field),
         Kind::Flag => json!({ "type": "boolean" }),
@@ -106,6 +108,11 @@ fn property(field: &Field) -> Value {
         object.insert("default".into(), literal(field, value));
     }
     schema
+}
+
+/// A value of whatever quantity.
+fn one_value() -> Value {
+    json!({ "type": ["string", "number", "boolean", "array"] })
 }
 
 /// What a field is, and what it means that it is not there.
@@ -164,7 +171,7 @@ fn example(field: &Field) -> Option<Value> {
 /// A value as JSON has it; lists are written alike in TOML and JSON.
 fn literal(field: &Field, text: &str) -> Value {
     match field.kind {
-        Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Rows(_) => {
+        Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Rows(_) | Kind::Values => {
             serde_json::from_str(text).unwrap_or(Value::Null)
         }
         _ => json!(text),

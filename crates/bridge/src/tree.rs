@@ -200,6 +200,8 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Kind::Points => "a list of points",
         Kind::Rows(2) => "a list of pairs of bare numbers",
         Kind::Rows(_) => "a list of rows of bare numbers",
+        Kind::Value => "a value as the quantity has it",
+        Kind::Values => "a list of values",
         Kind::Support => "the name of a support, in quotes",
         Kind::Table(_) => "a table",
         Kind::Tables(_) => "a list of tables",

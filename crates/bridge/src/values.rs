@@ -149,6 +149,42 @@ fn row<const N: usize>(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> 
     if row.iter().all(|value| value.abs() <= 1e6) { Some(row) } else { not_finite(field, raw.span().into(), findings) }
 }
 
+impl Table<'_> {
+    /// A value of whatever quantity, as TOML has it.
+    pub(crate) fn value(&self, key: &str, findings: &mut Findings) -> Option<String> {
+        let (field, raw) = self.entry(key)?;
+        literal(raw.get_ref()).or_else(|| wrong_type(field, raw, findings))
+    }
+
+    /// A list of such values, at least one.
+    pub(crate) fn values(&self, key: &str, findings: &mut Findings) -> Option<Vec<String>> {
+        let (field, raw) = self.entry(key)?;
+        match raw.get_ref() {
+            DeValue::Array(items) if items.iter().next().is_some() => {
+                let one = |item: Raw<'_>| literal(item.get_ref());
+                let list: Option<Vec<String>> = items.iter().map(one).collect();
+                list.or_else(|| wrong_type(field, raw, findings))
+            }
+            _ => wrong_type(field, raw, findings),
+        }
+    }
+}
+
+/// A value as TOML has it; none for dates and tables, which no quantity is.
+fn literal(value: &DeValue<'_>) -> Option<String> {
+    match value {
+        DeValue::String(text) => Some(toml_edit::Value::from(text.as_ref()).to_string()),
+        DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number.to_string()),
+        DeValue::Float(float) => Some(float.as_str().to_owned()),
+        DeValue::Boolean(flag) => Some(flag.to_string()),
+        DeValue::Array(items) => {
+            let list: Option<Vec<String>> = items.iter().map(|item| literal(item.get_ref())).collect();
+            list.map(|list| format!("[{}]", list.join(", ")))
+        }
+        DeValue::Datetime(_) | DeValue::Table(_) => None,
+    }
+}
+
 /// Reads a quantity of one of several dimensions; the first is the one suggested.
 pub(crate) fn measure(
     field: &Field,

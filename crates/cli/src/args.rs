@@ -1,5 +1,7 @@
 //! What may be said on the command line.
 
+use crate::failure::Failure;
+use crate::quantities;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -28,6 +30,8 @@ pub enum Command {
     Collapse(Box<Collapse>),
     /// Convert between bridge files, block model files, drawings (DXF) and ParaView files (VTU), by extension
     Convert(Convert),
+    /// Repeat an analysis over ranges of the file's quantities: table, tornado chart, curves
+    Vary(Box<Vary>),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
     /// Print the JSON Schema of bridge files or block model files, for editors
@@ -86,21 +90,15 @@ pub struct Collapse {
     /// Folder for results [default: out/NAME]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Method, in place of the file's
-    #[arg(long)]
-    pub method: Option<Method>,
-    /// What is made to collapse, in place of the file's
-    #[arg(long)]
-    pub analysis: Option<Analysis>,
+    /// Which analysis.
+    #[command(flatten)]
+    pub choice: Choice,
     /// Move the loads over the whole bridge by limit analysis and draw the envelope
     #[arg(long)]
     pub sweep: bool,
     /// Distance between the positions of a sweep, such as "0.25 m"
     #[arg(long, value_name = "LENGTH", requires = "sweep", allow_hyphen_values = true)]
     pub sweep_step: Option<String>,
-    /// Refine the collapse load below the load step to this, such as "1 kN/m"
-    #[arg(long, value_name = "LOAD", allow_hyphen_values = true)]
-    pub resolution: Option<String>,
     /// How many times larger displacements are in deformed.dxf [default: as in the figures]
     #[arg(long, value_name = "TIMES", value_parser = times)]
     pub displacement_scale: Option<f64>,
@@ -110,9 +108,57 @@ pub struct Collapse {
     /// Keep a checkpoint this often
     #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds)]
     pub keep_every: f64,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// Which analysis, and how exactly, in place of the file's plan.
+#[derive(Debug, Clone, Args)]
+pub struct Choice {
+    /// Method, in place of the file's
+    #[arg(long)]
+    pub method: Option<Method>,
+    /// What is made to collapse, in place of the file's
+    #[arg(long)]
+    pub analysis: Option<Analysis>,
+    /// Refine the collapse load below the load step to this, such as "1 kN/m"
+    #[arg(long, value_name = "LOAD", allow_hyphen_values = true)]
+    pub resolution: Option<String>,
     /// What to set in place of the file's plan.
     #[command(flatten)]
     pub overrides: Overrides,
+}
+
+/// `extrados vary`.
+#[derive(Debug, Args)]
+pub struct Vary {
+    /// The bridge file (TOML)
+    pub file: PathBuf,
+    /// Folder for results and finished runs [default: out/NAME-vary]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// What to vary: "joint.friction_angle=30deg..40deg:5", or values with commas; in place of the file's [[vary]]
+    #[arg(long, value_name = "PATH=VALUES")]
+    pub set: Vec<String>,
+    /// What to vary, from the [[vary]] tables of another file
+    #[arg(long, value_name = "FILE", conflicts_with = "set")]
+    pub ranges: Option<PathBuf>,
+    /// Every value of each quantity with every value of all others, in place of one quantity after the other
+    #[arg(long)]
+    pub grid: bool,
+    /// Refuse to start more runs than this
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub most_runs: u32,
+    /// The number that figures and sensitivities are about, such as max_compressive_stress_mpa
+    #[arg(long, value_name = "NAME")]
+    pub outcome: Option<String>,
+    /// Only list the quantities that can be varied
+    #[arg(long)]
+    pub list: bool,
+    /// Which analysis.
+    #[command(flatten)]
+    pub choice: Choice,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -286,6 +332,7 @@ impl Command {
             Command::Check(check) => &check.speech,
             Command::Collapse(collapse) => &collapse.speech,
             Command::Convert(convert) => &convert.speech,
+            Command::Vary(vary) => &vary.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
             Command::Verify(verify) => &verify.speech,
@@ -300,11 +347,25 @@ impl Command {
             Command::Check(_) => "check",
             Command::Collapse(_) => "collapse",
             Command::Convert(_) => "convert",
+            Command::Vary(_) => "vary",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",
             Command::Verify(_) => "verify",
             Command::Bench(_) => "bench",
         }
+    }
+}
+
+impl Choice {
+    /// Sets what was said in place of a file's plan.
+    pub fn apply(&self, plan: &mut bridge::Plan, width: f64) -> Result<(), Failure> {
+        self.overrides.apply(plan);
+        plan.method = self.method.map_or(plan.method, |method| method.planned());
+        plan.analysis = self.analysis.map_or(plan.analysis, |analysis| analysis.planned());
+        if let Some(text) = &self.resolution {
+            plan.resolution = Some(quantities::line_load("--resolution", text, width)?);
+        }
+        Ok(())
     }
 }
 

@@ -99,13 +99,46 @@ pub const CARDS: &[Card] = &[
     },
     Card {
         code: "F113",
+        title: "there is nothing to vary",
+        text: "`extrados vary` needs quantities and their values: [[vary]] tables in the bridge file, --set on the command line, or \
+               --ranges with a file of [[vary]] tables. `extrados vary FILE --list` shows every quantity that the file has.\n\n\
+               Example: extrados vary bridge.toml --set joint.friction_angle=30deg..40deg:5",
+    },
+    Card {
+        code: "F114",
+        title: "a varied value is refused",
+        text: "With this value the bridge file cannot be used, for the reason that the message quotes; its code has a card of its own. \
+               Every value is read by the reader of bridge files before anything is computed, so that no run is lost. Where a key \
+               means something only with a certain word of another, vary the two in files of their own.",
+    },
+    Card {
+        code: "F115",
+        title: "too many runs",
+        text: "A grid of all values against all grows fast: five values of five quantities are 3125 runs. The message counts them and \
+               estimates the time from the bridge as its file has it, which was run once and is kept. --most-runs N allows more; \
+               fewer values, or one quantity after the other (without --grid), need less.",
+    },
+    Card {
+        code: "F116",
+        title: "the command line fixes what is varied",
+        text: "A flag such as --method or --friction stands above the file, and so above the values that the file would be given: \
+               every run would be the same. Leave the flag or the quantity away.",
+    },
+    Card {
+        code: "F117",
+        title: "no number of this name",
+        text: "--outcome names one of the numbers that the runs found, which the message lists. Which there are depends on the \
+               analysis: limit analysis has bounds, discrete elements have iterations.",
+    },
+    Card {
+        code: "F118",
         title: "no conversion between these files",
         text: "`extrados convert FROM TO` goes by the extensions: a bridge file or block model file (.toml) becomes a drawing (.dxf), a \
                ParaView file (.vtu) or a block model file with every block listed (.toml); a drawing becomes a block model file, a \
                ParaView file, or a cleaned drawing in metres.",
     },
     Card {
-        code: "F114",
+        code: "F119",
         title: "the file to be written exists",
         text: "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
                drawing that this one names.",

@@ -1,6 +1,7 @@
 //! `extrados`: asks the engineer's question of `assess`, and shows the answer.
 
 mod args;
+mod cache;
 mod checkpoint;
 mod clock;
 mod commands;

@@ -10,7 +10,12 @@ use std::path::Path;
 
 /// An analysis that cannot be set up.
 pub fn not_set_up(error: &AnalysisError) -> Failure {
-    Failure::input("F108", error.to_string(), "extrados explain F108 tells what each analysis needs")
+    cannot_be_set_up(&error.to_string())
+}
+
+/// The same from its words.
+pub fn cannot_be_set_up(message: &str) -> Failure {
+    Failure::input("F108", message, "extrados explain F108 tells what each analysis needs")
 }
 
 /// A figure that cannot be drawn is a result that cannot be written.

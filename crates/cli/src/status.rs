@@ -112,7 +112,8 @@ impl Status {
             Status::Cancelled => (
                 "cancelled",
                 130,
-                "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers.",
+                "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers. \
+                 `vary` keeps finished runs, and the same command takes them up by itself.",
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
             Status::Inadequate => {
@@ -121,7 +122,8 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: no position of the loads makes a mechanism of the bridge.",
+                "The command finished without an answer: no position of the loads makes a mechanism of the bridge, or no run of many \
+                 found the number that was asked for.",
             ),
             Status::UnusableInput => (
                 "unusable-input",

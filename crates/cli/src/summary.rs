@@ -1,6 +1,10 @@
 //! The answer of a collapse analysis in an engineer's words.
 
-use assess::analysis::{Collapse, Sweep};
+mod vary;
+
+pub use vary::vary;
+
+use assess::analysis::{Collapse, Combination, Sweep};
 use assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
 use std::fmt::Write;
@@ -18,9 +22,15 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
     }
     mechanism(&mut page, found);
     effort(&mut page, found);
+    if let Some(both) = &found.combination {
+        combination(&mut page, both);
+    }
     if !found.assumptions.is_empty() {
         page += "\nThis assumes:\n";
-        for line in &found.assumptions {
+        let walls = found.wall_strip.iter().flat_map(|wall| &wall.assumptions);
+        let both = found.combination.iter().flat_map(|both| &both.assumptions);
+        let more = walls.chain(both).filter(|line| !found.assumptions.contains(line));
+        for line in found.assumptions.iter().chain(more) {
             let _ = writeln!(page, "  - {line}");
         }
     }
@@ -76,6 +86,7 @@ fn loads(page: &mut String, found: &Collapse) {
         line("upper bound", limit.upper_bound);
         let own = |load: &f64| found.collapse_load != Some(*load);
         line("associated friction", limit.associated_load.filter(own));
+        line("without dilation", limit.non_associated_load);
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
     factor(page, found);
@@ -100,6 +111,35 @@ fn factor(page: &mut String, found: &Collapse) {
     }
 }
 
+/// Both strips and their sum.
+fn combination(page: &mut String, both: &Combination) {
+    let load = |load: Option<f64>, digits| load.map_or("-".to_owned(), |load| format!("{:.digits$}", load / 1e3));
+    page.push_str("\n  strip   width [m]   last stable [kN/m]   collapse [kN/m]   collapse [kN]\n");
+    for part in &both.components {
+        let whole = part.collapse_load.map(|load| load * part.width);
+        let _ = writeln!(
+            page,
+            "  {:<6}  {:>9.2}   {:>18}   {:>15}   {:>13}   {}",
+            part.strip,
+            part.width,
+            load(part.last_stable_load, 2),
+            load(part.collapse_load, 2),
+            load(whole, 0),
+            part.status.word().replace('-', " ")
+        );
+    }
+    let width: f64 = both.components.iter().map(|part| part.width).sum();
+    let (stable, whole) = (both.last_stable_load, both.collapse_load);
+    let _ = writeln!(
+        page,
+        "  {:<6}  {width:>9.2}   {:>18}   {:>15}   {:>13}",
+        "both",
+        load(stable.map(|load| load / width), 2),
+        load(whole.map(|load| load / width), 2),
+        load(whole, 0)
+    );
+}
+
 fn thickness(page: &mut String, found: &Collapse) {
     let Some(least) = &found.thickness else { return };
     let _ = writeln!(page, "  least ring thickness    {:>9.4} m at the crown", least.crown_thickness);
@@ -122,12 +162,17 @@ fn movement(page: &mut String, found: &Collapse) {
 }
 
 fn mechanism(page: &mut String, found: &Collapse) {
-    let count = found.hinges.len();
+    let (ring, wall): (Vec<&Hinge>, Vec<&Hinge>) =
+        found.hinges.iter().partition(|hinge| hinge.edge != HingeAt::Other || found.hinges.len() <= MOST_HINGES);
+    let count = ring.len();
     if count > MOST_HINGES {
         let _ = writeln!(page, "  {:<22}  {count}, see hinges.csv", "hinges");
     } else if count > 0 {
-        let places: Vec<String> = found.hinges.iter().map(hinge).collect();
+        let places: Vec<String> = ring.into_iter().map(hinge).collect();
         let _ = writeln!(page, "  {:<22}  {count} at x [m] = {}", "hinges", places.join(", "));
+    }
+    if !wall.is_empty() {
+        let _ = writeln!(page, "  {:<22}  {} more outside the ring, see hinges.csv", "", wall.len());
     }
     if !found.sliding_joints.is_empty() {
         let _ = writeln!(page, "  {:<22}  {}", "sliding joints", found.sliding_joints.len());

@@ -95,6 +95,56 @@ impl Watch for Watcher {
     }
 }
 
+/// Looks on several runs at once: one bar for all of them, and Ctrl-C for each.
+pub struct Shared {
+    bar: ProgressBar,
+}
+
+impl Shared {
+    /// A bar for so many runs.
+    pub fn new(quiet: bool, runs: usize) -> Shared {
+        Shared { bar: bar(quiet, BAR * runs as u64) }
+    }
+
+    /// Someone who looks on one of the runs.
+    pub fn onlooker(&self) -> Onlooker<'_> {
+        Onlooker { bar: &self.bar, drawn: 0 }
+    }
+
+    /// Ends the drawing.
+    pub fn finish(self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// Looks on one run of several.
+pub struct Onlooker<'a> {
+    bar: &'a ProgressBar,
+    drawn: u64,
+}
+
+impl Onlooker<'_> {
+    /// The run is done.
+    pub fn finish(&mut self) {
+        self.draw(BAR);
+    }
+
+    fn draw(&mut self, position: u64) {
+        self.bar.inc(position.saturating_sub(self.drawn));
+        self.drawn = self.drawn.max(position);
+    }
+}
+
+impl Watch for Onlooker<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        if let Some(fraction) = progress.fraction {
+            // The last step of the bar is for the run's end.
+            self.draw((fraction.clamp(0.0, 1.0) * (BAR - 1) as f64) as u64);
+        }
+        if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     #[test]

@@ -21,6 +21,7 @@ pub fn fill(sheet: &Sheet, shape: &Shape) -> String {
         "voussoir" => "#f2e8d5".into(),
         "pier" => "#e2dccd".into(),
         "backing" => "#d9d9d2".into(),
+        "wall" => "#e7ded2".into(),
         _ => "#ece6da".into(),
     }
 }

@@ -107,9 +107,16 @@ pub(crate) fn mark_hinges(
     room: Room,
 ) {
     sheet.open("hinges");
-    let radius = if hinges.len() > MANY { 2.8 } else { 4.2 };
-    for (_, point) in hinges {
-        sheet.circle(view.spot(*point), radius, Pen::shape("white", INK, 1.6).class("hinge"));
+    // Among many, those of walls and piers stand back behind those of the rings.
+    let many = hinges.len() > MANY;
+    let behind = |hinge: &Hinge| many && hinge.edge == HingeAt::Other;
+    for (hinge, point) in hinges.iter().filter(|h| behind(&h.0)).chain(hinges.iter().filter(|h| !behind(&h.0))) {
+        let (radius, pen) = match (many, behind(hinge)) {
+            (_, true) => (1.4, 0.8),
+            (true, false) => (2.8, 1.6),
+            (false, false) => (4.2, 1.6),
+        };
+        sheet.circle(view.spot(*point), radius, Pen::shape("white", INK, pen).class("hinge"));
         let [x, y] = view.spot(*point);
         sheet.avoid(crate::sheet::Area { left: x - 6.0, right: x + 6.0, top: y - 6.0, bottom: y + 6.0 });
     }

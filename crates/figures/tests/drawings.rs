@@ -35,6 +35,9 @@ fn every_drawing() -> Vec<(String, String)> {
     }
     let sweep = figures::envelope("Sweep", figures::Quantity::Factor, &sample::sweeps()).unwrap();
     all.push(("envelope".into(), sweep));
+    for (name, study) in sample::studies::every() {
+        all.extend(figures::study_drawings(&study).into_iter().map(|(kind, svg)| (format!("{name}/{kind}"), svg)));
+    }
     all
 }
 
@@ -353,4 +356,54 @@ fn results_that_are_not_numbers_and_lists_that_do_not_fit_do_no_harm() {
         assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{name}");
     }
     assert!(figures::all(&picture).is_ok());
+}
+
+#[test]
+fn the_tornado_has_the_widest_bar_on_top_and_names_both_ends() {
+    let study = sample::studies::usual();
+    let svg = figures::tornado(&study).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let words = texts(&document);
+    let place =
+        |word: &str| words.iter().position(|text| text == word).unwrap_or_else(|| panic!("{word} in {words:?}"));
+    assert!(place("joint.tensile_strength") < place("span[1].ring[2].springing_thickness"));
+    assert!(place("span[1].ring[2].springing_thickness") < place("joint.friction_angle"));
+    for text in ["90 kPa: +45.0 %", "0.65 m: −19.9 %", "not in the file", "2100 kg/m³", "viscous: +2.0 %"] {
+        place(text);
+    }
+    place("5 deg: not-converged");
+    place("0.1 m: unstable-under-self-weight");
+    place("adaptive: stalled");
+    // Bars are as long as the change they show: 90 kN/m against 0.23·200 kN/m.
+    let width = |bar: &Node| {
+        let x: Vec<f64> = points(bar).iter().map(|p| p[0]).collect();
+        x.iter().copied().fold(f64::NEG_INFINITY, f64::max) - x.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    let bars = classed(&document, "polygon", "swing");
+    let change = 200.0 * ((0.75_f64 / 0.7).powi(3) - 1.0);
+    // Coordinates have two decimals.
+    assert!(
+        (width(&bars[0]) / width(&bars[2]) - 90.0 / change).abs() < 2e-3,
+        "{} {}",
+        width(&bars[0]),
+        width(&bars[2])
+    );
+}
+
+#[test]
+fn curves_mark_runs_that_ended_otherwise_and_heat_maps_count_their_cells() {
+    let study = sample::studies::usual();
+    let svg = figures::response(&study, 0).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    assert_eq!(classed(&document, "polyline", "without").len(), 2, "one cross");
+    assert!(texts(&document).contains(&"not-converged".to_owned()));
+    assert_eq!(classed(&document, "circle", "marked").len(), 1, "the file's own value");
+    assert!(figures::response(&study, 2).is_none(), "words have no axis");
+    let grid = figures::heat_map(&sample::studies::grid()).unwrap();
+    let document = Document::parse(&grid).unwrap();
+    assert_eq!(classed(&document, "polygon", "cell").len(), 12);
+    assert_eq!(classed(&document, "polygon", "baseline").len(), 1);
+    let names: Vec<String> = figures::study_drawings(&study).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names[..2], ["tornado", "curve-joint-friction_angle"]);
+    assert!(figures::study_drawings(&sample::studies::without_answer()).is_empty());
 }

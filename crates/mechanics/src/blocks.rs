@@ -1,7 +1,7 @@
 //! Rigid blocks, the laws of their contacts, and what acts on them: the one model that the discrete element method
 //! and limit analysis share.
 
-use crate::ids::{BlockId, GroupId, Id, Table};
+use crate::ids::{BlockId, GroupId, Id, ParticleId, Table};
 use crate::plane::{Core, Polygon, PolygonError, Pose, Vec2, meet};
 use thiserror::Error;
 
@@ -47,6 +47,26 @@ impl Block {
     /// Mass per metre of width [kg/m].
     pub fn mass(&self) -> f64 {
         self.density * self.outline.area()
+    }
+}
+
+/// One circular particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Particle {
+    /// Centre where the particle was built [m].
+    pub centre: Vec2,
+    /// Radius [m].
+    pub radius: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+    /// The group that decides the laws of its contacts.
+    pub group: GroupId,
+}
+
+impl Particle {
+    /// Mass per metre of width [kg/m].
+    pub fn mass(&self) -> f64 {
+        self.density * std::f64::consts::PI * self.radius * self.radius
     }
 }
 
@@ -161,11 +181,13 @@ pub struct Loading {
     pub movements: Vec<Movement>,
 }
 
-/// Rigid blocks, the laws of their contacts and gravity. Fixed once built.
+/// Rigid blocks and particles, the laws of their contacts and gravity. Fixed once built.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlockModel {
     /// The blocks.
     pub blocks: Table<BlockId, Block>,
+    /// The particles; limit analysis knows none.
+    pub particles: Table<ParticleId, Particle>,
     /// Names of the groups.
     pub groups: Table<GroupId, String>,
     /// The laws between groups.
@@ -195,6 +217,32 @@ pub enum ModelError {
         /// Its value.
         value: f64,
     },
+    /// A particle has a number that makes no sense.
+    #[error("particle {particle}: {what} must be positive and finite, it is {value}")]
+    Particle {
+        /// The particle.
+        particle: u32,
+        /// Which number.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// More particles, more groups of particles or a wider range of sizes than one model can hold.
+    #[error("particles: {what} is {value}, at most {most} can be modelled")]
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// How many.
+        value: f64,
+        /// The most.
+        most: f64,
+    },
+    /// Limit analysis has no particles.
+    #[error("limit analysis knows blocks only, and this model has {0} particles: use discrete elements for it")]
+    ParticlesInLimitAnalysis(usize),
+    /// A contact law of particles asks for what particles do not have.
+    #[error("contacts of particles have no {0}")]
+    ParticleLaw(&'static str),
     /// Nothing is free to move.
     #[error("every block is held: there is nothing to analyse")]
     NothingFree,

@@ -31,7 +31,9 @@ macro_rules! ids {
 ids! {
     /// A rigid block of a [`BlockModel`](crate::blocks::BlockModel).
     BlockId,
-    /// A group of blocks that share the laws of their contacts: voussoirs of one ring, a pier, backing.
+    /// A particle of a [`BlockModel`](crate::blocks::BlockModel).
+    ParticleId,
+    /// A group of bodies that share the laws of their contacts: voussoirs of one ring, a pier, backing.
     GroupId,
 }
 

@@ -4,22 +4,22 @@ use super::places::{lines, moving, point, scaled};
 use super::report::{Collapse, DemReport, Status};
 use super::{AnalysisError, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise, laws};
-use crate::outcome::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
+use crate::outcome::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
 use crate::warning::{self, Warning};
-use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Plan};
+use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Plan, Strip};
 use mechanics::blocks::interfaces;
-use mechanics::dem;
-use mechanics::ids::{BlockId, Id};
+use mechanics::dem::{self, Body};
+use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
 
 /// How the plan wants the method done.
 pub fn settings(bridge: &Bridge) -> dem::Settings {
-    settings_of(&bridge.plan)
+    dem::Settings { scaled_inertia: bridge.particles.is_some(), ..settings_of(&bridge.plan) }
 }
 
-/// The same for any plan.
+/// The same for any plan, for a model without particles.
 pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
     dem::Settings {
         damping: match plan.damping {
@@ -34,6 +34,7 @@ pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
         tolerance: plan.tolerance,
         step_limit: plan.step_limit,
         time_step_factor: plan.time_step_factor,
+        scaled_inertia: false,
     }
 }
 
@@ -44,6 +45,12 @@ pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
     }
     if bridge.spans.iter().any(|s| s.rings.len() > 1) && !laws::has_stiffness(&laws::law(bridge, &bridge.ring_joint)) {
         return Err(AnalysisError::NoStiffness { joint: "joints between rings" });
+    }
+    if bridge.plan.strip != Strip::Fill
+        && let Some(wall) = &bridge.spandrel_wall
+        && !laws::has_stiffness(&laws::wall(bridge, wall))
+    {
+        return Err(AnalysisError::NoStiffness { joint: "joints of the spandrel wall" });
     }
     Ok(())
 }
@@ -62,23 +69,24 @@ pub fn collapse_by_dem(
     }
     // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
     // limit analysis lets a joint crush under its edge.
-    let uncrushed = limit::Settings { crushing: false, ..by_limit::settings(bridge) };
-    let rigid = limit::collapse_load(&d.model, &d.loading, &uncrushed)?;
+    let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, &d) };
+    let rigid = by_limit::solve(&d, &uncrushed)?;
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
     let mut chosen = Vec::new();
     let (program, load_step) = program(&bridge.plan, &d, bound, &mut chosen)?;
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
-    let mut c = report(bridge, &d, &outcome, "discrete elements", d.reference_load);
-    c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
-    c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
+    let load = |factor: f64| d.load(factor);
+    let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
+    c.collapse_load = outcome.collapse_factor.map(load);
+    c.last_stable_load = outcome.last_stable_factor.map(load);
     c.load_step = Some(load_step);
-    c.limit_load = limit_load.map(|f| f * d.reference_load);
+    c.limit_load = limit_load.map(load);
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     notes::dem(bridge, &d, &mut c);
     if by_limit::settings(bridge).crushing {
-        let crushed = limit::collapse_load(&d.model, &d.loading, &by_limit::settings(bridge))?.factor;
-        notes::crushed(c.last_stable_load, crushed.map(|f| f * d.reference_load), &mut c.warnings);
+        let crushed = by_limit::solve(&d, &by_limit::single(bridge, &d))?.factor;
+        notes::crushed(c.last_stable_load, crushed.map(load), &mut c.warnings);
     }
     Ok(c)
 }
@@ -105,7 +113,7 @@ pub(super) fn program(
     let load_limit = match (plan.load_limit, bound) {
         (Some(limit), _) => limit,
         (None, Some(bound)) => {
-            let limit = load_step * (1.5 * bound * d.reference_load / load_step).ceil();
+            let limit = d.counted_weight + load_step * (1.5 * bound * d.reference_load / load_step).ceil();
             chosen.push(format!("load_limit = {:.1} kN/m, one and a half times the limit load", limit / 1e3));
             limit
         }
@@ -113,7 +121,7 @@ pub(super) fn program(
     };
     let program = dem::Program {
         increment: load_step / d.reference_load,
-        limit: load_limit / d.reference_load,
+        limit: (load_limit - d.counted_weight).max(0.0) / d.reference_load,
         resolution: plan.resolution.map(|r| r / d.reference_load),
         watched: d.watched,
     };
@@ -127,7 +135,7 @@ fn round_down(value: f64) -> f64 {
 }
 
 /// How a run ended, for an engineer, and where it broke off.
-pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
+pub fn status(outcome: &dem::Outcome) -> (Status, Option<(Body, u64)>) {
     match outcome.status {
         dem::Status::Collapsed => (Status::Collapsed, None),
         dem::Status::StableToLastLoad => (Status::StableToLastLoad, None),
@@ -135,7 +143,7 @@ pub fn status(outcome: &dem::Outcome) -> (Status, Option<(BlockId, u64)>) {
         dem::Status::UnstableUnderSelfWeight => (Status::UnstableUnderSelfWeight, None),
         dem::Status::StepLimit => (Status::StepLimit, None),
         dem::Status::Cancelled => (Status::Cancelled, None),
-        dem::Status::Broken { block, step } => (Status::NotConverged, Some((block, step))),
+        dem::Status::Broken { body, step } => (Status::NotConverged, Some((body, step))),
     }
 }
 
@@ -147,18 +155,24 @@ fn damping(d: Damping) -> String {
     }
 }
 
-/// Everything that does not depend on what was increased. `unit` turns the load factor into a load (or a movement).
-pub fn report(bridge: &Bridge, d: &Discretised, outcome: &dem::Outcome, title: &str, unit: f64) -> Collapse {
+/// Everything that does not depend on what was increased. `load` turns the load factor into a load (or a movement).
+pub fn report(
+    bridge: &Bridge,
+    d: &Discretised,
+    outcome: &dem::Outcome,
+    title: &str,
+    load: &dyn Fn(f64) -> f64,
+) -> Collapse {
     let (status, broken) = status(outcome);
     let mut picture = picture::built(bridge, d, title);
-    draw(d, outcome, unit, &mut picture);
+    draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
     c.method = Method::Dem;
     c.status = status;
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     c.contacts = at_rest.map_or(0, |f| f.contacts.len());
-    c.dem = Some(numbers(&bridge.plan, outcome, broken.map(|(block, step)| (d.origins[block].name(), step))));
+    c.dem = Some(numbers(&bridge.plan, outcome, broken.map(|(body, step)| (d.body_name(body), step))));
     c
 }
 
@@ -201,12 +215,12 @@ fn motions(from: Option<&dem::Frame>, to: &dem::Frame, d: &Discretised) -> Vec<M
 /// sag of a step, well before the joints of an arch jump out of place.
 const CLEARLY_MOVING: f64 = 0.02;
 
-pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: &mut Picture) {
+pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, picture: &mut Picture) {
     picture.path = outcome
         .path
         .iter()
         .map(|p| Step {
-            load: p.factor * unit,
+            load: load(p.factor),
             displacement: point(p.displacement),
             iterations: p.iterations,
             unbalanced_ratio: p.unbalanced_ratio,
@@ -214,7 +228,7 @@ pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: 
         })
         .collect();
     picture.last_stable = outcome.last_stable_frame;
-    picture.snapshots = outcome.frames.iter().map(|f| snapshot(d, f, unit)).collect();
+    picture.snapshots = outcome.frames.iter().map(|f| snapshot(d, f, load)).collect();
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     if let Some(frame) = at_rest {
         picture.thrust_lines = thrust_lines(d, frame);
@@ -238,9 +252,9 @@ pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, unit: f64, picture: 
 /// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
 const TOUCHING: f64 = 1e-6;
 
-fn snapshot(d: &Discretised, frame: &dem::Frame, unit: f64) -> Snapshot {
+fn snapshot(d: &Discretised, frame: &dem::Frame, load: &dyn Fn(f64) -> f64) -> Snapshot {
     Snapshot {
-        load: frame.factor * unit,
+        load: load(frame.factor),
         motions: motions(None, frame, d),
         velocities: frame.velocities.iter().map(|&(v, _)| point(v)).collect(),
         contacts: frame
@@ -257,6 +271,28 @@ fn snapshot(d: &Discretised, frame: &dem::Frame, unit: f64) -> Snapshot {
             })
             .collect(),
         stresses: frame.stresses.iter().copied().collect(),
+        particles: frame.particles.iter().map(disc_state).collect(),
+        particle_forces: frame.particle_contacts.iter().map(particle_force).collect(),
+    }
+}
+
+fn disc_state(p: &dem::ParticleState) -> DiscState {
+    DiscState { centre: point(p.centre), angle: p.angle, velocity: point(p.velocity), stress: p.stress }
+}
+
+fn particle_force(c: &dem::ParticleContact) -> ParticleForce {
+    ParticleForce {
+        particle: c.particle.index(),
+        partner: match c.partner {
+            Body::Block(block) => Partner::Shape(block.index()),
+            Body::Particle(other) => Partner::Particle(other.index()),
+        },
+        point: point(c.point),
+        normal: point(c.normal),
+        compression: c.compression,
+        shear: c.shear,
+        stress: c.compressive_stress(),
+        sliding: c.sliding,
     }
 }
 

@@ -32,6 +32,17 @@ pub(super) fn settings_of(plan: &Plan, crushing: bool) -> limit::Settings {
     }
 }
 
+/// The plan's settings, but where only one load can stand: walls of blocks lock where sliding dilates, so that theirs
+/// is never the associated one.
+pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
+    match settings(bridge) {
+        s if d.road.is_some() && s.friction == limit::Friction::Associated => {
+            limit::Settings { friction: limit::Friction::Automatic, ..s }
+        }
+        s => s,
+    }
+}
+
 /// The load factor at which the blocks as built become a mechanism.
 pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     let mut d = discretise(bridge)?;
@@ -40,15 +51,51 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         return Err(AnalysisError::NoLoad);
     }
     let settings = settings(bridge);
-    let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
+    let outcome = solve(&d, &settings)?;
     let unlimited = match settings.crushing {
-        true => {
-            let settings = limit::Settings { crushing: false, ..settings };
-            limit::collapse_load(&d.model, &d.loading, &settings)?.factor
-        }
+        true => solve(&d, &limit::Settings { crushing: false, ..settings })?.factor,
         false => outcome.factor,
     };
-    Ok(report(bridge, &d, &outcome, unlimited))
+    let mut c = report(bridge, &d, &outcome, unlimited);
+    // Walls of blocks lock where sliding dilates: their associated load never stands alone.
+    if d.road.is_some() && settings.friction == limit::Friction::Associated {
+        let settings = limit::Settings { friction: limit::Friction::NonAssociated, ..settings };
+        let corrected = solve(&d, &settings)?.factor.map(|f| d.load(f));
+        notes::corrected(&mut c, corrected);
+    }
+    Ok(c)
+}
+
+/// Beside a load so many times the weight of all blocks, weight is less than what the solver can see: geometry and
+/// friction alone carry the load, and would carry any other.
+const LOCKED: f64 = 1e3;
+
+/// The limit load of the model. Where only the iteration without dilation finds one, and it is beyond all bounds, the
+/// blocks lock.
+pub fn solve(d: &Discretised, settings: &limit::Settings) -> Result<limit::Outcome, AnalysisError> {
+    let outcome = limit::collapse_load(&d.model, &d.loading, settings)?;
+    let beyond = outcome.factor.is_some_and(|f| f * d.reference_load > LOCKED * d.model.free_weight());
+    if outcome.associated_factor.is_some() || outcome.friction == limit::Friction::Associated || !beyond {
+        return Ok(outcome);
+    }
+    let limit::Outcome { interfaces, iterations, friction, .. } = outcome;
+    Ok(limit::Outcome {
+        status: limit::Status::Locks,
+        factor: None,
+        lower_bound: None,
+        upper_bound: None,
+        equilibrium_residual: 0.0,
+        yield_violation: 0.0,
+        flow_violation: 0.0,
+        interfaces,
+        forces: Vec::new(),
+        resultants: Vec::new(),
+        mechanism: None,
+        friction,
+        associated_factor: None,
+        spread: None,
+        iterations,
+    })
 }
 
 /// The word for a flow rule.
@@ -82,7 +129,7 @@ fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited:
 
 /// Loads, bounds and residuals, with the load of joints that never crush.
 pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>, c: &mut Collapse) {
-    let load = |factor: Option<f64>| factor.map(|f| f * d.reference_load);
+    let load = |factor: Option<f64>| factor.map(|f| d.load(f));
     c.collapse_load = load(outcome.factor);
     c.last_stable_load = load(outcome.lower_bound);
     c.limit_load = load(outcome.factor);
@@ -94,7 +141,8 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         lower_bound: load(outcome.lower_bound),
         upper_bound: load(outcome.upper_bound),
         associated_load: load(outcome.associated_factor),
-        spread: outcome.spread.map(|s| s.map(|f| f * d.reference_load)),
+        non_associated_load: None,
+        spread: outcome.spread.map(|s| s.map(|f| d.load(f))),
         unlimited_strength_load: load(unlimited),
         equilibrium_residual: Some(outcome.equilibrium_residual),
         yield_violation: Some(outcome.yield_violation),
@@ -171,11 +219,12 @@ pub fn draw(d: &Discretised, outcome: &limit::Outcome, picture: &mut Picture) {
     let n = d.model.blocks.len();
     picture.last_stable = Some(0);
     picture.snapshots = vec![Snapshot {
-        load: factor * d.reference_load,
+        load: d.load(factor),
         motions: vec![Motion::default(); n],
         velocities: vec![[0.0; 2]; n],
         stresses: picture::stresses(d, &contacts, &loads),
         contacts,
+        ..Snapshot::default()
     }];
 }
 

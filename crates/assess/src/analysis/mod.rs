@@ -3,12 +3,14 @@
 pub mod by_dem;
 pub mod by_limit;
 mod dimensions;
+mod filled;
 mod movement;
 mod notes;
 mod of_blocks;
 mod picture;
 mod places;
 mod report;
+mod strips;
 mod sweep;
 mod thickness;
 
@@ -16,14 +18,17 @@ pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
-pub use report::{Collapse, DemReport, LimitReport, Status, SupportReport, ThicknessReport};
+pub use report::{
+    Collapse, Combination, Component, DemReport, LimitReport, PackingReport, Status, SupportReport, ThicknessReport,
+};
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
 
-use crate::discretise::{DiscretiseError, discretise};
+use crate::discretise::{DiscretiseError, discretise, fill};
 use crate::outcome::Picture;
-use bridge::{Analysis, Bridge, Method};
+use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
+use mechanics::dem::PackingError;
 use mechanics::watch::Watch;
 use thiserror::Error;
 
@@ -44,6 +49,12 @@ pub enum AnalysisError {
         /// Which joint.
         joint: &'static str,
     },
+    /// A loading block is part of the blocks, which a sweep does not move.
+    #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]
+    MovedBlock,
+    /// The fill cannot be packed.
+    #[error(transparent)]
+    Packing(#[from] PackingError),
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,
@@ -65,9 +76,15 @@ pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
 /// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run
 /// of the same bridge.
 pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
+        return strips::both(bridge, resume, watch);
+    }
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
-        (Analysis::Load, Method::Dem) => collapse_by_dem(bridge, resume, watch),
+        (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
+            Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
+            None => collapse_by_dem(bridge, resume, watch),
+        },
         (Analysis::Thickness, _) => thickness(bridge, watch),
         (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
     }?;

@@ -57,7 +57,7 @@ fn by_dem(
     by_dem::require_stiffness(bridge)?;
     let program = dem::Program { increment: step, limit: largest, resolution: None, watched: d.watched };
     let outcome = dem::collapse(&d.model, &d.loading, &program, &by_dem::settings(bridge), resume, watch)?;
-    let mut c = by_dem::report(bridge, d, &outcome, "support movement", 1.0);
+    let mut c = by_dem::report(bridge, d, &outcome, "support movement", &|factor| factor);
     c.support =
         Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
     notes::dem(bridge, d, &mut c);
@@ -89,6 +89,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         contacts: Vec::new(),
         // Resultants alone are known: no stress is told rather than none.
         stresses: Vec::new(),
+        ..Snapshot::default()
     }];
     picture.last_stable = Some(0);
     picture.mechanism = super::places::scaled(picture.snapshots[0].motions.clone());

@@ -1,7 +1,7 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
 use super::report::{Collapse, Status};
-use crate::discretise::Discretised;
+use crate::discretise::{Discretised, Origin};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, ContactPoints, DispersalRule};
 
@@ -59,7 +59,7 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
     }
-    if c.status == Status::Collapsed && bridge.dispersal.rule == DispersalRule::InverseDepth {
+    if c.status == Status::Collapsed && bridge.dispersal.rule == DispersalRule::InverseDepth && d.road.is_none() {
         c.warnings.push(Warning::new(
             warning::PUBLISHED_STEP,
             "Rouxinol, Providência and Lemos print the last stable step as collapse load of cases like this one",
@@ -91,6 +91,25 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
 }
 
+/// Notes on fill that is particles.
+pub fn filled(c: &mut Collapse) {
+    c.assumptions.push(
+        "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of the \
+         region that they cover. Discs roll, so that the fill as a whole is weaker than the friction of its contacts."
+            .into(),
+    );
+    if let Some(p) = &c.packing {
+        c.assumptions.push(format!(
+            "The packing is one of many (seed {}): solid fraction {:.3}, {:.2} contacts a particle, mean stress {:.1} kPa at \
+             rest.",
+            c.seed,
+            p.solid_fraction,
+            p.coordination,
+            p.mean_stress / 1e3
+        ));
+    }
+}
+
 /// Says so where limit analysis with crushing joints carries less than the discrete elements did [N/m].
 pub fn crushed(stable: Option<f64>, crushing: Option<f64>, warnings: &mut Vec<Warning>) {
     if let (Some(stable), Some(crushing)) = (stable, crushing)
@@ -103,6 +122,44 @@ pub fn crushed(stable: Option<f64>, crushing: Option<f64>, warnings: &mut Vec<Wa
         );
         warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
     }
+}
+
+/// Puts the non-associated load of a wall beside the associated one [N/m].
+pub fn corrected(c: &mut Collapse, load: Option<f64>) {
+    if let Some(report) = &mut c.limit {
+        report.non_associated_load = load;
+    }
+    let message = match load {
+        Some(load) => format!("walls of blocks: with friction that does not dilate the load is {:.2} kN/m", load / 1e3),
+        None => "walls of blocks: no load was found with friction that does not dilate".into(),
+    };
+    c.warnings.push(Warning::new(warning::ASSOCIATED_SLIDING, message));
+}
+
+/// What stands on the rings of a wall's strip, and how it is loaded.
+fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+    let (Some(wall), Some(road)) = (&bridge.spandrel_wall, &d.road) else { return };
+    let pieces = d.origins.iter().filter(|o| matches!(o, Origin::Brick { .. })).count();
+    let ends = if wall.end_walls { "fixed walls stand at both ends" } else { "its ends are free" };
+    c.assumptions.push(format!(
+        "A metre of the spandrel walls' own thickness: {pieces} pieces of bricks of {:.3} x {:.3} m stand on the ring from \
+         x = {:.3} to {:.3} m, up to {:.3} m above the crown; {ends}; cover does not act here.",
+        wall.brick_length,
+        wall.brick_height,
+        road.line[0].x,
+        road.line[1].x,
+        d.surface - d.extrados.crown()
+    ));
+    let bearer = match wall.loaded_bricks {
+        _ if d.counted_weight > 0.0 => {
+            "through a block that is held upright, whose weight counts in the load".to_string()
+        }
+        None => "as forces on the bricks of the uppermost course under them, by their loaded length".to_string(),
+        Some(count) => {
+            format!("as forces on the {count} nearest bricks of the uppermost course, without shifting them")
+        }
+    };
+    c.assumptions.push(format!("Loads act {bearer}; walls do not lean out of their plane."));
 }
 
 fn inset(bridge: &Bridge) -> Warning {
@@ -152,6 +209,15 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             without / 1e3
         ));
     }
+    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+    if bridge.spans.len() > 1 {
+        c.assumptions
+            .push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
+    }
+    if d.road.is_some() {
+        walled(bridge, d, c);
+        return;
+    }
     if bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some() {
         c.warnings.push(Warning::new(
             warning::FILL_AS_WEIGHT,
@@ -179,11 +245,6 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             bridge.dispersal.slope
         ),
     });
-    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
-    if bridge.spans.len() > 1 {
-        c.assumptions
-            .push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
-    }
 }
 
 /// A layer in the words of the bridge file.

@@ -7,7 +7,8 @@ use crate::discretise::{Discretised, laws};
 use crate::outcome::{ContactForce, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
 use crate::warning::{self, Warning};
 use bridge::{Analysis, Method};
-use mechanics::ids::GroupId;
+use mechanics::dem::Body;
+use mechanics::ids::{GroupId, Id};
 use mechanics::limit;
 use mechanics::watch::Watch;
 use std::collections::BTreeMap;
@@ -54,13 +55,13 @@ fn dem(
     let settings = by_dem::settings_of(&scene.plan);
     let outcome = mechanics::dem::collapse(&d.model, &d.loading, &program, &settings, resume, watch)?;
     let mut picture = built(scene, "discrete elements");
-    by_dem::draw(d, &outcome, d.reference_load, &mut picture);
+    by_dem::draw(d, &outcome, &|factor| d.load(factor), &mut picture);
     let (status, broken) = by_dem::status(&outcome);
     let mut c = blank(scene, d, Method::Dem, status, picture);
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     c.contacts = at_rest.map_or(0, |frame| frame.contacts.len());
-    let broken = broken.map(|(block, step)| (scene.bodies[block.0 as usize].name.clone(), step));
+    let broken = broken.map(|(body, step)| (named(scene, body), step));
     c.dem = Some(by_dem::numbers(&scene.plan, &outcome, broken));
     c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
     c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
@@ -76,6 +77,14 @@ fn dem(
         "collapse_load is the first load step that did not come to rest; last_stable_load is the last that did.".into(),
     );
     Ok(c)
+}
+
+/// The name of a block; particles are counted from 1.
+fn named(scene: &Scene, body: Body) -> String {
+    match body {
+        Body::Block(block) => scene.bodies[block.index()].name.clone(),
+        Body::Particle(particle) => format!("particle {}", particle.index() + 1),
+    }
 }
 
 /// Refuses pairs of materials in use whose joint has no stiffness.
@@ -169,7 +178,7 @@ fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture
         sliding_joints: picture.sliding.clone(),
         max_compressive_stress: None,
         blocks: d.model.blocks.len(),
-        particles: 0,
+        particles: d.model.particles.len(),
         contacts: 0,
         tolerance: scene.plan.tolerance,
         seed: scene.plan.seed,
@@ -177,6 +186,9 @@ fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture
         limit: None,
         thickness: None,
         support: None,
+        packing: None,
+        combination: None,
+        wall_strip: None,
         block_names: Vec::new(),
         warnings: Vec::new(),
         assumptions: Vec::new(),

@@ -3,9 +3,9 @@
 use super::dimensions::dimensions;
 use super::places::point;
 use crate::discretise::{Discretised, cover};
-use crate::outcome::{ContactForce, LoadArrow, Picture, Shape};
+use crate::outcome::{ContactForce, Disc, LoadArrow, Picture, Shape};
 use bridge::Bridge;
-use mechanics::blocks::PointForce;
+use mechanics::blocks::{Particle, PointForce};
 use mechanics::ids::BlockId;
 use mechanics::plane::Vec2;
 
@@ -22,12 +22,21 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
     Picture {
         title: format!("{}: {title}", bridge.name),
         shapes: shapes.collect(),
+        particles: particles(d),
         surface: surface.into_iter().map(point).collect(),
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
         dimensions: dimensions(bridge),
         ..Picture::default()
     }
+}
+
+/// The particles as packed, each with its layer.
+fn particles(d: &Discretised) -> Vec<Disc> {
+    let layers = d.fill.as_ref().map_or(&[][..], |fill| &fill.layers);
+    let layer = |p: &Particle| layers.iter().position(|layer| layer.group == p.group).unwrap_or(0);
+    let disc = |p: &Particle| Disc { centre: point(p.centre), radius: p.radius, layer: layer(p) };
+    d.model.particles.iter().map(disc).collect()
 }
 
 /// Average stress of each block [Pa], tension positive (xx, yy, xy), from the forces on its surface: the divergence

@@ -18,6 +18,10 @@ pub fn joint_in_ring(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, 
         Origin::Voussoir { span, ring, voussoir } => Some((span, ring, voussoir)),
         _ => None,
     };
+    // A brick on a voussoir's back meets no joint of the ring.
+    if [a, b].iter().any(|&block| !d.origins[block].is_arch()) {
+        return None;
+    }
     match (voussoir(d.origins[a]), voussoir(d.origins[b])) {
         (Some((s, r, i)), Some((t, q, j))) => (s == t && r == q && i.abs_diff(j) == 1).then(|| (s, r, i.max(j))),
         (Some((s, r, i)), None) => Some((s, r, springing(d, a, b, i))),

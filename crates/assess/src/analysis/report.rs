@@ -36,6 +36,7 @@ impl LimitReport {
             lower_bound: None,
             upper_bound: None,
             associated_load: None,
+            non_associated_load: None,
             spread: None,
             unlimited_strength_load: None,
             equilibrium_residual: None,
@@ -63,7 +64,7 @@ impl Collapse {
             sliding_joints: picture.sliding.clone(),
             max_compressive_stress: None,
             blocks: d.model.blocks.len(),
-            particles: 0,
+            particles: d.model.particles.len(),
             contacts: 0,
             tolerance: bridge.plan.tolerance,
             seed: bridge.plan.seed,
@@ -71,6 +72,9 @@ impl Collapse {
             limit: None,
             thickness: None,
             support: None,
+            packing: None,
+            combination: None,
+            wall_strip: None,
             block_names: d.origins.iter().map(|o| o.name()).collect(),
             warnings: Vec::new(),
             assumptions: Vec::new(),
@@ -139,6 +143,23 @@ pub struct DemReport {
     pub broken_at: Option<(String, u64)>,
 }
 
+/// The packing of particles, at rest under its own weight.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PackingReport {
+    /// Centres and radii as packed [m].
+    pub grains: Vec<[f64; 3]>,
+    /// Share of the region that the particles cover.
+    pub solid_fraction: f64,
+    /// Mean number of contacts of a particle.
+    pub coordination: f64,
+    /// Mean stress [Pa], compression positive.
+    pub mean_stress: f64,
+    /// Smallest and largest diameter [m].
+    pub diameters: [f64; 2],
+    /// Mean sinking of the particles when the lid was taken away and the ring let go [m].
+    pub settlement: f64,
+}
+
 /// What only limit analysis reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitReport {
@@ -150,6 +171,8 @@ pub struct LimitReport {
     pub upper_bound: Option<f64>,
     /// The associated collapse load, beside the other where friction is non-associated [N/m].
     pub associated_load: Option<f64>,
+    /// The non-associated collapse load, beside the other where walls are analysed with associated friction [N/m].
+    pub non_associated_load: Option<f64>,
     /// Lowest and highest non-associated load over the starts of the iteration [N/m].
     pub spread: Option<[f64; 2]>,
     /// Collapse load of joints that never crush [N/m]; the same as the collapse load where the file gives no strength.
@@ -182,6 +205,34 @@ pub struct SupportReport {
     pub collapse: Option<f64>,
     /// Increment.
     pub step: f64,
+}
+
+/// One strip's part in the load of the whole width.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// Which strip: "fill" or "wall".
+    pub strip: &'static str,
+    /// How its analysis ended.
+    pub status: Status,
+    /// Its load at collapse [N/m].
+    pub collapse_load: Option<f64>,
+    /// The largest load that it carried [N/m].
+    pub last_stable_load: Option<f64>,
+    /// Its width [m].
+    pub width: f64,
+}
+
+/// The loads of all strips, added up by their widths.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Combination {
+    /// The strips.
+    pub components: Vec<Component>,
+    /// Sum of the collapse loads over the whole width [N].
+    pub collapse_load: Option<f64>,
+    /// Sum of the largest loads carried [N].
+    pub last_stable_load: Option<f64>,
+    /// What adding them up assumes.
+    pub assumptions: Vec<String>,
 }
 
 /// The result of a collapse analysis.
@@ -231,6 +282,12 @@ pub struct Collapse {
     pub thickness: Option<ThicknessReport>,
     /// Support movement only.
     pub support: Option<SupportReport>,
+    /// The packing of particles, where the fill is made of them.
+    pub packing: Option<PackingReport>,
+    /// Both strips together, where walls are analysed beside the fill.
+    pub combination: Option<Combination>,
+    /// The strip below the walls, where this is the one between them.
+    pub wall_strip: Option<Box<Collapse>>,
     /// Names of the blocks, in the order of the picture's shapes.
     pub block_names: Vec<String>,
     /// What a reader should look at.

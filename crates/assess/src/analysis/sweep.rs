@@ -43,12 +43,15 @@ pub fn sweep(
     subsets: bool,
 ) -> Result<Sweep, AnalysisError> {
     let first = bridge.loads.first().ok_or(AnalysisError::NoLoad)?.position;
+    if bridge.loads.iter().any(|load| load.block.is_some()) {
+        return Err(AnalysisError::MovedBlock);
+    }
     let [from, to] = range.unwrap_or([0.0, bridge_length(bridge)]);
     let last = positions.max(2) - 1;
     let mut d = discretise(bridge)?;
     d.loading.variable.clear();
     d.loading.movements.clear();
-    let settings = by_limit::settings(bridge);
+    let settings = by_limit::single(bridge, &d);
     let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
     let points: Vec<SweepPoint> = places
         .par_chunks(CHUNK)
@@ -90,7 +93,7 @@ fn stretch(
             .loads
             .iter()
             .flat_map(|load| dispersal::strips(&load.kind, load.position + offset))
-            .map(|strip| dispersal::spread(strip, bridge.dispersal, d.surface, &d.extrados))
+            .map(|strip| d.spread(bridge, strip))
             .collect();
         let n = spreads.len();
         let runs: Vec<[usize; 2]> = match subsets && vehicle {

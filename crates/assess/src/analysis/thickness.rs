@@ -173,14 +173,14 @@ fn by_dem(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisEr
         (_, Some(fall)) => fall,
         (None, None) => run(1.0)?,
     };
-    let mut c = by_dem::report(bridge, &d, &outcome, "least thickness", 1.0);
+    let mut c = by_dem::report(bridge, &d, &outcome, "least thickness", &|factor| factor);
     c.analysis = Analysis::Thickness;
     c.status = ended;
     if let (Some(fell), Some((stood, ..))) = (fell, &stood) {
         c.thickness = Some(report(bridge, [fell, *stood]));
     }
     if let Some((_, d, outcome)) = &stood {
-        let standing = by_dem::report(bridge, d, outcome, "least thickness", 1.0);
+        let standing = by_dem::report(bridge, d, outcome, "least thickness", &|factor| factor);
         c.picture.thrust_lines = standing.picture.thrust_lines;
         c.max_compressive_stress = standing.max_compressive_stress;
         c.contacts = standing.contacts;

@@ -4,20 +4,25 @@ pub mod cover;
 mod curve;
 pub mod dispersal;
 pub mod extrados;
+pub mod fill;
 pub mod laws;
 mod rings;
 mod supports;
+pub mod wall;
 
-use bridge::Bridge;
 use bridge::ring::Misfit;
+use bridge::{Bridge, Load, SpandrelWall, Strip as Width};
 use curve::Curve;
-use dispersal::Spread;
+use dispersal::{Spread, Strip};
 use extrados::{Extrados, Stretch};
+use fill::FillRegion;
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, Movement};
+use mechanics::dem::Body;
 use mechanics::ids::{BlockId, GroupId, Id, Table};
 use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
 use supports::Skewback;
 use thiserror::Error;
+use wall::{Seat, WallError};
 
 /// Where a block came from. Spans, rings and supports count from 0, supports from the left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,6 +58,23 @@ pub enum Origin {
         /// Its place among the blocks.
         number: usize,
     },
+    /// A brick of a spandrel wall, or a piece of one that was cut.
+    Brick {
+        /// Course, from the top; none for the stones of steep haunches.
+        course: Option<usize>,
+        /// Counted through all courses, from the left.
+        brick: usize,
+    },
+    /// The fixed wall at an end of the spandrel wall.
+    EndWall {
+        /// Whether it is the right one.
+        right: bool,
+    },
+    /// A block that brings a load onto the surface.
+    LoadingBlock {
+        /// The load, in the order of the file.
+        load: usize,
+    },
 }
 
 impl Origin {
@@ -62,8 +84,13 @@ impl Origin {
             Origin::Voussoir { .. } => "voussoir",
             Origin::Abutment { .. } | Origin::Foundation { .. } => "abutment",
             Origin::Pier { .. } => "pier",
-            Origin::Block { .. } => "block",
+            Origin::Brick { .. } | Origin::EndWall { .. } => "wall",
+            Origin::Block { .. } | Origin::LoadingBlock { .. } => "block",
         }
+    }
+    /// Whether it is part of the arches and what they stand on, and not of what stands on them.
+    pub fn is_arch(self) -> bool {
+        !matches!(self, Origin::Brick { .. } | Origin::EndWall { .. } | Origin::LoadingBlock { .. })
     }
     /// A name for tables and messages, counted from 1.
     pub fn name(self) -> String {
@@ -76,6 +103,11 @@ impl Origin {
             Origin::Foundation { support } => format!("foundation of pier {support}"),
             Origin::Pier { support, course } => format!("pier {support} course {}", course + 1),
             Origin::Block { number } => format!("block {}", number + 1),
+            Origin::Brick { course: Some(course), brick } => format!("wall course {} brick {}", course + 1, brick + 1),
+            Origin::Brick { course: None, brick } => format!("wall haunch stone {}", brick + 1),
+            Origin::EndWall { right: false } => "left end wall".into(),
+            Origin::EndWall { right: true } => "right end wall".into(),
+            Origin::LoadingBlock { load } => format!("block of load {}", load + 1),
         }
     }
 }
@@ -102,8 +134,14 @@ pub struct Discretised {
     pub faces: Table<BlockId, Option<Faces>>,
     /// The line on which cover and loads lie.
     pub extrados: Extrados,
-    /// Level of the road surface [m].
+    /// Upper faces of a spandrel wall, from left to right, where the blocks include one.
+    pub road: Option<Extrados>,
+    /// The region that particles are to fill, where layers are modelled so.
+    pub fill: Option<FillRegion>,
+    /// Level of the surface on which loads stand: the road, or the top of the wall [m].
     pub surface: f64,
+    /// Weight of loading blocks [N/m]: counted in every load, though it does not grow.
+    pub counted_weight: f64,
     /// Sum of all loads of the file [N/m]: a load factor of one.
     pub reference_load: f64,
     /// How each load reaches the extrados, axle by axle.
@@ -153,6 +191,42 @@ pub enum DiscretiseError {
         /// Why.
         misfit: Misfit,
     },
+    /// The spandrel wall cannot be cut into bricks.
+    #[error(transparent)]
+    Wall(#[from] WallError),
+    /// The strip below the walls is asked for, and there are none.
+    #[error("the bridge has no spandrel wall: describe it with [spandrel_wall], or analyse strip = \"fill\"")]
+    NoWall,
+    /// A loading block would stand on cover.
+    #[error(
+        "load {load} stands on cover that is weight alone and cannot carry its block: write through = \"cover\", or analyse \
+         strip = \"wall\""
+    )]
+    BlockOnCover {
+        /// The load, from 1.
+        load: usize,
+    },
+    /// A layer that is weight alone would lie on particles.
+    #[error(
+        "layer {layer} of the cover is weight alone, and weight cannot act on particles: write as = \"particles\" or as = \
+         \"nothing\" for it"
+    )]
+    WeightOnParticles {
+        /// The layer, from 1.
+        layer: usize,
+    },
+    /// Backing that is weight alone would carry particles.
+    #[error("[backing] is weight alone and cannot carry particles: leave it out, or model no layer as particles")]
+    BackingUnderParticles,
+    /// A load would act on particles directly.
+    #[error("load {load} would act on particles: write through = \"block\" and the block's weight")]
+    LoadOnParticles {
+        /// The load, from 1.
+        load: usize,
+    },
+    /// There is nothing between the extrados and the road.
+    #[error("there is no region between the extrados and the road that particles could fill")]
+    NoRegion,
     /// The file moves a support that does not exist.
     #[error("support {support} does not exist: the last is {last}")]
     NoSuchSupport {
@@ -163,7 +237,18 @@ pub enum DiscretiseError {
     },
 }
 
-/// Cuts a bridge into blocks and brings cover and loads onto them.
+impl Discretised {
+    /// A name for a block or a particle.
+    pub fn body_name(&self, body: Body) -> String {
+        match body {
+            Body::Block(block) => self.origins[block].name(),
+            Body::Particle(particle) => format!("particle {}", particle.0 + 1),
+        }
+    }
+}
+
+/// Cuts a bridge into blocks and brings cover and loads onto them: the strip that its plan names, that of the walls where
+/// it names both.
 pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let mut build = Build::new(bridge);
     let mut x = 0.0;
@@ -203,6 +288,9 @@ struct Build<'a> {
     origins: Table<BlockId, Origin>,
     faces: Table<BlockId, Option<Faces>>,
     extrados: Extrados,
+    seats: Vec<Seat>,
+    /// Groups of bricks, end walls and loading blocks: all their contacts follow the law of the wall's joints.
+    walls: Vec<GroupId>,
 }
 
 impl<'a> Build<'a> {
@@ -215,6 +303,8 @@ impl<'a> Build<'a> {
             origins: Table::default(),
             faces: Table::default(),
             extrados: Extrados::default(),
+            seats: Vec::new(),
+            walls: Vec::new(),
         }
     }
 
@@ -237,6 +327,7 @@ impl<'a> Build<'a> {
         let group = self.groups.push(Origin::Abutment { support }.name());
         let block = self.block(outline, group, Held::FIXED, Origin::Abutment { support }, None);
         self.stretch(block, top, true);
+        self.seats.push(Seat { left: top[0], right: top[1], span: None });
         self.extrados.line.extend(top);
         Ok(())
     }
@@ -252,6 +343,7 @@ impl<'a> Build<'a> {
                 let block = self.block(cut.outline, group, Held::FREE, origin, Some(faces));
                 if ring == uppermost {
                     self.stretch(block, cut.back, false);
+                    self.seats.push(Seat { left: cut.back[0], right: cut.back[1], span: Some(span) });
                 }
             }
         }
@@ -274,29 +366,121 @@ impl<'a> Build<'a> {
                 self.stretch(block, cut.top, false);
             }
         }
+        if cut.top[1].x > cut.top[0].x {
+            self.seats.push(Seat { left: cut.top[0], right: cut.top[1], span: None });
+        }
         Ok(())
     }
 
-    fn finish(self) -> Result<Discretised, DiscretiseError> {
+    /// Bricks on the extrados and the fixed walls at their ends; gives the upper faces.
+    fn wall(&mut self, wall: &SpandrelWall, surface: f64) -> Result<(Extrados, f64), WallError> {
+        let layout = wall::layout(self.bridge, wall, &self.seats, self.extrados.crown(), surface)?;
+        let pieces = wall::cut(&self.seats, &layout, wall.rounding)?;
+        let group = self.groups.push("spandrel wall".into());
+        self.walls.push(group);
+        let mut road = Extrados::default();
+        for (brick, piece) in pieces.into_iter().enumerate() {
+            let (low, high) = piece.outline.bounds();
+            let origin = Origin::Brick { course: piece.course, brick };
+            let block = self.brick(wall, piece.outline, group, Held::FREE, origin);
+            if piece.course == Some(0) {
+                let [left, right] = [vec2(low.x, high.y), vec2(high.x, high.y)];
+                road.stretches.push(Stretch { block, left, right, ground: false });
+            }
+        }
+        road.line = vec![vec2(layout.ends[0], layout.top), vec2(layout.ends[1], layout.top)];
+        if wall.end_walls {
+            let group = self.groups.push("end walls".into());
+            self.walls.push(group);
+            for (right, seat) in [(false, self.seats.first().copied()), (true, self.seats.last().copied())] {
+                let Some(seat) = seat else { continue };
+                let (foot, x) = if right { (seat.right.y, layout.ends[1]) } else { (seat.left.y, layout.ends[0]) };
+                let corner = vec2(if right { x } else { x - wall.brick_length }, foot);
+                let outline = Polygon::rectangle(corner, wall.brick_length, layout.top - foot)
+                    .map_err(|source| WallError::Outline { x, y: foot, source })?;
+                self.brick(wall, outline, group, Held::FIXED, Origin::EndWall { right });
+            }
+        }
+        Ok((road, layout.top))
+    }
+
+    fn brick(&mut self, wall: &SpandrelWall, outline: Polygon, group: GroupId, held: Held, origin: Origin) -> BlockId {
+        let id = self.block(outline, group, held, origin, None);
+        self.blocks[id].density = wall.density;
+        self.blocks[id].rounding = wall.rounding;
+        id
+    }
+
+    /// The block of a load that stands on the wall or on particles; gives the force that the load puts on it.
+    fn loading_block(
+        &mut self,
+        stands: &Stands,
+        road: &Extrados,
+        load: usize,
+        weight: f64,
+        strip: Strip,
+    ) -> Result<Spread, WallError> {
+        let [from, to] = [road.line[0], road.line[1]];
+        let half = 0.5 * strip.length;
+        if strip.middle - half < from.x || strip.middle + half > to.x {
+            return Err(WallError::BesideWall { x: strip.middle, from: from.x, to: to.x });
+        }
+        let outline = Polygon::rectangle(vec2(strip.middle - half, to.y), strip.length, stands.height)
+            .map_err(|source| WallError::Outline { x: strip.middle, y: to.y, source })?;
+        let group = self.groups.push(Origin::LoadingBlock { load }.name());
+        if !stands.on_particles {
+            self.walls.push(group);
+        }
+        let density = weight / (self.bridge.gravity * outline.area());
+        let held = Held { x: true, y: false, rotation: true };
+        let block = self.block(outline, group, held, Origin::LoadingBlock { load }, None);
+        (self.blocks[block].density, self.blocks[block].rounding) = (density, stands.rounding);
+        let at = vec2(strip.middle, to.y + stands.height);
+        let forces = vec![mechanics::blocks::PointForce { block, at, force: vec2(0.0, -strip.force) }];
+        let ends = [strip.middle - half, strip.middle + half].map(|x| vec2(x, to.y));
+        Ok(Spread { strip, ends, depths: [0.0; 2], pressures: [0.0; 2], forces, to_ground: 0.0, shift: 0.0 })
+    }
+
+    /// Where the extrados begins and ends [m].
+    fn left(&self) -> f64 {
+        self.extrados.stretches.first().map_or(0.0, |s| s.left.x)
+    }
+    fn right(&self) -> f64 {
+        self.extrados.stretches.last().map_or(0.0, |s| s.right.x)
+    }
+
+    fn finish(mut self) -> Result<Discretised, DiscretiseError> {
         let bridge = self.bridge;
+        let mut surface = cover::surface(bridge, &self.extrados);
+        let mut road = None;
+        if bridge.plan.strip != Width::Fill {
+            let wall = bridge.spandrel_wall.as_ref().ok_or(DiscretiseError::NoWall)?;
+            let (upper, top) = self.wall(wall, surface)?;
+            (road, surface) = (Some(upper), top);
+        }
+        let region = fill::wanted(bridge).map(|_| self.fill(surface)).transpose()?;
+        if region.is_some() {
+            let line = vec![vec2(self.left(), surface), vec2(self.right(), surface)];
+            road = Some(Extrados { stretches: Vec::new(), line });
+        }
+        let (spreads, counted_weight) = self.spreads(road.as_ref(), region.as_ref(), surface)?;
+        let mut laws = self.laws();
+        if let (Some(region), Some(particles)) = (&region, &bridge.particles) {
+            self.particle_laws(region, particles, &mut laws);
+        }
         let model = BlockModel {
-            laws: self.laws(),
+            laws,
             blocks: self.blocks,
+            particles: Table::default(),
             groups: self.groups,
             gravity: vec2(0.0, -bridge.gravity),
         };
         let extrados = self.extrados;
-        let surface = cover::surface(bridge, &extrados);
-        let spreads: Vec<Spread> = bridge
-            .loads
-            .iter()
-            .flat_map(|load| dispersal::strips(&load.kind, load.position))
-            .map(|strip| dispersal::spread(strip, bridge.dispersal, surface, &extrados))
-            .collect();
         // From zero on, for an empty sum is minus zero.
         let reference_load = spreads.iter().fold(0.0, |sum, s| sum + s.strip.force);
         let loading = Loading {
-            permanent: cover::weight(bridge, &extrados),
+            // A wall or particles stand in place of the cover.
+            permanent: if road.is_none() { cover::weight(bridge, &extrados) } else { Vec::new() },
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),
             movements: movements(bridge, &model, &self.origins)?,
         };
@@ -307,11 +491,39 @@ impl<'a> Build<'a> {
             origins: self.origins,
             faces: self.faces,
             extrados,
+            road,
+            fill: region,
             surface,
+            counted_weight,
             reference_load,
             spreads,
             watched,
         })
+    }
+
+    /// How every load reaches the blocks, and what its blocks weigh.
+    fn spreads(
+        &mut self,
+        road: Option<&Extrados>,
+        region: Option<&FillRegion>,
+        surface: f64,
+    ) -> Result<(Vec<Spread>, f64), DiscretiseError> {
+        let (mut spreads, mut weight) = (Vec::new(), 0.0);
+        for (index, Load { kind, position, block, .. }) in self.bridge.loads.iter().enumerate() {
+            for strip in dispersal::strips(kind, *position) {
+                let stands = Stands::of(self.bridge, region);
+                spreads.push(match (block, road, stands) {
+                    (Some(block), Some(road), Some(stands)) => {
+                        weight += block.weight;
+                        self.loading_block(&stands, road, index, block.weight, strip)?
+                    }
+                    (Some(_), ..) => return Err(DiscretiseError::BlockOnCover { load: index + 1 }),
+                    _ if region.is_some() => return Err(DiscretiseError::LoadOnParticles { load: index + 1 }),
+                    _ => spread(self.bridge, road, &self.extrados, surface, strip),
+                });
+            }
+        }
+        Ok((spreads, weight))
     }
 
     fn laws(&self) -> LawTable {
@@ -325,7 +537,54 @@ impl<'a> Build<'a> {
                 }
             }
         }
+        if let Some(wall) = &self.bridge.spandrel_wall {
+            let law = laws::wall(self.bridge, wall);
+            for &a in &self.walls {
+                for b in self.groups.ids() {
+                    laws.set(a, b, law);
+                }
+            }
+        }
         laws
+    }
+}
+
+/// What a loading block stands on, and how it is made.
+struct Stands {
+    height: f64,
+    rounding: f64,
+    on_particles: bool,
+}
+
+/// Height of a loading block that stands on particles [m]: to be seen in drawings.
+const BLOCK_HEIGHT: f64 = 0.4;
+
+impl Stands {
+    fn of(bridge: &Bridge, region: Option<&FillRegion>) -> Option<Stands> {
+        if region.is_some() {
+            return Some(Stands { height: BLOCK_HEIGHT, rounding: bridge.masonry.rounding, on_particles: true });
+        }
+        let wall = bridge.spandrel_wall.as_ref()?;
+        Some(Stands { height: wall.brick_height, rounding: wall.rounding, on_particles: false })
+    }
+}
+
+/// How a strip on the surface reaches the blocks: through the cover, or as forces on the bricks of a wall.
+fn spread(bridge: &Bridge, road: Option<&Extrados>, extrados: &Extrados, surface: f64, strip: Strip) -> Spread {
+    match (road, &bridge.spandrel_wall) {
+        (Some(road), Some(wall)) => wall::loads::on_bricks(strip, wall.loaded_bricks, road, surface),
+        _ => dispersal::spread(strip, bridge.dispersal, surface, extrados),
+    }
+}
+
+impl Discretised {
+    /// The load at a load factor [N/m], with the weight of loading blocks.
+    pub fn load(&self, factor: f64) -> f64 {
+        self.counted_weight + factor * self.reference_load
+    }
+    /// How a strip on the surface reaches the blocks; for loads that move.
+    pub fn spread(&self, bridge: &Bridge, strip: Strip) -> Spread {
+        spread(bridge, self.road.as_ref(), &self.extrados, self.surface, strip)
     }
 }
 

@@ -223,7 +223,8 @@ impl Blocks {
             least_length: j.least_length_m.unwrap_or(0.01 * smallest),
         };
         let groups = ["blocks".to_string()].into_iter().collect();
-        let model = BlockModel { blocks, groups, laws: LawTable::uniform(1, law), gravity };
+        let model =
+            BlockModel { blocks, particles: Table::default(), groups, laws: LawTable::uniform(1, law), gravity };
         Ok((model, Loading { permanent, variable, movements: Vec::new() }))
     }
 
@@ -293,6 +294,7 @@ impl Blocks {
             tolerance: a.tolerance,
             step_limit: a.step_limit,
             time_step_factor: 0.8,
+            scaled_inertia: false,
         };
         let mut watch = mechanics::watch::Unwatched;
         let o = dem::collapse(model, loading, &program, &settings, None, &mut watch).map_err(|e| e.to_string())?;

@@ -72,6 +72,11 @@ fn derived(bridge: &bridge::Bridge, c: &analysis::Collapse) -> Vec<(String, Json
         })
         .collect();
     found.push(("hinge_edges".to_string(), edges.concat().into()));
+    // Walls have hinges of their own, in no order.
+    let mut ring: Vec<_> = c.hinges.iter().zip(&edges).filter(|(_, edge)| **edge != "O").collect();
+    ring.sort_by(|a, b| a.0.point[0].total_cmp(&b.0.point[0]));
+    let ring: Vec<&str> = ring.into_iter().map(|(_, edge)| *edge).collect();
+    found.push(("ring_hinge_edges".to_string(), ring.concat().into()));
     if let (Some(stable), Some(bound)) = (c.last_stable_load, c.limit_load) {
         found.push(("last_stable_over_limit_load".to_string(), (stable / bound).into()));
     }

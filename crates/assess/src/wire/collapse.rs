@@ -37,6 +37,10 @@ pub struct CollapseObject {
     thickness: Option<Thickness>,
     #[serde(flatten)]
     support: Option<Support>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    combination: Option<Combination>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_strip: Option<Box<CollapseObject>>,
     assumptions: Vec<String>,
     warnings: Vec<WarningObject>,
     tolerance: f64,
@@ -91,6 +95,8 @@ struct Limit {
     lower_bound_kn_per_m: Option<f64>,
     upper_bound_kn_per_m: Option<f64>,
     associated_load_kn_per_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    non_associated_load_kn_per_m: Option<f64>,
     non_associated_spread_kn_per_m: Option<[f64; 2]>,
     unlimited_strength_load_kn_per_m: Option<f64>,
     equilibrium_residual: Option<f64>,
@@ -121,6 +127,42 @@ struct Support {
     movement_step_m: f64,
 }
 
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Combination {
+    components: Vec<Component>,
+    total_kn: Option<f64>,
+    last_stable_total_kn: Option<f64>,
+    assumptions: Vec<String>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Component {
+    strip: &'static str,
+    status: &'static str,
+    collapse_load_kn_per_m: Option<f64>,
+    last_stable_load_kn_per_m: Option<f64>,
+    width_m: f64,
+    collapse_load_kn: Option<f64>,
+    last_stable_load_kn: Option<f64>,
+}
+
+/// The word for a method.
+pub(super) fn method(method: Method) -> &'static str {
+    match method {
+        Method::Dem => "dem",
+        Method::Limit => "limit",
+    }
+}
+
+/// The word for an analysis.
+pub(super) fn analysis(analysis: Analysis) -> &'static str {
+    match analysis {
+        Analysis::Load => "load",
+        Analysis::Thickness => "thickness",
+        Analysis::SupportMovement => "support-movement",
+    }
+}
+
 /// The word for an edge.
 pub fn edge(edge: HingeAt) -> &'static str {
     match edge {
@@ -142,15 +184,8 @@ impl CollapseObject {
             schema: "extrados.collapse/1",
             status: c.status.word(),
             bridge: c.bridge.clone(),
-            method: match c.method {
-                Method::Dem => "dem",
-                Method::Limit => "limit",
-            },
-            analysis: match c.analysis {
-                Analysis::Load => "load",
-                Analysis::Thickness => "thickness",
-                Analysis::SupportMovement => "support-movement",
-            },
+            method: method(c.method),
+            analysis: analysis(c.analysis),
             collapse_load_kn_per_m: per_metre(c.collapse_load),
             last_stable_load_kn_per_m: per_metre(c.last_stable_load),
             collapse_load_kn: total(c.collapse_load),
@@ -199,6 +234,7 @@ impl CollapseObject {
                 lower_bound_kn_per_m: per_metre(l.lower_bound),
                 upper_bound_kn_per_m: per_metre(l.upper_bound),
                 associated_load_kn_per_m: per_metre(l.associated_load),
+                non_associated_load_kn_per_m: per_metre(l.non_associated_load),
                 non_associated_spread_kn_per_m: l.spread.map(|s| s.map(kilo)),
                 unlimited_strength_load_kn_per_m: per_metre(l.unlimited_strength_load),
                 equilibrium_residual: l.equilibrium_residual,
@@ -223,6 +259,12 @@ impl CollapseObject {
                 last_stable_movement_m: s.last_stable,
                 movement_step_m: s.step,
             }),
+            combination: c.combination.as_ref().map(combination),
+            wall_strip: c.wall_strip.as_ref().map(|wall| {
+                // What was found in the file is told once.
+                let own = Run { file_warnings: Vec::new(), ..run.clone() };
+                Box::new(CollapseObject::new(wall, &own))
+            }),
             assumptions: c.assumptions.clone(),
             warnings,
             tolerance: c.tolerance,
@@ -230,5 +272,23 @@ impl CollapseObject {
             threads: run.threads,
             wall_seconds: run.wall_seconds,
         }
+    }
+}
+
+fn combination(c: &crate::analysis::Combination) -> Combination {
+    let component = |part: &crate::analysis::Component| Component {
+        strip: part.strip,
+        status: part.status.word(),
+        collapse_load_kn_per_m: part.collapse_load.map(kilo),
+        last_stable_load_kn_per_m: part.last_stable_load.map(kilo),
+        width_m: part.width,
+        collapse_load_kn: part.collapse_load.map(|load| kilo(load * part.width)),
+        last_stable_load_kn: part.last_stable_load.map(|load| kilo(load * part.width)),
+    };
+    Combination {
+        components: c.components.iter().map(component).collect(),
+        total_kn: c.collapse_load.map(kilo),
+        last_stable_total_kn: c.last_stable_load.map(kilo),
+        assumptions: c.assumptions.clone(),
     }
 }

@@ -196,4 +196,13 @@ courses = 6"#,
         right: r#"slope = "2:1""#,
         source: "codes of practice: 2:1 in soil, 4:1 in ballast, 1:1 in concrete",
     },
+    Card {
+        code: "P022",
+        title: "particles that no layer asks for",
+        meaning: "The file describes particles or their contacts, and no layer of the cover is modelled as particles.",
+        why: "The fill then acts by its weight alone, which may not be what was meant.",
+        wrong: r#"as = "weight""#,
+        right: r#"as = "particles""#,
+        source: "the format of bridge files",
+    },
 ];

@@ -1,13 +1,19 @@
 //! Cards of what lies above the rings.
 
 use super::{Field, Kind, Section, Word};
-use crate::quantity::Dimension::{Density, Length, Stress};
+use crate::quantity::Dimension::{Angle, Density, Length, Stress};
 
 const LAYERS: &[Word] = &[
     Word { word: "fill", doc: "soil or rubble directly on the extrados" },
     Word { word: "sub-base", doc: "road base" },
     Word { word: "surfacing", doc: "road surface" },
     Word { word: "ballast", doc: "railway ballast" },
+];
+
+const BODIES: &[Word] = &[
+    Word { word: "weight", doc: "weight on the extrados; loads disperse through it" },
+    Word { word: "particles", doc: "circular particles that carry and press; strip \"fill\", method \"dem\"" },
+    Word { word: "nothing", doc: "a depth through which loads disperse, without weight" },
 ];
 
 pub(super) static COVER: Section = Section {
@@ -25,6 +31,22 @@ pub(super) static COVER: Section = Section {
             "true",
         )
         .default("true"),
+        Field::new("as", Kind::Word(BODIES), "what the layer is in the discrete element method", "particles")
+            .optional("\"weight\", or \"nothing\" where `weighs = false`"),
+        Field::new(
+            "friction_angle",
+            Kind::Quantity(Angle),
+            "angle of friction between the layer's particles",
+            "35.6 deg",
+        )
+        .at_least(0.0)
+        .at_most(1.5)
+        .only("as", &["particles"])
+        .optional("as [particle_joint] says"),
+        Field::new("cohesion", Kind::Quantity(Stress), "cohesion between the layer's particles", "10 kPa")
+            .at_least(0.0)
+            .only("as", &["particles"])
+            .optional("as [particle_joint] says"),
         Field::new("density", Kind::Quantity(Density), "mass density of the layer", "1890 kg/m^3")
             .positive()
             .optional("possible only where `weighs = false`"),

@@ -65,8 +65,24 @@ pub(super) static LOAD: Section = Section {
         .optional("given by `at`"),
         Field::new("at", Kind::Share, "middle of the strip or first axle, as a share of a span", "1/4 of span 1")
             .optional("given by `position`"),
+        Field::new("through", Kind::Word(BEARERS), "how a knife edge reaches the bridge", "block")
+            .only("kind", &["knife-edge"])
+            .default("cover"),
+        Field::new(
+            "block_weight",
+            Kind::LineLoad,
+            "weight of the loading block, per metre of width or over the whole width; counted in the load",
+            "17.72 kN/m",
+        )
+        .positive()
+        .only("through", &["block"]),
     ],
 };
+
+const BEARERS: &[Word] = &[
+    Word { word: "cover", doc: "as a pressure that spreads through the cover, or as forces on the bricks of a wall" },
+    Word { word: "block", doc: "through a rigid block that stands on a wall, held upright" },
+];
 
 const RULES: &[Word] = &[
     Word { word: "none", doc: "straight down onto the extrados" },

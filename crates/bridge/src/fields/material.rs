@@ -103,6 +103,26 @@ pub(super) static JOINT: Section = Section {
     fields: JOINT_FIELDS,
 };
 
+pub(super) static WALL_JOINT: Section = Section {
+    path: "wall_joint",
+    doc: "Joints between the bricks of spandrel walls, and between bricks and rings, with the same keys as [joint].",
+    fields: JOINT_FIELDS,
+};
+
+pub(super) static PARTICLE_JOINT: Section = Section {
+    path: "particle_joint",
+    doc: "Contacts between particles, with the keys of [joint]: without tensile strength; `fixed_length` is the mean of the \
+          two diameters where it is not given.",
+    fields: JOINT_FIELDS,
+};
+
+pub(super) static PARTICLE_BLOCK_JOINT: Section = Section {
+    path: "particle_block_joint",
+    doc: "Contacts of particles with voussoirs, abutments and loading blocks, with the keys of [joint]: without tensile \
+          strength; `fixed_length` is the particle's diameter where it is not given.",
+    fields: JOINT_FIELDS,
+};
+
 pub(super) static RING_JOINT: Section = Section {
     path: "ring_joint",
     doc: "Joints between the rings of a span, with the same keys as [joint].",

@@ -5,8 +5,11 @@ pub mod blocks;
 mod cover;
 mod loading;
 mod material;
+mod particles;
 mod plan;
 mod structure;
+mod vary;
+mod wall;
 
 use crate::quantity::Dimension;
 
@@ -69,6 +72,10 @@ pub enum Kind {
     Points,
     /// A list of rows of as many bare numbers; the key carries their unit.
     Rows(usize),
+    /// A value of whatever quantity: text, a number, true or false, a list.
+    Value,
+    /// A list of such values.
+    Values,
     /// A support: "left abutment", "pier 1", "right abutment".
     Support,
     /// A table.
@@ -160,12 +167,21 @@ impl Field {
 
     /// The example as it is written in the file, in quotes where it is text.
     pub fn example_literal(&self) -> String {
+        self.literal(self.example)
+    }
+
+    /// A text of the card as the file would have it, in quotes where it is text.
+    pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
-            Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Rows(_) => {
-                self.example.to_owned()
-            }
+            Kind::Number
+            | Kind::Count
+            | Kind::Flag
+            | Kind::Quantities(_)
+            | Kind::Points
+            | Kind::Rows(_)
+            | Kind::Values => text.to_owned(),
             Kind::Table(_) | Kind::Tables(_) => String::new(),
-            _ => format!("\"{}\"", self.example),
+            _ => format!("\"{text}\""),
         }
     }
 
@@ -211,6 +227,21 @@ pub static FILE: Section = Section {
         ),
         Field::new("ring_joint", Kind::Table(&material::RING_JOINT), "Joints between the rings of a span.", "")
             .optional("rings are joined as voussoirs are"),
+        Field::new("spandrel_wall", Kind::Table(&wall::SPANDREL_WALL), "Spandrel walls that stand on the rings.", "")
+            .optional("no walls"),
+        Field::new("wall_joint", Kind::Table(&material::WALL_JOINT), "Joints of the spandrel walls.", "")
+            .optional("bricks are joined as voussoirs are, each contact point standing for half its own joint"),
+        Field::new("particles", Kind::Table(&particles::PARTICLES), "Fill as particles.", "")
+            .optional("no layer is modelled as particles"),
+        Field::new("particle_joint", Kind::Table(&material::PARTICLE_JOINT), "Contacts between particles.", "")
+            .optional("no layer is modelled as particles"),
+        Field::new(
+            "particle_block_joint",
+            Kind::Table(&material::PARTICLE_BLOCK_JOINT),
+            "Contacts of particles with blocks.",
+            "",
+        )
+        .optional("as contacts between particles"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
@@ -228,7 +259,21 @@ pub static FILE: Section = Section {
             .optional("supports do not move"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
             .optional("limit analysis of the load, with the defaults"),
+        Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
+            .optional("nothing is varied"),
     ],
+};
+
+/// A file of ranges alone.
+pub(crate) static RANGES: Section = Section {
+    path: "",
+    doc: "Quantities of a bridge file and their values.",
+    fields: &[Field::new(
+        "vary",
+        Kind::Tables(&vary::VARY),
+        "What `extrados vary` changes, and over which values.",
+        "",
+    )],
 };
 
 /// Every section of the bridge file with the key that opens it, in the order of the reference.

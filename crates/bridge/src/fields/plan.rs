@@ -14,6 +14,12 @@ const ANALYSES: &[Word] = &[
     Word { word: "support-movement", doc: "the support movement that makes a mechanism" },
 ];
 
+const STRIPS: &[Word] = &[
+    Word { word: "fill", doc: "between the walls: rings and cover" },
+    Word { word: "wall", doc: "below the walls: rings and bricks, loads as forces on the uppermost course" },
+    Word { word: "both", doc: "both strips, and their loads added up by their widths" },
+];
+
 const DAMPINGS: &[Word] = &[
     Word { word: "local", doc: "each motion is opposed by a share of its out-of-balance force" },
     Word { word: "viscous", doc: "global, proportional to mass and velocity" },
@@ -42,6 +48,8 @@ pub(super) static ANALYSIS: Section = Section {
     fields: &[
         Field::new("method", Kind::Word(METHODS), "method for the collapse load", "dem").default("limit"),
         Field::new("analysis", Kind::Word(ANALYSES), "what is made to collapse", "load").default("load"),
+        Field::new("strip", Kind::Word(STRIPS), "strip of the bridge's width that is analysed", "both")
+            .optional("\"both\" for a load on a bridge with [spandrel_wall], \"fill\" otherwise"),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
             .positive()
             .optional("needed by method \"dem\" for a load"),

@@ -26,7 +26,16 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
     let weighs = table.flag("weighs", findings);
     let density = table.quantity("density", findings);
     let elastic_modulus = table.quantity("elastic_modulus", findings);
-    let weighs = maybe(table, "weighs", weighs)?.unwrap_or(true);
+    let body = table.word("as", findings);
+    let friction_angle = table.quantity("friction_angle", findings);
+    let cohesion = table.quantity("cohesion", findings);
+    if table.has("as") && table.has("weighs") {
+        super::structure::exclude(table, "weighs", "`as`", findings);
+        return None;
+    }
+    let body = maybe(table, "as", body)?;
+    let particles = body == Some("particles");
+    let weighs = maybe(table, "weighs", weighs)?.unwrap_or(body != Some("nothing"));
     if weighs && !table.has("density") {
         need(table, "density", findings);
         return None;
@@ -40,7 +49,10 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
         },
         thickness: thickness?.value,
         density: maybe(table, "density", density)?.unwrap_or(0.0),
-        weighs,
+        weighs: weighs && !particles,
+        particles,
+        friction_angle: maybe(table, "friction_angle", friction_angle)?,
+        cohesion: maybe(table, "cohesion", cohesion)?,
         elastic_modulus: maybe(table, "elastic_modulus", elastic_modulus)?,
     })
 }

@@ -3,10 +3,11 @@
 use toml::de::DeValue;
 
 use crate::findings::Findings;
-use crate::model::{Cover, Dispersal, DispersalRule, Load, LoadKind};
+use crate::model::{Cover, Dispersal, DispersalRule, Load, LoadKind, LoadingBlock, Plan, Strip};
 use crate::tree::{At, Table, shorten, wrong_type};
 
 use super::geometry::Layout;
+use super::materials::maybe;
 use super::structure::{exclude, need};
 
 pub(super) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Dispersal> {
@@ -45,11 +46,7 @@ pub(super) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
 pub(crate) fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64>> {
     let (field, raw) = table.entry("slope")?;
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-    let value = text.split_once(':').and_then(|(vertical, horizontal)| {
-        let (vertical, horizontal) = (decimal(vertical)?, decimal(horizontal)?);
-        Some(vertical / horizontal)
-    });
-    match value.filter(|value| value.is_finite() && field.limits.allow(*value)) {
+    match read_slope(text).filter(|value| value.is_finite() && field.limits.allow(*value)) {
         Some(value) => Some(At { value, range: raw.span().into() }),
         None => {
             findings.error(
@@ -62,6 +59,12 @@ pub(crate) fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64
             None
         }
     }
+}
+
+/// Vertical over horizontal.
+pub(crate) fn read_slope(text: &str) -> Option<f64> {
+    let (vertical, horizontal) = text.split_once(':')?;
+    Some(decimal(vertical)? / decimal(horizontal)?)
 }
 
 fn decimal(text: &str) -> Option<f64> {
@@ -88,9 +91,17 @@ fn load(table: &Table<'_>, width: Option<f64>, layout: Option<&Layout>, findings
     let kind = table.word("kind", findings);
     let shape = shape(table, width, findings);
     let position = position(table, layout, findings);
+    let through = table.word("through", findings);
+    let block_weight = table.line_load("block_weight", width, findings);
+    let block = match maybe(table, "through", through)? {
+        Some("block") if table.has("block_weight") => Some(LoadingBlock { weight: block_weight?.value }),
+        // Its absence has been reported.
+        Some("block") => return None,
+        _ => None,
+    };
     let kind = kind?.value;
     let name = if table.has("name") { name?.value.to_owned() } else { kind.to_owned() };
-    let load = Load { name, kind: shape?, position: position?.value };
+    let load = Load { name, kind: shape?, position: position?.value, block };
     if let Some(layout) = layout {
         check_place(table, &load, layout, findings);
     }
@@ -220,7 +231,8 @@ fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
     Some(At { value: start + share * (end - start), range })
 }
 
-fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
+/// Share and number of the span, where one is named.
+pub(crate) fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
     let text = text.trim();
     let (share, span) = match text.find("span") {
         Some(at) => (text[..at].trim(), text[at + 4..].trim()),
@@ -238,6 +250,24 @@ fn read_share(text: &str) -> Option<(f64, Option<usize>)> {
     };
     let number = if span.is_empty() { None } else { Some(span.parse().ok()?) };
     (0.0..=1.0).contains(&value).then_some((value, number))
+}
+
+/// A loading block stands on something: cover that is weight alone cannot carry it.
+pub(super) fn check_blocks(file: &Table<'_>, plan: &Plan, loads: &[Load], on_particles: bool, findings: &mut Findings) {
+    let mut unheard = Findings::default();
+    for (table, load) in file.tables("load", &mut unheard).iter().zip(loads) {
+        if load.block.is_some() && plan.strip != Strip::Wall && !on_particles {
+            findings
+                .error(
+                    "B305",
+                    table.place("through"),
+                    "there is nothing for the loading block to stand on",
+                    "a block cannot stand on cover that is weight alone",
+                    "write through = \"cover\", write as = \"particles\" in [[cover]], or describe a [spandrel_wall] and write strip = \"wall\" in [analysis]",
+                )
+                .because("cover acts by its weight and as a path for loads; it has no surface that carries a block");
+        }
+    }
 }
 
 /// A load stands on the bridge, at least in part.

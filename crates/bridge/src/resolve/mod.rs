@@ -5,15 +5,19 @@ mod cover;
 mod geometry;
 mod loading;
 mod materials;
+mod particles;
 mod plan;
 pub(crate) mod structure;
+mod vary;
+mod wall;
 
 use crate::findings::Findings;
 use crate::model::Bridge;
 use crate::plausible;
 use crate::tree::Table;
 
-pub(crate) use loading::slope;
+pub(crate) use loading::{read_share, read_slope, slope};
+pub(crate) use vary::{check as check_vary, vary};
 
 /// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.
 pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridge> {
@@ -24,9 +28,12 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let masonry = materials::masonry(file, findings);
     let joint = materials::joint(file, "joint", findings);
     let ring_joint = if file.has("ring_joint") { materials::joint(file, "ring_joint", findings) } else { joint };
-    let cover = cover::cover(file, findings);
-    let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let width = general.as_ref().map(|general| general.width);
+    let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
+    let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
+    let cover = cover::cover(file, findings);
+    let particles = particles::particles(file, cover.as_ref(), findings);
+    let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
@@ -35,7 +42,9 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         geometry::check(file, spans, piers, masonry.as_ref(), joint.as_ref(), cover.as_ref(), findings);
     }
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
-        plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref()], masonry.as_ref(), findings);
+        let wall_joint = spandrel_wall.as_ref().and_then(Option::as_ref).map(|wall| &wall.joint);
+        plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref(), wall_joint], masonry.as_ref(), findings);
+        loading::check_blocks(file, plan, loads, matches!(particles, Some(Some(_))), findings);
     }
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 
@@ -55,6 +64,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         masonry: masonry?,
         joint: joint?,
         ring_joint: ring_joint?,
+        spandrel_wall: spandrel_wall?,
+        particles: particles?,
         cover: cover?,
         loads: loads?,
         dispersal: dispersal?,

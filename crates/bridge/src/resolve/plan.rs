@@ -5,7 +5,7 @@ use toml::de::DeValue;
 use crate::findings::Findings;
 use crate::model::{
     Analysis, ContactLength, ContactPoints, Damping, Friction, Joint, JointStiffness, Load, Masonry, Method, Plan,
-    SupportMovement,
+    Strip, SupportMovement,
 };
 use crate::tree::{Table, shorten, wrong_type};
 
@@ -32,6 +32,7 @@ pub(super) fn plan(
     let table = table.as_ref();
     let method = word(table, "method", "limit", findings);
     let analysis = word(table, "analysis", "load", findings);
+    let strip = strip(file, table, analysis, findings);
     let damping = word(table, "damping", "local", findings);
     let contact_length = word(table, "contact_length", "fixed", findings);
     let friction = word(table, "friction", "automatic", findings);
@@ -75,6 +76,7 @@ pub(super) fn plan(
             "support-movement" => Analysis::SupportMovement,
             _ => Analysis::Load,
         },
+        strip: strip?,
         load_step: load_step?,
         load_limit: load_limit?,
         resolution: resolution?,
@@ -96,6 +98,45 @@ pub(super) fn plan(
         support_movement: support_movement?,
         seed: seed?,
     })
+}
+
+/// Which strip: the word of the plan, or what the file describes.
+fn strip(
+    file: &Table<'_>,
+    table: Option<&Table<'_>>,
+    analysis: Option<&'static str>,
+    findings: &mut Findings,
+) -> Option<Strip> {
+    let wall = file.has("spandrel_wall");
+    let for_load = analysis.is_none_or(|analysis| analysis == "load");
+    let Some(table) = table.filter(|table| table.has("strip")) else {
+        return Some(if wall && for_load { Strip::Both } else { Strip::Fill });
+    };
+    let word = table.word("strip", findings)?;
+    let strip = match word.value {
+        "wall" => Strip::Wall,
+        "both" => Strip::Both,
+        _ => Strip::Fill,
+    };
+    if strip != Strip::Fill && !wall {
+        findings.error(
+            "B406",
+            word.range,
+            "there is no spandrel wall to analyse",
+            "this strip has a wall on its rings",
+            "describe it with [spandrel_wall], or write strip = \"fill\"",
+        );
+    }
+    if strip == Strip::Both && !for_load {
+        findings.error(
+            "B406",
+            word.range,
+            "only collapse loads of the two strips can be added up",
+            "a thickness or a movement belongs to one strip",
+            "write strip = \"fill\" or strip = \"wall\"",
+        );
+    }
+    Some(strip)
 }
 
 fn support_movement(file: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<SupportMovement> {
@@ -169,7 +210,7 @@ pub(super) fn check(
     file: &Table<'_>,
     plan: &Plan,
     loads: &[Load],
-    joints: [Option<&Joint>; 2],
+    joints: [Option<&Joint>; 3],
     masonry: Option<&Masonry>,
     findings: &mut Findings,
 ) {
@@ -198,8 +239,8 @@ pub(super) fn check(
             "describe it with [support_movement]",
         );
     }
-    // [ring_joint] only where it is written; elsewhere it is [joint] over again.
-    for (section, joint) in ["joint", "ring_joint"].into_iter().zip(joints) {
+    // [ring_joint] and [wall_joint] only where they are written; elsewhere they are [joint] over again.
+    for (section, joint) in ["joint", "ring_joint", "wall_joint"].into_iter().zip(joints) {
         let Some(joint) = joint.filter(|_| file.has(section)) else { continue };
         if let Some(masonry) = masonry {
             series(file, section, joint, masonry, findings);

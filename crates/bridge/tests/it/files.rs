@@ -11,8 +11,11 @@ pub const SHAPES: &str = include_str!("files/shapes.toml");
 /// As little as there can be.
 pub const TINY: &str = include_str!("files/tiny.toml");
 
+/// Spandrel walls, with everything that they may say.
+pub const WALLS: &str = include_str!("files/walls.toml");
+
 /// All of them.
-pub const GOOD: [&str; 4] = [CASE_1, VIADUCT, SHAPES, TINY];
+pub const GOOD: [&str; 5] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

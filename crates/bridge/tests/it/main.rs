@@ -7,3 +7,4 @@ mod messages;
 mod mutation;
 mod reading;
 mod reference;
+mod vary;

@@ -1,6 +1,6 @@
 //! Good files give the bridges they describe, without a word.
 
-use crate::files::{CASE_1, GOOD, SHAPES, TINY, VIADUCT, show_all};
+use crate::files::{CASE_1, GOOD, SHAPES, TINY, VIADUCT, WALLS, show_all};
 use bridge::ring::Profile;
 use bridge::*;
 
@@ -36,6 +36,34 @@ fn bridgemill() {
     assert_eq!(bridge.plan.method, Method::Dem);
     assert!((bridge.plan.load_step.unwrap() - 100e3 / 8.3).abs() < 1e-9);
     assert_eq!(bridge.plan.damping, Damping::Local(0.8));
+}
+
+#[test]
+fn walls() {
+    let bridge = good(WALLS);
+    let wall = bridge.spandrel_wall.unwrap();
+    assert_eq!((wall.brick_length, wall.brick_height, wall.thickness), (0.6, 0.4, 0.44));
+    assert_eq!((wall.bond, wall.density, wall.rounding), (1.0 / 3.0, 2000.0, 0.005));
+    assert_eq!((wall.top, wall.extent, wall.head_joint), (Some(0.478), Some(1.5), Some(4.575)));
+    assert_eq!((wall.end_walls, wall.courses_from, wall.loaded_bricks), (true, CoursesFrom::Springings, Some(2)));
+    assert_eq!((wall.least_piece, wall.joint.normal_stiffness), (0.2, Some(JointStiffness::Contact(4.7e9))));
+    assert_eq!(bridge.plan.strip, Strip::Wall);
+    assert_eq!(bridge.loads[0].block, Some(LoadingBlock { weight: 17.72e3 }));
+    // A wall without joints of its own is joined as the ring is, but for lengths that belong to the ring's thickness.
+    let start = WALLS.find("[wall_joint]").unwrap();
+    let end = WALLS.find("[[load]]").unwrap();
+    let bare = good(&format!("{}{}", &WALLS[..start], &WALLS[end..]));
+    let joint = bare.spandrel_wall.unwrap().joint;
+    assert_eq!(joint, Joint { fixed_length: None, ..bare.joint });
+}
+
+#[test]
+fn the_strip_follows_what_the_file_describes() {
+    let without = WALLS.replace("strip = \"wall\"", "").replace("through = \"block\"", "");
+    let without = without.replace("block_weight = \"17.72 kN/m\"", "");
+    assert_eq!(good(&without).plan.strip, Strip::Both);
+    assert_eq!(good(&without.replace("\"load\"", "\"thickness\"")).plan.strip, Strip::Fill);
+    assert_eq!(good(CASE_1).plan.strip, Strip::Fill);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::folder::{self, Folder};
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
-use bridge::Bridge;
+use bridge::{Bridge, Strip};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -112,6 +112,19 @@ fn summary(bridge: &Bridge, blocks: usize, out: &str) -> String {
         let _ = writeln!(page, "  cover {:.3} m above the crown, {layers} {word}", bridge.cover.depth);
     } else {
         page += "  no cover: loads act on the extrados\n";
+    }
+    if let Some(wall) = &bridge.spandrel_wall {
+        let _ = writeln!(
+            page,
+            "  spandrel walls {:.2} m thick together, of bricks of {:.3} x {:.3} m",
+            wall.thickness, wall.brick_length, wall.brick_height
+        );
+        let strip = match bridge.plan.strip {
+            Strip::Fill => "the strip between the walls; the drawing leaves them out",
+            Strip::Wall => "the strip of the walls",
+            Strip::Both => "both strips; the drawing shows that of the walls",
+        };
+        let _ = writeln!(page, "  analysed: {strip}");
     }
     for load in &bridge.loads {
         let _ = writeln!(page, "  load: {} at {:.3} m from the left springing", load.name, load.position);

@@ -37,17 +37,11 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
 
 /// Sets what the command line says in place of the file.
 pub(super) fn plan(plan: &mut bridge::Plan, width: f64, arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.sweep && arguments.method == Some(crate::args::Method::Dem) {
+    if arguments.sweep && arguments.choice.method == Some(crate::args::Method::Dem) {
         let message = "--sweep is limit analysis: --method dem cannot do it";
         return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
     }
-    arguments.overrides.apply(plan);
-    plan.method = arguments.method.map_or(plan.method, |method| method.planned());
-    plan.analysis = arguments.analysis.map_or(plan.analysis, |analysis| analysis.planned());
-    if let Some(text) = &arguments.resolution {
-        plan.resolution = Some(quantities::line_load("--resolution", text, width)?);
-    }
-    Ok(())
+    arguments.choice.apply(plan, width)
 }
 
 /// The analysis under a watcher, and its files; where it was interrupted, the report says so.
@@ -96,11 +90,24 @@ fn write(
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
+    for warning in found.wall_strip.iter().flat_map(|wall| &wall.warnings) {
+        // What is said of the other strip already need not be repeated.
+        if !found.warnings.contains(warning) {
+            let message = format!("strip of the walls: {}", warning.message);
+            report.warn(&mut desk.screen, warning.code, &message);
+        }
+    }
     report.fields.extend(report::fields_of(wire::CollapseObject::new(found, &wire::Run::default())));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
     let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
     files.extend(figures::dxf::drawings(&found.picture, arguments.displacement_scale));
     files.extend(tables(found));
+    if let Some(wall) = &found.wall_strip {
+        let mut own = figures::all(&wall.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+        own.extend(figures::dxf::drawings(&wall.picture, arguments.displacement_scale));
+        own.extend(tables(wall));
+        files.extend(own.into_iter().map(|file| figures::File { name: format!("wall/{}", file.name), ..file }));
+    }
     fill(desk, report, folder, &files)
 }
 

@@ -67,7 +67,7 @@ fn no_pair(from: &str, to: &str) -> Failure {
     let shown =
         |ending: &str| if ending.is_empty() { "a file without extension".to_owned() } else { format!(".{ending}") };
     let message = format!("there is no conversion from {} to {}", shown(from), shown(to));
-    Failure::input("F113", message, "convert .toml to .dxf, .vtu or .toml, or .dxf to .toml, .vtu or .dxf")
+    Failure::input("F118", message, "convert .toml to .dxf, .vtu or .toml, or .dxf to .toml, .vtu or .dxf")
 }
 
 type ReadIn = (Report, Option<Content>, Vec<std::path::PathBuf>);
@@ -128,11 +128,11 @@ fn guard(arguments: &Convert, inputs: &[&Path]) -> Result<(), Failure> {
     let shown = arguments.to.display();
     if inputs.iter().any(|input| input.canonicalize().is_ok_and(|input| input == target)) {
         let message = format!("{shown} is an input of this conversion");
-        return Err(Failure::input("F114", message, "write to another file"));
+        return Err(Failure::input("F119", message, "write to another file"));
     }
     if !arguments.overwrite {
         let help = "name another file, or add --overwrite to replace it";
-        return Err(Failure::input("F114", format!("{shown} exists"), help));
+        return Err(Failure::input("F119", format!("{shown} exists"), help));
     }
     Ok(())
 }
@@ -186,13 +186,7 @@ fn vtu(name: &str, content: &Content) -> Option<String> {
             outlines.chain(drawing.circles.iter().map(|c| round(c.centre, c.radius))).collect()
         }
     };
-    let at_rest = Snapshot {
-        load: 0.0,
-        motions: vec![Motion::default(); shapes.len()],
-        velocities: Vec::new(),
-        contacts: Vec::new(),
-        stresses: Vec::new(),
-    };
+    let at_rest = Snapshot { motions: vec![Motion::default(); shapes.len()], ..Snapshot::default() };
     let picture = Picture { title: name.to_owned(), shapes, snapshots: vec![at_rest], ..Picture::default() };
     figures::vtk::blocks(&picture, 0)
 }

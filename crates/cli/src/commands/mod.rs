@@ -8,6 +8,7 @@ mod explain;
 mod model;
 mod new;
 mod schema;
+mod vary;
 mod verify;
 
 use crate::args::{Arguments, Command};
@@ -84,6 +85,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
+        Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),

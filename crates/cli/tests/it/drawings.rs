@@ -174,14 +174,14 @@ fn a_bridge_becomes_blocks_that_carry_the_same() {
 fn conversions_that_make_no_sense_and_files_that_exist_are_refused() {
     let stage = stage("drawing-misuse");
     for (from, to, expected) in [
-        ("bridge/bridge.toml", "x.png", "F113"),
-        ("bridge/bridge.toml", "x", "F113"),
-        ("x.vtu", "x.dxf", "F113"),
+        ("bridge/bridge.toml", "x.png", "F118"),
+        ("bridge/bridge.toml", "x", "F118"),
+        ("x.vtu", "x.dxf", "F118"),
         ("none.dxf", "x.toml", "F101"),
         ("none.toml", "x.dxf", "F101"),
-        (".dxf", "x.toml", "F113"),
-        ("bridge/arch.dxf", "bridge/bridge.toml", "F114"),
-        ("bridge/arch.dxf", "bridge/arch.dxf", "F114"),
+        (".dxf", "x.toml", "F118"),
+        ("bridge/arch.dxf", "bridge/bridge.toml", "F119"),
+        ("bridge/arch.dxf", "bridge/arch.dxf", "F119"),
     ] {
         let (answer, ending) = stage.object(&["convert", from, to]);
         assert_eq!((ending.code, code(&answer)), (Some(2), expected), "{from} {to}: {}", ending.stderr);
@@ -190,7 +190,7 @@ fn conversions_that_make_no_sense_and_files_that_exist_are_refused() {
     let before = (stage.read("bridge/bridge.toml"), stage.read("bridge/arch.dxf"));
     for input in ["bridge/bridge.toml", "bridge/../bridge/arch.dxf"] {
         let (answer, _) = stage.object(&["convert", "bridge/bridge.toml", input, "--overwrite"]);
-        assert_eq!(code(&answer), "F114", "{input}");
+        assert_eq!(code(&answer), "F119", "{input}");
     }
     assert_eq!(before, (stage.read("bridge/bridge.toml"), stage.read("bridge/arch.dxf")));
     stage.write("old.toml", "old");

@@ -8,3 +8,5 @@ mod interruption;
 mod messages;
 mod misuse;
 mod stage;
+mod vary;
+mod walls;

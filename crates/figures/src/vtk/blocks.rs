@@ -8,7 +8,7 @@ use assess::outcome::{Motion, Picture, Shape, Snapshot};
 /// VTK's number of a polygon.
 const POLYGON: u8 = 7;
 
-/// The number of a role in the array `role`: 0 voussoir, 1 abutment, 2 pier, 3 backing, 4 block, 5 anything else.
+/// The number of a role in the array `role`: 0 voussoir, 1 abutment, 2 pier, 3 backing, 4 block, 6 wall, 5 anything else.
 pub fn role_number(role: &str) -> i64 {
     match role {
         "voussoir" => 0,
@@ -16,11 +16,12 @@ pub fn role_number(role: &str) -> i64 {
         "pier" => 2,
         "backing" => 3,
         "block" => 4,
+        "wall" => 6,
         _ => 5,
     }
 }
 
-const REMARK: &str = "Blocks as built, one metre wide; SI units, y up. Warp By Vector with displacement shows them moved. role: 0 voussoir, 1 abutment, 2 pier, 3 backing, 4 block, 5 other. stress: average tensor of the block, tension positive.";
+const REMARK: &str = "Blocks as built, one metre wide; SI units, y up. Warp By Vector with displacement shows them moved. role: 0 voussoir, 1 abutment, 2 pier, 3 backing, 4 block, 5 other, 6 wall. stress: average tensor of the block, tension positive.";
 
 /// Blocks at one snapshot. None where that snapshot does not exist or does not fit the blocks.
 pub fn blocks(picture: &Picture, snapshot: usize) -> Option<String> {

@@ -1,6 +1,8 @@
 //! Invented results in the shape of real ones, to try drawings on. No number here is a result.
 #![allow(dead_code)]
 
+pub mod studies;
+
 use assess::outcome::*;
 use std::f64::consts::PI;
 

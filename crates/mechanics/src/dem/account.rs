@@ -1,7 +1,8 @@
 //! What a state amounts to: out-of-balance force, energies, stresses, a frame to be drawn.
 
 use super::model::Model;
-use super::outcome::{ContactState, Energy, Frame};
+use super::outcome::{Body, ContactState, Energy, Frame, ParticleContact};
+use super::particles::Disc;
 use super::state::State;
 use crate::ids::{BlockId, Id};
 use crate::plane::{Vec2, vec2};
@@ -29,12 +30,12 @@ pub(super) fn unbalanced_ratio(model: &Model, state: &State) -> f64 {
             }
         }
     }
-    sum / model.acting_scale(state.factor)
+    (sum + state.particles.unbalanced()) / model.acting_scale(state.factor)
 }
 
-/// Kinetic energy of the free blocks [J/m].
+/// Kinetic energy of all that is free [J/m].
 pub(super) fn kinetic_energy(model: &Model, state: &State) -> f64 {
-    let mut sum = 0.0;
+    let mut sum = state.particles.discs.iter().map(Disc::kinetic_energy).sum::<f64>();
     for i in 0..model.len() {
         for c in 0..3 {
             if model.inverse_mass[i][c] > 0.0 {
@@ -64,7 +65,11 @@ pub fn energy(model: &Model, state: &State) -> Energy {
         loads += state.factor * model.variable[i].work(model.built[i], &pose);
         elastic -= half * (0..3).map(|c| f[c] * v[c] * model.bodies[i].free[c]).sum::<f64>();
     }
+    let particles = state.particles.energy(&model.particles, half);
+    gravity += particles.gravity;
+    elastic += particles.elastic;
     Energy {
+        initial: state.initial_energy,
         gravity,
         loads,
         supports: state.support_work,
@@ -117,7 +122,7 @@ pub fn contacts(state: &State) -> Vec<ContactState> {
 
 /// Average stress of each block [Pa], tension positive, from the forces on its boundary: `1/A sum x (x) f`, by the
 /// divergence theorem (Potyondy and Cundall 2004). The mean of the two shear components is reported.
-pub fn stresses(model: &Model, state: &State, contacts: &[ContactState]) -> Vec<[f64; 3]> {
+pub fn stresses(model: &Model, state: &State, contacts: &[ContactState], leaning: &[ParticleContact]) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; model.len()];
     let mut add = |i: usize, at: Vec2, f: Vec2| {
         let x = at - state.poses[i].position;
@@ -129,6 +134,11 @@ pub fn stresses(model: &Model, state: &State, contacts: &[ContactState]) -> Vec<
         let f = c.normal * c.compression + c.normal.left() * c.shear;
         add(c.second.index(), c.point, f);
         add(c.first.index(), c.point, -f);
+    }
+    for c in leaning {
+        if let Body::Block(block) = c.partner {
+            add(block.index(), c.point, -c.force());
+        }
     }
     for i in 0..model.len() {
         // Point forces act on the boundary too, and their arms turn with the block; weight acts on the centroid and
@@ -151,12 +161,15 @@ pub fn stresses(model: &Model, state: &State, contacts: &[ContactState]) -> Vec<
 /// The state as a frame.
 pub fn frame(model: &Model, state: &State) -> Frame {
     let contacts = contacts(state);
+    let particle_contacts = state.particles.contacts(model, &state.poses);
     Frame {
         factor: state.factor,
         iterations: state.steps,
         poses: state.poses.iter().copied().collect(),
         velocities: state.velocities.iter().map(|&v| super::model::split(v)).collect(),
-        stresses: stresses(model, state, &contacts).into_iter().collect(),
+        stresses: stresses(model, state, &contacts, &particle_contacts).into_iter().collect(),
         contacts,
+        particles: state.particles.states(&model.particles, &particle_contacts),
+        particle_contacts,
     }
 }

@@ -67,7 +67,8 @@ pub(super) fn fingerprint(model: &Model, program: &Program, settings: &Settings)
         d.resultant(&model.weight[i]);
         d.resultant(&model.variable[i]);
     }
-    let groups = model.groups.iter().map(|g| g.index() + 1).max().unwrap_or(0);
+    model.particles.digest(&mut |x| d.word(x));
+    let groups = model.laws.groups();
     for a in 0..groups {
         for b in 0..groups {
             let law = model.laws.between(GroupId::new(a), GroupId::new(b));
@@ -96,5 +97,6 @@ pub(super) fn fingerprint(model: &Model, program: &Program, settings: &Settings)
     d.number(settings.tolerance);
     d.word(settings.step_limit);
     d.number(settings.time_step_factor);
+    d.word(u64::from(settings.scaled_inertia));
     d.value()
 }

@@ -1,5 +1,6 @@
 //! What is fixed once a run is set up.
 
+use super::particles::{Blocks, MOST_GROUPS, MOST_PARTICLES, ParticleModel};
 use super::search::close_pairs;
 use crate::blocks::{BlockModel, ContactLaw, LawTable, Loading, ModelError, PointForce, Stiffness};
 use crate::ids::{BlockId, GroupId, Id, Table};
@@ -56,6 +57,7 @@ pub struct Model {
     pub(super) cores: Table<BlockId, Core>,
     pub(super) groups: Vec<GroupId>,
     pub(super) laws: LawTable,
+    pub(super) particles: ParticleModel,
     /// Centre of mass of each block as built [m].
     pub(super) built: Vec<Vec2>,
     /// The same numbers as below, as the steps read them.
@@ -91,7 +93,9 @@ impl Model {
         check_names(model, loading)?;
         let cores = model.cores()?;
         let n = model.blocks.len();
+        check_particles(model)?;
         let mut m = Model {
+            particles: ParticleModel::new(&model.particles, &model.laws, model.gravity),
             groups: model.blocks.iter().map(|b| b.group).collect(),
             laws: model.laws.clone(),
             built: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
@@ -107,7 +111,11 @@ impl Model {
             variable_virial: vec![[0.0; 4]; n],
             movement: vec![[0.0; 3]; n],
             block_size: 0.0,
-            least_reach: cores.iter().map(|c| c.reach).fold(f64::INFINITY, f64::min),
+            least_reach: cores
+                .iter()
+                .map(|c| c.reach)
+                .chain(model.particles.iter().map(|p| p.radius))
+                .fold(f64::INFINITY, f64::min),
             cores,
         };
         for (id, block) in model.blocks.pairs() {
@@ -136,10 +144,15 @@ impl Model {
             m.weight[id.index()].add(Vec2::ZERO, model.gravity * mass);
         }
         let free: Vec<usize> = (0..n).filter(|&i| m.inverse_mass[i] != [0.0; 3]).collect();
-        if free.is_empty() {
+        if free.is_empty() && model.particles.is_empty() {
             return Err(ModelError::NothingFree);
         }
-        m.block_size = free.iter().map(|&i| m.area[i].sqrt()).sum::<f64>() / free.len() as f64;
+        m.block_size = if free.is_empty() {
+            let sizes = model.particles.iter().map(|p| std::f64::consts::PI.sqrt() * p.radius);
+            sizes.sum::<f64>() / model.particles.len() as f64
+        } else {
+            free.iter().map(|&i| m.area[i].sqrt()).sum::<f64>() / free.len() as f64
+        };
         m.permanent.clone_from(&m.weight);
         let add = |into: &mut [Resultant], virial: &mut [[f64; 4]], forces: &[PointForce]| {
             for f in forces {
@@ -196,13 +209,17 @@ impl Model {
 
     /// Refuses a block that the model does not have.
     pub(super) fn check_block(&self, block: BlockId) -> Result<(), ModelError> {
+        // Particles alone have no block to watch.
+        if self.is_empty() {
+            return Ok(());
+        }
         known("block", block.0, self.len())
     }
     /// Number of blocks.
     pub fn len(&self) -> usize {
         self.mass.len()
     }
-    /// Whether there is no block; never after [`Model::new`].
+    /// Whether there is no block; there may be particles.
     pub fn is_empty(&self) -> bool {
         self.mass.is_empty()
     }
@@ -220,6 +237,7 @@ impl Model {
             })
             .sum::<f64>()
             .max(f64::MIN_POSITIVE)
+            + self.particles.weight()
     }
     /// Whether anything is moved by the load factor.
     pub(super) fn moves_supports(&self) -> bool {
@@ -235,11 +253,16 @@ impl Model {
         let gravity = self.weight.iter().zip(&self.mass).map(|(w, m)| w.force.norm() / m[0]).fold(0.0, f64::max);
         (gravity * self.block_size).sqrt()
     }
+    /// The blocks as particles see them.
+    pub(super) fn blocks<'a>(&'a self, poses: &'a [Pose]) -> Blocks<'a> {
+        Blocks { cores: self.cores.as_slice(), poses, groups: &self.groups, laws: &self.laws }
+    }
     /// Poses as built.
     pub(super) fn poses(&self) -> Vec<Pose> {
         self.built.iter().map(|&c| Pose::at(c)).collect()
     }
-    pub(super) fn point_on(&self, block: BlockId, built: Vec2, pose: &Pose) -> Vec2 {
+    pub(super) fn point_on(&self, block: BlockId, built: Vec2, poses: &[Pose]) -> Vec2 {
+        let Some(pose) = poses.get(block.index()) else { return built };
         pose.place(built - self.built[block.index()])
     }
 }
@@ -254,11 +277,57 @@ fn known(what: &'static str, id: u32, count: usize) -> Result<(), ModelError> {
 
 /// Every block and group that is named must be there.
 fn check_names(model: &BlockModel, loading: &Loading) -> Result<(), ModelError> {
+    model.particles.iter().try_for_each(|p| known("group", p.group.index() as u32, model.laws.groups()))?;
     let forces = loading.permanent.iter().chain(&loading.variable).map(|f| f.block);
     for block in forces.chain(loading.movements.iter().map(|m| m.block)) {
         known("block", block.0, model.blocks.len())?;
     }
     model.blocks.iter().try_for_each(|b| known("group", b.group.index() as u32, model.laws.groups()))
+}
+
+/// Widest range of radii: a particle must not have more neighbours than a chunk can name.
+const WIDEST_RANGE: f64 = 1e3;
+
+fn check_particles(model: &BlockModel) -> Result<(), ModelError> {
+    for (id, p) in model.particles.pairs() {
+        for (what, value) in [("radius", p.radius), ("density", p.density)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(ModelError::Particle { particle: id.0, what, value });
+            }
+        }
+        if !p.centre.is_finite() {
+            return Err(ModelError::Particle { particle: id.0, what: "centre", value: f64::NAN });
+        }
+    }
+    let radii = || model.particles.iter().map(|p| p.radius);
+    let range = radii().fold(0.0, f64::max) / radii().fold(f64::INFINITY, f64::min);
+    let count = model.particles.len() as f64;
+    let mut groups: Vec<GroupId> = model.particles.iter().map(|p| p.group).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    let most = [
+        ("the ratio of the largest to the smallest radius", range, WIDEST_RANGE),
+        ("their number", count, MOST_PARTICLES as f64),
+        ("the number of their groups", groups.len() as f64, MOST_GROUPS as f64),
+    ];
+    for (what, value, most) in most {
+        if value > most {
+            return Err(ModelError::TooMany { what, value, most });
+        }
+    }
+    let all = model.blocks.iter().map(|b| b.group).chain(groups.iter().copied());
+    for other in all {
+        for &group in &groups {
+            let law = model.laws.between(group, other);
+            if law.tension > 0.0 {
+                return Err(ModelError::ParticleLaw("tensile strength"));
+            }
+            if law.crushing.is_finite() {
+                return Err(ModelError::ParticleLaw("compressive strength"));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn check_law(law: &ContactLaw) -> Result<(), ModelError> {

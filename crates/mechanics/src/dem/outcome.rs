@@ -1,6 +1,6 @@
 //! What a run reports.
 
-use crate::ids::{BlockId, Table};
+use crate::ids::{BlockId, ParticleId, Table};
 use crate::plane::{Pose, Vec2};
 
 /// How a run ended. All of these are answers.
@@ -21,8 +21,8 @@ pub enum Status {
     /// A number stopped being finite, a block ran away within one step, or the blocks gained energy out of nothing: the
     /// answer would be about the time step, not about the blocks.
     Broken {
-        /// The block where it was seen first; the fastest one where only the energy tells.
-        block: BlockId,
+        /// The body where it was seen first; the fastest one where only the energy tells.
+        body: Body,
         /// The iteration.
         step: u64,
     },
@@ -64,6 +64,64 @@ pub struct ContactState {
     pub sliding: bool,
 }
 
+/// A block or a particle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Body {
+    /// A particle.
+    Particle(ParticleId),
+    /// A block.
+    Block(BlockId),
+}
+
+/// One closed contact of a particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParticleContact {
+    /// The particle.
+    pub particle: ParticleId,
+    /// What it touches.
+    pub partner: Body,
+    /// Where [m].
+    pub point: Vec2,
+    /// Unit normal from the partner to the particle.
+    pub normal: Vec2,
+    /// Compression [N/m], positive.
+    pub compression: f64,
+    /// Shear [N/m], positive when the force on the particle acts along `normal.left()`.
+    pub shear: f64,
+    /// Length that the contact stands for [m].
+    pub length: f64,
+    /// Whether it slides.
+    pub sliding: bool,
+}
+
+impl ParticleContact {
+    /// Force on the particle [N/m]; its opposite acts on the partner.
+    pub fn force(&self) -> Vec2 {
+        self.normal * self.compression + self.normal.left() * self.shear
+    }
+    /// Compressive stress [Pa], positive.
+    pub fn compressive_stress(&self) -> f64 {
+        self.compression / self.length
+    }
+}
+
+/// A particle at one moment.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ParticleState {
+    /// Centre [m].
+    pub centre: Vec2,
+    /// Radius [m].
+    pub radius: f64,
+    /// Angle turned since it was built [rad].
+    pub angle: f64,
+    /// Velocity of the centre [m/s].
+    pub velocity: Vec2,
+    /// Angular velocity [rad/s].
+    pub spin: f64,
+    /// Average stress [Pa], tension positive: xx, yy, xy.
+    pub stress: [f64; 3],
+}
+
 impl ContactState {
     /// Compressive stress [Pa], positive.
     pub fn compressive_stress(&self) -> f64 {
@@ -86,11 +144,17 @@ pub struct Frame {
     pub contacts: Vec<ContactState>,
     /// Average stress in each block [Pa], tension positive: xx, yy, xy (divergence theorem).
     pub stresses: Table<BlockId, [f64; 3]>,
+    /// The particles.
+    pub particles: Table<ParticleId, ParticleState>,
+    /// Their closed contacts, in the order of memory.
+    pub particle_contacts: Vec<ParticleContact>,
 }
 
 /// Where the energy went [J per metre of width].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
+    /// What the state held when it was taken over from a run of another model.
+    pub initial: f64,
     /// Work of gravity.
     pub gravity: f64,
     /// Work of the loads.
@@ -110,7 +174,11 @@ pub struct Energy {
 impl Energy {
     /// What the account does not explain: work done minus what became of it.
     pub fn drift(&self) -> f64 {
-        self.gravity + self.loads + self.supports - self.kinetic - self.elastic - self.dissipated - self.damped
+        self.initial + self.gravity + self.loads + self.supports
+            - self.kinetic
+            - self.elastic
+            - self.dissipated
+            - self.damped
     }
 }
 

@@ -7,9 +7,11 @@ use super::outcome::{Frame, Outcome, PathPoint, Status};
 use super::relax::{Settled, Stage, culprit, settle};
 use super::settings::{Program, Settings};
 use super::state::State;
-use super::step::{Workspace, begin, critical_time_step, step};
+use super::step::{Workspace, begin, critical_time_step, exact_critical_time_step, step};
 use super::{stiffness, words};
 use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::ids::BlockId;
+use crate::plane::Vec2;
 use crate::watch::{Progress, Watch, Wish};
 
 /// Iterations between looks at the onlooker.
@@ -58,33 +60,84 @@ pub fn collapse(
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(model, loading)?;
+    collapse_from(&model, &|| begin(&model, settings), program, settings, resume, watch)
+}
+
+/// The same for a model that is set up, from a state of it: where another run has left it. `resume` needs no state.
+pub fn collapse_from(
+    model: &Model,
+    state: &dyn Fn() -> State,
+    program: &Program,
+    settings: &Settings,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Outcome, ModelError> {
+    let (run, status) = drive(model, state, program, settings, resume, watch)?;
+    Ok(finish(model, run, status))
+}
+
+/// Blocks and particles after they were let go.
+#[derive(Debug, Clone)]
+pub struct Rested {
+    /// How it ended: [`Status::StableToLastLoad`] when they rest.
+    pub status: Status,
+    /// Where they are.
+    pub state: State,
+    /// Iterations.
+    pub iterations: u64,
+    /// Out-of-balance force at the end, relative to the acting forces.
+    pub unbalanced_ratio: f64,
+}
+
+/// Brings a model to rest under its own weight and the permanent forces.
+pub fn rest(
+    model: &Model,
+    state: &dyn Fn() -> State,
+    settings: &Settings,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Rested, ModelError> {
+    let program = Program { increment: 1.0, limit: 0.0, resolution: None, watched: (BlockId(0), Vec2::ZERO) };
+    let (run, status) = drive(model, state, &program, settings, resume, watch)?;
+    let unbalanced_ratio = run.path.last().map_or(run.stage.ratio, |point| point.unbalanced_ratio);
+    Ok(Rested { status, iterations: run.state.steps, unbalanced_ratio, state: run.state })
+}
+
+/// Stage after stage until the run ends.
+fn drive(
+    model: &Model,
+    state: &dyn Fn() -> State,
+    program: &Program,
+    settings: &Settings,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<(Run, Status), ModelError> {
     model.check_block(program.watched.0)?;
-    let belongs = fingerprint(&model, program, settings);
+    let belongs = fingerprint(model, program, settings);
     let mut run = match resume {
-        Some(words) => words::decode(&model, words, belongs).ok_or(ModelError::ForeignState)?,
-        None => start(&model, settings),
+        Some(words) => words::decode(model, words, belongs).ok_or(ModelError::ForeignState)?,
+        None => start(model, state(), settings),
     };
     let mut work = Workspace::default();
     loop {
-        let settled = advance(&model, &mut run, &mut work, settings);
+        let settled = advance(model, &mut run, &mut work, settings);
         if let Settled::Going = settled {
             watch.keep(&|| words::encode(&run, belongs));
             if watch.look(&progress(&run, program)) == Wish::Stop {
                 watch.keep(&|| words::encode(&run, belongs));
-                return Ok(finish(&model, run, program, Some(Status::Cancelled)));
+                return Ok((run, Status::Cancelled));
             }
             continue;
         }
-        record(&model, &mut run, settled, program);
-        if let Some(status) = decide(&model, &mut run, settled, program, settings) {
-            return Ok(finish(&model, run, program, Some(status)));
+        record(model, &mut run, settled, program);
+        if let Some(status) = decide(model, &mut run, settled, program, settings) {
+            return Ok((run, status));
         }
     }
 }
 
-fn start(model: &Model, settings: &Settings) -> Run {
-    let state = begin(model, settings);
-    let critical = critical_time_step(model, &state);
+fn start(model: &Model, state: State, settings: &Settings) -> Run {
+    let critical = reported_critical_time_step(model, &state, settings);
     Run {
         stage: Stage::new(&state),
         stable: None,
@@ -100,6 +153,17 @@ fn start(model: &Model, settings: &Settings) -> Run {
         critical_time_step: critical,
         single_mass_time_step: stiffness::single_mass_time_step(model, &state),
         state,
+    }
+}
+
+/// Most particles for which the critical time step is reported from the eigenvalue; the bound is reported above.
+const EXACT_UP_TO: usize = 20_000;
+
+fn reported_critical_time_step(model: &Model, state: &State, settings: &Settings) -> f64 {
+    if model.particles.len() <= EXACT_UP_TO {
+        exact_critical_time_step(model, state)
+    } else {
+        critical_time_step(model, state, settings)
     }
 }
 
@@ -188,7 +252,7 @@ fn support_power(model: &Model, state: &State) -> f64 {
 /// Books the end of a stage.
 fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
     let (block, point) = program.watched;
-    let now = model.point_on(block, point, &run.state.poses[block.0 as usize]);
+    let now = model.point_on(block, point, &run.state.poses);
     run.path.push(PathPoint {
         factor: run.state.factor,
         displacement: now - point,
@@ -231,7 +295,7 @@ fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _se
             run.stalled = settled == Settled::Stalled;
         }
         Settled::StepLimit => return Some(Status::StepLimit),
-        Settled::Broken(block) => return Some(Status::Broken { block, step: run.state.steps }),
+        Settled::Broken(body) => return Some(Status::Broken { body, step: run.state.steps }),
         Settled::Going => return None,
     }
     let low = run.low.unwrap_or(0.0);
@@ -277,9 +341,9 @@ fn progress(run: &Run, program: &Program) -> Progress {
     }
 }
 
-fn finish(model: &Model, run: Run, _program: &Program, status: Option<Status>) -> Outcome {
+fn finish(model: &Model, run: Run, status: Status) -> Outcome {
     Outcome {
-        status: status.unwrap_or(Status::Cancelled),
+        status,
         last_stable_factor: run.low,
         collapse_factor: run.high,
         iterations_total: run.state.steps + run.given_up,

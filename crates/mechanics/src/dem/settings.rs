@@ -38,6 +38,9 @@ pub struct Settings {
     pub step_limit: u64,
     /// Share of the critical time step.
     pub time_step_factor: f64,
+    /// Whether particles that are stiffer held than most are given more inertia (never more weight), so that a few of them
+    /// do not set the time step of all: for states at rest, not for motions.
+    pub scaled_inertia: bool,
 }
 
 /// What is done to the blocks after their own weight has come to rest.

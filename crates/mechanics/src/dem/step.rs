@@ -1,6 +1,8 @@
 //! One step: search, resist, integrate.
 
+use super::account::energy;
 use super::model::{Model, Resultant};
+use super::particles::Cells;
 use super::search::{find_pairs, search};
 use super::settings::{ContactLength, Damping, Settings};
 use super::state::State;
@@ -12,6 +14,8 @@ pub struct Workspace {
     /// What acts on each block at `factor`.
     acting: Vec<Resultant>,
     factor: Option<f64>,
+    /// Grid of the search for neighbours of particles.
+    pub(super) cells: Cells,
 }
 
 impl Workspace {
@@ -28,6 +32,8 @@ impl Workspace {
 pub struct StepReport {
     /// A bound on how far any point moved in this step [m]; not finite if a number broke.
     pub moved: f64,
+    /// The same for the particles' centres.
+    pub particles_moved: f64,
 }
 
 /// The state in which the blocks are built: at rest, touching where they touch.
@@ -39,6 +45,7 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
         contact_forces: vec![[0.0; 3]; n],
         previous_forces: vec![[0.0; 3]; n],
         touches: Vec::new(),
+        particles: model.particles.begin(),
         factor: 0.0,
         support_factor: 0.0,
         steps: 0,
@@ -46,28 +53,45 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
         travel: 0.0,
         feature_travel: 0.0,
         viscosity: 0.0,
+        initial_energy: 0.0,
         load_work: 0.0,
         support_work: 0.0,
         dissipated: 0.0,
         damped: 0.0,
     };
     find_pairs(model, &mut state, settings.contact_length);
+    state.particles.search(&model.particles, model.blocks(&state.poses), &mut Cells::default(), 0);
     for touch in &mut state.touches {
         for memory in &mut touch.memory {
             memory.bonded = true;
         }
     }
-    state.time_step = settings.time_step_factor * critical_time_step(model, &state);
+    state.time_step = settings.time_step_factor * critical_time_step(model, &state, settings);
+    if !state.particles.discs.is_empty() {
+        // Particles may press on one another where they are built.
+        state.initial_energy -= energy(model, &state).drift();
+    }
     if let Damping::Viscous(share) = settings.damping {
         state.viscosity = 2.0 * share * stiffness::smallest_frequency(model, &state);
     }
     state
 }
 
-/// `2 / omega`, with the largest frequency of the contact stiffness system [s]. Bathe 1982.
-pub(super) fn critical_time_step(model: &Model, state: &State) -> f64 {
-    let omega = stiffness::largest_frequency(model, state);
+/// `2 / omega` [s], Bathe 1982, with the largest frequency of the contact stiffness system; with particles, whose pairs
+/// change all the time, with a bound on it that costs one pass over the contacts.
+pub fn critical_time_step(model: &Model, state: &State, settings: &Settings) -> f64 {
+    let omega = if state.particles.discs.is_empty() {
+        stiffness::largest_frequency(model, state)
+    } else {
+        stiffness::frequency_bound(model, state, settings.scaled_inertia)
+    };
     // Without any contact nothing limits the step; a hundredth of a second resolves a fall.
+    if omega > 0.0 { 2.0 / omega } else { 0.01 }
+}
+
+/// `2 / omega` [s] with the largest frequency by power iteration, also where there are particles.
+pub fn exact_critical_time_step(model: &Model, state: &State) -> f64 {
+    let omega = stiffness::largest_frequency(model, state);
     if omega > 0.0 { 2.0 / omega } else { 0.01 }
 }
 
@@ -75,14 +99,23 @@ pub(super) fn critical_time_step(model: &Model, state: &State) -> f64 {
 #[inline]
 pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings) -> StepReport {
     if search(model, state, settings.contact_length) {
-        state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state));
+        state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state, settings));
+    }
+    if state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, state.steps) {
+        if settings.scaled_inertia {
+            scale_inertia(model, state);
+        }
+        state.time_step = settings.time_step_factor * critical_time_step(model, state, settings);
     }
     match settings.contact_length {
         ContactLength::Fixed => resist::<false>(state),
         ContactLength::Updated => resist::<true>(state),
     }
+    let blocks = model.blocks(&state.poses);
+    let (velocities, on_blocks) = (&state.velocities, &mut state.contact_forces);
+    state.dissipated += state.particles.resist(&model.particles, blocks, velocities, state.time_step, on_blocks);
     work.act(model, state.factor);
-    match settings.damping {
+    let report = match settings.damping {
         Damping::Local(share) => integrate::<true>(model, state, work, share),
         Damping::Viscous(_) => integrate::<false>(model, state, work, 0.0),
         Damping::Adaptive => {
@@ -93,7 +126,24 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
             state.viscosity = 0.0;
             integrate::<false>(model, state, work, 0.0)
         }
-    }
+    };
+    integrate_particles(state, settings.damping, report)
+}
+
+/// Gives the particles the inertia that suits their springs; what their motion gains by it is booked with the damping.
+fn scale_inertia(model: &Model, state: &mut State) {
+    let before = state.particles.true_inertia(&model.particles);
+    let squares = stiffness::squares(model, state, true);
+    let gained = state.particles.scale_inertia(&before, &squares[model.len()..]);
+    state.damped -= gained;
+}
+
+/// Moves the particles on; how far they went bounds the next search.
+fn integrate_particles(state: &mut State, damping: Damping, report: StepReport) -> StepReport {
+    let (moved, damped) = state.particles.integrate(damping, state.viscosity, state.time_step);
+    state.damped += damped;
+    state.particles.travel += moved.max(report.moved);
+    StepReport { particles_moved: moved, ..report }
 }
 
 /// Contact forces from where the blocks are and how they got there, gathered per block in the fixed order of the
@@ -164,7 +214,7 @@ fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspa
     state.travel += moved;
     state.feature_travel += moved;
     state.steps += 1;
-    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN } }
+    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0 }
 }
 
 /// Sets the viscosity to critical at the frequency of the present motion, its Rayleigh quotient (Underwood 1983,
@@ -182,6 +232,9 @@ fn adapt(model: &Model, state: &mut State) {
         }
         *previous = *force;
     }
+    let (of_particles, moving) = state.particles.rayleigh();
+    stiff += of_particles;
+    kinetic += moving;
     let square = stiff / (kinetic * state.time_step);
     if kinetic > 0.0 && square.is_finite() {
         state.viscosity = 2.0 * square.max(0.0).sqrt();

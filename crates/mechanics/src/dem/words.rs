@@ -5,16 +5,17 @@
 
 use super::fingerprint::checksum;
 use super::model::Model;
-use super::outcome::{ContactState, Frame, PathPoint};
+use super::outcome::{Body, ContactState, Frame, ParticleContact, ParticleState, PathPoint};
+use super::particles::{self, Disc, Lean, Particles};
 use super::relax::Stage;
 use super::run::Run;
 use super::state::State;
 use super::touch::{Memory, Touch};
-use crate::ids::{BlockId, Id, Table};
+use crate::ids::{BlockId, Id, ParticleId, Table};
 use crate::plane::{Meeting, Pose, Rotation, Vec2};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_4144_0002;
+const LAYOUT: u64 = 0x4558_5452_4144_0003;
 
 /// Something that can be written as words and read back.
 trait Words: Sized {
@@ -144,7 +145,9 @@ fields! {
     Memory { shear, crushed, length, compression, bonded, closed, sliding }
     PathPoint { factor, displacement, iterations, unbalanced_ratio, at_rest }
     ContactState { first, second, point, normal, compression, shear, length, sliding }
-    Frame { factor, iterations, poses, velocities, contacts, stresses }
+    Frame { factor, iterations, poses, velocities, contacts, stresses, particles, particle_contacts }
+    ParticleState { centre, radius, angle, velocity, spin, stress }
+    ParticleContact { particle, partner, point, normal, compression, shear, length, sliding }
     Stage { start, first_step, window_least, best, idle_windows, window_displacement, ratio, next_picture }
 }
 
@@ -154,6 +157,31 @@ impl Words for BlockId {
     }
     fn take(from: &mut &[u64]) -> Option<Self> {
         u32::take(from).map(BlockId)
+    }
+}
+
+impl Words for ParticleId {
+    fn put(&self, to: &mut Vec<u64>) {
+        self.0.put(to);
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        u32::take(from).map(ParticleId)
+    }
+}
+
+impl Words for Body {
+    fn put(&self, to: &mut Vec<u64>) {
+        match *self {
+            Body::Particle(id) => (0_u64, id.0).put(to),
+            Body::Block(id) => (1_u64, id.0).put(to),
+        }
+    }
+    fn take(from: &mut &[u64]) -> Option<Self> {
+        match Words::take(from)? {
+            (0_u64, id) => Some(Body::Particle(ParticleId(id))),
+            (1, id) => Some(Body::Block(BlockId(id))),
+            _ => None,
+        }
     }
 }
 
@@ -203,15 +231,89 @@ fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTou
     Some(touch)
 }
 
+/// A lean without what follows from the model: particle and block, edge, and shear, stiffnesses and length.
+type StoredLean = (((u32, u32), u32), [f64; 5]);
+
+fn put_particles(p: &Particles, to: &mut Vec<u64>) {
+    (p.discs.len() as u64).put(to);
+    for d in &p.discs {
+        [d.x, d.y, d.vx, d.vy, d.rim, d.radius, d.inverse_mass, d.rolled].put(to);
+    }
+    p.previous.put(to);
+    ([p.skin, p.travel], p.searched).put(to);
+    for chunk in &p.chunks {
+        (chunk.contacts.len() as u64).put(to);
+        for c in &chunk.contacts {
+            (u64::from(c.one) << 32 | c.other() as u64, c.shear).put(to);
+        }
+        let lean = |l: &Lean| -> StoredLean {
+            (((l.local, l.block), l.edge), [l.shear, l.normal_stiffness, l.shear_stiffness, l.length, l.compression])
+        };
+        chunk.leans.iter().map(lean).collect::<Vec<StoredLean>>().put(to);
+    }
+}
+
+fn take_particles(model: &Model, from: &mut &[u64]) -> Option<Particles> {
+    if u64::take(from)? != model.particles.len() as u64 {
+        return None;
+    }
+    let disc = |from: &mut &[u64]| {
+        let [x, y, vx, vy, rim, radius, inverse_mass, rolled] = Words::take(from)?;
+        Some(Disc { x, y, vx, vy, rim, radius, inverse_mass, rolled })
+    };
+    let discs: Vec<Disc> = (0..model.particles.len()).map(|_| disc(from)).collect::<Option<_>>()?;
+    let previous: Vec<[f64; 3]> = Words::take(from)?;
+    if !(previous.is_empty() || previous.len() == discs.len()) {
+        return None;
+    }
+    let ([skin, travel], searched) = Words::take(from)?;
+    let mut chunks = particles::chunks(discs.len());
+    for chunk in &mut chunks {
+        let stored: Vec<(u64, f64)> = Words::take(from)?;
+        for (pair, shear) in stored {
+            let (one, other) = ((pair >> 32) as u32, (pair & 0xFFFF_FFFF) as u32);
+            let i = chunk.first + one;
+            if one >= chunk.count || other <= i || other as usize >= discs.len() {
+                return None;
+            }
+            chunk.contacts.push(model.particles.contact(&discs, &model.laws, (i, other), one as u16, shear));
+        }
+        let stored: Vec<StoredLean> = Words::take(from)?;
+        for (((local, block), edge), [shear, normal_stiffness, shear_stiffness, length, compression]) in stored {
+            let known = local < chunk.count && (block as usize) < model.len();
+            if !(known && (edge as usize) < model.cores[BlockId(block)].len()) {
+                return None;
+            }
+            let law = model.laws.between(model.particles.group(chunk.first + local), model.groups[block as usize]);
+            chunk.leans.push(Lean {
+                block,
+                row: 0,
+                local,
+                edge,
+                shear,
+                normal_stiffness,
+                shear_stiffness,
+                cohesion: law.cohesion * length,
+                friction: law.friction,
+                length,
+                compression,
+            });
+        }
+    }
+    particles::number_all(&mut chunks);
+    Some(Particles { discs, chunks, previous, skin, travel, searched })
+}
+
 fn put_state(s: &State, to: &mut Vec<u64>) {
     s.poses.put(to);
     s.velocities.put(to);
     s.contact_forces.put(to);
     s.previous_forces.put(to);
+    put_particles(&s.particles, to);
     s.touches.iter().map(store_touch).collect::<Vec<_>>().put(to);
     s.steps.put(to);
     [s.factor, s.support_factor, s.time_step, s.travel, s.feature_travel, s.viscosity].put(to);
-    [s.load_work, s.support_work, s.dissipated, s.damped].put(to);
+    [s.load_work, s.support_work, s.dissipated, s.damped, s.initial_energy].put(to);
 }
 
 fn take_state(model: &Model, from: &mut &[u64]) -> Option<State> {
@@ -223,17 +325,19 @@ fn take_state(model: &Model, from: &mut &[u64]) -> Option<State> {
     if fits != [model.len(); 4] {
         return None;
     }
+    let particles = take_particles(model, from)?;
     let stored: Vec<StoredTouch> = Words::take(from)?;
     let touches = stored.into_iter().map(|t| rebuild_touch(model, t)).collect::<Option<_>>()?;
     let steps = Words::take(from)?;
     let [factor, support_factor, time_step, travel, feature_travel, viscosity] = Words::take(from)?;
-    let [load_work, support_work, dissipated, damped] = Words::take(from)?;
+    let [load_work, support_work, dissipated, damped, initial_energy] = Words::take(from)?;
     Some(State {
         poses,
         velocities,
         contact_forces,
         previous_forces,
         touches,
+        particles,
         factor,
         support_factor,
         steps,
@@ -241,6 +345,7 @@ fn take_state(model: &Model, from: &mut &[u64]) -> Option<State> {
         travel,
         feature_travel,
         viscosity,
+        initial_energy,
         load_work,
         support_work,
         dissipated,

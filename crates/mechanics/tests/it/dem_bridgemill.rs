@@ -120,7 +120,7 @@ pub fn bridgemill(fill: bool, stiffness: f64) -> (BlockModel, Loading) {
     let weight = |x: f64| (top - extrados(x)) * 1890.0 * 9.81;
     let permanent = if fill { forces(0.0_f64.min(on_extrados(0).x), SPAN + 2.0, &weight) } else { Vec::new() };
     let laws = LawTable::uniform(1, law);
-    let model = BlockModel { blocks, groups, laws, gravity: vec2(0.0, -9.81) };
+    let model = BlockModel { blocks, particles: Table::default(), groups, laws, gravity: vec2(0.0, -9.81) };
     (model, Loading { permanent, variable: knife(), movements: Vec::new() })
 }
 
@@ -130,7 +130,14 @@ pub fn program(resolution: Option<f64>) -> Program {
 }
 
 pub fn paper(damping: Damping, contact_length: ContactLength) -> Settings {
-    Settings { damping, contact_length, tolerance: 1e-5, step_limit: 2_000_000, time_step_factor: 0.9 }
+    Settings {
+        damping,
+        contact_length,
+        tolerance: 1e-5,
+        step_limit: 2_000_000,
+        time_step_factor: 0.9,
+        scaled_inertia: false,
+    }
 }
 
 pub fn run((model, loading): &(BlockModel, Loading), resolution: Option<f64>, settings: &Settings) -> Outcome {

@@ -3,7 +3,7 @@
 use crate::dem_bridgemill::{bridgemill, paper, program};
 use crate::dem_support::{Scene, dry, settings};
 use mechanics::blocks::{ContactLaw, Held, ModelError, Movement, PointForce, Stiffness};
-use mechanics::dem::{ContactLength, Damping, Model, Outcome, Program, Settings, Status, collapse};
+use mechanics::dem::{Body, ContactLength, Damping, Model, Outcome, Program, Settings, Status, collapse};
 use mechanics::ids::{BlockId, GroupId};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Unwatched;
@@ -33,7 +33,7 @@ fn a_time_step_too_large_is_no_collapse() {
     for (factor, breaks) in [(0.95, false), (1.3, true), (2.0, true), (10.0, true), (1e6, true)] {
         let s = Settings { time_step_factor: factor, ..settings(Damping::Local(0.7)) };
         match run(&stack(), &s).status {
-            Status::Broken { block, step } => {
+            Status::Broken { body: Body::Block(block), step } => {
                 assert!(breaks, "{factor}");
                 assert!(block.0 >= 1 && block.0 <= 4 && step > 0, "{block:?} {step}");
             }
@@ -51,7 +51,7 @@ fn a_number_that_breaks_is_named() {
     let mut scene = stack();
     scene.push(BlockId(3), vec2(0.0, 0.7), vec2(f64::NAN, 0.0));
     let status = run(&scene, &settings(Damping::Local(0.7))).status;
-    assert!(matches!(status, Status::Broken { block: BlockId(3), step: 1 }), "{status:?}");
+    assert!(matches!(status, Status::Broken { body: Body::Block(BlockId(3)), step: 1 }), "{status:?}");
     let mut scene = stack();
     scene.law.normal = Stiffness::Given(1e300);
     // The critical step is then too small to move anything: no answer, and no panic.

@@ -5,7 +5,7 @@ use mechanics::dem::{Damping, contacts, stresses};
 use mechanics::plane::{Vec2, vec2};
 
 fn stress(motion: &Motion) -> Vec<[f64; 3]> {
-    stresses(&motion.model, &motion.state, &contacts(&motion.state))
+    stresses(&motion.model, &motion.state, &contacts(&motion.state), &[])
 }
 
 /// At rest to round-off; what is left is the overlap of up to 0.2 mm, half of which shortens arms of 200 mm.

@@ -29,6 +29,7 @@ pub fn settings(damping: Damping) -> Settings {
         tolerance: 1e-5,
         step_limit: 2_000_000,
         time_step_factor: 0.9,
+        scaled_inertia: false,
     }
 }
 
@@ -80,7 +81,13 @@ impl Scene {
     pub fn model(&self) -> BlockModel {
         let mut groups: Table<GroupId, String> = Table::default();
         groups.push("all".to_string());
-        BlockModel { blocks: self.blocks.clone(), groups, laws: LawTable::uniform(1, self.law), gravity: self.gravity }
+        BlockModel {
+            blocks: self.blocks.clone(),
+            particles: Table::default(),
+            groups,
+            laws: LawTable::uniform(1, self.law),
+            gravity: self.gravity,
+        }
     }
     pub fn weight(&self, block: BlockId) -> f64 {
         self.blocks[block].mass() * self.gravity.norm()

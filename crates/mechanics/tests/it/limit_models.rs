@@ -1,7 +1,7 @@
 //! Block models that several tests of limit analysis share, made by hand from their published dimensions.
 
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
-use mechanics::ids::{BlockId, GroupId, Id};
+use mechanics::ids::{BlockId, GroupId, Id, Table};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 /// A dry joint with a coefficient of friction.
@@ -25,6 +25,7 @@ pub fn block(outline: Polygon, rounding: f64, density: f64, held: Held) -> Block
 pub fn model(blocks: Vec<Block>, law: ContactLaw) -> BlockModel {
     BlockModel {
         blocks: blocks.into_iter().collect(),
+        particles: Table::default(),
         groups: ["block".to_string()].into_iter().collect(),
         laws: LawTable::uniform(1, law),
         gravity: vec2(0.0, -9.81),

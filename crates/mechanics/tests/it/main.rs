@@ -23,3 +23,6 @@ mod limit_oracle;
 mod limit_section;
 mod limit_thickness;
 mod limit_walls;
+mod particle_lattice;
+mod particle_pairs;
+mod particle_support;

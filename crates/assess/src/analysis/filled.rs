@@ -1,0 +1,326 @@
+//! Collapse of rings under fill that is particles: packed, let go, loaded.
+
+use super::by_dem::{report, require_stiffness, settings};
+use super::report::{Collapse, PackingReport};
+use super::{AnalysisError, notes};
+use crate::discretise::fill::FillRegion;
+use crate::discretise::{Discretised, Origin, discretise};
+use bridge::{Bridge, Particles};
+use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
+use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
+use mechanics::ids::{BlockId, Table};
+use mechanics::plane::{Polygon, Vec2, vec2};
+use mechanics::watch::{Progress, Watch, Wish};
+
+/// Packs the fill, lets ring and fill come to rest, puts the loading blocks on it and raises the loads in steps until
+/// the ring collapses or the fill gives way.
+pub fn collapse_filled(
+    bridge: &Bridge,
+    particles: &Particles,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    require_stiffness(bridge)?;
+    let mut d = discretise(bridge)?;
+    let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoLoad) };
+    d.loading.movements.clear();
+    if d.loading.variable.is_empty() {
+        return Err(AnalysisError::NoLoad);
+    }
+    let load_step = bridge.plan.load_step.ok_or(AnalysisError::Missing {
+        what: "load_step",
+        why: "limit analysis, from which it would be chosen, knows no particles",
+    })?;
+    let kept = resume.map(Kept::read).transpose()?;
+    let grains = match &kept {
+        Some(kept) => kept.grains.clone(),
+        None => match packing(bridge, &d, &region, particles, watch) {
+            Ok(grains) => grains,
+            Err(PackingError::Stopped) => return Ok(stopped(bridge, &d)),
+            Err(error) => return Err(error.into()),
+        },
+    };
+    fill(&mut d, &region, &grains);
+    let before = Before::rest(bridge, &d, &grains, kept.as_ref(), watch)?;
+    let (lifts, settled) = match &before {
+        Before::Loaded { lifts, .. } => (lifts.clone(), None),
+        Before::Rested(rested) if rested.outcome.status == dem::Status::StableToLastLoad => {
+            (lifts(&d, &rested.frame()), Some(rested))
+        }
+        Before::Rested(rested) => return Ok(not_at_rest(bridge, &d, &region, rested)),
+    };
+    lift(&mut d, &lifts);
+    let outcome = load(bridge, &d, load_step, &grains, &lifts, settled, &before, watch)?;
+    let factor = |factor: f64| d.load(factor);
+    let mut c = report(bridge, &d, &outcome, "discrete elements", &factor);
+    c.collapse_load = outcome.collapse_factor.map(factor);
+    c.last_stable_load = outcome.last_stable_factor.map(factor);
+    c.load_step = Some(load_step);
+    c.packing = outcome.frames.first().map(|frame| packing_report(&d, &region, &grains, frame));
+    if let (Some(dem), Some(rested)) = (&mut c.dem, settled) {
+        dem.iterations_total += rested.outcome.iterations;
+    }
+    notes::dem(bridge, &d, &mut c);
+    notes::filled(&mut c);
+    Ok(c)
+}
+
+/// Grows the particles, or takes those of a file.
+fn packing(
+    bridge: &Bridge,
+    d: &Discretised,
+    region: &FillRegion,
+    particles: &Particles,
+    watch: &mut dyn Watch,
+) -> Result<Vec<Grain>, PackingError> {
+    if !particles.grains.is_empty() {
+        let grain = |g: &[f64; 3]| Grain { centre: vec2(g[0], g[1]), radius: g[2] };
+        return Ok(particles.grains.iter().map(grain).collect());
+    }
+    let mould = region.mould(&without_loading_blocks(d));
+    Ok(pack(&mould, &region.outline, &region.recipe(bridge, particles), watch)?.grains)
+}
+
+/// Puts the particles into the model; each belongs to the layer at its centre.
+fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
+    let particle = |g: &Grain| {
+        let layer = region.layer_at(g.centre.y);
+        // A layer's density is that of the soil, voids included; a disc stands for the soil around it.
+        let share = grains.iter().map(|g| std::f64::consts::PI * g.radius * g.radius).sum::<f64>() / region.area;
+        Particle { centre: g.centre, radius: g.radius, density: layer.density / share, group: layer.group }
+    };
+    d.model.particles = grains.iter().map(particle).collect();
+}
+
+/// The model without the blocks that bring loads: they come last.
+fn without_loading_blocks(d: &Discretised) -> BlockModel {
+    let standing = d.origins.iter().filter(|o| !matches!(o, Origin::LoadingBlock { .. })).count();
+    let blocks: Table<BlockId, Block> = d.model.blocks.iter().take(standing).cloned().collect();
+    BlockModel { blocks, ..d.model.clone() }
+}
+
+/// A model at rest before its loads come.
+struct Settled {
+    model: Model,
+    outcome: Rested,
+}
+
+impl Settled {
+    fn frame(&self) -> Frame {
+        dem::frame(&self.model, &self.outcome.state)
+    }
+}
+
+/// What came before the loads.
+enum Before {
+    /// Ring and fill at rest.
+    Rested(Settled),
+    /// A kept state has the loads on already.
+    Loaded { lifts: Vec<f64>, words: Vec<u64> },
+}
+
+impl Before {
+    /// Takes the lid away, lets the ring go, and waits until all rests; or takes up where a kept state stood.
+    fn rest(
+        bridge: &Bridge,
+        d: &Discretised,
+        grains: &[Grain],
+        kept: Option<&Kept>,
+        watch: &mut dyn Watch,
+    ) -> Result<Before, AnalysisError> {
+        let words = match kept {
+            Some(Kept { lifts: Some(lifts), words, .. }) => {
+                return Ok(Before::Loaded { lifts: lifts.clone(), words: words.clone() });
+            }
+            Some(kept) => Some(&kept.words[..]),
+            None => None,
+        };
+        let loading = Loading { permanent: d.loading.permanent.clone(), ..Loading::default() };
+        let model = Model::new(&without_loading_blocks(d), &loading)?;
+        let settings = settings(bridge);
+        let mut part = Part { watch, stage: "fill and ring come to rest", grains, lifts: None };
+        let outcome = dem::rest(&model, &|| begin(&model, &settings), &settings, words, &mut part)?;
+        Ok(Before::Rested(Settled { model, outcome }))
+    }
+}
+
+/// How far each loading block must rise or sink to stand on the particles below it [m].
+fn lifts(d: &Discretised, frame: &Frame) -> Vec<f64> {
+    let blocks = d.origins.pairs().filter(|(_, o)| matches!(o, Origin::LoadingBlock { .. }));
+    blocks
+        .map(|(id, _)| {
+            let (low, high) = d.model.blocks[id].outline.bounds();
+            let below =
+                frame.particles.iter().filter(|p| p.centre.x > low.x - p.radius && p.centre.x < high.x + p.radius);
+            let top = below.map(|p| p.centre.y + p.radius).fold(f64::NEG_INFINITY, f64::max);
+            if top.is_finite() { top - low.y } else { 0.0 }
+        })
+        .collect()
+}
+
+/// Moves the loading blocks, and the forces on them.
+fn lift(d: &mut Discretised, lifts: &[f64]) {
+    let blocks: Vec<BlockId> =
+        d.origins.pairs().filter(|(_, o)| matches!(o, Origin::LoadingBlock { .. })).map(|(id, _)| id).collect();
+    for (&id, &up) in blocks.iter().zip(lifts) {
+        let moved = d.model.blocks[id].outline.vertices().iter().map(|v| *v + vec2(0.0, up)).collect();
+        if let Ok(outline) = Polygon::new(moved) {
+            d.model.blocks[id].outline = outline;
+        }
+        for force in d.loading.variable.iter_mut().filter(|f| f.block == id) {
+            force.at.y += up;
+        }
+    }
+}
+
+/// The loads, in steps.
+#[allow(clippy::too_many_arguments)]
+fn load(
+    bridge: &Bridge,
+    d: &Discretised,
+    load_step: f64,
+    grains: &[Grain],
+    lifts: &[f64],
+    settled: Option<&Settled>,
+    before: &Before,
+    watch: &mut dyn Watch,
+) -> Result<dem::Outcome, AnalysisError> {
+    let model = Model::new(&d.model, &d.loading)?;
+    let settings = settings(bridge);
+    let limit = bridge.plan.load_limit.unwrap_or(MOST_STEPS * load_step);
+    let program = dem::Program {
+        increment: load_step / d.reference_load,
+        limit: (limit - d.counted_weight).max(0.0) / d.reference_load,
+        resolution: bridge.plan.resolution.map(|r| r / d.reference_load),
+        watched: d.watched,
+    };
+    let state = || match settled {
+        Some(s) => take_over(&model, &settings, (&s.model, &s.outcome.state)),
+        None => begin(&model, &settings),
+    };
+    let words = if let Before::Loaded { words, .. } = before { Some(&words[..]) } else { None };
+    let mut part = Part { watch, stage: "loading", grains, lifts: Some(lifts) };
+    Ok(dem::collapse_from(&model, &state, &program, &settings, words, &mut part)?)
+}
+
+/// Load steps tried where the file gives no limit.
+const MOST_STEPS: f64 = 100.0;
+
+/// What a checkpoint of such a run holds.
+struct Kept {
+    grains: Vec<Grain>,
+    /// Where loads are on: how far their blocks were lifted [m].
+    lifts: Option<Vec<f64>>,
+    words: Vec<u64>,
+}
+
+impl Kept {
+    fn read(words: &[u64]) -> Result<Kept, AnalysisError> {
+        let foreign = || AnalysisError::from(ModelError::ForeignState);
+        let mut rest = words;
+        let mut next = || -> Result<u64, AnalysisError> {
+            let (&first, others) = rest.split_first().ok_or_else(foreign)?;
+            rest = others;
+            Ok(first)
+        };
+        let count = next()? as usize;
+        if count > words.len() / 3 {
+            return Err(foreign());
+        }
+        let mut grains = Vec::with_capacity(count);
+        for _ in 0..count {
+            let [x, y, radius] = [next()?, next()?, next()?].map(f64::from_bits);
+            grains.push(Grain { centre: vec2(x, y), radius });
+        }
+        let lifts = match next()? {
+            0 => None,
+            blocks if (blocks as usize) <= words.len() => {
+                Some((1..blocks).map(|_| next().map(f64::from_bits)).collect::<Result<Vec<f64>, _>>()?)
+            }
+            _ => return Err(foreign()),
+        };
+        Ok(Kept { grains, lifts, words: rest.to_vec() })
+    }
+    fn write(grains: &[Grain], lifts: Option<&[f64]>, words: Vec<u64>) -> Vec<u64> {
+        let mut to = vec![grains.len() as u64];
+        to.extend(grains.iter().flat_map(|g| [g.centre.x, g.centre.y, g.radius]).map(f64::to_bits));
+        to.push(lifts.map_or(0, |l| 1 + l.len() as u64));
+        to.extend(lifts.unwrap_or_default().iter().map(|l| l.to_bits()));
+        to.extend(words);
+        to
+    }
+}
+
+/// An onlooker who is told which stage is at work, and keeps the packing with the state.
+struct Part<'a> {
+    watch: &'a mut dyn Watch,
+    stage: &'static str,
+    grains: &'a [Grain],
+    lifts: Option<&'a [f64]>,
+}
+
+impl Watch for Part<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let stage = if self.lifts.is_some() { progress.stage.clone() } else { self.stage.to_string() };
+        let fraction = progress.fraction.filter(|_| self.lifts.is_some());
+        self.watch.look(&Progress { stage, fraction, ..progress.clone() })
+    }
+    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+        let (grains, lifts) = (self.grains, self.lifts);
+        self.watch.keep(&|| Kept::write(grains, lifts, words()));
+    }
+}
+
+/// What the particles amount to at rest under their own weight.
+fn packing_report(d: &Discretised, region: &FillRegion, grains: &[Grain], frame: &Frame) -> PackingReport {
+    let solid: f64 = grains.iter().map(|g| std::f64::consts::PI * g.radius * g.radius).sum();
+    let (mut touching, mut virial) = (0usize, 0.0);
+    for c in &frame.particle_contacts {
+        let to_partner = |at: Vec2| (c.point - at).norm();
+        virial += c.compression * to_partner(frame.particles[c.particle].centre);
+        touching += 1;
+        if let Body::Particle(other) = c.partner {
+            virial += c.compression * to_partner(frame.particles[other].centre);
+            touching += 1;
+        }
+    }
+    let sizes = grains.iter().map(|g| 2.0 * g.radius);
+    PackingReport {
+        grains: grains.iter().map(|g| [g.centre.x, g.centre.y, g.radius]).collect(),
+        solid_fraction: solid / region.area,
+        coordination: touching as f64 / grains.len() as f64,
+        mean_stress: 0.5 * virial / region.area,
+        diameters: [sizes.clone().fold(f64::INFINITY, f64::min), sizes.fold(0.0, f64::max)],
+        settlement: settlement(d, frame),
+    }
+}
+
+/// Mean sinking of the particles since they were packed [m].
+fn settlement(d: &Discretised, frame: &Frame) -> f64 {
+    let sunk = d.model.particles.iter().zip(frame.particles.iter()).map(|(p, now)| p.centre.y - now.centre.y);
+    sunk.sum::<f64>() / d.model.particles.len().max(1) as f64
+}
+
+/// The result of a run that was stopped while particles grew.
+fn stopped(bridge: &Bridge, d: &Discretised) -> Collapse {
+    let picture = super::picture::built(bridge, d, "discrete elements");
+    let mut c = Collapse::blank(bridge, d, bridge::Analysis::Load, picture);
+    c.method = bridge::Method::Dem;
+    c.status = super::Status::Cancelled;
+    c
+}
+
+/// The result where ring and fill did not come to rest.
+fn not_at_rest(bridge: &Bridge, d: &Discretised, region: &FillRegion, rested: &Settled) -> Collapse {
+    let mut c = stopped(bridge, d);
+    c.status = match rested.outcome.status {
+        dem::Status::Cancelled => super::Status::Cancelled,
+        dem::Status::Stalled => super::Status::Stalled,
+        dem::Status::StepLimit => super::Status::StepLimit,
+        dem::Status::Broken { .. } => super::Status::NotConverged,
+        _ => super::Status::UnstableUnderSelfWeight,
+    };
+    let grains: Vec<Grain> = d.model.particles.iter().map(|p| Grain { centre: p.centre, radius: p.radius }).collect();
+    c.packing = Some(packing_report(d, region, &grains, &rested.frame()));
+    c
+}

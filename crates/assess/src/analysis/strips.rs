@@ -1,0 +1,101 @@
+//! The two strips of a bridge with spandrel walls, and their loads by their widths.
+
+use super::report::{Collapse, Combination, Component, Status};
+use super::{AnalysisError, collapse};
+use crate::warning::{self, Warning};
+use bridge::{Bridge, Strip};
+use mechanics::blocks::ModelError;
+use mechanics::watch::{Progress, Watch, Wish};
+
+/// Analyses the strip between the walls, then that of the walls, and adds up their collapse loads by their widths: the
+/// result of the strip between the walls, with the other and the sum beside it. A kept state starts with the number of
+/// the strip that was at work; on resuming the first strip is run again, to the same bits.
+pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    let wall = bridge.spandrel_wall.as_ref().ok_or(crate::discretise::DiscretiseError::NoWall)?;
+    let kept = match resume.map(<[u64]>::split_first) {
+        None => [None, None],
+        Some(Some((&0, words))) => [Some(words), None],
+        Some(Some((&1, words))) => [None, Some(words)],
+        Some(_) => return Err(ModelError::ForeignState.into()),
+    };
+    let mut found = strip(bridge, Strip::Fill, kept[0], watch)?;
+    if found.status == Status::Cancelled {
+        return Ok(found);
+    }
+    let walls = strip(bridge, Strip::Wall, kept[1], watch)?;
+    let sum = combination(&found, &walls, [bridge.width - wall.thickness, wall.thickness]);
+    if let (Some(total), Some(load)) = (sum.collapse_load, walls.collapse_load) {
+        let message = format!(
+            "the walls carry {:.0} % of the sum of both strips on {:.0} % of the width",
+            100.0 * load * wall.thickness / total,
+            100.0 * wall.thickness / bridge.width
+        );
+        found.warnings.push(Warning::new(warning::STRIPS_ADDED, message));
+    }
+    found.combination = Some(sum);
+    if walls.status.exit_code() > found.status.exit_code() {
+        found.status = walls.status;
+    }
+    found.wall_strip = Some(Box::new(walls));
+    Ok(found)
+}
+
+fn strip(
+    bridge: &Bridge,
+    strip: Strip,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    let mut alone = bridge.clone();
+    alone.plan.strip = strip;
+    let number = u64::from(strip == Strip::Wall);
+    collapse(&alone, resume, &mut Part { watch, number })
+}
+
+/// An onlooker who is told which strip is at work.
+struct Part<'a> {
+    watch: &'a mut dyn Watch,
+    number: u64,
+}
+
+impl Watch for Part<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let name = if self.number == 0 { "between the walls" } else { "below the walls" };
+        let fraction = progress.fraction.map(|share| 0.5 * (share + self.number as f64));
+        self.watch.look(&Progress { stage: format!("{name}: {}", progress.stage), fraction, ..progress.clone() })
+    }
+    fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+        let number = self.number;
+        self.watch.keep(&|| [vec![number], words()].concat());
+    }
+}
+
+/// Both strips' loads times their widths [m].
+fn combination(fill: &Collapse, wall: &Collapse, widths: [f64; 2]) -> Combination {
+    let component = |strip, c: &Collapse, width| Component {
+        strip,
+        status: c.status,
+        collapse_load: c.collapse_load,
+        last_stable_load: c.last_stable_load,
+        width,
+    };
+    let components = vec![component("fill", fill, widths[0]), component("wall", wall, widths[1])];
+    let sum = |load: fn(&Component) -> Option<f64>| components.iter().map(|c| Some(load(c)? * c.width)).sum();
+    let mut assumptions = vec![
+        "The strips act side by side without a force between them, and both carry their collapse loads at the same time, \
+         whatever their displacements (a rough estimate: Rouxinol, Providência and Lemos, section 3.5)."
+            .to_string(),
+        "Loads are the same in every metre of the width; what the barrel gains as a shell, and what walls lose by leaning \
+         outwards, is left out."
+            .to_string(),
+    ];
+    for c in components.iter().filter(|c| c.collapse_load.is_none()) {
+        assumptions.push(format!("No collapse load was found for the strip \"{}\": there is no sum.", c.strip));
+    }
+    Combination {
+        collapse_load: sum(|c| c.collapse_load),
+        last_stable_load: sum(|c| c.last_stable_load),
+        components,
+        assumptions,
+    }
+}

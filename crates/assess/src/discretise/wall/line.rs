@@ -1,0 +1,152 @@
+//! The line on which the coursed part of a wall stands: seats from end to end, with stones in place of steep haunches.
+
+use super::haunch::{Chain, between, stones};
+use super::{Layout, Piece, Seat, WallError};
+use mechanics::plane::{Vec2, vec2};
+
+/// A straight part of the line, from left to right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// Left end [m].
+    pub left: Vec2,
+    /// Right end [m].
+    pub right: Vec2,
+}
+
+impl Segment {
+    /// Level at `x` [m].
+    pub fn at(&self, x: f64) -> f64 {
+        let run = self.right.x - self.left.x;
+        self.left.y + (self.right.y - self.left.y) * ((x - self.left.x) / run)
+    }
+    /// Rise per unit of x.
+    pub fn slope(&self) -> f64 {
+        (self.right.y - self.left.y) / (self.right.x - self.left.x)
+    }
+    /// Horizontal length [m].
+    pub fn width(&self) -> f64 {
+        self.right.x - self.left.x
+    }
+}
+
+/// What the courses stand on.
+pub struct Ground {
+    /// Segments that follow one another in x; levels may jump between them.
+    pub line: Vec<Segment>,
+    /// Stones of the haunches below the line.
+    pub stones: Vec<Piece>,
+}
+
+/// Between two spans, or between a span and the end of the wall: a flat part and the steep backs on both sides of it,
+/// each from the springing up.
+struct Valley {
+    flat: Segment,
+    left: Vec<Vec2>,
+    right: Vec<Vec2>,
+}
+
+/// Shortest flat part that is drawn [m]: where two rings meet above a pier there is none.
+const NOTHING: f64 = 1e-9;
+
+/// The line between the ends of the wall, and the stones on steep haunches.
+pub fn ground(seats: &[Seat], layout: &Layout) -> Result<Ground, WallError> {
+    let mut ground = Ground { line: Vec::new(), stones: Vec::new() };
+    let mut groups = seats.chunk_by(|a, b| a.span == b.span).peekable();
+    // Steep backs of the right springing that the last span left for the valley behind it.
+    let mut before: Vec<Vec2> = Vec::new();
+    let mut flat: Option<Segment> = None;
+    while let Some(group) = groups.next() {
+        if group[0].span.is_none() {
+            let (first, last) = (group[0].left, group[group.len() - 1].right);
+            flat = Some(clipped(Segment { left: first, right: last }, layout.ends));
+            if groups.peek().is_none() {
+                valley(
+                    &Valley { flat: flat.unwrap_or(ends(last)), left: before.clone(), right: vec![] },
+                    layout,
+                    &mut ground,
+                )?;
+            }
+            continue;
+        }
+        let steep = |s: &Seat| s.right.x - s.left.x < layout.least;
+        let half = group.len() / 2;
+        let rising = group[..half].iter().rposition(steep).map_or(0, |k| k + 1);
+        let falling = group[half..].iter().position(steep).map_or(group.len(), |k| half + k);
+        let up = corners(group[..rising].iter().map(|s| (s.left, s.right)));
+        let flat_here = flat.take().unwrap_or(ends(group[0].left));
+        valley(&Valley { flat: flat_here, left: before, right: up }, layout, &mut ground)?;
+        for seat in &group[rising..falling] {
+            if seat.right.x - seat.left.x < NOTHING {
+                return Err(WallError::Overhang { x: seat.left.x });
+            }
+            ground.line.push(Segment { left: seat.left, right: seat.right });
+        }
+        before = corners(group[falling..].iter().rev().map(|s| (s.right, s.left)));
+    }
+    Ok(ground)
+}
+
+fn ends(at: Vec2) -> Segment {
+    Segment { left: at, right: at }
+}
+
+/// A flat seat between the ends of the wall.
+fn clipped(flat: Segment, ends: [f64; 2]) -> Segment {
+    let inside = |p: Vec2| vec2(p.x.clamp(ends[0], ends[1]), p.y);
+    Segment { left: inside(flat.left), right: inside(flat.right) }
+}
+
+/// Corners of steep backs from the springing up.
+fn corners(backs: impl Iterator<Item = (Vec2, Vec2)>) -> Vec<Vec2> {
+    let mut chain = Vec::new();
+    for (low, high) in backs {
+        if chain.is_empty() {
+            chain.push(low);
+        }
+        chain.push(high);
+    }
+    chain
+}
+
+/// Fills the foot of a valley with stones where its sides are steep, and draws the line above.
+fn valley(valley: &Valley, layout: &Layout, ground: &mut Ground) -> Result<(), WallError> {
+    let Valley { flat, left, right } = valley;
+    let room = flat.width();
+    let whole = layout.length;
+    let on = |x: f64| if room > NOTHING { vec2(x, flat.at(x)) } else { flat.left };
+    // A plumb face from the flat part up to the head of a chain, at most a brick away from its foot.
+    let plumb = |x: f64, head: &[Vec2]| Chain::plumb(on(x), head[head.len() - 1].y);
+    let mut level = |from: Vec2, to: Vec2| {
+        if to.x - from.x > NOTHING {
+            ground.line.push(Segment { left: from, right: to });
+        }
+    };
+    match (left.last().copied(), right.last().copied()) {
+        (None, None) => level(flat.left, flat.right),
+        (None, Some(head)) => {
+            let x = if room >= whole + layout.least { flat.right.x - whole } else { flat.left.x };
+            level(flat.left, on(x));
+            level(vec2(x, head.y), head);
+            ground.stones.extend(stones(&plumb(x, right), &Chain::backs(right), layout)?);
+        }
+        (Some(head), None) => {
+            let x = if room >= whole + layout.least { flat.left.x + whole } else { flat.right.x };
+            level(head, vec2(x, head.y));
+            level(on(x), flat.right);
+            ground.stones.extend(stones(&Chain::backs(left), &plumb(x, left), layout)?);
+        }
+        (Some(a), Some(b)) if room >= 2.0 * whole + layout.least => {
+            let x = [flat.left.x + whole, flat.right.x - whole];
+            level(a, vec2(x[0], a.y));
+            level(on(x[0]), on(x[1]));
+            level(vec2(x[1], b.y), b);
+            ground.stones.extend(stones(&Chain::backs(left), &plumb(x[0], left), layout)?);
+            ground.stones.extend(stones(&plumb(x[1], right), &Chain::backs(right), layout)?);
+        }
+        (Some(a), Some(b)) => {
+            level(a, b);
+            ground.stones.extend(between(left, right, layout)?);
+        }
+    }
+    Ok(())
+}

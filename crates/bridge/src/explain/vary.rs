@@ -1,0 +1,43 @@
+//! Cards of errors in [[vary]].
+
+use super::Card;
+
+/// The cards, in the order of their codes.
+pub(super) const CARDS: &[Card] = &[
+    Card {
+        code: "B501",
+        title: "no such quantity",
+        meaning: "A path names a quantity of this file: its sections and its key with dots between, [1] for the first of several. The nearest path is named, and what the file has.",
+        why: "A path that leads nowhere would vary nothing, and the answer would look as if the quantity did not matter.",
+        wrong: r#"quantity = "joint.friction_angel""#,
+        right: r#"quantity = "joint.friction_angle""#,
+        source: "the format of bridge files",
+    },
+    Card {
+        code: "B502",
+        title: "no such entry",
+        meaning: "Where a file has several spans, layers or loads, a path says which, counted from 1 in the order of the file.",
+        why: "A number beyond the last, or none where there are several, leaves open what is meant.",
+        wrong: r#"quantity = "span[9].ring[2].crown_thickness""#,
+        right: r#"quantity = "span[1].ring[2].crown_thickness""#,
+        source: "the format of bridge files",
+    },
+    Card {
+        code: "B503",
+        title: "values that cannot be worked out",
+        meaning: "Both ends of a range are numbers of the same dimension. Relative values, \"-5 %\" or \"x0.5\", need a quantity that has a number in the file or by default.",
+        why: "Without two numbers there is nothing in between.",
+        wrong: r#"to = "5 kN""#,
+        right: r#"to = "+5 %""#,
+        source: "the format of bridge files",
+    },
+    Card {
+        code: "B504",
+        title: "a quantity is varied twice",
+        meaning: "Every quantity has one table of values.",
+        why: "One after the other, the second table would repeat the first; all against all, it would undo it.",
+        wrong: r#"quantity = "joint.friction_angle""#,
+        right: r#"quantity = "span[1].ring[2].crown_thickness""#,
+        source: "the format of bridge files",
+    },
+];

@@ -1,0 +1,31 @@
+//! Card of the ranges over which `extrados vary` repeats an analysis.
+
+use super::{Field, Kind, Section, Word};
+
+const SPACINGS: &[Word] = &[
+    Word { word: "linear", doc: "equal differences" },
+    Word { word: "geometric", doc: "equal ratios; both ends of the same sign" },
+];
+
+pub(crate) static VARY: Section = Section {
+    path: "vary",
+    doc: "A quantity of this file and the values that `extrados vary` gives it, one quantity after the other or all against \
+          all. Values are written as the quantity itself is, or relative to its own value: \"-5 %\", \"x0.5\".",
+    fields: &[
+        Field::new(
+            "quantity",
+            Kind::Text,
+            "path of the quantity: sections and key with dots, [1] for the first of several",
+            "joint.friction_angle",
+        ),
+        Field::new("values", Kind::Values, "the values, one after the other", "[\"30 deg\", \"35.6 deg\", \"40 deg\"]")
+            .optional("given by `from`, `to` and `points`"),
+        Field::new("from", Kind::Value, "first value of a range", "30 deg").optional("given by `values`"),
+        Field::new("to", Kind::Value, "last value of a range", "40 deg").optional("given by `values`"),
+        Field::new("points", Kind::Count, "number of values in a range, both ends included", "5")
+            .at_least(2.0)
+            .at_most(1000.0)
+            .optional("given by `values`"),
+        Field::new("spacing", Kind::Word(SPACINGS), "how the values of a range lie", "linear").default("linear"),
+    ],
+};

@@ -1,0 +1,229 @@
+//! Which quantities a file has: those that are written, and those that have a default.
+
+use toml_edit::{Item, TableLike};
+
+use super::Slip;
+use crate::edit::{Document, count, entry, literal};
+use crate::fields::{FILE, Field, Kind, Need, Section};
+use crate::path::{Path, Step};
+use crate::tree::{nearest, shorten};
+
+/// A quantity that a request leads to.
+#[derive(Debug, Clone)]
+pub struct Quantity {
+    /// Its path, with a number wherever there is a list.
+    pub path: Path,
+    /// Its card.
+    pub field: &'static Field,
+    /// Its own value as TOML has it: as written, or its default; none where the file says nothing.
+    pub own: Option<String>,
+}
+
+/// A quantity that a file has.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Known {
+    /// Its path.
+    pub path: String,
+    /// Its value as TOML has it.
+    pub value: String,
+    /// Whether the value is a default that the file does not write.
+    pub by_default: bool,
+    /// What it is, in a line.
+    pub doc: &'static str,
+}
+
+/// Sections that say how to vary, and are not varied themselves.
+const NOT_VARIED: &str = "vary";
+
+/// Paths shown at most in a message.
+const MOST_SHOWN: usize = 12;
+
+/// Every quantity of a file that has a value, in the order of the reference.
+pub fn known(document: &Document) -> Vec<Known> {
+    let mut found = Vec::new();
+    visit(&FILE, Some(document.root()), "", &mut found);
+    found
+}
+
+fn visit(section: &'static Section, table: Option<&dyn TableLike>, prefix: &str, found: &mut Vec<Known>) {
+    for field in section.fields.iter().filter(|field| field.key != NOT_VARIED || !section.path.is_empty()) {
+        let path = format!("{prefix}{}", field.key);
+        let item = table.and_then(|table| table.get(field.key));
+        match field.kind {
+            Kind::Table(inner) => visit(inner, item.and_then(|item| entry(item, None)), &format!("{path}."), found),
+            Kind::Tables(inner) => {
+                for number in 1..=item.map_or(0, count) {
+                    let one = item.and_then(|item| entry(item, Some(number)));
+                    visit(inner, one, &format!("{path}[{number}]."), found);
+                }
+            }
+            Kind::Text => {}
+            _ => match (item.and_then(Item::as_value), field.need) {
+                (Some(value), _) => {
+                    found.push(Known { path, value: literal(value), by_default: false, doc: field.doc });
+                }
+                (None, Need::Default(value)) if applies(section, field, table) => {
+                    let value = field.literal(value);
+                    found.push(Known { path, value, by_default: true, doc: field.doc });
+                }
+                _ => {}
+            },
+        }
+    }
+}
+
+/// Whether a key that is not written means something here, going by the word that decides about it.
+fn applies(section: &Section, field: &Field, table: Option<&dyn TableLike>) -> bool {
+    let Some((key, words)) = field.only else { return true };
+    let written = table.and_then(|table| table.get(key)).and_then(Item::as_str);
+    let default = section.field(key).and_then(|selector| match selector.need {
+        Need::Default(word) => Some(word),
+        _ => None,
+    });
+    written.or(default).is_some_and(|word| words.contains(&word))
+}
+
+/// The quantity at a path of a file, which need not be written there if it has a card.
+pub fn find(document: &Document, text: &str) -> Result<Quantity, Slip> {
+    let path = Path::parse(text).ok_or_else(|| unknown(document, text, &FILE))?;
+    let mut section: &'static Section = &FILE;
+    let mut table = Some(document.root());
+    let mut whole = Path { steps: Vec::new() };
+    for (depth, step) in path.steps.iter().enumerate() {
+        let field = section.field(&step.key).filter(|field| depth > 0 || field.key != NOT_VARIED);
+        let field = field.ok_or_else(|| unknown(document, text, section))?;
+        let last = depth + 1 == path.steps.len();
+        let item = table.and_then(|table| table.get(&step.key));
+        let inner = match field.kind {
+            Kind::Table(inner) | Kind::Tables(inner) => inner,
+            Kind::Text if last => return Err(no_quantity(document, text)),
+            _ if last => return quantity(document, whole, step, field, item, text),
+            _ => return Err(unknown(document, text, section)),
+        };
+        if last {
+            return Err(no_quantity(document, text));
+        }
+        let several = matches!(field.kind, Kind::Tables(_));
+        table = match item {
+            None if several => return Err(no_such(text, step, 0)),
+            None => None,
+            Some(item) => Some(entry(item, step.index).ok_or_else(|| no_such(text, step, count(item)))?),
+        };
+        let index = if several { step.index.or(Some(1)) } else { None };
+        whole.steps.push(Step { key: step.key.clone(), index });
+        section = inner;
+    }
+    Err(unknown(document, text, &FILE))
+}
+
+/// The quantity of the last step, or the entry of a list of quantities.
+fn quantity(
+    document: &Document,
+    mut path: Path,
+    step: &Step,
+    field: &'static Field,
+    item: Option<&Item>,
+    text: &str,
+) -> Result<Quantity, Slip> {
+    if let Some(index) = step.index {
+        let entries = item.and_then(Item::as_array).map_or(0, toml_edit::Array::len);
+        let listed = matches!(field.kind, Kind::Quantities(_));
+        if !listed || index > entries {
+            return Err(no_such(text, step, entries));
+        }
+    }
+    path.steps.push(step.clone());
+    let default = match field.need {
+        Need::Default(value) => Some(field.literal(value)),
+        _ => None,
+    };
+    Ok(Quantity { own: document.get(&path).or(default), path, field })
+}
+
+fn no_such(text: &str, step: &Step, there: usize) -> Slip {
+    let (message, label, help) = match (step.index, there) {
+        (_, 0) => (
+            format!("`{}` leads to a {} that the file does not have", shorten(text), step.key),
+            format!("the file has no {} with a number", step.key),
+            format!("add it to the file, or leave the number of `{}` away if there is only one", step.key),
+        ),
+        (Some(index), 1) => (
+            format!("`{}` leads to number {index} of one", shorten(text)),
+            format!("the file has one of `{}`", step.key),
+            format!("write {}[1], or leave the number away", step.key),
+        ),
+        (Some(index), _) => (
+            format!("`{}` leads to number {index} of {there}", shorten(text)),
+            format!("the file has {there} of `{}`, counted from 1", step.key),
+            format!("write a number from 1 to {there}: {}[{there}]", step.key),
+        ),
+        (None, _) => (
+            format!("`{}` does not say which `{}` is meant", shorten(text), step.key),
+            format!("the file has {there} of them"),
+            format!("write a number from 1 to {there}: {}[1]", step.key),
+        ),
+    };
+    Slip { code: "B502", message, label, help, of_values: false }
+}
+
+fn no_quantity(document: &Document, text: &str) -> Slip {
+    Slip {
+        code: "B501",
+        message: format!("`{}` is no quantity", shorten(text)),
+        label: "a section or a name; only its quantities can be varied".to_owned(),
+        help: held(document, text),
+        of_values: false,
+    }
+}
+
+/// A path that leads nowhere: what was probably meant, and what the file holds thereabouts.
+fn unknown(document: &Document, text: &str, section: &'static Section) -> Slip {
+    let all = known(document);
+    let near = nearest(text, all.iter().map(|known| known.path.as_str())).map(str::to_owned);
+    // The same key in another section is a likelier slip than any spelling.
+    let key = text.rsplit('.').next().unwrap_or(text);
+    let elsewhere = || {
+        let last = |known: &&Known| known.path.rsplit('.').next() == Some(key);
+        all.iter().find(last).map(|known| known.path.clone())
+    };
+    let by_key = || {
+        let last = |known: &Known| known.path.rsplit('.').next().map(str::to_owned);
+        let keys: Vec<String> = all.iter().filter_map(last).collect();
+        let place = nearest(key, keys.iter().map(String::as_str))?;
+        all.iter().find(|known| known.path.rsplit('.').next() == Some(place)).map(|known| known.path.clone())
+    };
+    let label = match near.or_else(elsewhere).or_else(by_key) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if section.path.is_empty() => "the file has nothing of this name".to_owned(),
+        None => format!("[{}] has no such key", section.path),
+    };
+    Slip {
+        code: "B501",
+        message: format!("there is no quantity `{}`", shorten(text)),
+        label,
+        help: held(document, text),
+        of_values: false,
+    }
+}
+
+/// What the file holds in the section that a path begins with; its sections where it begins with none.
+fn held(document: &Document, text: &str) -> String {
+    let all = known(document);
+    let head = |path: &str| path.split(['.', '[']).next().unwrap_or_default().to_owned();
+    let first = head(text);
+    let mut heads: Vec<String> = all.iter().map(|known| head(&known.path)).collect();
+    heads.dedup();
+    let here: Vec<&Known> = all.iter().filter(|known| head(&known.path) == first).collect();
+    if here.is_empty() {
+        return format!(
+            "the file holds quantities in {}; `extrados vary FILE --list` shows them all",
+            heads.join(", ")
+        );
+    }
+    let mut shown: Vec<String> =
+        here.iter().take(MOST_SHOWN).map(|known| format!("{} = {}", known.path, shorten(&known.value))).collect();
+    if here.len() > MOST_SHOWN {
+        shown.push("…".to_owned());
+    }
+    format!("the file has {}", shown.join(", "))
+}
