@@ -4,6 +4,7 @@ pub mod analysis;
 pub mod blocks;
 pub mod checkpoint;
 pub mod discretise;
+pub mod disks;
 pub mod outcome;
 pub mod vary;
 pub mod verify;

@@ -194,6 +194,8 @@ pub struct Layer {
     pub weighs: bool,
     /// Whether it is modelled as particles; its weight then reaches the ring through them.
     pub particles: bool,
+    /// Length of the slabs that it is modelled as [m], where it is.
+    pub slabs: Option<f64>,
     /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
     pub friction_angle: Option<f64>,
     /// See above.
@@ -273,6 +275,23 @@ pub struct Backing {
     pub height: f64,
     /// Mass density [kg/m^3].
     pub density: f64,
+    /// What it is in the discrete element method.
+    pub body: BackingBody,
+    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
+    pub friction_angle: Option<f64>,
+    /// See above.
+    pub cohesion: Option<f64>,
+}
+
+/// What backing is in the discrete element method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BackingBody {
+    /// Weight on the extrados.
+    Weight,
+    /// Particles.
+    Particles,
+    /// A block on the back of each voussoir.
+    Blocks,
 }
 
 /// A load on the surface.

@@ -261,6 +261,12 @@ pub struct Bench {
     /// How often
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub repeats: u32,
+    /// How many discs, for `disks`
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
+    pub count: u32,
+    /// For `disks`: compare with this many boxes stepped side by side, one thread each
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
+    pub copies: Option<u16>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -269,6 +275,8 @@ pub struct Bench {
 /// A measure of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum BenchName {
+    /// Dense discs in a closed box near rest: steps of particles in a second
+    Disks,
     /// Bridgemill, case 1, to collapse by discrete elements
     Arch,
     /// Bridgemill's ring and dispersed knife load by limit analysis, building and both bounds included

@@ -56,6 +56,35 @@ impl Watcher {
     }
 }
 
+/// Looks on work that keeps nothing.
+pub struct Spectator(ProgressBar);
+
+impl Spectator {
+    /// Draws progress unless it is unwanted.
+    pub fn new(quiet: bool) -> Spectator {
+        Spectator(bar(quiet, BAR))
+    }
+
+    /// Ends the drawing.
+    pub fn finish(self) {
+        self.0.finish_and_clear();
+    }
+}
+
+impl Watch for Spectator {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        draw(&self.0, progress)
+    }
+}
+
+fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
+    if let Some(fraction) = progress.fraction {
+        bar.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
+    }
+    bar.set_message(format!("{}, {} steps", progress.stage, progress.steps));
+    if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+}
+
 /// A bar that counts pieces of work.
 pub fn count(quiet: bool, pieces: usize) -> ProgressBar {
     bar(quiet, pieces as u64)
@@ -76,11 +105,7 @@ const TEMPLATE: &str = "{elapsed:>4} {wide_bar} {percent:>3} %, {eta} left  {msg
 
 impl Watch for Watcher {
     fn look(&mut self, progress: &Progress) -> Wish {
-        if let Some(fraction) = progress.fraction {
-            self.bar.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
-        }
-        self.bar.set_message(format!("{}, {} steps", progress.stage, progress.steps));
-        if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+        draw(&self.bar, progress)
     }
 
     fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {

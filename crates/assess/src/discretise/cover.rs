@@ -1,6 +1,6 @@
 //! Weight of backing, fill and road on the extrados: vertical columns, integrated exactly.
 
-use super::extrados::Extrados;
+use super::extrados::{Extrados, Stretch};
 use bridge::{Bridge, Layer};
 use mechanics::blocks::PointForce;
 use mechanics::plane::{Vec2, vec2};
@@ -62,6 +62,18 @@ pub fn weight(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
         }
     }
     forces
+}
+
+/// What layers that are weight alone weigh on slabs, each at the middle of its upper face.
+pub fn on_slabs(bridge: &Bridge, road: &Extrados) -> Vec<PointForce> {
+    let layers = bridge.cover.layers.iter().filter(|l| l.weighs);
+    let pressure: f64 = layers.map(|l| l.density * bridge.gravity * l.thickness).sum();
+    let force = |s: &Stretch| PointForce {
+        block: s.block,
+        at: (s.left + s.right) * 0.5,
+        force: vec2(0.0, -pressure * (s.right.x - s.left.x)),
+    };
+    road.stretches.iter().filter(|_| pressure > 0.0).map(force).collect()
 }
 
 /// Sum of a vertical pressure: force and its first moment about x = 0.

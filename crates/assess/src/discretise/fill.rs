@@ -1,8 +1,9 @@
 //! Layers of the cover that are particles: the region they fill, the walls that hold it, the laws of their contacts.
 
+use super::extrados::{Extrados, Stretch};
 use super::laws;
 use super::{Build, DiscretiseError, Origin};
-use bridge::{Bridge, Joint, Layer, Packing, Particles, Sizes};
+use bridge::{BackingBody, Bridge, Joint, Layer, Packing, Particles, Sizes};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable};
 use mechanics::dem::{Recipe, Target};
 use mechanics::ids::{GroupId, Table};
@@ -15,8 +16,10 @@ pub struct FillRegion {
     pub outline: Vec<Vec2>,
     /// Area [m^2].
     pub area: f64,
-    /// Layers from the extrados up.
+    /// Layers from the extrados up, backing first.
     pub layers: Vec<FillLayer>,
+    /// Whether slabs close it above.
+    pub slabs: bool,
 }
 
 /// A layer of particles.
@@ -28,6 +31,52 @@ pub struct FillLayer {
     pub top: f64,
     /// Mass density of a particle [kg/m^3]: that of the layer as a whole, for the voids are part of the soil's density.
     pub density: f64,
+    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
+    pub friction_angle: Option<f64>,
+    /// See above.
+    pub cohesion: Option<f64>,
+}
+
+/// Levels of upper faces [m]: of the particles, and of the slabs on them.
+struct Levels {
+    particles: f64,
+    bodies: f64,
+}
+
+/// Width of the gap between two slabs [m]: a road carries no thrust from end to end.
+const SLAB_GAP: f64 = 5e-3;
+
+/// Least thickness and width of a column of backing [m].
+const LEAST: f64 = 0.05;
+
+/// A column of backing on a back.
+struct Column {
+    left: f64,
+    right: f64,
+    outline: Polygon,
+}
+
+/// The column between a back and a level above it; none where it would be thinner than [`LEAST`].
+fn column(stretch: &Stretch, level: f64) -> Option<Column> {
+    let (a, b) = (stretch.left, stretch.right);
+    let most = level - LEAST;
+    if a.y.min(b.y) >= most {
+        return None;
+    }
+    // Where the back comes within the least thickness of the level.
+    let end = a.x + (b.x - a.x) * ((most - a.y) / (b.y - a.y));
+    let (left, right) = if a.y > most {
+        (end, b.x)
+    } else if b.y > most {
+        (a.x, end)
+    } else {
+        (a.x, b.x)
+    };
+    if right - left < LEAST {
+        return None;
+    }
+    let corners = vec![stretch.at(left), stretch.at(right), vec2(right, level), vec2(left, level)];
+    Some(Column { left, right, outline: Polygon::new(corners).ok()? })
 }
 
 /// Thickness of end walls and of the lid [m].
@@ -43,58 +92,146 @@ pub fn wanted(bridge: &Bridge) -> Option<&Particles> {
 }
 
 impl Build<'_> {
-    /// The region between the extrados, the ends and the road, and the fixed walls at its ends.
-    pub(super) fn fill(&mut self, surface: f64) -> Result<FillRegion, DiscretiseError> {
-        let cover = &self.bridge.cover;
-        if let Some(layer) = cover.layers.iter().position(|l| !l.particles && l.weighs) {
-            return Err(DiscretiseError::WeightOnParticles { layer: layer + 1 });
-        }
-        if cover.backing.is_some() {
-            return Err(DiscretiseError::BackingUnderParticles);
-        }
-        let mut outline: Vec<Vec2> = Vec::new();
-        for stretch in &self.extrados.stretches {
-            for point in [stretch.left, stretch.right] {
-                if outline.last().is_none_or(|last| (*last - point).norm() > 1e-9) {
-                    outline.push(point);
-                }
-            }
-        }
+    /// The region between the extrados, the ends and the road, the fixed walls at its ends, backing and slabs that are
+    /// blocks. Gives the upper faces on which loads stand, too.
+    pub(super) fn fill(&mut self, surface: f64) -> Result<(FillRegion, Extrados), DiscretiseError> {
+        let levels = self.levels()?;
+        let mut outline = self.floor();
         let (Some(&first), Some(&last)) = (outline.first(), outline.last()) else {
             return Err(DiscretiseError::NoRegion);
         };
-        let mut level = self.extrados.crown();
-        let mut layers = Vec::new();
-        for (index, layer) in cover.layers.iter().enumerate() {
-            level += layer.thickness;
-            if layer.particles {
-                let group = self.groups.push(format!("layer {}", index + 1));
-                layers.push(FillLayer { group, top: level, density: layer.density });
-            }
-        }
-        // What lies above the uppermost particles is depth for loads only.
-        let top = layers.last().map_or(surface, |layer| layer.top);
-        outline.extend([vec2(last.x, top), vec2(first.x, top)]);
+        let layers = self.layers();
+        outline.extend([vec2(last.x, levels.particles), vec2(first.x, levels.particles)]);
         let group = self.groups.push("end walls".into());
         for (right, foot) in [(false, first), (true, last)] {
             let corner = vec2(if right { foot.x } else { foot.x - WALL }, foot.y);
             let wall =
-                Polygon::rectangle(corner, WALL, top + PARAPET - foot.y).map_err(|_| DiscretiseError::NoRegion)?;
+                Polygon::rectangle(corner, WALL, surface + PARAPET - foot.y).map_err(|_| DiscretiseError::NoRegion)?;
             self.block(wall, group, Held::FIXED, Origin::EndWall { right }, None);
         }
         let area = area(&outline);
         if !(area > 0.0) {
             return Err(DiscretiseError::NoRegion);
         }
-        Ok(FillRegion { outline, area, layers })
+        let line = vec![vec2(first.x, levels.bodies), vec2(last.x, levels.bodies)];
+        let stretches = self.slabs(&levels, [first.x, last.x]);
+        let slabs = !stretches.is_empty();
+        Ok((FillRegion { outline, area, layers, slabs }, Extrados { stretches, line }))
+    }
+
+    /// Levels of the layers' upper faces; particles below slabs below what is weight alone.
+    fn levels(&self) -> Result<Levels, DiscretiseError> {
+        let cover = &self.bridge.cover;
+        if cover.backing.is_some_and(|b| b.body == BackingBody::Weight) {
+            return Err(DiscretiseError::BackingUnderParticles);
+        }
+        let rank = |l: &Layer| {
+            if l.particles {
+                0
+            } else if l.slabs.is_some() {
+                1
+            } else {
+                2
+            }
+        };
+        if let Some(k) = cover.layers.windows(2).position(|pair| rank(&pair[0]) > rank(&pair[1])) {
+            return Err(DiscretiseError::LayerOrder { layer: k + 2 });
+        }
+        let slabs = cover.layers.iter().any(|l| l.slabs.is_some());
+        if let Some(layer) = cover.layers.iter().position(|l| rank(l) == 2 && l.weighs && !slabs) {
+            return Err(DiscretiseError::WeightOnParticles { layer: layer + 1 });
+        }
+        let depth = |most: u32| cover.layers.iter().filter(|l| rank(l) <= most).map(|l| l.thickness).sum::<f64>();
+        let crown = self.extrados.crown();
+        Ok(Levels { particles: crown + depth(0), bodies: crown + depth(1) })
+    }
+
+    /// The lower boundary of the region: the backs of the rings, or of the backing that stands on them as blocks.
+    fn floor(&mut self) -> Vec<Vec2> {
+        let backing = self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks);
+        let stretches = self.extrados.stretches.clone();
+        let group = backing.map(|_| self.groups.push("backing".into()));
+        let mut floor: Vec<Vec2> = Vec::new();
+        let mut add = |point: Vec2| {
+            if floor.last().is_none_or(|last| (*last - point).norm() > 1e-9) {
+                floor.push(point);
+            }
+        };
+        let mut columns = 0;
+        for stretch in &stretches {
+            let column = backing.and_then(|b| column(stretch, b.height));
+            let (Some(column), Some(group), Some(backing)) = (column, group, backing) else {
+                add(stretch.left);
+                add(stretch.right);
+                continue;
+            };
+            if column.left > stretch.left.x {
+                add(stretch.left);
+                add(stretch.at(column.left));
+            }
+            add(vec2(column.left, backing.height));
+            add(vec2(column.right, backing.height));
+            if column.right < stretch.right.x {
+                add(stretch.at(column.right));
+                add(stretch.right);
+            }
+            let held = if stretch.ground { Held::FIXED } else { Held::FREE };
+            let block = self.block(column.outline, group, held, Origin::Backing { column: columns }, None);
+            self.blocks[block].density = backing.density;
+            columns += 1;
+        }
+        floor
+    }
+
+    /// Groups of particles, from the extrados up.
+    fn layers(&mut self) -> Vec<FillLayer> {
+        let cover = &self.bridge.cover;
+        let mut level = self.extrados.crown();
+        let mut layers = Vec::new();
+        if let Some(backing) = cover.backing.filter(|b| b.body == BackingBody::Particles) {
+            let group = self.groups.push("backing".into());
+            let (friction_angle, cohesion) = (backing.friction_angle, backing.cohesion);
+            layers.push(FillLayer { group, top: backing.height, density: backing.density, friction_angle, cohesion });
+        }
+        for (index, layer) in cover.layers.iter().enumerate() {
+            level += layer.thickness;
+            if layer.particles {
+                let group = self.groups.push(format!("layer {}", index + 1));
+                let (friction_angle, cohesion) = (layer.friction_angle, layer.cohesion);
+                layers.push(FillLayer { group, top: level, density: layer.density, friction_angle, cohesion });
+            }
+        }
+        layers
+    }
+
+    /// Slabs that lie on the particles, course by course; the upper faces of the uppermost.
+    fn slabs(&mut self, levels: &Levels, [from, to]: [f64; 2]) -> Vec<Stretch> {
+        let mut level = levels.particles;
+        let mut upper = Vec::new();
+        for (index, layer) in self.bridge.cover.layers.iter().enumerate() {
+            let Some(length) = layer.slabs else { continue };
+            let group = self.groups.push(format!("layer {}", index + 1));
+            let count = ((to - from) / length).round().max(1.0);
+            let pitch = (to - from) / count;
+            upper.clear();
+            for slab in 0..count as usize {
+                let left = from + pitch * slab as f64 + 0.5 * SLAB_GAP;
+                let corner = vec2(left, level);
+                let Ok(outline) = Polygon::rectangle(corner, pitch - SLAB_GAP, layer.thickness) else { continue };
+                let block = self.block(outline, group, Held::FREE, Origin::Slab { layer: index, slab }, None);
+                self.blocks[block].density = layer.density;
+                let y = level + layer.thickness;
+                let (left, right) = (vec2(left, y), vec2(left + pitch - SLAB_GAP, y));
+                upper.push(Stretch { block, left, right, ground: false });
+            }
+            level += layer.thickness;
+        }
+        upper
     }
 
     /// Laws of contacts among particles, and of particles with blocks.
     pub(super) fn particle_laws(&self, region: &FillRegion, particles: &Particles, laws: &mut LawTable) {
-        let of_layer = |group: GroupId| {
-            let index = region.layers.iter().position(|layer| layer.group == group)?;
-            self.bridge.cover.layers.iter().filter(|layer| layer.particles).nth(index)
-        };
+        let of_layer = |group: GroupId| region.layers.iter().find(|layer| layer.group == group);
         for a in self.groups.ids() {
             let Some(layer) = of_layer(a) else { continue };
             for b in self.groups.ids() {
@@ -112,10 +249,10 @@ impl Build<'_> {
 }
 
 /// The law between particles of two layers: friction and cohesion are those of the weaker one.
-fn between(particles: &Particles, a: &Layer, b: &Layer) -> ContactLaw {
+fn between(particles: &Particles, a: &FillLayer, b: &FillLayer) -> ContactLaw {
     let whole = law(particles, &particles.joint);
-    let friction = |l: &Layer| l.friction_angle.map_or(whole.friction, f64::tan);
-    let cohesion = |l: &Layer| l.cohesion.unwrap_or(whole.cohesion);
+    let friction = |l: &FillLayer| l.friction_angle.map_or(whole.friction, f64::tan);
+    let cohesion = |l: &FillLayer| l.cohesion.unwrap_or(whole.cohesion);
     ContactLaw { friction: friction(a).min(friction(b)), cohesion: cohesion(a).min(cohesion(b)), ..whole }
 }
 
@@ -139,7 +276,13 @@ impl FillRegion {
     /// The layer at a level [m].
     pub fn layer_at(&self, level: f64) -> FillLayer {
         let above = self.layers.iter().find(|layer| level <= layer.top).or(self.layers.last());
-        above.copied().unwrap_or(FillLayer { group: GroupId(0), top: level, density: 0.0 })
+        above.copied().unwrap_or(FillLayer {
+            group: GroupId(0),
+            top: level,
+            density: 0.0,
+            friction_angle: None,
+            cohesion: None,
+        })
     }
 
     /// How to fill the region, as the file wants it.
@@ -174,7 +317,9 @@ impl FillRegion {
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p.x), high.max(p.x)));
         let top = self.outline.last().map_or(0.0, |p| p.y);
-        if let Ok(outline) = Polygon::rectangle(vec2(low, top), high - low, WALL) {
+        if self.slabs {
+            // Slabs are a lid while they are held.
+        } else if let Ok(outline) = Polygon::rectangle(vec2(low, top), high - low, WALL) {
             let group = model.blocks.iter().last().map_or(GroupId(0), |b| b.group);
             mould.blocks.push(Block { outline, rounding: 0.0, density: 1.0, group, held: Held::FIXED });
         }

@@ -65,6 +65,18 @@ pub enum Origin {
         /// Counted through all courses, from the left.
         brick: usize,
     },
+    /// Backing on the back of a voussoir.
+    Backing {
+        /// Counted from the left.
+        column: usize,
+    },
+    /// A slab of a layer that lies on particles.
+    Slab {
+        /// Layer, from the extrados up.
+        layer: usize,
+        /// Counted from the left.
+        slab: usize,
+    },
     /// The fixed wall at an end of the spandrel wall.
     EndWall {
         /// Whether it is the right one.
@@ -85,12 +97,16 @@ impl Origin {
             Origin::Abutment { .. } | Origin::Foundation { .. } => "abutment",
             Origin::Pier { .. } => "pier",
             Origin::Brick { .. } | Origin::EndWall { .. } => "wall",
-            Origin::Block { .. } | Origin::LoadingBlock { .. } => "block",
+            Origin::Block { .. } | Origin::LoadingBlock { .. } | Origin::Slab { .. } => "block",
+            Origin::Backing { .. } => "backing",
         }
     }
     /// Whether it is part of the arches and what they stand on, and not of what stands on them.
     pub fn is_arch(self) -> bool {
-        !matches!(self, Origin::Brick { .. } | Origin::EndWall { .. } | Origin::LoadingBlock { .. })
+        matches!(
+            self,
+            Origin::Voussoir { .. } | Origin::Abutment { .. } | Origin::Foundation { .. } | Origin::Pier { .. }
+        )
     }
     /// A name for tables and messages, counted from 1.
     pub fn name(self) -> String {
@@ -107,6 +123,8 @@ impl Origin {
             Origin::Brick { course: None, brick } => format!("wall haunch stone {}", brick + 1),
             Origin::EndWall { right: false } => "left end wall".into(),
             Origin::EndWall { right: true } => "right end wall".into(),
+            Origin::Backing { column } => format!("backing column {}", column + 1),
+            Origin::Slab { layer, slab } => format!("layer {} slab {}", layer + 1, slab + 1),
             Origin::LoadingBlock { load } => format!("block of load {}", load + 1),
         }
     }
@@ -223,6 +241,15 @@ pub enum DiscretiseError {
     LoadOnParticles {
         /// The load, from 1.
         load: usize,
+    },
+    /// Layers do not follow one another as bodies can.
+    #[error(
+        "layer {layer} of the cover cannot lie on the one below it: from the extrados up come particles, then blocks, then \
+         what is weight alone or nothing"
+    )]
+    LayerOrder {
+        /// The layer, from 1.
+        layer: usize,
     },
     /// There is nothing between the extrados and the road.
     #[error("there is no region between the extrados and the road that particles could fill")]
@@ -441,14 +468,6 @@ impl<'a> Build<'a> {
         Ok(Spread { strip, ends, depths: [0.0; 2], pressures: [0.0; 2], forces, to_ground: 0.0, shift: 0.0 })
     }
 
-    /// Where the extrados begins and ends [m].
-    fn left(&self) -> f64 {
-        self.extrados.stretches.first().map_or(0.0, |s| s.left.x)
-    }
-    fn right(&self) -> f64 {
-        self.extrados.stretches.last().map_or(0.0, |s| s.right.x)
-    }
-
     fn finish(mut self) -> Result<Discretised, DiscretiseError> {
         let bridge = self.bridge;
         let mut surface = cover::surface(bridge, &self.extrados);
@@ -458,10 +477,10 @@ impl<'a> Build<'a> {
             let (upper, top) = self.wall(wall, surface)?;
             (road, surface) = (Some(upper), top);
         }
-        let region = fill::wanted(bridge).map(|_| self.fill(surface)).transpose()?;
-        if region.is_some() {
-            let line = vec![vec2(self.left(), surface), vec2(self.right(), surface)];
-            road = Some(Extrados { stretches: Vec::new(), line });
+        let mut region = None;
+        if fill::wanted(bridge).is_some() {
+            let (filled, upper) = self.fill(surface)?;
+            (region, road) = (Some(filled), Some(upper));
         }
         let (spreads, counted_weight) = self.spreads(road.as_ref(), region.as_ref(), surface)?;
         let mut laws = self.laws();
@@ -480,7 +499,11 @@ impl<'a> Build<'a> {
         let reference_load = spreads.iter().fold(0.0, |sum, s| sum + s.strip.force);
         let loading = Loading {
             // A wall or particles stand in place of the cover.
-            permanent: if road.is_none() { cover::weight(bridge, &extrados) } else { Vec::new() },
+            permanent: match (&road, &region) {
+                (None, _) => cover::weight(bridge, &extrados),
+                (Some(road), Some(region)) if region.slabs => cover::on_slabs(bridge, road),
+                _ => Vec::new(),
+            },
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),
             movements: movements(bridge, &model, &self.origins)?,
         };
@@ -518,6 +541,9 @@ impl<'a> Build<'a> {
                         self.loading_block(&stands, road, index, block.weight, strip)?
                     }
                     (Some(_), ..) => return Err(DiscretiseError::BlockOnCover { load: index + 1 }),
+                    (None, Some(road), _) if region.is_some_and(|r| r.slabs) => {
+                        dispersal::spread(strip, self.bridge.dispersal, surface, road)
+                    }
                     _ if region.is_some() => return Err(DiscretiseError::LoadOnParticles { load: index + 1 }),
                     _ => spread(self.bridge, road, &self.extrados, surface, strip),
                 });

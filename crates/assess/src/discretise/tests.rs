@@ -131,9 +131,21 @@ fn backing_takes_the_place_of_fill_below_its_level() {
         vec![Layer { name: LayerKind::Fill, thickness: 0.2, density: 1000.0, weighs: true, elastic_modulus: None }];
     let weight = |b: &Bridge| -> f64 { discretise(b).unwrap().loading.permanent.iter().map(|f| -f.force.y).sum() };
     let without = weight(&b);
-    b.cover.backing = Some(bridge::Backing { height: 1.5, density: 1000.0 });
+    b.cover.backing = Some(bridge::Backing {
+        height: 1.5,
+        density: 1000.0,
+        body: bridge::BackingBody::Weight,
+        friction_angle: None,
+        cohesion: None,
+    });
     assert!((weight(&b) / without - 1.0).abs() < 1e-12, "equal densities weigh the same");
-    b.cover.backing = Some(bridge::Backing { height: 1.5, density: 2000.0 });
+    b.cover.backing = Some(bridge::Backing {
+        height: 1.5,
+        density: 2000.0,
+        body: bridge::BackingBody::Weight,
+        friction_angle: None,
+        cohesion: None,
+    });
     assert!(weight(&b) > 1.05 * without);
 }
 

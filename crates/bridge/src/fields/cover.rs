@@ -13,6 +13,7 @@ const LAYERS: &[Word] = &[
 const BODIES: &[Word] = &[
     Word { word: "weight", doc: "weight on the extrados; loads disperse through it" },
     Word { word: "particles", doc: "circular particles that carry and press; strip \"fill\", method \"dem\"" },
+    Word { word: "blocks", doc: "slabs of `block_length` that lie on particles" },
     Word { word: "nothing", doc: "a depth through which loads disperse, without weight" },
 ];
 
@@ -30,9 +31,10 @@ pub(super) static COVER: Section = Section {
             "whether its weight acts on the ring; loads disperse through it either way",
             "true",
         )
+        .only("as", &["weight"])
         .default("true"),
         Field::new("as", Kind::Word(BODIES), "what the layer is in the discrete element method", "particles")
-            .optional("\"weight\", or \"nothing\" where `weighs = false`"),
+            .default("weight"),
         Field::new(
             "friction_angle",
             Kind::Quantity(Angle),
@@ -47,6 +49,9 @@ pub(super) static COVER: Section = Section {
             .at_least(0.0)
             .only("as", &["particles"])
             .optional("as [particle_joint] says"),
+        Field::new("block_length", Kind::Quantity(Length), "length of a slab along the bridge", "0.60 m")
+            .positive()
+            .only("as", &["blocks"]),
         Field::new("density", Kind::Quantity(Density), "mass density of the layer", "1890 kg/m^3")
             .positive()
             .optional("possible only where `weighs = false`"),
@@ -56,6 +61,12 @@ pub(super) static COVER: Section = Section {
     ],
 };
 
+const BACKINGS: &[Word] = &[
+    Word { word: "weight", doc: "weight on the extrados" },
+    Word { word: "particles", doc: "circular particles below its level, with properties of their own" },
+    Word { word: "blocks", doc: "a column of masonry on the back of each voussoir; strip \"fill\", method \"dem\"" },
+];
+
 pub(super) static BACKING: Section = Section {
     path: "backing",
     doc: "Solid backing above the haunches, up to a level.",
@@ -63,5 +74,16 @@ pub(super) static BACKING: Section = Section {
         Field::new("height", Kind::Quantity(Length), "level of the backing's upper face above the springings", "1.5 m")
             .positive(),
         Field::new("density", Kind::Quantity(Density), "mass density of the backing", "2000 kg/m^3").positive(),
+        Field::new("as", Kind::Word(BACKINGS), "what the backing is in the discrete element method", "blocks")
+            .default("weight"),
+        Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction between its particles", "40 deg")
+            .at_least(0.0)
+            .at_most(1.5)
+            .only("as", &["particles"])
+            .optional("as [particle_joint] says"),
+        Field::new("cohesion", Kind::Quantity(Stress), "cohesion between its particles", "50 kPa")
+            .at_least(0.0)
+            .only("as", &["particles"])
+            .optional("as [particle_joint] says"),
     ],
 };

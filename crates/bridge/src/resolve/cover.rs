@@ -1,7 +1,7 @@
 //! Layers above the rings, and backing.
 
 use crate::findings::Findings;
-use crate::model::{Backing, Cover, Layer, LayerKind};
+use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind};
 use crate::tree::Table;
 
 use super::materials::maybe;
@@ -29,12 +29,17 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
     let body = table.word("as", findings);
     let friction_angle = table.quantity("friction_angle", findings);
     let cohesion = table.quantity("cohesion", findings);
-    if table.has("as") && table.has("weighs") {
-        super::structure::exclude(table, "weighs", "`as`", findings);
-        return None;
-    }
     let body = maybe(table, "as", body)?;
     let particles = body == Some("particles");
+    let slab = table.quantity("block_length", findings);
+    let slabs = if body == Some("blocks") {
+        if !table.has("block_length") {
+            need(table, "block_length", findings);
+        }
+        Some(slab?.value)
+    } else {
+        None
+    };
     let weighs = maybe(table, "weighs", weighs)?.unwrap_or(body != Some("nothing"));
     if weighs && !table.has("density") {
         need(table, "density", findings);
@@ -49,8 +54,9 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
         },
         thickness: thickness?.value,
         density: maybe(table, "density", density)?.unwrap_or(0.0),
-        weighs: weighs && !particles,
+        weighs: weighs && !particles && slabs.is_none(),
         particles,
+        slabs,
         friction_angle: maybe(table, "friction_angle", friction_angle)?,
         cohesion: maybe(table, "cohesion", cohesion)?,
         elastic_modulus: maybe(table, "elastic_modulus", elastic_modulus)?,
@@ -61,5 +67,18 @@ fn backing(file: &Table<'_>, findings: &mut Findings) -> Option<Backing> {
     let table = file.table("backing", findings)?;
     let height = table.quantity("height", findings);
     let density = table.quantity("density", findings);
-    Some(Backing { height: height?.value, density: density?.value })
+    let body = table.word("as", findings);
+    let friction_angle = table.quantity("friction_angle", findings);
+    let cohesion = table.quantity("cohesion", findings);
+    Some(Backing {
+        height: height?.value,
+        density: density?.value,
+        body: match maybe(&table, "as", body)? {
+            Some("particles") => BackingBody::Particles,
+            Some("blocks") => BackingBody::Blocks,
+            _ => BackingBody::Weight,
+        },
+        friction_angle: maybe(&table, "friction_angle", friction_angle)?,
+        cohesion: maybe(&table, "cohesion", cohesion)?,
+    })
 }

@@ -50,6 +50,8 @@ fn visit(section: &'static Section, table: Option<&dyn TableLike>, prefix: &str,
         let path = format!("{prefix}{}", field.key);
         let item = table.and_then(|table| table.get(field.key));
         match field.kind {
+            // A default in a table that is not there would open it, and it may need more than defaults.
+            Kind::Table(inner) if item.is_none() && inner.fields.iter().any(|f| f.need == Need::Required) => {}
             Kind::Table(inner) => visit(inner, item.and_then(|item| entry(item, None)), &format!("{path}."), found),
             Kind::Tables(inner) => {
                 for number in 1..=item.map_or(0, count) {

@@ -14,8 +14,13 @@ pub const TINY: &str = include_str!("files/tiny.toml");
 /// Spandrel walls, with everything that they may say.
 pub const WALLS: &str = include_str!("files/walls.toml");
 
+/// Fill as particles of stated diameters.
+pub const PARTICLES: &str = include_str!("files/particles.toml");
+/// A stated number of particles below slabs, above backing.
+pub const LAYERS: &str = include_str!("files/layers.toml");
+
 /// All of them.
-pub const GOOD: [&str; 5] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS];
+pub const GOOD: [&str; 7] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

@@ -1,5 +1,8 @@
-//! `extrados bench`: the speed of one method on this machine, one core.
+//! `extrados bench`: the speed of one method on this machine, on one core unless more are asked for.
 
+mod disks;
+
+use super::Desk;
 use crate::args::{Bench, BenchName};
 use crate::clock::Clock;
 use crate::examples;
@@ -13,17 +16,23 @@ use bridge::Bridge;
 use mechanics::watch::Unwatched;
 use mechanics::{dem, limit};
 
+/// Measures.
+pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+    match arguments.name {
+        BenchName::Disks => disks::run(desk, arguments),
+        BenchName::Arch => bridgemill(arguments, arch),
+        BenchName::Limit => bridgemill(arguments, limit),
+    }
+}
+
 /// Repeats the measure and gives the least and the middle time: the least is the method's, the middle the machine's.
-pub fn run(arguments: &Bench) -> Result<Report, Failure> {
+fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisError>) -> Result<Report, Failure> {
     let bridge = case_one()?;
     let mut seconds = Vec::new();
     let mut last = None;
     for _ in 0..arguments.repeats {
         let clock = Clock::start();
-        let found = match arguments.name {
-            BenchName::Arch => arch(&bridge),
-            BenchName::Limit => limit(&bridge),
-        };
+        let found = method(&bridge);
         seconds.push(clock.seconds());
         last = Some(found.map_err(|error| results::not_set_up(&error))?);
     }
@@ -48,7 +57,7 @@ pub fn run(arguments: &Bench) -> Result<Report, Failure> {
                 "arch: {least:.3} s to collapse (median {middle:.3} s of {repeats}), {iterations} iterations with adaptive \
                  damping, {blocks} blocks, one core\n"
             )),
-        BenchName::Limit => {
+        BenchName::Limit | BenchName::Disks => {
             let (least, middle) = (1e3 * least, 1e3 * middle);
             report.with("name", "limit").with("milliseconds", least).with("milliseconds_median", middle).saying(format!(
                 "limit: {least:.3} ms (median {middle:.3} ms of {repeats}), building and both bounds included, {blocks} \

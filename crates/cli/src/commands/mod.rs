@@ -57,7 +57,9 @@ pub fn run(words: Vec<OsString>) -> u8 {
     let speech = arguments.command.speech().clone();
     let schema = format!("extrados.{}/1", arguments.command.name());
     let mut desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema };
-    let threads = usize::from(speech.threads.unwrap_or(0));
+    // Speeds are compared core by core.
+    let unasked = u16::from(matches!(arguments.command, Command::Bench(_)));
+    let threads = usize::from(speech.threads.unwrap_or(unasked));
     // Only fails when a pool is there already; then its size is the one that `threads` reports.
     let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     watcher::listen();
@@ -89,7 +91,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
-        Command::Bench(arguments) => bench::run(arguments).map(Answer::from),
+        Command::Bench(arguments) => bench::run(desk, arguments).map(Answer::from),
     }
 }
 

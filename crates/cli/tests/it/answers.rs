@@ -215,6 +215,11 @@ fn new_explain_schema_and_bench_answer() {
     assert!(number(&bench, "milliseconds") > 0.0 && bench["size"].is_number());
     let (bench, _) = stage.object(&["bench", "arch", "--repeats", "1"]);
     assert!(number(&bench, "seconds_to_collapse") > 0.0);
+    let (bench, ending) = stage.object(&["bench", "disks", "--count", "300", "--repeats", "1", "--copies", "2"]);
+    assert_eq!((ending.code, bench["size"].as_u64(), bench["threads"].as_u64()), (Some(0), Some(300), Some(1)));
+    assert!(number(&bench, "particle_steps_per_second") > 0.0 && number(&bench, "bytes_per_particle") > 64.0);
+    assert!(number(&bench, "contacts_per_particle") >= 2.0 && number(&bench, "coordination") >= 4.0);
+    assert!(number(&bench, "searches") >= 1.0 && number(&bench, "share_of_copies") > 0.0);
 }
 
 #[test]

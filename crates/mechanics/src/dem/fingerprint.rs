@@ -67,7 +67,7 @@ pub(super) fn fingerprint(model: &Model, program: &Program, settings: &Settings)
         d.resultant(&model.weight[i]);
         d.resultant(&model.variable[i]);
     }
-    model.particles.digest(&mut |x| d.word(x));
+    model.particles.words(&mut |word| d.word(word));
     let groups = model.laws.groups();
     for a in 0..groups {
         for b in 0..groups {

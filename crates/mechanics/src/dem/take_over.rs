@@ -29,6 +29,7 @@ pub fn take_over(model: &Model, settings: &Settings, (old, before): (&Model, &St
     state.particles.travel = f64::INFINITY;
     state.particles.search(&model.particles, model.blocks(&state.poses), &mut work.cells, 0);
     state.time_step = settings.time_step_factor * critical_time_step(model, &state, settings);
+    // Not what the particles would have held where they are built.
     state.initial_energy -= energy(model, &state).drift();
     state
 }

@@ -65,7 +65,7 @@ fn above_the_floor(scene: &Scene, motion: &Motion, seed: u64) {
 /// millimetre a second after 100,000 steps.
 #[test]
 fn heaps_come_to_rest_on_the_floor() {
-    let mut gliding = 0;
+    let (mut gliding, mut giving) = (0, 0);
     for seed in 0..30 {
         let scene = heap(seed);
         let mut motion = scene.begin(settings(Damping::Local(0.7)));
@@ -86,11 +86,14 @@ fn heaps_come_to_rest_on_the_floor() {
         let carried: f64 = on_floor.map(|c| c.normal.y * c.compression + c.normal.left().y * c.shear).sum();
         assert!((carried / weight - 1.0).abs() < 1e-4, "seed {seed}: {carried} of {weight}");
         // Impacts at this step lose up to a few hundredths of the work of gravity, in proportion to the step. A corner that
-        // turns into a face while pressed in deeply may give some back (the theory manual says why); not in these heaps.
+        // turns into a face while pressed in deeply may give some back (the theory manual says why): at any step from 0.8
+        // to 0.9 of the critical one in one of these heaps, up to a hundredth of the work.
         let energy = energy(&motion.model, &motion.state);
-        assert!(energy.drift() > -1e-3 * energy.gravity, "seed {seed}: {} of {}", energy.drift(), energy.gravity);
+        let share = energy.drift() / energy.gravity;
+        assert!(share > -2e-2, "seed {seed}: {share:e}");
+        giving += usize::from(share < -1e-3);
     }
-    assert!(gliding <= 2, "{gliding} heaps still glide");
+    assert!(gliding <= 2 && giving <= 2, "{gliding} heaps still glide, {giving} gave energy back");
 }
 
 /// Where the weight above each joint of a stack leaves it: the least distance to an end of the joint's contact points,

@@ -8,13 +8,13 @@ use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 
 /// Stops at the look with this number and keeps what it was offered last.
-struct StopAt {
+pub struct StopAt {
     looks: u64,
-    kept: Vec<u64>,
+    pub kept: Vec<u64>,
 }
 
 impl StopAt {
-    fn look(number: u64) -> StopAt {
+    pub fn look(number: u64) -> StopAt {
         StopAt { looks: number, kept: Vec::new() }
     }
 }
@@ -33,7 +33,7 @@ impl Watch for StopAt {
 }
 
 /// Counts looks.
-struct Looks(u64);
+pub struct Looks(pub u64);
 
 impl Watch for Looks {
     fn look(&mut self, _: &Progress) -> Wish {

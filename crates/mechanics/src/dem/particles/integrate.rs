@@ -6,7 +6,8 @@ use super::disc::Disc;
 /// What acts on all particles alike in one step.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::dem) struct Motion {
-    /// Time step [s].
+    /// Time between the old velocities and the new [s], and time step [s]; one where the step has not just changed.
+    pub between: f64,
     pub dt: f64,
     /// Share of local damping.
     pub local: f64,
@@ -46,14 +47,14 @@ pub(in crate::dem) fn integrate<const LOCAL: bool>(
     chunks: &[Chunk],
     motion: &Motion,
 ) -> Tally {
-    let Motion { dt, local, viscosity } = *motion;
-    let half = 0.5 * viscosity * dt;
+    let Motion { between, dt, local, viscosity } = *motion;
+    let half = 0.5 * viscosity * between;
     let (share, slow) = (1.0 / (1.0 + half), 2.0 * half / (1.0 + half));
     let mut tally = Tally::default();
     with_forces(chunk, chunks, |k, force| {
         let disc = &mut discs[k];
         // A disc's moment of inertia is half of m r^2, so its rim is accelerated by twice force over mass.
-        let scale = disc.inverse_mass * dt;
+        let scale = disc.inverse_mass * between;
         let push = [force[0] * scale, force[1] * scale, 2.0 * force[2] * scale];
         let old = [disc.vx, disc.vy, disc.rim];
         let mut new = [0.0; 3];
@@ -68,7 +69,7 @@ pub(in crate::dem) fn integrate<const LOCAL: bool>(
             } else {
                 new[c] = old[c] + push[c] * share - slow * old[c];
                 let mean = 0.5 * (old[c] + new[c]);
-                drain[c] = viscosity * dt * mean * mean;
+                drain[c] = viscosity * between * mean * mean;
             }
         }
         tally.damped += (drain[0] + drain[1] + 0.5 * drain[2]) / disc.inverse_mass;

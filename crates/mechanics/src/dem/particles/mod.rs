@@ -23,7 +23,7 @@ pub(super) use neighbours::{Blocks, chunks, number_all};
 
 use super::settings::Damping;
 use crate::blocks::{LawTable, Particle};
-use crate::ids::{GroupId, ParticleId, Table};
+use crate::ids::{GroupId, Id, ParticleId, Table};
 use crate::plane::Vec2;
 pub(super) use chunk::Contact;
 use integrate::{Motion, Tally, integrate};
@@ -93,17 +93,6 @@ impl ParticleModel {
             gravity,
         }
     }
-    /// Every word that the particles depend on.
-    pub fn digest(&self, word: &mut dyn FnMut(u64)) {
-        word(self.len() as u64);
-        for row in 0..self.len() {
-            word(u64::from(self.ids[row]) << 8 | u64::from(self.kinds[row]));
-            self.built[row].iter().chain([&self.densities[row]]).for_each(|x| word(x.to_bits()));
-        }
-        for group in &self.laws.groups {
-            word(u64::from(group.0));
-        }
-    }
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.ids.len()
@@ -121,12 +110,27 @@ impl ParticleModel {
     pub fn weight(&self) -> f64 {
         (0..self.len()).map(|row| self.mass(row)).sum::<f64>() * (self.gravity.x.abs() + self.gravity.y.abs())
     }
+    /// Hands out all that distinguishes these particles from others, as words.
+    pub fn words(&self, to: &mut dyn FnMut(u64)) {
+        to(self.len() as u64);
+        [self.gravity.x, self.gravity.y].iter().for_each(|x| to(x.to_bits()));
+        for row in 0..self.len() {
+            to(u64::from(self.ids[row]) << 32 | self.group(row as u32).index() as u64);
+            self.built[row].iter().chain([&self.densities[row]]).for_each(|x| to(x.to_bits()));
+        }
+    }
     /// A contact of the rows `i` and `j`, `i < j`.
     pub fn contact(&self, discs: &[Disc], laws: &LawTable, (i, j): (u32, u32), one: u16, shear: f64) -> Contact {
         let sum = discs[i as usize].radius + discs[j as usize].radius;
         let law = self.laws.index(self.kinds[i as usize], self.kinds[j as usize]);
         let k = stiffness(laws.between(self.group(i), self.group(j)), sum, sum);
         Contact::new(j, law, (one, 0), shear, (k.normal, k.shear))
+    }
+    /// Square of the largest angular frequency [1/s^2] of a row's particle and another like it that touch: both give way
+    /// to the normal spring, and to the shear spring with three times their masses' reciprocal, for their rims turn.
+    pub fn of_its_like(&self, laws: &LawTable, row: u32, disc: &Disc) -> f64 {
+        let k = stiffness(laws.between(self.group(row), self.group(row)), 2.0 * disc.radius, 2.0 * disc.radius);
+        2.0 * disc.inverse_mass * k.normal.max(3.0 * k.shear)
     }
     /// Length that a contact of two rows stands for [m].
     fn length(&self, laws: &LawTable, (i, j): (u32, u32), sum: f64) -> f64 {
@@ -213,14 +217,14 @@ impl Particles {
         lost
     }
 
-    /// Moves all particles on. Returns the largest distance moved [m], not finite if a number broke, and the energy
+    /// Moves all particles on: velocities by the first time [s], places by the second. Returns the largest distance moved [m], not finite if a number broke, and the energy
     /// taken out by damping [J/m].
-    pub fn integrate(&mut self, damping: Damping, viscosity: f64, dt: f64) -> (f64, f64) {
+    pub fn integrate(&mut self, damping: Damping, viscosity: f64, (between, dt): (f64, f64)) -> (f64, f64) {
         let (local, share) = match damping {
             Damping::Local(share) => (true, share),
             _ => (false, 0.0),
         };
-        let motion = Motion { dt, local: share, viscosity };
+        let motion = Motion { between, dt, local: share, viscosity };
         let chunks = &self.chunks[..];
         let one = |chunk: &Chunk, discs: &mut [Disc]| match local {
             true => integrate::<true>(discs, chunk, chunks, &motion),
