@@ -86,6 +86,8 @@ pub struct Material {
 /// A joint between two materials.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaterialJoint {
+    /// Where it stands in the file.
+    pub range: TextRange,
     /// Indices of the two materials; none for all pairs that no other joint names.
     pub between: Option<[usize; 2]>,
     /// Stiffness and strength.
@@ -114,6 +116,8 @@ pub struct ListedBlock {
 pub struct ListedParticles {
     /// The layer that they are drawn on.
     pub layer: String,
+    /// Where they stand in the file.
+    pub range: TextRange,
     /// Index of their material.
     pub material: usize,
     /// Centre and radius of each [m].

@@ -156,8 +156,21 @@ pub const CARDS: &[Card] = &[
     ),
     card(
         "D406",
-        "particles are not analysed",
-        "Circles on layers with role = \"particles\" are read, drawn and converted, but the analysis of blocks leaves them out.",
+        "particles need discrete elements",
+        "Limit analysis knows blocks only. A model with circles on layers with role = \"particles\" is analysed with method = \"dem\" \
+         and a load_step; role = \"ignore\" leaves the circles out.",
+    ),
+    card(
+        "D407",
+        "circles drawn over other bodies",
+        "Particles touch, or overlap by the little that they press on one another. A circle that reaches into another, or into a \
+         block, by more than a tenth of the smaller radius would be thrown out when the model is let go.",
+    ),
+    card(
+        "D408",
+        "particles that stick or crush",
+        "Contacts of particles carry no tension and do not crush. Give particles a material of their own with a [[joint]] whose \
+         tensile_strength is zero; the compressive strength of that material is not used.",
     ),
 ];
 

@@ -19,6 +19,7 @@ const HINGE: f64 = 0.004;
 const BANDS: [u8; 8] = [5, 4, 3, 2, 30, 1, 6, 12];
 const GREY: u8 = 8;
 const BLACK: u8 = 7;
+const BROWN: u8 = 34;
 const RED: u8 = 1;
 
 /// The drawings that the picture has material for: `model.dxf`, `deformed.dxf` and `stress.dxf`. Displacements are drawn
@@ -47,6 +48,11 @@ fn outline(sheet: &mut Sheet, layer: &str, colour: u8, points: Vec<Point>) {
     sheet.items.push(Item::Line { layer: layer.to_owned(), points, closed: true });
 }
 
+fn circle(sheet: &mut Sheet, layer: &str, colour: u8, centre: Point, radius: f64) {
+    sheet.layer(layer, colour);
+    sheet.items.push(Item::Circle { layer: layer.to_owned(), centre, radius });
+}
+
 fn line(sheet: &mut Sheet, layer: &str, colour: u8, points: Vec<Point>) {
     if points.len() > 1 {
         sheet.layer(layer, colour);
@@ -54,12 +60,15 @@ fn line(sheet: &mut Sheet, layer: &str, colour: u8, points: Vec<Point>) {
     }
 }
 
-/// Blocks on layers of their roles, the road surface, and the variable loads as arrows.
+/// Blocks on layers of their roles, particles on one for each of their layers, the road surface, and the variable loads as arrows.
 pub fn model(picture: &Picture) -> Sheet {
     let mut sheet = Sheet::default();
     for shape in &picture.shapes {
         let (layer, colour) = role(shape);
         outline(&mut sheet, &layer, colour, shape.outline.clone());
+    }
+    for disc in &picture.particles {
+        circle(&mut sheet, &format!("PARTICLES-{}", disc.layer + 1), BROWN, disc.centre, disc.radius);
     }
     line(&mut sheet, "SURFACE", GREY, picture.surface.clone());
     let largest = picture.loads.iter().map(|load| load.force[0].hypot(load.force[1])).fold(0.0, f64::max);
@@ -92,6 +101,9 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
     for shape in &picture.shapes {
         outline(&mut sheet, "AS-BUILT", GREY, shape.outline.clone());
     }
+    for disc in &picture.particles {
+        circle(&mut sheet, &format!("AS-BUILT-PARTICLES-{}", disc.layer + 1), GREY, disc.centre, disc.radius);
+    }
     // Limit analysis knows no displacements before collapse.
     let displaced = |state: &&Snapshot| largest_displacement(&picture.shapes, &state.motions, Turn::Finite) > 0.0;
     // A support that stays is drawn once, as built.
@@ -101,6 +113,10 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
         let layer = format!("LAST-STABLE-X{scale}");
         for (shape, &motion) in picture.shapes.iter().zip(&state.motions).filter(moves) {
             outline(&mut sheet, &layer, 5, moved(shape, motion, scale, Turn::Finite));
+        }
+        for (disc, now) in picture.particles.iter().zip(&state.particles) {
+            let centre = [0, 1].map(|k| disc.centre[k] + scale * (now.centre[k] - disc.centre[k]));
+            circle(&mut sheet, &format!("{layer}-PARTICLES-{}", disc.layer + 1), 5, centre, disc.radius);
         }
     }
     if let Some(motions) = mechanism {
@@ -115,9 +131,7 @@ pub fn deformed(picture: &Picture, scale: Option<f64>) -> Option<Sheet> {
         }
         for hinge in &picture.hinges {
             let Some(block) = block_at(&picture.shapes, hinge.point) else { continue };
-            sheet.layer("HINGES", 6);
-            let (centre, radius) = (place(block, hinge.point), HINGE * size(picture));
-            sheet.items.push(Item::Circle { layer: "HINGES".to_owned(), centre, radius });
+            circle(&mut sheet, "HINGES", 6, place(block, hinge.point), HINGE * size(picture));
         }
     }
     Some(sheet)

@@ -4,9 +4,9 @@ use super::report::{Collapse, Status};
 use super::{AnalysisError, by_dem, by_limit};
 use crate::blocks::Scene;
 use crate::discretise::{Discretised, laws};
-use crate::outcome::{ContactForce, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
+use crate::outcome::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
 use crate::warning::{self, Warning};
-use bridge::{Analysis, Method};
+use bridge::{Analysis, Method, Plan};
 use mechanics::dem::Body;
 use mechanics::ids::{GroupId, Id};
 use mechanics::limit;
@@ -48,11 +48,15 @@ fn dem(
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
     require_stiffness(scene)?;
-    let settings = by_limit::settings_of(&scene.plan, false);
-    let rigid = limit::collapse_load(&d.model, &d.loading, &settings)?;
+    let filled = !d.model.particles.is_empty();
+    let rigid = match filled {
+        true => None,
+        false => Some(limit::collapse_load(&d.model, &d.loading, &by_limit::settings_of(&scene.plan, false))?),
+    };
+    let bound = rigid.as_ref().and_then(|rigid| rigid.factor.or(rigid.associated_factor));
     let mut chosen = Vec::new();
-    let (program, step) = by_dem::program(&scene.plan, d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;
-    let settings = by_dem::settings_of(&scene.plan);
+    let (program, step) = by_dem::program(&planned(scene, filled)?, d, bound, &mut chosen)?;
+    let settings = mechanics::dem::Settings { scaled_inertia: filled, ..by_dem::settings_of(&scene.plan) };
     let outcome = mechanics::dem::collapse(&d.model, &d.loading, &program, &settings, resume, watch)?;
     let mut picture = built(scene, "discrete elements");
     by_dem::draw(d, &outcome, &|factor| d.load(factor), &mut picture);
@@ -60,13 +64,13 @@ fn dem(
     let mut c = blank(scene, d, Method::Dem, status, picture);
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
-    c.contacts = at_rest.map_or(0, |frame| frame.contacts.len());
+    c.contacts = at_rest.map_or(0, |frame| frame.contacts.len() + frame.particle_contacts.len());
     let broken = broken.map(|(body, step)| (named(scene, body), step));
     c.dem = Some(by_dem::numbers(&scene.plan, &outcome, broken));
     c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
     c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
     c.load_step = Some(step);
-    c.limit_load = rigid.factor.map(|f| f * d.reference_load);
+    c.limit_load = rigid.and_then(|rigid| rigid.factor).map(|f| f * d.reference_load);
     c.tolerance = scene.plan.tolerance;
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     c.assumptions.push(
@@ -79,6 +83,22 @@ fn dem(
     Ok(c)
 }
 
+/// Load steps tried where the file gives no limit for a model with particles.
+const MOST_STEPS: f64 = 100.0;
+
+/// The plan; with particles, limit analysis cannot choose what it leaves open.
+fn planned(scene: &Scene, filled: bool) -> Result<Plan, AnalysisError> {
+    let plan = scene.plan.clone();
+    if !filled {
+        return Ok(plan);
+    }
+    let step = plan.load_step.ok_or(AnalysisError::Missing {
+        what: "load_step",
+        why: "limit analysis, from which it would be chosen, knows no particles",
+    })?;
+    Ok(Plan { load_limit: plan.load_limit.or(Some(MOST_STEPS * step)), ..plan })
+}
+
 /// The name of a block; particles are counted from 1.
 fn named(scene: &Scene, body: Body) -> String {
     match body {
@@ -89,7 +109,9 @@ fn named(scene: &Scene, body: Body) -> String {
 
 /// Refuses pairs of materials in use whose joint has no stiffness.
 fn require_stiffness(scene: &Scene) -> Result<(), AnalysisError> {
-    let used = |k: usize| scene.bodies.iter().any(|body| body.material == k);
+    let used = |k: usize| {
+        scene.bodies.iter().any(|body| body.material == k) || scene.particles.iter().any(|p| p.material == k)
+    };
     let materials: Vec<usize> = (0..scene.materials.len()).filter(|&k| used(k)).collect();
     let stiff = |a: usize, b: usize| laws::has_stiffness(scene.laws.between(GroupId(a as u32), GroupId(b as u32)));
     match materials.iter().all(|&a| materials.iter().all(|&b| stiff(a, b))) {
@@ -157,9 +179,25 @@ fn built(scene: &Scene, title: &str) -> Picture {
     Picture {
         title: format!("{}: {title}", scene.name),
         shapes: scene.bodies.iter().map(shape).collect(),
+        particles: discs(scene),
         loads: variable.map(|force| LoadArrow { at: force.at, force: force.force }).collect(),
         ..Picture::default()
     }
+}
+
+/// The particles, their layers in the order in which they are met.
+fn discs(scene: &Scene) -> Vec<Disc> {
+    let mut layers: Vec<&str> = Vec::new();
+    let mut discs = Vec::with_capacity(scene.particles.len());
+    for particle in &scene.particles {
+        let known = layers.iter().position(|layer| *layer == particle.layer);
+        let layer = known.unwrap_or(layers.len());
+        if known.is_none() {
+            layers.push(&particle.layer);
+        }
+        discs.push(Disc { centre: particle.centre, radius: particle.radius, layer });
+    }
+    discs
 }
 
 fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture: Picture) -> Collapse {

@@ -1,6 +1,6 @@
 //! Bodies: those that the file lists, and those that its drawing holds on mapped layers.
 
-use super::Said;
+use super::{Said, overlaps};
 use bridge::TextRange;
 use bridge::blocks::{BlockFile, DrawingPart, MappedLayer, Role};
 use mechanics::plane::{Core, Polygon, vec2};
@@ -43,6 +43,7 @@ pub(super) fn bodies(
     said: &mut Said,
 ) -> (Vec<Body>, Vec<Particle>) {
     let mut bodies = Bodies::default();
+    let mut places = Vec::new();
     let mut particles = Vec::new();
     for block in &file.blocks {
         let mut outline = block.outline.clone();
@@ -54,6 +55,8 @@ pub(super) fn bodies(
         bodies.add(file, body, block.range, said);
     }
     for listed in &file.particles {
+        let place = |&[x, y, _]: &[f64; 3]| format!("at ({:.4}, {:.4}) m, layer {}", x + 0.0, y + 0.0, listed.layer);
+        places.extend(listed.circles.iter().map(|circle| (listed.range, place(circle))));
         particles.extend(listed.circles.iter().map(|&[x, y, radius]| Particle {
             layer: listed.layer.clone(),
             material: listed.material,
@@ -63,11 +66,11 @@ pub(super) fn bodies(
     }
     if let (Some(part), Some(drawing)) = (&file.drawing, drawing) {
         map(part, drawing, refused, said);
-        drawn(file, part, drawing, &mut bodies, &mut particles, said);
+        drawn(file, part, drawing, &mut bodies, (&mut particles, &mut places), said);
     }
     let bodies = bodies.list;
     let free = bodies.iter().any(|body| !body.held);
-    if !bodies.is_empty() && !free && !refused && !said.any_error() {
+    if !bodies.is_empty() && particles.is_empty() && !free && !refused && !said.any_error() {
         let range = file.drawing.as_ref().map_or(TextRange::new(0, 0), |part| part.range);
         let help = "give a layer or a block role = \"block\"".to_owned();
         said.error(
@@ -78,6 +81,7 @@ pub(super) fn bodies(
             help,
         );
     }
+    overlaps::check(&bodies, &particles, &places, said);
     (bodies, particles)
 }
 
@@ -172,7 +176,7 @@ fn drawn(
     part: &DrawingPart,
     drawing: &drawing::Drawing,
     bodies: &mut Bodies,
-    particles: &mut Vec<Particle>,
+    (particles, places): (&mut Vec<Particle>, &mut Vec<(TextRange, String)>),
     said: &mut Said,
 ) {
     let wrong = |mapped: &MappedLayer, what: &str, place: &drawing::Place, said: &mut Said| {
@@ -198,6 +202,7 @@ fn drawn(
         match (mapped.role, mapped.material) {
             (Role::Particles, Some(material)) => {
                 let (centre, radius) = (circle.centre, circle.radius);
+                places.push((mapped.range, circle.place.at(centre).words()));
                 particles.push(Particle { layer: circle.layer.clone(), material, centre, radius });
             }
             (Role::Block | Role::Support, _) => wrong(mapped, "a circle", &circle.place, said),

@@ -1,19 +1,25 @@
 //! Contact laws of all pairs of materials.
 
-use super::{Body, Said};
+use super::{Body, Particle, Said};
 use crate::discretise::laws::LEAST_LENGTH_SHARE;
-use bridge::blocks::{BlockFile, Material};
+use bridge::blocks::{BlockFile, Material, MaterialJoint};
 use bridge::{Joint, JointStiffness, TextRange};
 use mechanics::blocks::{ContactLaw, LawTable, Stiffness};
 use mechanics::ids::{GroupId, Id};
 
 /// The law of every pair; pairs of materials in use that no joint describes are said.
-pub(super) fn laws(file: &BlockFile, bodies: &[Body], said: &mut Said) -> LawTable {
+pub(super) fn laws(file: &BlockFile, bodies: &[Body], particles: &[Particle], said: &mut Said) -> LawTable {
     let count = file.materials.len();
     let side = bodies.iter().map(|body| area(&body.outline)).fold(f64::INFINITY, f64::min).sqrt();
+    let side = if bodies.is_empty() { particles.iter().map(|p| 2.0 * p.radius).fold(side, f64::min) } else { side };
     let least = if side.is_finite() { LEAST_LENGTH_SHARE * side } else { LEAST_LENGTH_SHARE };
     let mut table = LawTable::uniform(count, frictionless(least));
-    let used = |material: usize| bodies.iter().any(|body| body.material == material);
+    let mut of_blocks = vec![false; count];
+    bodies.iter().for_each(|body| of_blocks[body.material] = true);
+    let mut of_particles = vec![false; count];
+    particles.iter().for_each(|particle| of_particles[particle.material] = true);
+    let used = |material: usize| of_blocks[material] || of_particles[material];
+    let touched = |a: usize, b: usize| (of_particles[a] && used(b)) || (of_particles[b] && used(a));
     let mut bare = Vec::new();
     for a in 0..count {
         for b in a..count {
@@ -21,7 +27,11 @@ pub(super) fn laws(file: &BlockFile, bodies: &[Body], said: &mut Said) -> LawTab
             let found = own.or_else(|| file.joints.iter().find(|joint| joint.between.is_none()));
             match found {
                 Some(found) => {
-                    let law = law(&found.joint, [&file.materials[a], &file.materials[b]], least);
+                    let mut law = law(&found.joint, [&file.materials[a], &file.materials[b]], least);
+                    if touched(a, b) {
+                        loose(file, [a, b], found, &law, of_blocks[a] && of_blocks[b], said);
+                        (law.tension, law.crushing) = (0.0, f64::INFINITY);
+                    }
                     table.set(GroupId::new(a), GroupId::new(b), law);
                 }
                 None if used(a) && used(b) => {
@@ -37,6 +47,23 @@ pub(super) fn laws(file: &BlockFile, bodies: &[Body], said: &mut Said) -> LawTab
         said.error("D405", TextRange::new(0, 0), message, "a pair of materials without a joint", help);
     }
     table
+}
+
+/// Contacts of particles neither stick nor crush. What a joint gives them of either is said, unless it is a strength that
+/// no two blocks could need: then it is that of a material alone, and goes unused.
+fn loose(file: &BlockFile, [a, b]: [usize; 2], joint: &MaterialJoint, law: &ContactLaw, blocks: bool, said: &mut Said) {
+    let pair = format!("{} and {}", file.materials[a].name, file.materials[b].name);
+    if law.tension > 0.0 {
+        let message = format!("contacts of particles have no tensile strength, and those of {pair} have some");
+        let help = "write tensile_strength = \"0 kPa\" in a [[joint]] of this pair".to_owned();
+        said.error("D408", joint.range, message, "particles do not stick", help);
+    }
+    if law.crushing.is_finite() && blocks {
+        let message = format!("contacts of particles do not crush, and those of {pair} are contacts of blocks too");
+        let help =
+            "give the particles a material of their own, or write compressive_strength = \"unlimited\"".to_owned();
+        said.error("D408", joint.range, message, "particles and blocks share this joint", help);
+    }
 }
 
 fn area(points: &[[f64; 2]]) -> f64 {

@@ -3,6 +3,7 @@
 mod bodies;
 mod laws;
 mod loads;
+mod overlaps;
 mod write;
 
 pub use bodies::{Body, Particle};
@@ -85,7 +86,7 @@ pub fn assemble(file: &BlockFile, dxf: Option<&[u8]>) -> Assembled {
     let refused = read.as_ref().is_some_and(|read| !read.is_usable());
     let (bodies, particles) = bodies::bodies(file, read.as_ref().map(|read| &read.drawing), refused, &mut said);
     let findings = read.map_or_else(Vec::new, |read| read.findings);
-    let laws = laws::laws(file, &bodies, &mut said);
+    let laws = laws::laws(file, &bodies, &particles, &mut said);
     // A load would miss the very block that could not be read.
     let forces = if refused || said.any_error() { Vec::new() } else { loads::forces(file, &bodies, &mut said) };
     let usable = !refused && !said.any_error();
@@ -157,7 +158,7 @@ impl Scene {
             faces: (0..blocks.len()).map(|_| None).collect(),
             model: BlockModel {
                 blocks,
-                particles: Table::default(),
+                particles: self.particles.iter().map(|particle| self.grain(particle)).collect(),
                 groups: self.materials.iter().map(|material| material.name.clone()).collect(),
                 laws: self.laws.clone(),
                 gravity: vec2(0.0, -self.gravity),
@@ -170,6 +171,15 @@ impl Scene {
             reference_load,
             spreads: Vec::new(),
             watched,
+        }
+    }
+
+    fn grain(&self, particle: &Particle) -> mechanics::blocks::Particle {
+        mechanics::blocks::Particle {
+            centre: vec2(particle.centre[0], particle.centre[1]),
+            radius: particle.radius,
+            density: self.materials[particle.material].masonry.density,
+            group: GroupId::new(particle.material),
         }
     }
 

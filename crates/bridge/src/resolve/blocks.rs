@@ -186,7 +186,7 @@ fn joints(
         if let (Some(joint), Some(materials)) = (&joint, materials) {
             series(&table, joint, materials, findings);
         }
-        rows.push(joint.zip(between).map(|(joint, between)| MaterialJoint { between, joint }));
+        rows.push(joint.zip(between).map(|(joint, between)| MaterialJoint { range: table.range, between, joint }));
     }
     all(rows)
 }
@@ -260,6 +260,7 @@ fn particles(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Op
         return None;
     }
     Some(ListedParticles {
+        range: table.range,
         layer: maybe(table, "layer", layer)?.unwrap_or("PARTICLES").to_owned(),
         material: material?,
         circles: circles.value,

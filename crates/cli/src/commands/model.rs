@@ -13,7 +13,8 @@ use crate::watcher::Watcher;
 use assess::analysis;
 use assess::blocks::{Scene, assemble};
 use bridge::blocks::{DrawingPart, Role};
-use bridge::{Diagnostic, Severity};
+use bridge::{Diagnostic, Method, Severity};
+use mechanics::blocks::ModelError;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -186,11 +187,12 @@ pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure
     if arguments.sweep || arguments.choice.analysis.is_some_and(|analysis| analysis != crate::args::Analysis::Load) {
         return Err(Failure::input("F108", arch, remedy));
     }
-    if !scene.particles.is_empty() {
-        let message = format!("the model holds {} particles, which this analysis leaves out", scene.particles.len());
-        return Err(Failure::input("D406", message, "give their layers role = \"ignore\" to analyse the blocks alone"));
-    }
     super::collapse::plan(&mut scene.plan, scene.width, arguments)?;
+    if !scene.particles.is_empty() && scene.plan.method == Method::Limit {
+        let message = ModelError::ParticlesInLimitAnalysis(scene.particles.len()).to_string();
+        let help = "say --method dem, or give their layers role = \"ignore\" to analyse the blocks alone";
+        return Err(Failure::input("D406", message, help));
+    }
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
     let run = |resume: Option<&[u64]>, watcher: &mut Watcher| analysis::collapse_of_blocks(&scene, resume, watcher);
     let checkpoint = Checkpoint::of(&scene, &folder);
