@@ -36,6 +36,8 @@ pub fn bridgemill() -> Bridge {
         joint,
         ring_joint: joint,
         spandrel_wall: None,
+        particles: None,
+        calibration: Calibration::default(),
         cover: Cover { depth: 0.478, layers: vec![], backing: None },
         loads: vec![Load {
             name: "knife edge".into(),
@@ -91,7 +93,17 @@ pub fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, courses
 /// Case 2: the weight of the fill acts on the ring, loads disperse through the whole cover.
 pub fn case_two() -> Bridge {
     let mut b = bridgemill();
-    let layer = |name, thickness, weighs| Layer { name, thickness, density: 1890.0, weighs, elastic_modulus: None };
+    let layer = |name, thickness, weighs| Layer {
+        name,
+        thickness,
+        density: 1890.0,
+        weighs,
+        elastic_modulus: None,
+        friction_angle: None,
+        cohesion: None,
+        particles: false,
+        slabs: None,
+    };
     b.cover.layers = vec![
         layer(LayerKind::Fill, 0.203, true),
         layer(LayerKind::SubBase, 0.125, false),

@@ -96,6 +96,21 @@ cards! {
          their widths. Both must reach them together for the sum to hold: a stiff wall fails while the rest is still far \
          from its load, and walls lean outwards before they fail in their plane. Where the walls carry much more of the \
          sum than their share of the width, rely on the strip between them.";
+    /// A wanted modulus of fill that no stiffness gives.
+    OUT_OF_REACH = "A120", "the wanted modulus of the fill is out of reach",
+        "Stiffer contacts make the fill stiffer only as long as contacts are what yields: particles that slide and roll past \
+         one another yield whatever their stiffness, and the modulus levels off. At the soft end contacts overlap so much that \
+         they are no model of fill. The message gives the range that was tried. A denser packing (packing_stress, \
+         solid_fraction), more friction or other load steps move the range; a larger `multiples` widens the search.";
+    /// A check that does not bear the search out.
+    CHECK_APART = "A121", "other packings do not have the wanted modulus",
+        "The stiffness was found on the packings of some seeds and checked on as many others, whose mean should be within 5 % of \
+         the wanted modulus. It is not: the scatter between packings is too large for so few of them. Use more `seeds` in \
+         [calibration] until the standard error in the message is below 2 %.";
+    /// Samples left out of the mean.
+    LEFT_OUT = "A122", "samples were left out",
+        "A sample counts only if it came to rest in every load step and became shorter in each. The message says how many did \
+         not, and at which multiple of the stiffness. Many of them make the mean doubtful: use smaller load steps, or fewer.";
 }
 
 impl Warning {

@@ -1,11 +1,13 @@
 //! The formats others rely on: JSON objects and CSV tables. The only serialisable types; keys carry their unit, a meaning
 //! that stands never changes.
 
+mod calibration;
 mod collapse;
 mod sweep;
 mod tables;
 mod vary;
 
+pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
 pub use collapse::CollapseObject;
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};

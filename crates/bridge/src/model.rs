@@ -27,6 +27,8 @@ pub struct Bridge {
     pub spandrel_wall: Option<SpandrelWall>,
     /// How layers of the cover are filled with particles, where some are.
     pub particles: Option<Particles>,
+    /// How the contact stiffness of particles is found from a wanted modulus.
+    pub calibration: Calibration,
     /// What lies above the rings, from the extrados up.
     pub cover: Cover,
     /// What is placed on the road or rail, in the order of the file.
@@ -253,6 +255,64 @@ pub enum Packing {
     Stress(f64),
     /// Until they cover this share of the region.
     SolidFraction(f64),
+}
+
+/// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
+/// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// Modulus that the fill is to have [Pa].
+    pub wanted_modulus: Option<f64>,
+    /// Which modulus is compared with it.
+    pub modulus: Modulus,
+    /// Side of the square samples [m].
+    pub sample_size: f64,
+    /// Weight of the block that presses [N/m].
+    pub block_weight: f64,
+    /// Increment of the load on it [N/m].
+    pub load_step: f64,
+    /// Number of load steps.
+    pub steps: usize,
+    /// First load steps that the later secant leaves out.
+    pub ignored_steps: usize,
+    /// Multiples of the particles' contact stiffness at which moduli are measured.
+    pub multiples: Vec<f64>,
+    /// Moduli from elsewhere at these multiples [Pa]; empty where there are none.
+    pub compare_with: Vec<f64>,
+    /// How many packings samples are cut from.
+    pub seeds: u64,
+    /// The wanted modulus is met within this share.
+    pub tolerance: f64,
+    /// Smallest replacement of a cut particle over the smallest particle of the packing.
+    pub least_replacement: f64,
+}
+
+impl Default for Calibration {
+    fn default() -> Calibration {
+        Calibration {
+            wanted_modulus: None,
+            modulus: Modulus::Tangent,
+            sample_size: 1.0,
+            block_weight: 2.6e3,
+            load_step: 25e3,
+            steps: 10,
+            ignored_steps: 4,
+            multiples: vec![1.0, 2.0, 4.0, 6.0, 8.0],
+            compare_with: Vec::new(),
+            seeds: 16,
+            tolerance: 0.01,
+            least_replacement: 0.5,
+        }
+    }
+}
+
+/// A modulus of a stress-strain curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Modulus {
+    /// Mean of the slopes of all load steps.
+    Tangent,
+    /// Slope from the first result to the last.
+    Secant,
 }
 
 /// The four words for what lies above an arch.

@@ -89,6 +89,7 @@ fn property(field: &Field) -> Value {
         Kind::Value => one_value(),
         Kind::Values => json!({ "type": "array", "minItems": 1, "items": one_value() }),
         Kind::Number => bounds(json!({ "type": "number" }), field),
+        Kind::Numbers => json!({ "type": "array", "items": bounds(json!({ "type": "number" }), field) }),
         Kind::Count => bounds(json!({ "type": "integer" }), field),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Word(words) => self::words(words),
@@ -171,9 +172,14 @@ fn example(field: &Field) -> Option<Value> {
 /// A value as JSON has it; lists are written alike in TOML and JSON.
 fn literal(field: &Field, text: &str) -> Value {
     match field.kind {
-        Kind::Number | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Rows(_) | Kind::Values => {
-            serde_json::from_str(text).unwrap_or(Value::Null)
-        }
+        Kind::Number
+        | Kind::Numbers
+        | Kind::Count
+        | Kind::Flag
+        | Kind::Quantities(_)
+        | Kind::Points
+        | Kind::Rows(_)
+        | Kind::Values => serde_json::from_str(text).unwrap_or(Value::Null),
         _ => json!(text),
     }
 }

@@ -192,6 +192,7 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Kind::QuantityOr(..) => "a number with its unit or a word, in quotes",
         Kind::Quantities(_) => "a list of numbers with units",
         Kind::Number => "a bare number",
+        Kind::Numbers => "a list of bare numbers",
         Kind::Count => "a whole number",
         Kind::Flag => "true or false",
         Kind::Word(_) => "a word in quotes",

@@ -61,18 +61,16 @@ impl<'t> Table<'t> {
     /// A bare number.
     pub(crate) fn number(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
         let (field, raw) = self.entry(key)?;
-        let range = raw.span().into();
-        let value = match raw.get_ref() {
-            DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
-            DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
-            _ => return wrong_type(field, raw, findings),
-        };
-        match value {
-            Some(value) if value.is_finite() => {
-                check_limits(field, value, range, findings).then_some(At { value, range })
-            }
-            _ => not_finite(field, range, findings),
-        }
+        bare(field, raw, findings)
+    }
+
+    /// A list of bare numbers.
+    pub(crate) fn numbers(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<f64>>> {
+        let (field, raw) = self.entry(key)?;
+        let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+        let values: Vec<Option<f64>> =
+            items.iter().map(|item| bare(field, item, findings).map(|at| at.value)).collect();
+        Some(At { value: values.into_iter().collect::<Option<Vec<f64>>>()?, range: raw.span().into() })
     }
 
     /// A list of rows of `N` bare numbers; the key carries their unit.
@@ -182,6 +180,20 @@ fn literal(value: &DeValue<'_>) -> Option<String> {
             list.map(|list| format!("[{}]", list.join(", ")))
         }
         DeValue::Datetime(_) | DeValue::Table(_) => None,
+    }
+}
+
+/// Reads a bare number.
+fn bare(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<At<f64>> {
+    let range = raw.span().into();
+    let value = match raw.get_ref() {
+        DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
+        DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
+        _ => return wrong_type(field, raw, findings),
+    };
+    match value {
+        Some(value) if value.is_finite() => check_limits(field, value, range, findings).then_some(At { value, range }),
+        _ => not_finite(field, range, findings),
     }
 }
 

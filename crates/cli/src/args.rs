@@ -32,6 +32,8 @@ pub enum Command {
     Convert(Convert),
     /// Repeat an analysis over ranges of the file's quantities: table, tornado chart, curves
     Vary(Box<Vary>),
+    /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
+    CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
     /// Print the JSON Schema of bridge files or block model files, for editors
@@ -159,6 +161,25 @@ pub struct Vary {
     /// Which analysis.
     #[command(flatten)]
     pub choice: Choice,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// `extrados calibrate-fill`.
+#[derive(Debug, Args)]
+pub struct CalibrateFill {
+    /// The bridge file (TOML), with a layer as particles
+    pub file: PathBuf,
+    /// Modulus that the fill is to have, in place of the file's, such as "40 MPa"
+    #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
+    pub modulus: Option<String>,
+    /// Packings that samples are cut from, in place of the file's; the check takes as many again
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub seeds: Option<u32>,
+    /// Folder for results [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -341,6 +362,7 @@ impl Command {
             Command::Collapse(collapse) => &collapse.speech,
             Command::Convert(convert) => &convert.speech,
             Command::Vary(vary) => &vary.speech,
+            Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
             Command::Verify(verify) => &verify.speech,
@@ -356,6 +378,7 @@ impl Command {
             Command::Collapse(_) => "collapse",
             Command::Convert(_) => "convert",
             Command::Vary(_) => "vary",
+            Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",
             Command::Verify(_) => "verify",

@@ -20,6 +20,12 @@ pub fn length(option: &str, text: &str) -> Result<f64, Failure> {
     positive(option, text, read(option, text, &[Dimension::Length], example)?.si(), example)
 }
 
+/// A stress or modulus [Pa].
+pub fn stress(option: &str, text: &str) -> Result<f64, Failure> {
+    let example = "40 MPa";
+    positive(option, text, read(option, text, &[Dimension::Stress], example)?.si(), example)
+}
+
 fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result<quantity::Quantity, Failure> {
     let help = format!("write {option} \"{example}\"");
     let names = || wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");
@@ -58,5 +64,7 @@ mod tests {
         assert!(message("5").contains("is not"));
         assert!(message("-1 kN/m").contains("not above zero"));
         assert!(length("--sweep-step", "0.5 m").is_ok());
+        assert_eq!(stress("--modulus", "40 MPa"), Ok(40e6));
+        assert!(stress("--modulus", "40 GPa/m").unwrap_err().message.contains("a pressure"));
     }
 }

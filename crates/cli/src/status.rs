@@ -122,8 +122,8 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: no position of the loads makes a mechanism of the bridge, or no run of many \
-                 found the number that was asked for.",
+                "The command finished without an answer: no position of the loads makes a mechanism of the bridge, no run of many found \
+                 the number that was asked for, or no contact stiffness gives the fill the wanted modulus.",
             ),
             Status::UnusableInput => (
                 "unusable-input",

@@ -4,6 +4,7 @@ mod vary;
 
 pub use vary::vary;
 
+use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
 use assess::analysis::{Collapse, Combination, Sweep};
 use assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
@@ -58,6 +59,52 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
         None => page += "  no position makes a mechanism of the bridge\n",
     }
     let _ = writeln!(page, "\nThe envelope and its table are in {out}");
+    page
+}
+
+/// Moduli of the fill, the stiffness that was found, and its check.
+pub fn calibration(found: &CalibrationReport, out: &str) -> String {
+    let mut page = format!(
+        "{}: {} squares of {:.2} m out of {}, {} particles\n\n",
+        found.bridge,
+        found.squares,
+        found.plan.sample_size,
+        found.packings(),
+        found.particles
+    );
+    page += "  multiple   kn [GPa/m]   ks [GPa/m]   tangent [MPa]    secant [MPa]    without the first steps [MPa]\n";
+    let spread = |s: Option<Spread>| {
+        s.map_or("-".to_owned(), |s| format!("{:.1} ± {:.1}", s.mean / 1e6, s.standard_error / 1e6))
+    };
+    let line = |page: &mut String, m: &Measured, about: &str| {
+        let [normal, shear] = found.stiffness.map(|k| m.multiple * k / 1e9);
+        let (tangent, secant, late) = (spread(m.tangent), spread(m.secant), spread(m.late_secant));
+        let multiple = m.multiple;
+        let _ = writeln!(
+            page,
+            "  {multiple:>8.3}   {normal:>10.4}   {shear:>10.4}   {tangent:>13}   {secant:>13}   {late:>13}   {about}"
+        );
+    };
+    for row in &found.table {
+        line(&mut page, row, "");
+    }
+    if let Some(row) = found.found_beside_the_table() {
+        line(&mut page, row, "found");
+    }
+    if let Some(check) = &found.check {
+        line(&mut page, &check.measured, "check on other packings");
+    }
+    page += "  (mean and its standard error)\n";
+    if let (Some(wanted), Some(row)) = (found.plan.wanted_modulus, &found.found) {
+        let [normal, shear] = found.stiffness.map(|k| row.multiple * k / 1e9);
+        let _ = write!(
+            page,
+            "\nFor {:.1} MPa write into [particle_joint]:\n\n  normal_stiffness = \"{normal:.4} GPa/m\"\n  \
+             shear_stiffness = \"{shear:.4} GPa/m\"\n",
+            wanted / 1e6
+        );
+    }
+    let _ = writeln!(page, "\nFigures and tables are in {out}");
     page
 }
 

@@ -32,7 +32,7 @@ pub fn asked_to_stop() -> bool {
 /// Looks on one run.
 pub struct Watcher {
     bar: ProgressBar,
-    checkpoint: Checkpoint,
+    checkpoint: Option<Checkpoint>,
     keep_every: Duration,
     kept: Option<Instant>,
     trouble: Option<Failure>,
@@ -41,7 +41,12 @@ pub struct Watcher {
 impl Watcher {
     /// Draws progress unless it is unwanted, and keeps a checkpoint every so often.
     pub fn new(quiet: bool, checkpoint: Checkpoint, keep_every: Duration) -> Watcher {
-        Watcher { bar: bar(quiet, BAR), checkpoint, keep_every, kept: None, trouble: None }
+        Watcher { bar: bar(quiet, BAR), checkpoint: Some(checkpoint), keep_every, kept: None, trouble: None }
+    }
+
+    /// Draws progress unless it is unwanted; for runs that keep no state.
+    pub fn without_checkpoint(quiet: bool) -> Watcher {
+        Watcher { bar: bar(quiet, BAR), checkpoint: None, keep_every: Duration::MAX, kept: None, trouble: None }
     }
 
     /// Whether a checkpoint of this run was kept.
@@ -109,11 +114,12 @@ impl Watch for Watcher {
     }
 
     fn keep(&mut self, words: &dyn Fn() -> Vec<u64>) {
+        let Some(checkpoint) = &self.checkpoint else { return };
         let due = self.kept.is_none_or(|kept| kept.elapsed() >= self.keep_every);
         if !due && !asked_to_stop() {
             return;
         }
-        match self.checkpoint.keep(&words()) {
+        match checkpoint.keep(&words()) {
             Ok(()) => self.kept = Some(Instant::now()),
             Err(failure) => self.trouble = Some(failure),
         }

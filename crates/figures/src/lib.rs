@@ -8,6 +8,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod all;
+mod calibration;
 mod chart;
 mod colour;
 mod dimension;
@@ -30,6 +31,7 @@ pub mod vtk;
 mod words;
 
 pub use all::{File, PNG_WIDTH, all, both, drawings, paraview};
+pub use calibration::calibration;
 pub use drawn::bridge_as_drawn;
 pub use envelope::{Quantity, Sweep, envelope};
 pub use frames::collapse_frames;

@@ -66,7 +66,7 @@ pub fn collapse_filled(
 }
 
 /// Grows the particles, or takes those of a file.
-fn packing(
+pub(super) fn packing(
     bridge: &Bridge,
     d: &Discretised,
     region: &FillRegion,
@@ -82,7 +82,7 @@ fn packing(
 }
 
 /// Puts the particles into the model; each belongs to the layer at its centre.
-fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
+pub(super) fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
     let particle = |g: &Grain| {
         let layer = region.layer_at(g.centre.y);
         // A layer's density is that of the soil, voids included; a disc stands for the soil around it.
@@ -93,7 +93,7 @@ fn fill(d: &mut Discretised, region: &FillRegion, grains: &[Grain]) {
 }
 
 /// The model without the blocks that bring loads: they come last.
-fn without_loading_blocks(d: &Discretised) -> BlockModel {
+pub(super) fn without_loading_blocks(d: &Discretised) -> BlockModel {
     let standing = d.origins.iter().filter(|o| !matches!(o, Origin::LoadingBlock { .. })).count();
     let blocks: Table<BlockId, Block> = d.model.blocks.iter().take(standing).cloned().collect();
     BlockModel { blocks, ..d.model.clone() }

@@ -2,6 +2,7 @@
 
 pub mod by_dem;
 pub mod by_limit;
+pub mod calibrate;
 mod dimensions;
 mod filled;
 mod movement;
@@ -55,6 +56,37 @@ pub enum AnalysisError {
     /// The fill cannot be packed.
     #[error(transparent)]
     Packing(#[from] PackingError),
+    /// Calibration needs fill that is particles.
+    #[error("no layer of the file is modelled as particles: write as = \"particles\" in a [[cover]]")]
+    NoParticles,
+    /// Calibration needs several packings.
+    #[error("calibration packs the fill anew for every seed: remove `file` from [particles]")]
+    SavedPacking,
+    /// The fill did not come to rest.
+    #[error("the fill packed with seed {seed} does not come to rest on its ring: look at it with extrados collapse")]
+    FillNotAtRest {
+        /// Seed of the packing.
+        seed: u64,
+    },
+    /// The fill is too shallow for a sample.
+    #[error(
+        "no square of {size} m fits into the fill between rings, end walls and road: write a smaller sample_size in [calibration]"
+    )]
+    NoSample {
+        /// Side of the square [m].
+        size: f64,
+    },
+    /// A sample that holds next to nothing.
+    #[error(
+        "a square of {size} m holds too few particles of {diameter:.3} m: write a sample_size of {:.2} m or more in [calibration]",
+        LEAST_SAMPLE * .diameter
+    )]
+    SmallSample {
+        /// Side of the square [m].
+        size: f64,
+        /// Mean diameter of the particles [m].
+        diameter: f64,
+    },
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,
@@ -67,6 +99,9 @@ pub enum AnalysisError {
         why: &'static str,
     },
 }
+
+/// Least side of a sample of fill in mean diameters of its particles: narrower ones are walls more than fill.
+pub(crate) const LEAST_SAMPLE: f64 = 4.0;
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
 pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {

@@ -143,6 +143,10 @@ fn filled(b: &mut Bridge) {
         density: 1900.0,
         weighs: true,
         elastic_modulus: None,
+        friction_angle: None,
+        cohesion: None,
+        particles: false,
+        slabs: None,
     }];
     b.cover.depth = 0.4;
     b.loads[0].position = 1.5;

@@ -1,8 +1,9 @@
 //! Block models from files and drawings.
 
 use super::{Assembled, assemble, of_bridge, toml};
-use crate::analysis::{blocks_as_built, collapse, collapse_of_blocks};
+use crate::analysis::{Status, blocks_as_built, collapse, collapse_of_blocks};
 use crate::discretise::discretise;
+use crate::outcome::Partner;
 use crate::samples::bridgemill;
 use bridge::{Method, Severity};
 use drawing::{Item, Sheet};
@@ -154,4 +155,98 @@ fn the_blocks_of_a_bridge_carry_what_the_bridge_does() {
     let points = |c: &crate::analysis::Collapse| c.picture.thrust_lines.iter().map(Vec::len).collect::<Vec<_>>();
     assert_eq!(points(&of_blocks), points(&of_bridge), "one line of thrust through every joint");
     assert_eq!(blocks_as_built(&scene).shapes.len(), of_blocks.blocks);
+}
+
+/// Circles of 0.2 m between three supports, and a plate of a metre on them.
+const BOX: &str = r#"
+[model]
+name = "Box"
+[[block]]
+material = "stone"
+role = "support"
+outline_m = [[-0.2, -0.2], [1.2, -0.2], [1.2, 0.0], [-0.2, 0.0]]
+[[block]]
+material = "stone"
+role = "support"
+outline_m = [[-0.2, 0.0], [0.0, 0.0], [0.0, 1.0], [-0.2, 1.0]]
+[[block]]
+material = "stone"
+role = "support"
+outline_m = [[1.0, 0.0], [1.2, 0.0], [1.2, 1.0], [1.0, 1.0]]
+[[block]]
+name = "plate"
+material = "stone"
+outline_m = [[0.05, 0.42], [0.95, 0.42], [0.95, 0.52], [0.05, 0.52]]
+[[particles]]
+layer = "GRAINS"
+material = "gravel"
+circles_m = [[0.1, 0.11, 0.1], [0.3, 0.11, 0.1], [0.5, 0.11, 0.1], [0.7, 0.11, 0.1], [0.9, 0.11, 0.1],
+    [0.1, 0.31, 0.1], [0.3, 0.31, 0.1], [0.5, 0.31, 0.1], [0.7, 0.31, 0.1], [0.9, 0.31, 0.1]]
+[[material]]
+name = "stone"
+density = "2000 kg/m^3"
+compressive_strength = "20 MPa"
+[[material]]
+name = "gravel"
+density = "1800 kg/m^3"
+[[joint]]
+normal_stiffness = "1 GPa/m"
+shear_stiffness = "0.4 GPa/m"
+friction_angle = "30 deg"
+cohesion = "0 kPa"
+[[load]]
+block = "plate"
+down = "10 kN/m"
+[analysis]
+method = "dem"
+load_step = "10 kN/m"
+load_limit = "20 kN/m"
+"#;
+
+#[test]
+fn circles_in_a_box_come_to_rest_and_carry_a_plate() {
+    let scene = read(BOX, None).scene.unwrap();
+    let found = collapse_of_blocks(&scene, None, &mut Unwatched).unwrap();
+    assert_eq!((found.status, found.particles), (Status::StableToLastLoad, 10));
+    assert_eq!((found.picture.particles.len(), found.last_stable_load), (10, Some(20e3)));
+    let state = &found.picture.snapshots[found.picture.last_stable.unwrap()];
+    // What the floor carries is the load and all weight but for what the walls hold by friction.
+    let weight = 9.81 * (10.0 * 1800.0 * std::f64::consts::PI * 0.01 + 2000.0 * 0.9 * 0.1);
+    let up = |shape: usize| {
+        let forces = state.particle_forces.iter().filter(move |f| f.partner == Partner::Shape(shape));
+        // The normal points to the particle; shear is positive along the normal turned left.
+        forces.map(|f| f.compression * f.normal[1] + f.shear * f.normal[0]).sum::<f64>()
+    };
+    let carried = up(0) + up(1) + up(2);
+    // Rest is judged at an out-of-balance force of 1e-5 to 1e-4 of the acting ones; some particles carry little.
+    assert!((carried - weight - 20e3).abs() < 1e-2 * (weight + 20e3), "{carried} {weight}");
+}
+
+#[test]
+fn limit_analysis_refuses_particles_and_discrete_elements_ask_for_a_step() {
+    let mut scene = read(BOX, None).scene.unwrap();
+    scene.plan.load_step = None;
+    let missing = collapse_of_blocks(&scene, None, &mut Unwatched).unwrap_err().to_string();
+    assert!(missing.contains("load_step") && missing.contains("particles"), "{missing}");
+    scene.plan.method = Method::Limit;
+    let refused = collapse_of_blocks(&scene, None, &mut Unwatched).unwrap_err().to_string();
+    assert!(refused.contains("10 particles"), "{refused}");
+}
+
+#[test]
+fn circles_over_other_bodies_and_sticking_ones_are_said() {
+    for (right, wrong, code, words) in [
+        ("[0.3, 0.11, 0.1]", "[0.28, 0.11, 0.1]", "D407", "at (0.1000, 0.1100) m"),
+        ("[0.1, 0.11, 0.1]", "[0.1, 0.08, 0.1]", "D407", "into the block BLOCKS 1"),
+        ("[0.5, 0.31, 0.1]", "[0.5, 0.47, 0.1]", "D407", "into the block plate"),
+        ("cohesion = \"0 kPa\"", "cohesion = \"0 kPa\"\ntensile_strength = \"10 kPa\"", "D408", "tensile"),
+        ("\"gravel\"\ncircles", "\"stone\"\ncircles", "D408", "stone and stone"),
+    ] {
+        assert!(BOX.contains(right), "{right}");
+        let assembled = read(&BOX.replacen(right, wrong, 1), None);
+        assert!(codes(&assembled).contains(&code), "{wrong}: {:?}", assembled.diagnostics);
+        assert!(assembled.diagnostics.iter().any(|d| d.message.contains(words)), "{:?}", assembled.diagnostics);
+    }
+    // A tenth of the radius is what particles may press on one another.
+    assert!(read(&BOX.replacen("[0.3, 0.11, 0.1]", "[0.295, 0.11, 0.1]", 1), None).scene.is_some());
 }

@@ -102,7 +102,17 @@ fn axles_that_share_a_voussoir_add() {
 fn the_cover_weighs_what_the_area_above_the_ring_weighs() {
     let mut b = bridgemill();
     b.cover.depth = 0.478;
-    let layer = |name, thickness, density| Layer { name, thickness, density, weighs: true, elastic_modulus: None };
+    let layer = |name, thickness, density| Layer {
+        name,
+        thickness,
+        density,
+        weighs: true,
+        elastic_modulus: None,
+        friction_angle: None,
+        cohesion: None,
+        particles: false,
+        slabs: None,
+    };
     b.cover.layers = vec![layer(LayerKind::Fill, 0.203, 1890.0), layer(LayerKind::SubBase, 0.125, 2000.0)];
     let d = discretise(&b).unwrap();
     let free: Vec<_> = d.extrados.stretches.iter().filter(|s| !s.ground).collect();
@@ -127,8 +137,17 @@ fn the_cover_weighs_what_the_area_above_the_ring_weighs() {
 #[test]
 fn backing_takes_the_place_of_fill_below_its_level() {
     let mut b = bridgemill();
-    b.cover.layers =
-        vec![Layer { name: LayerKind::Fill, thickness: 0.2, density: 1000.0, weighs: true, elastic_modulus: None }];
+    b.cover.layers = vec![Layer {
+        name: LayerKind::Fill,
+        thickness: 0.2,
+        density: 1000.0,
+        weighs: true,
+        elastic_modulus: None,
+        friction_angle: None,
+        cohesion: None,
+        particles: false,
+        slabs: None,
+    }];
     let weight = |b: &Bridge| -> f64 { discretise(b).unwrap().loading.permanent.iter().map(|f| -f.force.y).sum() };
     let without = weight(&b);
     b.cover.backing = Some(bridge::Backing {

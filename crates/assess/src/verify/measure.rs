@@ -2,12 +2,12 @@
 
 use super::blocks::Blocks;
 use crate::analysis;
-use crate::wire::{CollapseObject, Run};
+use crate::wire::{CalibrationObject, CollapseObject, Run};
 use mechanics::watch::Unwatched;
 use serde_json::Value as Json;
 
 /// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, a block model where it
-/// has a `[model]`, bare blocks otherwise.
+/// has a `[model]`, bare blocks otherwise. A bridge with a `[calibration]` is calibrated, others are made to collapse.
 pub fn measure(document: &toml::Table) -> Result<Json, String> {
     if document.contains_key("model") {
         return block_model(&toml::to_string(document).map_err(|e| e.to_string())?);
@@ -19,6 +19,9 @@ pub fn measure(document: &toml::Table) -> Result<Json, String> {
     let text = toml::to_string(document).map_err(|e| e.to_string())?;
     let read = bridge::read(text.as_bytes());
     let Some(bridge) = read.bridge else { return Err(said(&read.diagnostics)) };
+    if document.contains_key("calibration") {
+        return calibrated(&bridge);
+    }
     let found = analysis::collapse(&bridge, None, &mut Unwatched).map_err(|e| e.to_string())?;
     let object = CollapseObject::new(&found, &Run::default());
     let mut value = serde_json::to_value(&object).map_err(|e| e.to_string())?;
@@ -49,6 +52,16 @@ fn block_model(text: &str) -> Result<Json, String> {
     };
     let found = analysis::collapse_of_blocks(&scene, None, &mut Unwatched).map_err(|e| e.to_string())?;
     serde_json::to_value(CollapseObject::new(&found, &Run::default())).map_err(|e| e.to_string())
+}
+
+/// The result object of a calibration of fill, with its status.
+fn calibrated(bridge: &bridge::Bridge) -> Result<Json, String> {
+    let found = analysis::calibrate::calibrate_fill(bridge, &mut Unwatched).map_err(|e| e.to_string())?;
+    let mut value = serde_json::to_value(CalibrationObject::new(&found)).map_err(|e| e.to_string())?;
+    if let Json::Object(keys) = &mut value {
+        keys.insert("status".to_string(), found.verdict.word().into());
+    }
+    Ok(value)
 }
 
 /// Quantities that cases ask for and results need not repeat.

@@ -123,6 +123,6 @@ pub fn sweep_table(sweep: &Sweep) -> String {
     csv
 }
 
-fn row(csv: &mut String, cells: std::fmt::Arguments<'_>) {
+pub(super) fn row(csv: &mut String, cells: std::fmt::Arguments<'_>) {
     writeln!(csv, "{cells}").expect("a string takes every line");
 }

@@ -2,6 +2,7 @@
 //! input reference are all made from it, so that they cannot disagree.
 
 pub mod blocks;
+mod calibration;
 mod cover;
 mod loading;
 mod material;
@@ -58,6 +59,8 @@ pub enum Kind {
     LineLoad,
     /// A bare number.
     Number,
+    /// A list of bare numbers.
+    Numbers,
     /// A whole number.
     Count,
     /// true or false.
@@ -174,6 +177,7 @@ impl Field {
     pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
             Kind::Number
+            | Kind::Numbers
             | Kind::Count
             | Kind::Flag
             | Kind::Quantities(_)
@@ -242,6 +246,13 @@ pub static FILE: Section = Section {
             "",
         )
         .optional("as contacts between particles"),
+        Field::new(
+            "calibration",
+            Kind::Table(&calibration::CALIBRATION),
+            "How the contact stiffness of particles is found.",
+            "",
+        )
+        .optional("the defaults"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")

@@ -1,6 +1,7 @@
 //! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
 
 pub(crate) mod blocks;
+mod calibration;
 mod cover;
 mod geometry;
 mod loading;
@@ -33,6 +34,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
     let particles = particles::particles(file, cover.as_ref(), findings);
+    let calibration = calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
@@ -66,6 +68,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         ring_joint: ring_joint?,
         spandrel_wall: spandrel_wall?,
         particles: particles?,
+        calibration: calibration?,
         cover: cover?,
         loads: loads?,
         dispersal: dispersal?,

@@ -12,7 +12,8 @@ const SIZE_RATIO: f64 = 1.5;
 /// The particles; `None` inside where no layer is modelled so.
 pub(super) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Option<Particles>> {
     let wanted = cover.is_some_and(|cover| cover.layers.iter().any(|layer| layer.particles));
-    let written = ["particles", "particle_joint", "particle_block_joint"].into_iter().filter(|key| file.has(key));
+    let written =
+        ["particles", "particle_joint", "particle_block_joint", "calibration"].into_iter().filter(|key| file.has(key));
     if !wanted {
         for key in written {
             let mut unheard = Findings::default();

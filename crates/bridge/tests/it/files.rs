@@ -18,9 +18,11 @@ pub const WALLS: &str = include_str!("files/walls.toml");
 pub const PARTICLES: &str = include_str!("files/particles.toml");
 /// A stated number of particles below slabs, above backing.
 pub const LAYERS: &str = include_str!("files/layers.toml");
+/// Fill as particles of given diameters, and all that its calibration may say.
+pub const CALIBRATION: &str = include_str!("files/calibration.toml");
 
 /// All of them.
-pub const GOOD: [&str; 7] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS];
+pub const GOOD: [&str; 8] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

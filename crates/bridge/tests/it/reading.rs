@@ -1,6 +1,6 @@
 //! Good files give the bridges they describe, without a word.
 
-use crate::files::{CASE_1, GOOD, SHAPES, TINY, VIADUCT, WALLS, show_all};
+use crate::files::{CALIBRATION, CASE_1, GOOD, SHAPES, TINY, VIADUCT, WALLS, show_all};
 use bridge::ring::Profile;
 use bridge::*;
 
@@ -104,4 +104,26 @@ fn five_lines_are_enough_for_a_limit_analysis() {
     assert_eq!((bridge.plan.method, bridge.plan.analysis), (Method::Limit, Analysis::Load));
     assert_eq!(bridge.loads[0].position, 1.25);
     assert_eq!(bridge.dispersal.rule, DispersalRule::None);
+}
+
+#[test]
+fn a_calibration() {
+    let found = read(CALIBRATION.as_bytes()).bridge.unwrap().calibration;
+    assert_eq!((found.wanted_modulus, found.modulus), (Some(40e6), Modulus::Secant));
+    assert_eq!((found.sample_size, found.block_weight, found.load_step), (0.8, 2e3, 20e3));
+    assert_eq!((found.steps, found.ignored_steps, found.seeds), (12, 3, 3));
+    assert_eq!((found.multiples, found.compare_with), (vec![1.0, 2.5, 8.0], vec![22e6, 30e6, 48e6]));
+    assert_eq!((found.tolerance, found.least_replacement), (0.02, 0.6));
+    // All of it has defaults.
+    let start = CALIBRATION.find("[calibration]").unwrap();
+    assert_eq!(read(&CALIBRATION.as_bytes()[..start]).bridge.unwrap().calibration, Calibration::default());
+    let wrong = CALIBRATION
+        .replace("ignored_steps = 3", "ignored_steps = 11")
+        .replace("multiples = [1, 2.5, 8]", "multiples = [1, 8]")
+        .replace("load_step = \"20 kN/m\"", "load_step = \"20 kN\"");
+    let codes: Vec<&str> = read(wrong.as_bytes()).diagnostics.iter().map(|finding| finding.code).collect();
+    assert_eq!(codes, ["B104"], "numbers are compared once they can be read");
+    let wrong = wrong.replace("load_step = \"20 kN\"", "load_step = \"20 kN/m\"");
+    let codes: Vec<&str> = read(wrong.as_bytes()).diagnostics.iter().map(|finding| finding.code).collect();
+    assert_eq!(codes, ["B107", "B107"]);
 }

@@ -1,6 +1,7 @@
 //! One file per command. Each gives a [`Report`] or says why it could not; speaking is done here, once.
 
 mod bench;
+mod calibrate;
 mod check;
 mod collapse;
 mod convert;
@@ -88,6 +89,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
+        Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),

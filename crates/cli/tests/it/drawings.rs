@@ -201,7 +201,7 @@ fn conversions_that_make_no_sense_and_files_that_exist_are_refused() {
 }
 
 #[test]
-fn particles_are_read_and_converted_but_not_left_out_in_silence() {
+fn particles_are_read_converted_and_analysed_by_discrete_elements_alone() {
     let stage = Stage::new("drawing-particles");
     let floor = Item::Line {
         layer: "FLOOR".into(),

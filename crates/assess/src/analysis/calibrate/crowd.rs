@@ -1,0 +1,99 @@
+//! Many pieces of work side by side, one onlooker. Results come in the order of the work, whoever did it.
+
+use mechanics::watch::{Progress, Watch, Wish};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::thread;
+
+/// The onlooker, and how much of the work is done.
+pub struct Crowd<'a> {
+    watch: &'a mut dyn Watch,
+    done: f64,
+    all: f64,
+    steps: u64,
+}
+
+/// What a worker tells.
+enum Said {
+    /// It took so many steps more.
+    Going { steps: u64 },
+    /// A piece is finished.
+    Finished,
+}
+
+impl<'a> Crowd<'a> {
+    /// For so much work in all, in the unit of `weight` below.
+    pub fn new(watch: &'a mut dyn Watch, all: f64) -> Crowd<'a> {
+        Crowd { watch, done: 0.0, all, steps: 0 }
+    }
+
+    /// Corrects how much work there is in all.
+    pub fn plan(&mut self, all: f64) {
+        self.all = all;
+    }
+
+    /// Does `work` on every item; each counts as `weight`. None where the onlooker wants to stop.
+    pub fn each<T: Sync, R: Send>(
+        &mut self,
+        stage: &str,
+        weight: f64,
+        items: &[T],
+        work: impl Fn(&T, &mut dyn Watch) -> R + Sync,
+    ) -> Option<Vec<R>> {
+        let stop = AtomicBool::new(false);
+        let (tell, heard) = channel::<Said>();
+        let one = |tell: &mut Sender<Said>, item: &T| {
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            let done = work(item, &mut Member { tell, stop: &stop, told: 0 });
+            // Nobody listens only where the crowd itself is gone.
+            let _ = tell.send(Said::Finished);
+            Some(done)
+        };
+        let found: Option<Vec<Option<R>>> = thread::scope(|scope| {
+            let workers = scope.spawn(|| items.par_iter().map_with(tell, one).collect());
+            let mut finished = 0;
+            for said in heard {
+                match said {
+                    Said::Going { steps } => self.steps += steps,
+                    Said::Finished => {
+                        finished += 1;
+                        self.done += weight;
+                    }
+                }
+                let progress = Progress {
+                    stage: format!("{stage} {finished} of {}", items.len()),
+                    fraction: Some((self.done / self.all).clamp(0.0, 1.0)),
+                    steps: self.steps,
+                };
+                if self.watch.look(&progress) == Wish::Stop {
+                    stop.store(true, Ordering::Relaxed);
+                }
+            }
+            match workers.join() {
+                Ok(found) => Some(found),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        });
+        if stop.load(Ordering::Relaxed) { None } else { found?.into_iter().collect() }
+    }
+}
+
+/// The onlooker as one worker sees it.
+struct Member<'a> {
+    tell: &'a Sender<Said>,
+    stop: &'a AtomicBool,
+    told: u64,
+}
+
+impl Watch for Member<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        // A new stage may count from the beginning.
+        let steps = progress.steps.checked_sub(self.told).unwrap_or(progress.steps);
+        self.told = progress.steps;
+        let _ = self.tell.send(Said::Going { steps });
+        if self.stop.load(Ordering::Relaxed) { Wish::Stop } else { Wish::GoOn }
+    }
+}

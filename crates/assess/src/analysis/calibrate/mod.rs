@@ -1,0 +1,236 @@
+//! Contact stiffness of fill particles for a wanted modulus of the fill, as Rouxinol, Providência and Lemos find it
+//! (section 3.1): squares are cut out of the fill at rest, held below and at both sides, and pressed in steps; the slope
+//! of stress over strain is the modulus. What is found on some packings is checked on others.
+
+mod crowd;
+mod moduli;
+mod press;
+mod report;
+mod sample;
+mod search;
+mod settled;
+mod squares;
+#[cfg(test)]
+mod tests;
+
+pub use moduli::{Curve, CurvePoint, Moduli, Spread};
+pub use press::Pressed;
+pub use report::{At, CalibrationReport, Check, Confined, Drawn, Measured, Verdict};
+pub use sample::{Cut, Sample};
+
+use super::by_dem::require_stiffness;
+use super::{AnalysisError, LEAST_SAMPLE};
+use crate::warning::{self, Warning};
+use bridge::{Bridge, Modulus, Particles, Strip};
+use crowd::Crowd;
+use mechanics::watch::Watch;
+use press::Rig;
+use search::{Found, search};
+
+/// Share of the work of one sample's press that one packing takes, for the estimate of the time left.
+const PACKING_WORK: f64 = 30.0;
+
+/// Measures the moduli of the fill at the multiples of the file, finds the multiple with the wanted modulus, and checks
+/// it on packings of other seeds.
+pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<CalibrationReport, AnalysisError> {
+    require_stiffness(bridge)?;
+    let (bridge, particles) = prepared(bridge)?;
+    let plan = &bridge.calibration;
+    let seeds: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(k)).collect();
+    let others: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(plan.seeds + k)).collect();
+    let rounds = plan.multiples.len() as f64 + if plan.wanted_modulus.is_some() { EXPECTED_ROUNDS } else { 0.0 };
+    let packings = if plan.wanted_modulus.is_some() { 2 } else { 1 } * plan.seeds;
+    let mut crowd = Crowd::new(watch, packings as f64 * (PACKING_WORK + rounds * EXPECTED_SQUARES));
+    let mut report = CalibrationReport::blank(&bridge, &seeds);
+
+    let Some(samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
+    crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds);
+    report.describe(&samples);
+    report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
+    let rig = Rig::new(&bridge, &samples[0].laws);
+    report.stiffness = rig.stiffness(1.0, report.mean_diameter);
+    let Some(table) = measure(&rig, &samples, &plan.multiples, &mut crowd)? else { return Ok(report.cancelled()) };
+    report.tabulate(table, &samples);
+    let Some(wanted) = plan.wanted_modulus else { return Ok(report.without_search()) };
+
+    let mut press = |multiple: f64| -> Result<Option<Measured>, AnalysisError> {
+        Ok(measure(&rig, &samples, &[multiple], &mut crowd)?.and_then(|mut one| one.pop()))
+    };
+    match search(wanted, plan.tolerance, plan.modulus, &report.table, &mut press)? {
+        Found::Multiple(measured) => {
+            if !report.table.iter().any(|known| known.multiple == measured.multiple) {
+                report.leave_out(&measured);
+            }
+            report.found = Some(measured);
+        }
+        Found::OutOfReach(reach) => return Ok(report.out_of_reach(wanted, reach)),
+        Found::Stopped => return Ok(report.cancelled()),
+    }
+    let multiple = report.found.as_ref().map_or(1.0, |found| found.multiple);
+    let Some(fresh) = self::samples(&bridge, &particles, &others, &mut crowd)? else { return Ok(report.cancelled()) };
+    let rig = Rig::new(&bridge, &fresh[0].laws);
+    let Some(mut again) = measure(&rig, &fresh, &[multiple], &mut crowd)? else { return Ok(report.cancelled()) };
+    report.check = again.pop().map(|measured| Check { seeds: others, measured });
+    Ok(report.judged(wanted))
+}
+
+/// Presses that a search and its check take, about.
+const EXPECTED_ROUNDS: f64 = 5.0;
+
+/// Squares in one packing, until it is known.
+const EXPECTED_SQUARES: f64 = 12.0;
+
+/// The bridge with the plan that calibration needs, and its particles.
+fn prepared(bridge: &Bridge) -> Result<(Bridge, Particles), AnalysisError> {
+    let Some(particles) = bridge.particles.clone() else { return Err(AnalysisError::NoParticles) };
+    if particles.file.is_some() || !particles.grains.is_empty() {
+        return Err(AnalysisError::SavedPacking);
+    }
+    let mut bridge = bridge.clone();
+    bridge.plan.method = bridge::Method::Dem;
+    bridge.plan.strip = Strip::Fill;
+    bridge.loads.clear();
+    Ok((bridge, particles))
+}
+
+/// Packs the fill once for each seed, lets it come to rest, and cuts the squares out. None where it was stopped.
+fn samples(
+    bridge: &Bridge,
+    particles: &Particles,
+    seeds: &[u64],
+    crowd: &mut Crowd<'_>,
+) -> Result<Option<Vec<Sample>>, AnalysisError> {
+    let packed =
+        crowd.each("packing", PACKING_WORK, seeds, |&seed, watch| settled::settled(bridge, particles, seed, watch));
+    let Some(packed) = packed else { return Ok(None) };
+    let mut samples = Vec::new();
+    for (fill, &seed) in packed.into_iter().zip(seeds) {
+        let Some(fill) = fill? else { return Ok(None) };
+        let (size, diameter) = (bridge.calibration.sample_size, fill.mean_diameter());
+        if size < LEAST_SAMPLE * diameter {
+            return Err(AnalysisError::SmallSample { size, diameter });
+        }
+        let squares = squares::squares(&fill.region, bridge.calibration.sample_size, 2.0 * fill.largest());
+        samples
+            .extend(squares.into_iter().enumerate().map(|(k, corner)| Sample::cut(bridge, &fill, (seed, k), corner)));
+    }
+    if samples.is_empty() {
+        return Err(AnalysisError::NoSample { size: bridge.calibration.sample_size });
+    }
+    Ok(Some(samples))
+}
+
+/// Presses every sample at every multiple. None where it was stopped.
+fn measure(
+    rig: &Rig,
+    samples: &[Sample],
+    multiples: &[f64],
+    crowd: &mut Crowd<'_>,
+) -> Result<Option<Vec<Measured>>, AnalysisError> {
+    let jobs: Vec<(f64, usize)> =
+        multiples.iter().flat_map(|&multiple| (0..samples.len()).map(move |k| (multiple, k))).collect();
+    let pressed = crowd.each("pressing", 1.0, &jobs, |&(multiple, k), watch| rig.press(&samples[k], multiple, watch));
+    let Some(pressed) = pressed else { return Ok(None) };
+    let pressed = pressed.into_iter().collect::<Result<Vec<Pressed>, _>>()?;
+    let of = |(k, &multiple): (usize, &f64)| {
+        let own = &pressed[k * samples.len()..(k + 1) * samples.len()];
+        Measured::new(multiple, samples, own, rig.plan())
+    };
+    Ok(Some(multiples.iter().enumerate().map(of).collect()))
+}
+
+impl CalibrationReport {
+    /// The modulus that is compared with the wanted one.
+    pub fn compared(&self, measured: &Measured) -> Option<Spread> {
+        match self.modulus {
+            Modulus::Tangent => measured.tangent,
+            Modulus::Secant => measured.secant,
+        }
+    }
+
+    /// The word for it.
+    pub fn matched(&self) -> &'static str {
+        match self.modulus {
+            Modulus::Tangent => "tangent",
+            Modulus::Secant => "secant",
+        }
+    }
+
+    /// What the result speaks of: the multiple that was found, or the stiffness of the file where nothing was looked for.
+    pub fn shown(&self) -> Option<&Measured> {
+        let of_file = || self.table.iter().find(|m| m.multiple == 1.0).filter(|_| self.plan.wanted_modulus.is_none());
+        self.found.as_ref().or_else(of_file)
+    }
+
+    /// "16 packings", for sentences.
+    pub fn packings(&self) -> String {
+        let count = self.seeds.len();
+        format!("{count} packing{}", if count == 1 { "" } else { "s" })
+    }
+
+    /// The multiple that was found, where the table does not have it.
+    pub fn found_beside_the_table(&self) -> Option<&Measured> {
+        self.found.as_ref().filter(|found| self.table.iter().all(|m| m.multiple != found.multiple))
+    }
+
+    /// Standard error of the multiple that was found: that of the modulus over the slope of modulus over multiple between
+    /// the two rows of the table around it, in logarithms.
+    pub fn multiple_error(&self) -> Option<f64> {
+        let found = self.found.as_ref()?;
+        let spread = self.compared(found)?;
+        let mut rows: Vec<At> = self.table.iter().filter_map(|m| m.at(self.modulus)).collect();
+        rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
+        let above = rows.iter().position(|at| at.multiple > found.multiple).unwrap_or(rows.len());
+        let above = above.min(rows.len().checked_sub(1)?).max(1);
+        let (a, b) = (rows.get(above.checked_sub(1)?)?, rows.get(above)?);
+        let slope = (b.modulus / a.modulus).ln() / (b.multiple / a.multiple).ln();
+        let error = found.multiple * spread.standard_error / spread.mean / slope;
+        (error.is_finite() && error >= 0.0).then_some(error)
+    }
+
+    /// Says whether the check bears the search out.
+    fn judged(mut self, wanted: f64) -> CalibrationReport {
+        self.verdict = Verdict::Completed;
+        let check = self.check.as_ref().and_then(|check| self.compared(&check.measured));
+        match check {
+            None => {
+                self.verdict = Verdict::Undetermined;
+                let message = "no sample of the other seeds could be pressed to the last load step";
+                self.warnings.push(Warning::new(warning::CHECK_APART, message));
+            }
+            Some(check) if (check.mean / wanted - 1.0).abs() > CHECKED => {
+                let message = format!(
+                    "other packings have {:.1} MPa ({:+.1} %, standard error {:.1} MPa) where {:.1} MPa is wanted",
+                    check.mean / 1e6,
+                    100.0 * (check.mean / wanted - 1.0),
+                    check.standard_error / 1e6,
+                    wanted / 1e6
+                );
+                self.warnings.push(Warning::new(warning::CHECK_APART, message));
+            }
+            Some(_) => {}
+        }
+        self
+    }
+
+    /// Says how far stiffness alone reaches.
+    fn out_of_reach(mut self, wanted: f64, [low, high]: [At; 2]) -> CalibrationReport {
+        self.verdict = Verdict::Undetermined;
+        let message = format!(
+            "a modulus of {:.1} MPa is out of reach: from {:.3} to {:.1} times the stiffness of the file the fill has {:.1} to \
+             {:.1} MPa",
+            wanted / 1e6,
+            low.multiple,
+            high.multiple,
+            low.modulus / 1e6,
+            high.modulus / 1e6
+        );
+        self.warnings.push(Warning::new(warning::OUT_OF_REACH, message));
+        self.reach = Some([low, high]);
+        self
+    }
+}
+
+/// The check with other packings is to give the wanted modulus within this share: what a modulus of fill is worth knowing
+/// to, a tenth of the step between two rows of the published table.
+const CHECKED: f64 = 0.05;

@@ -1,0 +1,165 @@
+//! The press: a sample held below and at both sides, under a block that is loaded in steps.
+
+use super::sample::Sample;
+use super::settled::Laws;
+use crate::analysis::AnalysisError;
+use crate::analysis::by_dem::settings;
+use bridge::{Bridge, Calibration};
+use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
+use mechanics::dem::{self, Frame, Model, begin, collapse_from};
+use mechanics::ids::{BlockId, GroupId, Table};
+use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
+use mechanics::watch::Watch;
+
+/// Everything about the press that is the same for all samples.
+pub struct Rig {
+    plan: Calibration,
+    settings: dem::Settings,
+    laws: Laws,
+}
+
+/// What a press of one sample gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pressed {
+    /// How it ended.
+    pub status: dem::Status,
+    /// Height of the block's underside above the floor where it first rested, under its own weight [m].
+    pub height: f64,
+    /// Mean stress under the block [Pa] and its sinking since it first rested [m], at the start and after each step.
+    pub path: Vec<[f64; 2]>,
+    /// Centres and radii [m] of the particles, and the level of the block's underside, at the first rest and the last.
+    pub moments: Vec<(Vec<[f64; 3]>, f64)>,
+    /// Iterations.
+    pub iterations: u64,
+}
+
+impl Rig {
+    /// For samples of a fill with these laws.
+    pub fn new(bridge: &Bridge, laws: &Laws) -> Rig {
+        Rig { plan: bridge.calibration.clone(), settings: settings(bridge), laws: laws.clone() }
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &Calibration {
+        &self.plan
+    }
+
+    /// Presses a sample whose contacts among particles are `multiple` times as stiff as those of the file; everything else
+    /// is as in the file.
+    pub fn press(&self, sample: &Sample, multiple: f64, watch: &mut dyn Watch) -> Result<Pressed, AnalysisError> {
+        let built = self.build(sample, multiple)?;
+        let model = Model::new(&built.model, &built.loading)?;
+        let program =
+            dem::Program { increment: 1.0, limit: self.plan.steps as f64, resolution: None, watched: built.watched };
+        let start = || begin(&model, &self.settings);
+        let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
+        let rested: Vec<&dem::PathPoint> = outcome.path.iter().filter(|point| point.at_rest).collect();
+        let first = rested.first().map_or(0.0, |point| point.displacement.y);
+        let weight = self.plan.block_weight;
+        let at = |point: &&dem::PathPoint| {
+            let load = weight + point.factor * self.plan.load_step;
+            [load / sample.size, first - point.displacement.y]
+        };
+        let settled: Vec<&Frame> = outcome.frames[..outcome.last_stable_frame.map_or(0, |k| k + 1)].iter().collect();
+        let moment = |frame: &&Frame| {
+            let circles = frame.particles.iter().map(|p| [p.centre.x, p.centre.y, p.radius]).collect();
+            let (block, point) = built.watched;
+            let sunk = frame.poses[block].position - built.model.blocks[block].outline.centroid();
+            (circles, point.y + sunk.y)
+        };
+        Ok(Pressed {
+            status: outcome.status,
+            height: built.watched.1.y + first,
+            path: rested.iter().map(at).collect(),
+            moments: settled.first().into_iter().chain(settled.last()).map(moment).collect(),
+            iterations: outcome.iterations_total,
+        })
+    }
+
+    fn build(&self, sample: &Sample, multiple: f64) -> Result<Built, AnalysisError> {
+        let (size, group) = (sample.size, self.laws.walls);
+        let thickness = 0.2 * size;
+        let fixed = |low: Vec2, width: f64, height: f64| -> Result<Block, PolygonError> {
+            let outline = Polygon::rectangle(low, width, height)?;
+            Ok(Block { outline, rounding: 0.0, density: 1.0, group, held: Held::FIXED })
+        };
+        let side = 1.5 * size + thickness;
+        // So narrow a gap that no particle comes between the block and the walls.
+        let gap = GAP * sample.smallest;
+        let top = sample.particles.iter().map(|p| p.centre.y + p.radius).fold(0.0, f64::max);
+        let height = 0.25 * size;
+        let density = self.plan.block_weight / (self.laws.gravity.norm() * (size - 2.0 * gap) * height);
+        let press = Block {
+            density,
+            held: Held { x: true, y: false, rotation: true },
+            ..fixed(vec2(gap, top), size - 2.0 * gap, height).map_err(shapeless(sample))?
+        };
+        let walls = [
+            fixed(vec2(0.0, -thickness), size, thickness),
+            fixed(vec2(-thickness, -thickness), thickness, side),
+            fixed(vec2(size, -thickness), thickness, side),
+        ];
+        let mut blocks: Table<BlockId, Block> = Table::default();
+        for wall in walls {
+            blocks.push(wall.map_err(shapeless(sample))?);
+        }
+        let at = press.outline.centroid();
+        let block = blocks.push(press);
+        let force = PointForce { block, at, force: vec2(0.0, -self.plan.load_step) };
+        Ok(Built {
+            model: BlockModel {
+                blocks,
+                particles: sample.particles.iter().copied().collect(),
+                groups: self.laws.groups.clone(),
+                laws: stiffer(&self.laws.table, &self.laws.layers, multiple),
+                gravity: self.laws.gravity,
+            },
+            loading: Loading { variable: vec![force], ..Loading::default() },
+            watched: (block, vec2(0.5 * size, top)),
+        })
+    }
+
+    /// Normal and shear stiffness [Pa/m] of contacts between particles at a multiple, for centres `distance` [m] apart.
+    pub fn stiffness(&self, multiple: f64, distance: f64) -> [f64; 2] {
+        let Some(&layer) = self.laws.layers.first() else { return [0.0; 2] };
+        let law = stiffer_law(self.laws.table.between(layer, layer), multiple);
+        [law.normal.at(distance), law.shear.at(distance)]
+    }
+}
+
+/// Gap between the pressing block and the walls, as a share of the smallest radius.
+const GAP: f64 = 0.05;
+
+/// A sample in the press.
+struct Built {
+    model: BlockModel,
+    loading: Loading,
+    /// The pressing block and the middle of its underside.
+    watched: (BlockId, Vec2),
+}
+
+/// Sides are positive lengths: only a sample of next to nothing leaves no shape.
+fn shapeless(sample: &Sample) -> impl Fn(PolygonError) -> AnalysisError {
+    let (size, diameter) = (sample.size, sample.mean_diameter);
+    move |_| AnalysisError::SmallSample { size, diameter }
+}
+
+/// The laws with the stiffness among particles multiplied.
+fn stiffer(laws: &LawTable, layers: &[GroupId], multiple: f64) -> LawTable {
+    let mut laws = laws.clone();
+    for (k, &a) in layers.iter().enumerate() {
+        for &b in &layers[k..] {
+            let law = stiffer_law(laws.between(a, b), multiple);
+            laws.set(a, b, law);
+        }
+    }
+    laws
+}
+
+fn stiffer_law(law: &ContactLaw, multiple: f64) -> ContactLaw {
+    let times = |stiffness: Stiffness| match stiffness {
+        Stiffness::Given(k) => Stiffness::Given(multiple * k),
+        Stiffness::Series { joint, body } => Stiffness::Series { joint: multiple * joint, body: multiple * body },
+    };
+    ContactLaw { normal: times(law.normal), shear: times(law.shear), ..*law }
+}

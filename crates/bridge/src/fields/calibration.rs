@@ -1,0 +1,70 @@
+//! Cards of the calibration of fill particles.
+
+use super::{Field, Kind, Section, Word};
+use crate::quantity::Dimension::{Length, LineLoad, Stress};
+
+const MODULI: &[Word] = &[
+    Word { word: "tangent", doc: "mean of the slopes of all load steps" },
+    Word { word: "secant", doc: "slope from the first result to the last" },
+];
+
+pub(super) static CALIBRATION: Section = Section {
+    path: "calibration",
+    doc: "How `extrados calibrate-fill` finds the contact stiffness of fill particles: squares are cut out of the fill at rest, \
+          held below and at both sides, and pressed by a block in steps. Rouxinol, Providência and Lemos, section 3.1.",
+    fields: &[
+        Field::new("wanted_modulus", Kind::Quantity(Stress), "modulus that the fill is to have", "40 MPa")
+            .positive()
+            .optional("the moduli of `multiples` are measured, and nothing is looked for"),
+        Field::new("modulus", Kind::Word(MODULI), "which modulus is compared with `wanted_modulus`", "tangent")
+            .default("tangent"),
+        Field::new("sample_size", Kind::Quantity(Length), "side of the square samples", "1 m")
+            .positive()
+            .default("1 m"),
+        Field::new("block_weight", Kind::Quantity(LineLoad), "weight of the block that presses, per metre", "2.6 kN/m")
+            .positive()
+            .default("2.6 kN/m"),
+        Field::new("load_step", Kind::Quantity(LineLoad), "load increment on that block, per metre", "25 kN/m")
+            .positive()
+            .default("25 kN/m"),
+        Field::new("steps", Kind::Count, "number of load steps", "10").at_least(2.0).at_most(1000.0).default("10"),
+        Field::new("ignored_steps", Kind::Count, "first load steps that the later secant leaves out", "4")
+            .at_least(0.0)
+            .at_most(999.0)
+            .default("4"),
+        Field::new(
+            "multiples",
+            Kind::Numbers,
+            "multiples of the stiffness of [particle_joint] at which moduli are measured",
+            "[1, 2, 4, 6, 8]",
+        )
+        .at_least(0.01)
+        .at_most(1000.0)
+        .default("[1, 2, 4, 6, 8]"),
+        Field::new(
+            "compare_with",
+            Kind::Quantities(Stress),
+            "moduli from elsewhere, one for each of `multiples`, drawn beside",
+            r#"["22 MPa", "28 MPa", "34 MPa", "42 MPa", "48 MPa"]"#,
+        )
+        .positive()
+        .optional("there is nothing to compare with"),
+        Field::new("seeds", Kind::Count, "packings from which samples are cut, and as many again for the check", "16")
+            .at_least(1.0)
+            .at_most(1000.0)
+            .default("16"),
+        Field::new("tolerance", Kind::Number, "the wanted modulus is met within this share", "0.01")
+            .at_least(1e-4)
+            .at_most(0.5)
+            .default("0.01"),
+        Field::new(
+            "least_replacement",
+            Kind::Number,
+            "smallest particle put in the place of one that the cut goes through, over the smallest of the packing",
+            "0.5",
+        )
+        .at_least(0.1)
+        .at_most(1.0)
+        .default("0.5"),
+    ],
+};

@@ -1,0 +1,65 @@
+//! `extrados calibrate-fill`: the contact stiffness of fill particles for a wanted modulus.
+
+use super::{Desk, Source};
+use crate::args::CalibrateFill as Arguments;
+use crate::failure::Failure;
+use crate::folder::{self, Folder};
+use crate::report::{self, Report};
+use crate::results;
+use crate::status::Status;
+use crate::watcher::Watcher;
+use crate::{quantities, summary};
+use assess::analysis::calibrate::{self, CalibrationReport, Verdict};
+use assess::wire;
+use bridge::Bridge;
+use serde_json::json;
+
+/// Reads the file, packs, presses, searches, checks, writes what was found.
+pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    let source = Source::open(desk, &arguments.file)?;
+    let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
+    plan(&mut bridge, arguments)?;
+    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
+    let found = calibrate::calibrate_fill(&bridge, &mut watcher);
+    watcher.finish();
+    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let mut report = source.report(Status::named(found.verdict.word()).unwrap_or(Status::Undetermined));
+    if found.verdict == Verdict::Cancelled {
+        return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
+    }
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
+    report.fields = report::fields_of(wire::CalibrationObject::new(&found));
+    report.summary = summary::calibration(&found, &folder.path().display().to_string());
+    write(desk, &found, report, &folder)
+}
+
+/// Sets what the command line says in place of the file.
+fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
+    let plan = &mut bridge.calibration;
+    if let Some(text) = &arguments.modulus {
+        plan.wanted_modulus = Some(quantities::stress("--modulus", text)?);
+    }
+    plan.seeds = arguments.seeds.map_or(plan.seeds, u64::from);
+    Ok(())
+}
+
+fn write(desk: &Desk, found: &CalibrationReport, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+    let mut files = Vec::new();
+    for (name, svg) in figures::calibration(found) {
+        files.extend(figures::both(&name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
+    }
+    let tables = [("curve", wire::calibration_curves(found)), ("moduli", wire::calibration_moduli(found))];
+    files.extend(tables.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }));
+    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
+    folder.fill(
+        |staging| results::write(staging, &files),
+        |names| {
+            report.fields.insert("files".to_owned(), json!(names));
+            report::text_of(&report.object(&desk.schema, desk.clock))
+        },
+    )?;
+    Ok(report)
+}

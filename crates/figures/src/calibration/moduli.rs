@@ -1,0 +1,96 @@
+//! Moduli over the multiple of the stiffness.
+
+use super::STYLES;
+use crate::chart::{Axes, Axis, Entry, Mark, key};
+use crate::elevation::INK;
+use crate::sheet::place::Room;
+use crate::sheet::{MEDIUM, Pen, Sheet, Spot, Style};
+use crate::ticks::Ticks;
+use crate::words;
+use assess::analysis::calibrate::{At, CalibrationReport, Measured, Spread};
+
+const HEIGHT: f64 = 380.0;
+
+/// Mean moduli with bars of two standard errors to either side, moduli from elsewhere, the wanted modulus and what was
+/// found for it.
+pub fn moduli(report: &CalibrationReport) -> Option<String> {
+    let mut rows: Vec<&Measured> = report.table.iter().chain(report.found_beside_the_table()).collect();
+    rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
+    type Kind = (&'static str, fn(&Measured) -> Option<Spread>);
+    let kinds: [Kind; 3] = [
+        ("mean tangent", |m| m.tangent),
+        ("secant", |m| m.secant),
+        ("secant without the first steps", |m| m.late_secant),
+    ];
+    let compared: Vec<At> = report
+        .table
+        .iter()
+        .zip(&report.plan.compare_with)
+        .map(|(m, &modulus)| At { multiple: m.multiple, modulus })
+        .collect();
+    let upper = |m: &Measured| {
+        kinds.iter().filter_map(|k| (k.1)(m)).map(|s| s.mean + 2.0 * s.standard_error).fold(0.0, f64::max)
+    };
+    let high = rows.iter().map(|m| upper(m)).chain(compared.iter().map(|at| at.modulus)).fold(0.0, f64::max);
+    let wide = rows.iter().map(|m| m.multiple).fold(0.0, f64::max);
+    if !(high > 0.0 && high.is_finite() && wide > 0.0) {
+        return None;
+    }
+    let high = high.max(report.plan.wanted_modulus.unwrap_or(0.0));
+    let mut sheet = Sheet::new("moduli");
+    let top = sheet.title(&report.bridge, "Modulus of confined fill over the stiffness of its contacts");
+    let x_name =
+        format!("multiple of the contact stiffness of the file, {:.3} GPa/m normal", report.stiffness[0] / 1e9);
+    let x = Axis::round(&x_name, Ticks::over(0.0, 1.04 * wide, 8));
+    let y = Axis::round("modulus [MPa]", Ticks::over(0.0, high / 1e6, 7));
+    let (axes, mut bottom) = Axes::draw(&mut sheet, top, HEIGHT, &x, &y);
+    let mut entries: Vec<Entry> = Vec::new();
+    sheet.open_clipped("moduli", "plane", axes.area);
+    for (k, (name, of)) in kinds.iter().enumerate() {
+        let (colour, dashes) = STYLES[k];
+        let points: Vec<(f64, Spread)> = rows.iter().filter_map(|m| Some((m.multiple, of(m)?))).collect();
+        let line: Vec<Spot> = points.iter().map(|(m, s)| axes.spot(*m, s.mean / 1e6)).collect();
+        sheet.polyline(&line, Pen::line(colour, 1.8).dashed(dashes).class("modulus"));
+        sheet.avoid_line(&line);
+        // Bars of different kinds stand beside one another.
+        let aside = 3.0 * (k as f64 - 1.0);
+        for (multiple, s) in &points {
+            let end = |sign: f64| {
+                let [at, y] = axes.spot(*multiple, (s.mean + sign * 2.0 * s.standard_error) / 1e6);
+                [at + aside, y]
+            };
+            sheet.line(end(-1.0), end(1.0), Pen::line(colour, MEDIUM).class("error"));
+        }
+        entries.push(Entry { line: Some(STYLES[k]), mark: None, text: name });
+    }
+    sheet.close();
+    let which = format!("{}, given for comparison", report.matched());
+    for at in &compared {
+        Mark::Hollow.draw(&mut sheet, axes.spot(at.multiple, at.modulus / 1e6), INK);
+    }
+    if !compared.is_empty() {
+        entries.push(Entry { line: None, mark: Some((Mark::Hollow, INK)), text: &which });
+    }
+    let found = report.found.as_ref().and_then(|m| m.at(report.modulus));
+    if let (Some(wanted), Some(at)) = (report.plan.wanted_modulus, found) {
+        let spot = axes.spot(at.multiple, at.modulus / 1e6);
+        let pen = Pen::line(INK, 0.9).dashed("5 4").class("wanted");
+        let across = [axes.spot(0.0, wanted / 1e6), axes.spot(at.multiple, wanted / 1e6)];
+        sheet.line(across[0], across[1], pen);
+        sheet.line(across[1], axes.spot(at.multiple, 0.0), pen);
+        sheet.avoid_line(&across);
+        Mark::Ring.draw(&mut sheet, spot, INK);
+        let room = Room { area: axes.area.grown(-5.0), towards: [0.9, 0.4], clear: 13.0 };
+        let normal = at.multiple * report.stiffness[0] / 1e9;
+        let text = format!("{:.0} MPa at {} times, {normal:.3} GPa/m", wanted / 1e6, words::three_digits(at.multiple));
+        sheet.label(spot, &text, Style::on_drawing(), room);
+    }
+    bottom = key(&mut sheet, bottom, &entries);
+    let caption = format!(
+        "Bars: two standard errors of the mean to either side, {} squares out of {}.",
+        report.squares,
+        report.packings()
+    );
+    bottom = sheet.caption(bottom, &caption);
+    Some(sheet.finish(bottom))
+}
