@@ -225,3 +225,42 @@ fn particles_are_read_converted_and_analysed_by_discrete_elements_alone() {
     let (answer, _) = stage.object(&["convert", "listed.toml", "again.dxf"]);
     assert_eq!(answer["particles"], 2);
 }
+
+#[test]
+fn a_heap_from_another_program_is_loaded_and_drawn_moved() {
+    let stage = Stage::new("drawing-heap");
+    let heap = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../drawing/tests/data/heap.dxf");
+    stage.write("heap.dxf", std::fs::read(heap).expect("the drawing"));
+    let text = "[model]\nname = \"Heap\"\n[drawing]\nfile = \"heap.dxf\"\n\
+        [[drawing.layer]]\nname = \"FLOOR\"\nrole = \"support\"\nmaterial = \"stone\"\n\
+        [[drawing.layer]]\nname = \"GRAINS\"\nrole = \"particles\"\nmaterial = \"gravel\"\n\
+        [[block]]\nmaterial = \"stone\"\nrole = \"support\"\n\
+        outline_m = [[-0.2, 0.0], [0.0, 0.0], [0.0, 1.0], [-0.2, 1.0]]\n\
+        [[block]]\nmaterial = \"stone\"\nrole = \"support\"\n\
+        outline_m = [[1.0, 0.0], [1.2, 0.0], [1.2, 1.0], [1.0, 1.0]]\n\
+        [[block]]\nname = \"plate\"\nmaterial = \"stone\"\n\
+        outline_m = [[0.05, 0.6], [0.95, 0.6], [0.95, 0.7], [0.05, 0.7]]\n\
+        [[material]]\nname = \"stone\"\ndensity = \"2000 kg/m^3\"\n\
+        [[material]]\nname = \"gravel\"\ndensity = \"1800 kg/m^3\"\n\
+        [[joint]]\nnormal_stiffness = \"1 GPa/m\"\nshear_stiffness = \"0.4 GPa/m\"\n\
+        friction_angle = \"30 deg\"\ncohesion = \"0 kPa\"\n\
+        [[load]]\nblock = \"plate\"\ndown = \"10 kN/m\"\n\
+        [analysis]\nmethod = \"dem\"\nload_step = \"10 kN/m\"\nload_limit = \"20 kN/m\"\n";
+    stage.write("heap.toml", text);
+    let (answer, ending) = stage.object(&["collapse", "heap.toml", "--out", "out"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert_eq!((answer["status"].as_str(), answer["particles"].as_u64()), (Some("stable-to-last-load"), Some(15)));
+    for (name, layer, circles) in [("model", "PARTICLES-1", 15), ("deformed", "AS-BUILT-PARTICLES-1", 30)] {
+        let read = drawing::read(stage.read(&format!("out/{name}.dxf")).as_bytes(), &Options::default());
+        assert_eq!(read.drawing.circles.len(), circles, "{name}");
+        assert_eq!(read.drawing.circles.iter().filter(|circle| circle.layer == layer).count(), 15, "{name}");
+    }
+    // The plate drawn into the uppermost grains.
+    stage.write("crowded.toml", text.replace("[0.05, 0.6], [0.95, 0.6]", "[0.05, 0.5], [0.95, 0.5]"));
+    let (answer, _) = stage.object(&["check", "crowded.toml"]);
+    let words = answer["errors"][0]["message"].as_str().unwrap_or_default();
+    assert!(
+        code(&answer) == "D407" && words.contains("CIRCLE") && words.contains("m into the block plate"),
+        "{answer}"
+    );
+}
