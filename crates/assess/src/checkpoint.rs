@@ -4,7 +4,7 @@
 //! words (u64 each), checksum of everything before (u64). Written to a temporary file, synchronised and renamed, so that
 //! a checkpoint is whole or absent.
 
-use bridge::Bridge;
+use std::fmt::Debug;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -39,10 +39,10 @@ pub enum CheckpointError {
     OtherInput,
 }
 
-/// Fingerprint of everything that decides a run: the bridge with its plan.
-pub fn fingerprint(bridge: &Bridge) -> u64 {
+/// Fingerprint of everything that decides a run: the bridge or the block model, with its plan.
+pub fn fingerprint<T: Debug>(input: &T) -> u64 {
     // The debug form names every field and prints every number so that it can be read back exactly.
-    checksum(format!("{bridge:?}").as_bytes())
+    checksum(format!("{input:?}").as_bytes())
 }
 
 /// FNV-1a, 64 bits (Fowler, Noll and Vo): finds damage and mix-ups, not malice.

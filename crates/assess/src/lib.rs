@@ -1,6 +1,7 @@
-//! The one place where a bridge meets its mechanics.
+//! The one place where what an engineer wrote or drew meets its mechanics.
 
 pub mod analysis;
+pub mod blocks;
 pub mod checkpoint;
 pub mod discretise;
 pub mod disks;

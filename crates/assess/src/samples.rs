@@ -102,6 +102,7 @@ pub fn case_two() -> Bridge {
         friction_angle: None,
         cohesion: None,
         particles: false,
+        slabs: None,
     };
     b.cover.layers = vec![
         layer(LayerKind::Fill, 0.203, true),

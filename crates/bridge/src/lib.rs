@@ -2,6 +2,7 @@
 //!
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
+pub mod blocks;
 pub mod diagnostic;
 pub mod edit;
 pub mod explain;
@@ -47,9 +48,43 @@ const MOST_SYNTAX_ERRORS: usize = 20;
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let (bridge, vary) = read_text(text, &mut findings).unwrap_or_default();
+    let (bridge, vary) = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
     let bridge = if findings.any_error() { None } else { bridge };
     Read { bridge, vary, diagnostics: findings.in_order(text.len()) }
+}
+
+/// What reading a block model file gives.
+#[derive(Debug, Clone)]
+pub struct ReadBlocks {
+    /// The model's description, unless a finding is an error.
+    pub file: Option<blocks::BlockFile>,
+    /// Every finding, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a block model file from its bytes (TOML, UTF-8). The drawing that it names is not looked at.
+pub fn read_blocks(text: &[u8]) -> ReadBlocks {
+    let mut findings = Findings::of(text);
+    let file = read_text(
+        text,
+        &fields::blocks::FILE,
+        |_, table, findings| resolve::blocks::resolve(table, findings),
+        &mut findings,
+    );
+    let file = file.flatten();
+    let file = if findings.any_error() { None } else { file };
+    ReadBlocks { file, diagnostics: findings.in_order(text.len()) }
+}
+
+/// Whether a text is a block model file rather than a bridge file, by the sections it opens.
+pub fn is_block_file(text: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(text) else { return false };
+    if text.len() > LONGEST {
+        return false;
+    }
+    let (tree, _) = DeTable::parse_recoverable(text);
+    let has = |key: &str| tree.get_ref().get(key).is_some();
+    !has("bridge") && !has("span") && ["model", "drawing", "block", "material"].into_iter().any(has)
 }
 
 /// Reads a file of [[vary]] tables about the quantities of a bridge file.
@@ -66,19 +101,30 @@ pub fn read_ranges(text: &[u8], bridge: &edit::Document) -> (Vec<vary::Request>,
     (requests.unwrap_or_default(), findings.in_order(text.len()))
 }
 
-/// The bridge and what is varied; nothing of either where the text is none of ours.
-fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<(Option<Bridge>, Vec<vary::Request>)> {
-    let text = readable(bytes, findings)?;
-    let (tree, broken) = DeTable::parse_recoverable(text);
-    not_toml(text, &broken, findings);
-    let file = tree::Table::open(&fields::FILE, tree.get_ref(), TextRange::new(0, 0), findings);
-    let bridge = resolve::resolve(&file, findings);
-    let vary = resolve::vary(&file, findings);
+/// The bridge and what is varied.
+fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> (Option<Bridge>, Vec<vary::Request>) {
+    let bridge = resolve::resolve(file, findings);
+    let vary = resolve::vary(file, findings);
     if !vary.is_empty()
         && let Some(document) = edit::Document::parse(text)
     {
         resolve::check_vary(&document, &vary, findings);
     }
+    (bridge, vary)
+}
+
+/// What a file of this kind means; nothing where the text is none of ours.
+fn read_text<T>(
+    bytes: &[u8],
+    kind: &'static fields::Section,
+    resolve: impl Fn(&str, &tree::Table<'_>, &mut Findings) -> T,
+    findings: &mut Findings,
+) -> Option<T> {
+    let text = readable(bytes, findings)?;
+    let (tree, broken) = DeTable::parse_recoverable(text);
+    not_toml(text, &broken, findings);
+    let file = tree::Table::open(kind, tree.get_ref(), TextRange::new(0, 0), findings);
+    let value = resolve(text, &file, findings);
     if !broken.is_empty() {
         // What could not be read may be what seems to be missing, and what is left of its line means nothing.
         let lines: Vec<usize> = broken.iter().filter_map(|e| Some(findings.line(e.span()?.into()))).collect();
@@ -87,7 +133,7 @@ fn read_text(bytes: &[u8], findings: &mut Findings) -> Option<(Option<Bridge>, V
             finding.code == "B002" || (of_a_value && !lines.contains(&line))
         });
     }
-    Some((bridge, vary))
+    Some(value)
 }
 
 /// The bytes as text.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::explain::cards;
-use crate::fields::{Field, Kind, Need, Section, sections};
+use crate::fields::{Field, Kind, Need, Section, blocks, sections, sections_of};
 use crate::quantity::Dimension;
 use crate::tree::title;
 
@@ -20,6 +20,20 @@ pub fn reference() -> String {
     );
     units(&mut out);
     for section in sections().into_iter().filter(|section| !section.path.is_empty()) {
+        describe(section, &mut out);
+    }
+    out
+}
+
+/// The reference of block model files as Markdown, `docs/input/blocks.md`.
+pub fn blocks_reference() -> String {
+    let mut out = String::from(
+        "# The block model file, key by key\n\n\
+         Generated from the field cards of the reader; a test keeps it up to date. [Drawings](drawings.md) tells how to \
+         write such a file, [reference.md](reference.md) lists the units, and `[analysis]` is that of a bridge file, \
+         without the analyses that need an arch.\n\n",
+    );
+    for section in sections_of(&blocks::FILE).into_iter().filter(|s| !s.path.is_empty() && s.path != "analysis") {
         describe(section, &mut out);
     }
     out
@@ -67,7 +81,7 @@ fn units(out: &mut String) {
     out.push_str("\nExponents may be written `m^3`, `m3` or `m³`. Capitals matter: `MPa`, not `mpa`.\n\n");
 }
 
-fn describe(section: &Section, out: &mut String) {
+fn describe(section: &'static Section, out: &mut String) {
     line(out, &format!("## `{}`\n\n{}\n", title(section), section.doc));
     out.push_str("| Key | Value | Needed | Meaning |\n|---|---|---|---|\n");
     for field in section.fields {

@@ -2,21 +2,30 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::fields::{FILE, Field, Kind, Need, Section, Word, sections};
+use crate::fields::{FILE, Field, Kind, Need, Section, Word, blocks, sections_of};
 use crate::quantity::Dimension;
 
-/// The schema (draft 2020-12).
+/// The schema of bridge files (draft 2020-12).
 pub fn schema() -> Value {
-    let mut root = table(&FILE);
-    let definitions: Map<String, Value> = sections()
+    schema_of(&FILE, "extrados.bridge/1", "Extrados bridge file")
+}
+
+/// The schema of block model files.
+pub fn schema_of_blocks() -> Value {
+    schema_of(&blocks::FILE, "extrados.blocks/1", "Extrados block model file")
+}
+
+fn schema_of(file: &'static Section, id: &str, title: &str) -> Value {
+    let mut root = table(file);
+    let definitions: Map<String, Value> = sections_of(file)
         .into_iter()
         .filter(|section| !section.path.is_empty())
         .map(|section| (section.path.to_owned(), table(section)))
         .collect();
     if let Some(object) = root.as_object_mut() {
         object.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
-        object.insert("$id".into(), json!("extrados.bridge/1"));
-        object.insert("title".into(), json!("Extrados bridge file"));
+        object.insert("$id".into(), json!(id));
+        object.insert("title".into(), json!(title));
         object.insert("$defs".into(), Value::Object(definitions));
     }
     root
@@ -72,6 +81,10 @@ fn property(field: &Field) -> Value {
         Kind::Points => {
             json!({ "type": "array", "minItems": 3, "items": {
                 "type": "array", "minItems": 2, "maxItems": 2, "items": quantity(&[Dimension::Length]) } })
+        }
+        Kind::Rows(count) => {
+            json!({ "type": "array", "minItems": 1, "items": {
+                "type": "array", "minItems": count, "maxItems": count, "items": { "type": "number" } } })
         }
         Kind::Value => one_value(),
         Kind::Values => json!({ "type": "array", "minItems": 1, "items": one_value() }),
@@ -159,9 +172,14 @@ fn example(field: &Field) -> Option<Value> {
 /// A value as JSON has it; lists are written alike in TOML and JSON.
 fn literal(field: &Field, text: &str) -> Value {
     match field.kind {
-        Kind::Number | Kind::Numbers | Kind::Count | Kind::Flag | Kind::Quantities(_) | Kind::Points | Kind::Values => {
-            serde_json::from_str(text).unwrap_or(Value::Null)
-        }
+        Kind::Number
+        | Kind::Numbers
+        | Kind::Count
+        | Kind::Flag
+        | Kind::Quantities(_)
+        | Kind::Points
+        | Kind::Rows(_)
+        | Kind::Values => serde_json::from_str(text).unwrap_or(Value::Null),
         _ => json!(text),
     }
 }
@@ -169,6 +187,7 @@ fn literal(field: &Field, text: &str) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fields::sections;
 
     #[test]
     fn every_key_is_in_the_schema_and_no_other() {

@@ -173,8 +173,8 @@ impl<'t> Table<'t> {
 }
 
 /// How a table is called in messages.
-pub(crate) fn title(section: &Section) -> String {
-    let listed = crate::fields::sections().iter().any(|outer| {
+pub(crate) fn title(section: &'static Section) -> String {
+    let listed = crate::fields::neighbours(section).iter().any(|outer| {
         outer.fields.iter().any(|field| matches!(field.kind, Kind::Tables(inner) if std::ptr::eq(inner, section)))
     });
     match (section.path, listed) {
@@ -199,6 +199,8 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Kind::Slope => "a slope in quotes",
         Kind::Share => "a share of a span, in quotes",
         Kind::Points => "a list of points",
+        Kind::Rows(2) => "a list of pairs of bare numbers",
+        Kind::Rows(_) => "a list of rows of bare numbers",
         Kind::Value => "a value as the quantity has it",
         Kind::Values => "a list of values",
         Kind::Support => "the name of a support, in quotes",
@@ -231,8 +233,9 @@ fn unknown_key(
     findings: &mut Findings,
 ) -> Option<&'static str> {
     let known = section.fields.iter().map(|field| field.key);
-    let elsewhere =
-        crate::fields::sections().into_iter().find(|other| !other.path.is_empty() && other.field(key).is_some());
+    let elsewhere = crate::fields::neighbours(section)
+        .into_iter()
+        .find(|other| !other.path.is_empty() && other.field(key).is_some());
     let near = nearest(key, known.clone());
     let (label, help) = if let Some(near) = near {
         (format!("did you mean `{near}`?"), format!("write `{near}`"))

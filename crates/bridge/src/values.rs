@@ -73,6 +73,14 @@ impl<'t> Table<'t> {
         Some(At { value: values.into_iter().collect::<Option<Vec<f64>>>()?, range: raw.span().into() })
     }
 
+    /// A list of rows of `N` bare numbers; the key carries their unit.
+    pub(crate) fn rows<const N: usize>(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<[f64; N]>>> {
+        let (field, raw) = self.entry(key)?;
+        let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+        let rows: Option<Vec<[f64; N]>> = items.iter().map(|item| row(field, item, findings)).collect();
+        Some(At { value: rows?, range: raw.span().into() })
+    }
+
     /// A whole number, at most the largest that is exact in double precision.
     pub(crate) fn count(&self, key: &str, findings: &mut Findings) -> Option<At<u64>> {
         let (field, raw) = self.entry(key)?;
@@ -121,6 +129,22 @@ impl<'t> Table<'t> {
         findings.error("B013", range, format!("`{}` cannot be \"{}\"", field.key, shorten(written)), field.doc, help);
         None
     }
+}
+
+/// A row of as many bare numbers; none of them beyond any bridge.
+fn row<const N: usize>(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<[f64; N]> {
+    let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+    let number = |item: &DeValue<'_>| match item {
+        DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
+        DeValue::Integer(integer) => whole(integer.as_str(), integer.radix()).map(|number| number as f64),
+        _ => None,
+    };
+    let numbers: Option<Vec<f64>> = items.iter().map(|item| number(item.get_ref())).collect();
+    let Some(row) = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok()) else {
+        return wrong_type(field, raw, findings);
+    };
+    // Drawings may lie in the coordinates of the country.
+    if row.iter().all(|value| value.abs() <= 1e6) { Some(row) } else { not_finite(field, raw.span().into(), findings) }
 }
 
 impl Table<'_> {

@@ -28,13 +28,15 @@ pub enum Command {
     Check(Check),
     /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
     Collapse(Box<Collapse>),
+    /// Convert between bridge files, block model files, drawings (DXF) and ParaView files (VTU), by extension
+    Convert(Convert),
     /// Repeat an analysis over ranges of the file's quantities: table, tornado chart, curves
     Vary(Box<Vary>),
     /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
     CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
-    /// Print the JSON Schema of bridge files, for editors
+    /// Print the JSON Schema of bridge files or block model files, for editors
     Schema(Schema),
     /// Run the verification cases and print their table
     Verify(Verify),
@@ -72,7 +74,7 @@ pub struct New {
 /// `extrados check`.
 #[derive(Debug, Args)]
 pub struct Check {
-    /// The bridge file (TOML)
+    /// The bridge file or block model file (TOML)
     pub file: PathBuf,
     /// Folder for the drawing [default: out/NAME]
     #[arg(long, value_name = "DIR")]
@@ -85,7 +87,7 @@ pub struct Check {
 /// `extrados collapse`.
 #[derive(Debug, Args)]
 pub struct Collapse {
-    /// The bridge file (TOML)
+    /// The bridge file or block model file (TOML)
     pub file: PathBuf,
     /// Folder for results [default: out/NAME]
     #[arg(long, value_name = "DIR")]
@@ -99,6 +101,9 @@ pub struct Collapse {
     /// Distance between the positions of a sweep, such as "0.25 m"
     #[arg(long, value_name = "LENGTH", requires = "sweep", allow_hyphen_values = true)]
     pub sweep_step: Option<String>,
+    /// How many times larger displacements are in deformed.dxf [default: as in the figures]
+    #[arg(long, value_name = "TIMES", value_parser = times)]
+    pub displacement_scale: Option<f64>,
     /// Take up the checkpoint of an interrupted run
     #[arg(long)]
     pub resume: bool,
@@ -204,6 +209,33 @@ pub struct Overrides {
     pub step_limit: Option<u64>,
 }
 
+/// `extrados convert`.
+#[derive(Debug, Args)]
+pub struct Convert {
+    /// A bridge file or a block model file (.toml), or a drawing (.dxf)
+    pub from: PathBuf,
+    /// What to write: .toml, .dxf or .vtu
+    pub to: PathBuf,
+    /// Unit of a drawing, in place of what its header says
+    #[arg(long, value_name = "UNIT", value_parser = ["m", "cm", "mm", "ft", "in"])]
+    pub unit: Option<String>,
+    /// How far a chord may lie from its curve, such as "1 mm"
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub chord_tolerance: Option<String>,
+    /// How far apart ends may lie that are meant to meet, such as "1 mm"
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub gap_tolerance: Option<String>,
+    /// Cut concave outlines into convex pieces
+    #[arg(long)]
+    pub cut_concave: bool,
+    /// Replace TO where it exists; never the input
+    #[arg(long)]
+    pub overwrite: bool,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
 /// `extrados explain`.
 #[derive(Debug, Args)]
 pub struct Explain {
@@ -217,6 +249,9 @@ pub struct Explain {
 /// `extrados schema`.
 #[derive(Debug, Args)]
 pub struct Schema {
+    /// Of block model files instead of bridge files
+    #[arg(long)]
+    pub blocks: bool,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -325,6 +360,7 @@ impl Command {
             Command::New(new) => &new.speech,
             Command::Check(check) => &check.speech,
             Command::Collapse(collapse) => &collapse.speech,
+            Command::Convert(convert) => &convert.speech,
             Command::Vary(vary) => &vary.speech,
             Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
@@ -340,6 +376,7 @@ impl Command {
             Command::New(_) => "new",
             Command::Check(_) => "check",
             Command::Collapse(_) => "collapse",
+            Command::Convert(_) => "convert",
             Command::Vary(_) => "vary",
             Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
@@ -352,13 +389,12 @@ impl Command {
 
 impl Choice {
     /// Sets what was said in place of a file's plan.
-    pub fn apply(&self, bridge: &mut bridge::Bridge) -> Result<(), Failure> {
-        let plan = &mut bridge.plan;
+    pub fn apply(&self, plan: &mut bridge::Plan, width: f64) -> Result<(), Failure> {
         self.overrides.apply(plan);
         plan.method = self.method.map_or(plan.method, |method| method.planned());
         plan.analysis = self.analysis.map_or(plan.analysis, |analysis| analysis.planned());
         if let Some(text) = &self.resolution {
-            plan.resolution = Some(quantities::line_load("--resolution", text, bridge.width)?);
+            plan.resolution = Some(quantities::line_load("--resolution", text, width)?);
         }
         Ok(())
     }
@@ -441,6 +477,13 @@ fn seconds(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|seconds| *seconds >= 0.0 && *seconds <= 1e6)
         .ok_or_else(|| "write a number of seconds, such as 2".to_owned())
+}
+
+fn times(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|times| *times > 0.0 && *times <= 1e6)
+        .ok_or_else(|| "write a positive number, such as 50".to_owned())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

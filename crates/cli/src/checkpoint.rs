@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use assess::checkpoint::{self, CheckpointError};
-use bridge::Bridge;
+use std::fmt::Debug;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -18,9 +18,9 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// The checkpoint of this bridge with this plan.
-    pub fn of(bridge: &Bridge, folder: &Folder) -> Checkpoint {
-        Checkpoint { path: folder.file(NAME), fingerprint: checkpoint::fingerprint(bridge) }
+    /// The checkpoint of this bridge or block model with its plan.
+    pub fn of<T: Debug>(input: &T, folder: &Folder) -> Checkpoint {
+        Checkpoint { path: folder.file(NAME), fingerprint: checkpoint::fingerprint(input) }
     }
 
     /// Where it is.

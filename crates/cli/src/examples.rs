@@ -23,8 +23,11 @@ pub struct Example {
 }
 
 impl File {
-    /// What the file is, from its first comment.
+    /// What the file is, from its first comment; drawings have none.
     pub fn about(&self) -> &'static str {
+        if self.name.ends_with(".dxf") {
+            return "the drawing that it names";
+        }
         self.text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default()
     }
 }
@@ -73,6 +76,12 @@ pub const ALL: &[Example] = &[
         main: "bridge.toml",
         files: files!("settlement": "bridge.toml"),
     },
+    Example {
+        name: "drawing",
+        about: "blocks drawn by a CAD program (DXF): the ring of Bridgemill, case 1",
+        main: "bridge.toml",
+        files: files!("drawing": "bridge.toml", "arch.dxf"),
+    },
 ];
 
 /// The example of this name.
@@ -89,8 +98,17 @@ mod tests {
         for example in ALL {
             assert!(example.files.iter().any(|file| file.name == example.main), "{}", example.name);
             for file in example.files {
-                let read = bridge::read(file.text.as_bytes());
-                assert!(read.bridge.is_some(), "{}/{}: {:?}", example.name, file.name, read.diagnostics);
+                let text = file.text.as_bytes();
+                if file.name.ends_with(".dxf") {
+                    let read = drawing::read(text, &drawing::Options::default());
+                    assert!(read.is_usable(), "{}/{}: {:?}", example.name, file.name, read.findings);
+                } else if bridge::is_block_file(text) {
+                    let read = bridge::read_blocks(text);
+                    assert!(read.file.is_some(), "{}/{}: {:?}", example.name, file.name, read.diagnostics);
+                } else {
+                    let read = bridge::read(text);
+                    assert!(read.bridge.is_some(), "{}/{}: {:?}", example.name, file.name, read.diagnostics);
+                }
                 assert!(!file.about().is_empty(), "{}/{} says nothing of itself", example.name, file.name);
             }
         }

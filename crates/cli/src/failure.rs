@@ -54,7 +54,7 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F105",
         title: "no card of this code",
-        text: "`extrados explain CODE` knows the codes of errors (B…), doubts (P…), warnings of analyses (A…), failures (F…) and the \
+        text: "`extrados explain CODE` knows the codes of errors (B…), doubts (P…), findings in drawings and block models (D…), warnings of analyses (A…), failures (F…) and the \
                words of `status`. `extrados explain` without a code lists them all.",
     },
     Card {
@@ -132,6 +132,19 @@ pub const CARDS: &[Card] = &[
     },
     Card {
         code: "F118",
+        title: "no conversion between these files",
+        text: "`extrados convert FROM TO` goes by the extensions: a bridge file or block model file (.toml) becomes a drawing (.dxf), a \
+               ParaView file (.vtu) or a block model file with every block listed (.toml); a drawing becomes a block model file, a \
+               ParaView file, or a cleaned drawing in metres.",
+    },
+    Card {
+        code: "F119",
+        title: "the file to be written exists",
+        text: "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
+               drawing that this one names.",
+    },
+    Card {
+        code: "F120",
         title: "a saved packing cannot be used",
         text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the columns x_m, y_m and \
                radius_m, then a row per particle; lines that begin with # are remarks. The message names each line that cannot be \

@@ -58,6 +58,58 @@ pub fn findings(name: &str, text: &[u8], list: &[Diagnostic], paint: &Paint) -> 
     page
 }
 
+/// Findings in a drawing: errors and warnings one by one with their places, notes counted by code and layer.
+pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
+    let mut page = String::new();
+    let (mut errors, mut warnings) = (0, 0);
+    let mut notes: Vec<(&drawing::Finding, usize)> = Vec::new();
+    for finding in list {
+        let (word, style) = match finding.severity {
+            drawing::Severity::Error => {
+                errors += 1;
+                paint.of(Severity::Error)
+            }
+            drawing::Severity::Warning => {
+                warnings += 1;
+                paint.of(Severity::Warning)
+            }
+            drawing::Severity::Note => {
+                let same = |(known, _): &&mut (&drawing::Finding, usize)| {
+                    known.code == finding.code && known.place.layer == finding.place.layer
+                };
+                match notes.iter_mut().find(same) {
+                    Some((_, count)) => *count += 1,
+                    None => notes.push((finding, 1)),
+                }
+                continue;
+            }
+        };
+        let head = style.apply_to(format!("{word}[{}]", finding.code));
+        let _ = writeln!(page, "{head}{}", paint.bold.apply_to(format!(": {}", finding.message)));
+        let words = finding.place.words();
+        let _ = writeln!(page, "  {name}{}{words}", if words.is_empty() { "" } else { ": " });
+        if !finding.help.is_empty() {
+            let _ = writeln!(page, "  help: {}", finding.help);
+        }
+        page.push('\n');
+    }
+    for (finding, count) in notes {
+        let others = match count {
+            1 => String::new(),
+            2 => ", and once more on this layer".to_owned(),
+            n => format!(", and {} times more on this layer", n - 1),
+        };
+        let _ =
+            writeln!(page, "note[{}]: {}{others} ({name}: {})", finding.code, finding.message, finding.place.words());
+    }
+    if errors + warnings > 0 {
+        let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
+        let end = if errors > 0 { "the drawing cannot be used" } else { "the drawing can be used" };
+        let _ = writeln!(page, "{name}: {}, {}; {end}", number(errors, "error"), number(warnings, "warning"));
+    }
+    page
+}
+
 /// A failure of the command itself.
 pub fn failure(failure: &Failure, paint: &Paint) -> String {
     let head = paint.error.apply_to(format!("error[{}]", failure.code));

@@ -51,6 +51,22 @@ impl Report {
         }
     }
 
+    /// Adds what was found in a drawing: notes stand in a list of their own.
+    pub fn add_drawing(&mut self, name: &str, list: &[drawing::Finding]) {
+        let mut notes = Vec::new();
+        for finding in list {
+            let value = drawing_value(name, finding);
+            match finding.severity {
+                drawing::Severity::Error => self.errors.push(value),
+                drawing::Severity::Warning => self.warnings.push(value),
+                drawing::Severity::Note => notes.push(value),
+            }
+        }
+        if !notes.is_empty() {
+            self.fields.insert("notes".to_owned(), json!(notes));
+        }
+    }
+
     /// Adds a warning of the analysis and shows it.
     pub fn warn(&mut self, screen: &mut Screen, code: &str, message: &str) {
         self.warnings.push(json!({ "code": code, "message": message }));
@@ -102,6 +118,22 @@ fn finding_value(name: &str, text: &[u8], finding: &Diagnostic) -> Value {
         if let Some(words) = words {
             value[key] = json!(words);
         }
+    }
+    value
+}
+
+/// A finding in a drawing as an object: its place is a layer, an entity and coordinates instead of a line.
+fn drawing_value(name: &str, finding: &drawing::Finding) -> Value {
+    let place = &finding.place;
+    let mut value = json!({ "code": finding.code, "message": finding.message, "file": name });
+    for (key, words) in [("layer", &place.layer), ("entity", &place.entity), ("help", &finding.help)] {
+        if !words.is_empty() {
+            value[key] = json!(words);
+        }
+    }
+    if let Some([x, y]) = place.at {
+        value["x_m"] = json!(x);
+        value["y_m"] = json!(y);
     }
     value
 }

@@ -18,6 +18,7 @@ mod dimension;
 mod discs;
 mod displaced;
 mod drawn;
+pub mod dxf;
 mod elevation;
 mod envelope;
 mod fill_stress;

@@ -6,7 +6,7 @@ use super::{AnalysisError, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise, laws};
 use crate::outcome::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
 use crate::warning::{self, Warning};
-use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Strip};
+use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Plan, Strip};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
@@ -16,7 +16,11 @@ use mechanics::watch::Watch;
 
 /// How the plan wants the method done.
 pub fn settings(bridge: &Bridge) -> dem::Settings {
-    let plan = &bridge.plan;
+    dem::Settings { scaled_inertia: bridge.particles.is_some(), ..settings_of(&bridge.plan) }
+}
+
+/// The same for any plan, for a model without particles.
+pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
     dem::Settings {
         damping: match plan.damping {
             Damping::Local(share) => dem::Damping::Local(share),
@@ -30,7 +34,7 @@ pub fn settings(bridge: &Bridge) -> dem::Settings {
         tolerance: plan.tolerance,
         step_limit: plan.step_limit,
         time_step_factor: plan.time_step_factor,
-        scaled_inertia: bridge.particles.is_some(),
+        scaled_inertia: false,
     }
 }
 
@@ -69,7 +73,32 @@ pub fn collapse_by_dem(
     let rigid = by_limit::solve(&d, &uncrushed)?;
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
-    let (mut chosen, plan) = (Vec::new(), &bridge.plan);
+    let mut chosen = Vec::new();
+    let (program, load_step) = program(&bridge.plan, &d, bound, &mut chosen)?;
+    let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
+    let load = |factor: f64| d.load(factor);
+    let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
+    c.collapse_load = outcome.collapse_factor.map(load);
+    c.last_stable_load = outcome.last_stable_factor.map(load);
+    c.load_step = Some(load_step);
+    c.limit_load = limit_load.map(load);
+    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
+    notes::dem(bridge, &d, &mut c);
+    if by_limit::settings(bridge).crushing {
+        let crushed = by_limit::solve(&d, &by_limit::single(bridge, &d))?.factor;
+        notes::crushed(c.last_stable_load, crushed.map(load), &mut c.warnings);
+    }
+    Ok(c)
+}
+
+/// The steps of a run and the size of one [N/m]. What the plan leaves open is chosen from the limit load factor
+/// `bound`, and said.
+pub(super) fn program(
+    plan: &Plan,
+    d: &Discretised,
+    bound: Option<f64>,
+    chosen: &mut Vec<String>,
+) -> Result<(dem::Program, f64), AnalysisError> {
     let missing =
         |what| AnalysisError::Missing { what, why: "the limit load, from which it would be chosen, is not finite" };
     let load_step = match (plan.load_step, bound) {
@@ -96,20 +125,7 @@ pub fn collapse_by_dem(
         resolution: plan.resolution.map(|r| r / d.reference_load),
         watched: d.watched,
     };
-    let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
-    let load = |factor: f64| d.load(factor);
-    let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
-    c.collapse_load = outcome.collapse_factor.map(load);
-    c.last_stable_load = outcome.last_stable_factor.map(load);
-    c.load_step = Some(load_step);
-    c.limit_load = limit_load.map(load);
-    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
-    notes::dem(bridge, &d, &mut c);
-    if by_limit::settings(bridge).crushing {
-        let crushed = by_limit::solve(&d, &by_limit::single(bridge, &d))?.factor;
-        notes::crushed(c.last_stable_load, crushed.map(load), &mut c.warnings);
-    }
-    Ok(c)
+    Ok((program, load_step))
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.
@@ -151,27 +167,32 @@ pub fn report(
     let mut picture = picture::built(bridge, d, title);
     draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
-    let e = &outcome.energy;
-    let work = [e.gravity, e.loads, e.supports].iter().map(|w| w.abs()).sum::<f64>();
     let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
     c.method = Method::Dem;
     c.status = status;
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     c.contacts = at_rest.map_or(0, |f| f.contacts.len());
-    c.dem = Some(DemReport {
+    c.dem = Some(numbers(&bridge.plan, outcome, broken.map(|(body, step)| (d.body_name(body), step))));
+    c
+}
+
+/// Iterations, time steps and settings of a run, and where it broke off.
+pub(super) fn numbers(plan: &Plan, outcome: &dem::Outcome, broken_at: Option<(String, u64)>) -> DemReport {
+    let e = &outcome.energy;
+    let work = [e.gravity, e.loads, e.supports].iter().map(|w| w.abs()).sum::<f64>();
+    DemReport {
         iterations_total: outcome.iterations_total,
         time_step: outcome.time_step,
         critical_time_step: outcome.critical_time_step,
         single_mass_time_step: outcome.single_mass_time_step,
-        damping: damping(bridge.plan.damping),
-        contact_length: match bridge.plan.contact_length {
+        damping: damping(plan.damping),
+        contact_length: match plan.contact_length {
             ContactLength::Fixed => "fixed",
             ContactLength::Updated => "updated",
         },
         energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
-        broken_at: broken.map(|(body, step)| (d.body_name(body), step)),
-    });
-    c
+        broken_at,
+    }
 }
 
 /// Motion of each block between two frames.
@@ -194,7 +215,7 @@ fn motions(from: Option<&dem::Frame>, to: &dem::Frame, d: &Discretised) -> Vec<M
 /// sag of a step, well before the joints of an arch jump out of place.
 const CLEARLY_MOVING: f64 = 0.02;
 
-fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, picture: &mut Picture) {
+pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, picture: &mut Picture) {
     picture.path = outcome
         .path
         .iter()

@@ -5,24 +5,29 @@ use super::report::{Collapse, LimitReport, Status};
 use super::{AnalysisError, notes, picture};
 use crate::discretise::{Discretised, discretise};
 use crate::outcome::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
-use bridge::{Analysis, Bridge, ContactPoints, Friction, Method};
+use bridge::{Analysis, Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::Id;
 use mechanics::limit;
 
 /// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
 pub fn settings(bridge: &Bridge) -> limit::Settings {
+    settings_of(&bridge.plan, bridge.masonry.compressive_strength.is_some())
+}
+
+/// The same for any plan, with or without joints that crush.
+pub(super) fn settings_of(plan: &Plan, crushing: bool) -> limit::Settings {
     limit::Settings {
-        friction: match bridge.plan.friction {
+        friction: match plan.friction {
             Friction::Associated => limit::Friction::Associated,
             Friction::NonAssociated => limit::Friction::NonAssociated,
             Friction::Automatic => limit::Friction::Automatic,
         },
-        contact_points: match bridge.plan.contact_points {
+        contact_points: match plan.contact_points {
             ContactPoints::Rounded => limit::ContactPoints::Rounded,
             ContactPoints::FullRing => limit::ContactPoints::FullRing,
         },
-        crushing: bridge.masonry.compressive_strength.is_some(),
+        crushing,
         ..limit::Settings::default()
     }
 }
@@ -112,12 +117,19 @@ pub fn status(status: limit::Status) -> Status {
 }
 
 fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
-    let load = |factor: Option<f64>| factor.map(|f| d.load(f));
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
     let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
     c.method = Method::Limit;
     c.status = status(outcome.status);
+    loads(d, outcome, unlimited, &mut c);
+    notes::limit(bridge, d, &mut c);
+    c
+}
+
+/// Loads, bounds and residuals, with the load of joints that never crush.
+pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>, c: &mut Collapse) {
+    let load = |factor: Option<f64>| factor.map(|f| d.load(f));
     c.collapse_load = load(outcome.factor);
     c.last_stable_load = load(outcome.lower_bound);
     c.limit_load = load(outcome.factor);
@@ -136,8 +148,6 @@ fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited:
         yield_violation: Some(outcome.yield_violation),
         iterations: outcome.iterations,
     });
-    notes::limit(bridge, d, &mut c);
-    c
 }
 
 /// A joint counts as a hinge from this share of the largest rotation: where the thrust line runs along an edge for some

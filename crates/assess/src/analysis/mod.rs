@@ -7,6 +7,7 @@ mod dimensions;
 mod filled;
 mod movement;
 mod notes;
+mod of_blocks;
 mod picture;
 mod places;
 mod report;
@@ -17,6 +18,7 @@ mod thickness;
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
+pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use report::{
     Collapse, Combination, Component, DemReport, LimitReport, PackingReport, Status, SupportReport, ThicknessReport,
 };

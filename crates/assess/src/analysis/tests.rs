@@ -150,6 +150,7 @@ fn filled(b: &mut Bridge) {
         friction_angle: None,
         cohesion: None,
         particles: false,
+        slabs: None,
     }];
     b.cover.depth = 0.4;
     b.loads[0].position = 1.5;

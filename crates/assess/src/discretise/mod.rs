@@ -53,6 +53,11 @@ pub enum Origin {
         /// Course, from the foundation up.
         course: usize,
     },
+    /// A block of a model that is no bridge, counted from 0.
+    Block {
+        /// Its place among the blocks.
+        number: usize,
+    },
     /// A brick of a spandrel wall, or a piece of one that was cut.
     Brick {
         /// Course, from the top; none for the stones of steep haunches.
@@ -92,7 +97,7 @@ impl Origin {
             Origin::Abutment { .. } | Origin::Foundation { .. } => "abutment",
             Origin::Pier { .. } => "pier",
             Origin::Brick { .. } | Origin::EndWall { .. } => "wall",
-            Origin::LoadingBlock { .. } | Origin::Slab { .. } => "block",
+            Origin::Block { .. } | Origin::LoadingBlock { .. } | Origin::Slab { .. } => "block",
             Origin::Backing { .. } => "backing",
         }
     }
@@ -113,6 +118,7 @@ impl Origin {
             Origin::Abutment { .. } => "right abutment".into(),
             Origin::Foundation { support } => format!("foundation of pier {support}"),
             Origin::Pier { support, course } => format!("pier {support} course {}", course + 1),
+            Origin::Block { number } => format!("block {}", number + 1),
             Origin::Brick { course: Some(course), brick } => format!("wall course {} brick {}", course + 1, brick + 1),
             Origin::Brick { course: None, brick } => format!("wall haunch stone {}", brick + 1),
             Origin::EndWall { right: false } => "left end wall".into(),

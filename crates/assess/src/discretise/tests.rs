@@ -111,6 +111,7 @@ fn the_cover_weighs_what_the_area_above_the_ring_weighs() {
         friction_angle: None,
         cohesion: None,
         particles: false,
+        slabs: None,
     };
     b.cover.layers = vec![layer(LayerKind::Fill, 0.203, 1890.0), layer(LayerKind::SubBase, 0.125, 2000.0)];
     let d = discretise(&b).unwrap();
@@ -145,6 +146,7 @@ fn backing_takes_the_place_of_fill_below_its_level() {
         friction_angle: None,
         cohesion: None,
         particles: false,
+        slabs: None,
     }];
     let weight = |b: &Bridge| -> f64 { discretise(b).unwrap().loading.permanent.iter().map(|f| -f.force.y).sum() };
     let without = weight(&b);

@@ -1,5 +1,9 @@
 //! Bare blocks from a `blocks.toml`, for published benchmarks that are no bridges. Numbers are in SI units, as their keys
 //! say; the load is a number that multiplies the variable forces.
+//!
+//! This is the bench's own format, beside the block model file that engineers write (`crate::blocks`): it takes gravity in
+//! any direction, walls and rings by rule, supports that hold some motions only, and densities next to zero, all of which
+//! benchmarks need and which a survey never has.
 
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
 use mechanics::dem;

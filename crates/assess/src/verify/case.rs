@@ -166,6 +166,7 @@ impl Case {
         let mut document: toml::Table =
             load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
         change(&mut document, &file.set).map_err(|reason| wrong(&path, reason))?;
+        locate_drawing(&mut document, &input);
         let against = file.against.as_ref().map(|changes| {
             let mut other = document.clone();
             change(&mut other, changes).map(|()| other).map_err(|reason| wrong(&path, format!("against: {reason}")))
@@ -186,6 +187,14 @@ impl Case {
             input,
             document,
         })
+    }
+}
+
+/// A drawing is named relative to the file that names it; from here on, relative to the current folder.
+fn locate_drawing(document: &mut toml::Table, input: &Path) {
+    let file = document.get_mut("drawing").and_then(toml::Value::as_table_mut).and_then(|part| part.get_mut("file"));
+    if let (Some(toml::Value::String(name)), Some(folder)) = (file, input.parent()) {
+        *name = folder.join(&*name).to_string_lossy().into_owned();
     }
 }
 

@@ -6,20 +6,19 @@ use crate::wire::{CalibrationObject, CollapseObject, Run};
 use mechanics::watch::Unwatched;
 use serde_json::Value as Json;
 
-/// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, bare blocks otherwise. A
-/// bridge with a `[calibration]` is calibrated, others are made to collapse.
+/// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, a block model where it
+/// has a `[model]`, bare blocks otherwise. A bridge with a `[calibration]` is calibrated, others are made to collapse.
 pub fn measure(document: &toml::Table) -> Result<Json, String> {
+    if document.contains_key("model") {
+        return block_model(&toml::to_string(document).map_err(|e| e.to_string())?);
+    }
     if !document.contains_key("bridge") && !document.contains_key("span") {
         let blocks: Blocks = toml::Value::Table(document.clone()).try_into().map_err(|e| format!("blocks: {e}"))?;
         return blocks.run();
     }
     let text = toml::to_string(document).map_err(|e| e.to_string())?;
     let read = bridge::read(text.as_bytes());
-    let Some(bridge) = read.bridge else {
-        let errors = read.diagnostics.iter().filter(|d| d.severity == bridge::Severity::Error);
-        let said: Vec<String> = errors.map(|d| format!("{} {} ({})", d.code, d.message, d.label)).collect();
-        return Err(said.join("; "));
-    };
+    let Some(bridge) = read.bridge else { return Err(said(&read.diagnostics)) };
     if document.contains_key("calibration") {
         return calibrated(&bridge);
     }
@@ -30,6 +29,29 @@ pub fn measure(document: &toml::Table) -> Result<Json, String> {
         keys.extend(derived(&bridge, &found));
     }
     Ok(value)
+}
+
+/// Errors in one line.
+fn said(diagnostics: &[bridge::Diagnostic]) -> String {
+    let errors = diagnostics.iter().filter(|d| d.severity == bridge::Severity::Error);
+    errors.map(|d| format!("{} {} ({})", d.code, d.message, d.label)).collect::<Vec<_>>().join("; ")
+}
+
+/// The result object of a block model file, whose drawing is named by a path that leads to it from anywhere.
+fn block_model(text: &str) -> Result<Json, String> {
+    let read = bridge::read_blocks(text.as_bytes());
+    let Some(file) = read.file else { return Err(said(&read.diagnostics)) };
+    let path = file.drawing.as_ref().map(|part| part.file.clone());
+    let dxf = path.map(|path| std::fs::read(&path).map_err(|e| format!("{path}: {e}"))).transpose()?;
+    let assembled = crate::blocks::assemble(&file, dxf.as_deref());
+    let Some(scene) = assembled.scene else {
+        let errors = assembled.findings.iter().filter(|f| f.severity == drawing::Severity::Error);
+        let drawn = errors.map(|f| format!("{} {} ({})", f.code, f.message, f.place.words()));
+        let told = drawn.chain([said(&assembled.diagnostics)]).collect::<Vec<_>>();
+        return Err(told.join("; "));
+    };
+    let found = analysis::collapse_of_blocks(&scene, None, &mut Unwatched).map_err(|e| e.to_string())?;
+    serde_json::to_value(CollapseObject::new(&found, &Run::default())).map_err(|e| e.to_string())
 }
 
 /// The result object of a calibration of fill, with its status.

@@ -5,6 +5,9 @@
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
+    let listed = bridge::read_blocks(bytes);
+    let refused = listed.diagnostics.iter().any(|finding| finding.severity == bridge::Severity::Error);
+    assert_eq!(listed.file.is_none(), refused);
     let read = bridge::read(bytes);
     let refused = read.diagnostics.iter().any(|finding| finding.severity == bridge::Severity::Error);
     assert_eq!(read.bridge.is_none(), refused);

@@ -37,7 +37,7 @@ pub(super) static MASONRY: Section = Section {
     ],
 };
 
-const JOINT_FIELDS: &[Field] = &[
+pub(super) const JOINT_FIELDS: &[Field] = &[
     Field::new(
         "normal_stiffness",
         Kind::Quantity(JointStiffness),

@@ -1,6 +1,7 @@
 //! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
+pub mod blocks;
 mod calibration;
 mod cover;
 mod loading;
@@ -72,6 +73,8 @@ pub enum Kind {
     Share,
     /// A list of points, each a pair of lengths.
     Points,
+    /// A list of rows of as many bare numbers; the key carries their unit.
+    Rows(usize),
     /// A value of whatever quantity: text, a number, true or false, a list.
     Value,
     /// A list of such values.
@@ -179,6 +182,7 @@ impl Field {
             | Kind::Flag
             | Kind::Quantities(_)
             | Kind::Points
+            | Kind::Rows(_)
             | Kind::Values => text.to_owned(),
             Kind::Table(_) | Kind::Tables(_) => String::new(),
             _ => format!("\"{text}\""),
@@ -283,8 +287,22 @@ pub(crate) static RANGES: Section = Section {
     )],
 };
 
-/// Every section of the file with the key that opens it, in the order of the reference.
+/// Every section of the bridge file with the key that opens it, in the order of the reference.
 pub fn sections() -> Vec<&'static Section> {
+    sections_of(&FILE)
+}
+
+/// Every section of the kind of file that this section belongs to; those of both kinds are found in bridge files.
+pub fn neighbours(section: &'static Section) -> Vec<&'static Section> {
+    let bridge = sections();
+    match bridge.iter().any(|known| std::ptr::eq(*known, section)) {
+        true => bridge,
+        false => sections_of(&blocks::FILE),
+    }
+}
+
+/// Every section of a kind of file, in the order of the reference.
+pub fn sections_of(file: &'static Section) -> Vec<&'static Section> {
     fn visit(section: &'static Section, found: &mut Vec<&'static Section>) {
         if found.iter().any(|known| std::ptr::eq(*known, section)) {
             return;
@@ -297,6 +315,6 @@ pub fn sections() -> Vec<&'static Section> {
         }
     }
     let mut found = Vec::new();
-    visit(&FILE, &mut found);
+    visit(file, &mut found);
     found
 }

@@ -14,6 +14,11 @@ pub(super) fn maybe<T>(table: &Table<'_>, key: &str, value: Option<At<T>>) -> Op
 
 pub(super) fn masonry(file: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
     let table = file.table("masonry", findings)?;
+    masonry_of(&table, findings)
+}
+
+/// The material that a table describes.
+pub(super) fn masonry_of(table: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
     let density = table.quantity("density", findings);
     let elastic_modulus = table.quantity("elastic_modulus", findings);
     let poisson_ratio = table.number("poisson_ratio", findings);
@@ -21,18 +26,23 @@ pub(super) fn masonry(file: &Table<'_>, findings: &mut Findings) -> Option<Mason
     let rounding = table.quantity("rounding", findings);
     Some(Masonry {
         density: density?.value,
-        elastic_modulus: maybe(&table, "elastic_modulus", elastic_modulus)?,
-        poisson_ratio: maybe(&table, "poisson_ratio", poisson_ratio)?,
-        compressive_strength: maybe(&table, "compressive_strength", compressive_strength)?
+        elastic_modulus: maybe(table, "elastic_modulus", elastic_modulus)?,
+        poisson_ratio: maybe(table, "poisson_ratio", poisson_ratio)?,
+        compressive_strength: maybe(table, "compressive_strength", compressive_strength)?
             .filter(|value| value.is_finite()),
-        rounding: maybe(&table, "rounding", rounding)?.unwrap_or(0.0),
+        rounding: maybe(table, "rounding", rounding)?.unwrap_or(0.0),
     })
 }
 
 pub(super) fn joint(file: &Table<'_>, name: &str, findings: &mut Findings) -> Option<Joint> {
     let table = file.table(name, findings)?;
-    let normal_stiffness = stiffness(&table, "normal_stiffness", "mortar_normal_stiffness", findings);
-    let shear_stiffness = stiffness(&table, "shear_stiffness", "mortar_shear_stiffness", findings);
+    joint_of(&table, findings)
+}
+
+/// The joint that a table describes.
+pub(super) fn joint_of(table: &Table<'_>, findings: &mut Findings) -> Option<Joint> {
+    let normal_stiffness = stiffness(table, "normal_stiffness", "mortar_normal_stiffness", findings);
+    let shear_stiffness = stiffness(table, "shear_stiffness", "mortar_shear_stiffness", findings);
     let friction_angle = table.quantity("friction_angle", findings);
     let cohesion = table.quantity("cohesion", findings);
     let tensile_strength = table.quantity("tensile_strength", findings);
@@ -43,9 +53,9 @@ pub(super) fn joint(file: &Table<'_>, name: &str, findings: &mut Findings) -> Op
         shear_stiffness: shear_stiffness?,
         friction_angle: friction_angle?.value,
         cohesion: cohesion?.value,
-        tensile_strength: maybe(&table, "tensile_strength", tensile_strength)?.unwrap_or(0.0),
-        fixed_length: maybe(&table, "fixed_length", fixed_length)?,
-        least_length: maybe(&table, "least_length", least_length)?,
+        tensile_strength: maybe(table, "tensile_strength", tensile_strength)?.unwrap_or(0.0),
+        fixed_length: maybe(table, "fixed_length", fixed_length)?,
+        least_length: maybe(table, "least_length", least_length)?,
     })
 }
 

@@ -1,5 +1,6 @@
 //! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
 
+pub(crate) mod blocks;
 mod calibration;
 mod cover;
 mod geometry;

@@ -314,7 +314,7 @@ fn stiffness(file: &Table<'_>, section: &str, joint: &Joint, findings: &mut Find
 }
 
 /// Nor without the size of its steps.
-fn steps(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
+pub(super) fn steps(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
     if plan.analysis == Analysis::Load && plan.load_step.is_none() {
         lack(file, "analysis", "a load step", "load_step = \"100 kN\"", findings);
     }

@@ -1,5 +1,6 @@
 //! Reading whole files.
 
+mod blocks;
 mod cards;
 mod files;
 mod messages;

@@ -1,6 +1,6 @@
 //! `extrados check`: reads, reports, draws; computes nothing.
 
-use super::{Desk, Source};
+use super::{Desk, Source, model};
 use crate::args::Check;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
@@ -13,6 +13,9 @@ use std::fmt::Write;
 
 /// Reads the file and draws the bridge.
 pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
+    if bridge::is_block_file(&super::read_file(&arguments.file)?) {
+        return model::check(desk, arguments);
+    }
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = &source.read.bridge else { return Ok(source.report(Status::UnusableInput)) };
     let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;

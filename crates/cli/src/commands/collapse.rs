@@ -1,6 +1,6 @@
 //! `extrados collapse`: the load, the thickness or the support movement that makes a mechanism.
 
-use super::{Desk, Source};
+use super::{Desk, Source, model};
 use crate::args::Collapse as Arguments;
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
@@ -10,7 +10,7 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use assess::analysis::{self, Collapse};
+use assess::analysis::{self, AnalysisError, Collapse};
 use assess::{warning, wire};
 use bridge::Bridge;
 use serde_json::json;
@@ -18,39 +18,41 @@ use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    if bridge::is_block_file(&super::read_file(&arguments.file)?) {
+        return model::collapse(desk, arguments);
+    }
     let source = Source::open(desk, &arguments.file)?;
     let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
-    plan(&mut bridge, arguments)?;
+    let width = bridge.width;
+    plan(&mut bridge.plan, width, arguments)?;
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
     if arguments.sweep {
         return sweep(desk, arguments, &source, &bridge, &folder);
     }
-    let (found, report) = analyse(desk, arguments, &source, &bridge, &folder)?;
-    match found {
-        Some(found) => write(desk, &found, report, &folder),
-        None => Ok(report),
-    }
+    let run = |resume: Option<&[u64]>, watcher: &mut Watcher| analysis::collapse(&bridge, resume, watcher);
+    let checkpoint = Checkpoint::of(&bridge, &folder);
+    let report = source.report(Status::Completed);
+    analyse(desk, arguments, report, checkpoint, &folder, run)
 }
 
 /// Sets what the command line says in place of the file.
-fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn plan(plan: &mut bridge::Plan, width: f64, arguments: &Arguments) -> Result<(), Failure> {
     if arguments.sweep && arguments.choice.method == Some(crate::args::Method::Dem) {
         let message = "--sweep is limit analysis: --method dem cannot do it";
         return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
     }
-    arguments.choice.apply(bridge)
+    arguments.choice.apply(plan, width)
 }
 
-/// The analysis under a watcher; nothing found means that it was interrupted, and the report says so.
-fn analyse(
+/// The analysis under a watcher, and its files; where it was interrupted, the report says so.
+pub(super) fn analyse(
     desk: &mut Desk,
     arguments: &Arguments,
-    source: &Source,
-    bridge: &Bridge,
+    mut report: Report,
+    checkpoint: Checkpoint,
     folder: &Folder,
-) -> Result<(Option<Collapse>, Report), Failure> {
-    let mut report = source.report(Status::Completed);
-    let checkpoint = Checkpoint::of(bridge, folder);
+    run: impl FnOnce(Option<&[u64]>, &mut Watcher) -> Result<Collapse, AnalysisError>,
+) -> Result<Report, Failure> {
     let resume = if arguments.resume { checkpoint.take_up()? } else { None };
     if arguments.resume && resume.is_none() {
         let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
@@ -58,7 +60,7 @@ fn analyse(
     }
     let mut watcher =
         Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
-    let found = analysis::collapse(bridge, resume.as_deref(), &mut watcher);
+    let found = run(resume.as_deref(), &mut watcher);
     let kept = watcher.has_kept();
     let trouble = watcher.finish();
     let found = found.map_err(|error| results::not_set_up(&error))?;
@@ -68,17 +70,23 @@ fn analyse(
     report.status = results::status(found.status);
     if report.status != Status::Cancelled {
         checkpoint.remove();
-        return Ok((Some(found), report));
+        return write(desk, arguments, &found, report, folder);
     }
     let shown = checkpoint.path().display().to_string();
     report.summary = match kept {
         true => format!("interrupted; the run is kept in {shown}\ngo on with the same command and --resume\n"),
         false => "interrupted before there was anything to keep\n".to_owned(),
     };
-    Ok((None, if kept { report.with("checkpoint", shown) } else { report }))
+    Ok(if kept { report.with("checkpoint", shown) } else { report })
 }
 
-fn write(desk: &mut Desk, found: &Collapse, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(
+    desk: &mut Desk,
+    arguments: &Arguments,
+    found: &Collapse,
+    mut report: Report,
+    folder: &Folder,
+) -> Result<Report, Failure> {
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
@@ -92,12 +100,14 @@ fn write(desk: &mut Desk, found: &Collapse, mut report: Report, folder: &Folder)
     if let Some(words) = figures::left_out(&found.picture) {
         report.warn(&mut desk.screen, warning::NOT_DRAWN, &words);
     }
-    report.fields = report::fields_of(wire::CollapseObject::new(found, &wire::Run::default()));
+    report.fields.extend(report::fields_of(wire::CollapseObject::new(found, &wire::Run::default())));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
     let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+    files.extend(figures::dxf::drawings(&found.picture, arguments.displacement_scale));
     files.extend(tables(found));
     if let Some(wall) = &found.wall_strip {
         let mut own = figures::all(&wall.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+        own.extend(figures::dxf::drawings(&wall.picture, arguments.displacement_scale));
         own.extend(tables(wall));
         files.extend(own.into_iter().map(|file| figures::File { name: format!("wall/{}", file.name), ..file }));
     }

@@ -53,6 +53,9 @@ fn all() -> Vec<Card> {
     for card in assess::warning::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }
+    for card in drawing::cards::CARDS {
+        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
+    }
     for card in failure::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }

@@ -4,7 +4,9 @@ mod bench;
 mod calibrate;
 mod check;
 mod collapse;
+mod convert;
 mod explain;
+mod model;
 mod new;
 mod schema;
 mod vary;
@@ -85,10 +87,11 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::New(arguments) => new::run(arguments).map(Answer::from),
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
+        Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
-        Command::Schema(_) => Ok(schema::run()),
+        Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
         Command::Bench(arguments) => bench::run(desk, arguments).map(Answer::from),
     }
@@ -182,7 +185,7 @@ fn take_packing(particles: &mut bridge::Particles, beside: &Path) -> Result<(), 
     let text = read_file(&path)?;
     particles.grains = assess::packing_file::read(&text).map_err(|error| {
         let message = format!("cannot use the packing {}: {error}", path.display());
-        Failure::input("F118", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
+        Failure::input("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
     })?;
     Ok(())
 }

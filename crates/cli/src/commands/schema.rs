@@ -1,9 +1,11 @@
-//! `extrados schema`: the JSON Schema of bridge files.
+//! `extrados schema`: the JSON Schema of bridge files or block model files, alone on stdout with and without `--json`.
 
 use super::Answer;
+use crate::args::Schema;
 use crate::report;
 
-/// Prints the schema, and nothing else, with or without --json.
-pub fn run() -> Answer {
-    Answer::Text(report::text_of(&bridge::schema::schema()))
+/// The schema.
+pub fn run(arguments: &Schema) -> Answer {
+    let schema = if arguments.blocks { bridge::schema::schema_of_blocks() } else { bridge::schema::schema() };
+    Answer::Text(report::text_of(&schema))
 }

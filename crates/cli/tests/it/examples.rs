@@ -8,6 +8,8 @@ const KEYS: &[(&str, &str, &str, &str, f64, f64)] = &[
     // A published load step: exact but for the division by the width.
     ("bridgemill", "case-1.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
     ("bridgemill", "case-2.toml", "collapsed", "last_stable_load_kn", 2700.0, 1e-12),
+    // The same ring, drawn with another program's library: the same load step.
+    ("drawing", "bridge.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
     // Milankovitch's continuous ring; 200 straight voussoirs are within 0.2 %.
     ("semicircle", "ring.toml", "completed", "minimum_thickness_over_mean_radius", 0.1075, 2e-3),
 ];
@@ -34,7 +36,7 @@ fn every_example_runs_to_an_answer() {
     for example in std::fs::read_dir(root).expect("examples").flatten().filter(|entry| entry.path().is_dir()) {
         let name = example.file_name().to_string_lossy().into_owned();
         let stage = Stage::with_example(&format!("run-{name}"), &name);
-        for file in stage.names("bridge") {
+        for file in stage.names("bridge").iter().filter(|file| file.ends_with(".toml")) {
             let command = if SLOW.contains(&(name.as_str(), file.as_str())) { "check" } else { "collapse" };
             let (answer, ending) =
                 stage.object(&[command, &format!("bridge/{file}"), "--out", &file.replace(".toml", "")]);

@@ -2,6 +2,7 @@
 
 mod answers;
 mod calibration;
+mod drawings;
 mod examples;
 mod house;
 mod interruption;

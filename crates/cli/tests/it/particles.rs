@@ -70,7 +70,7 @@ fn a_packing_that_cannot_be_used_is_told_with_its_lines() {
     };
     refused("F101", &["packing.csv"]);
     stage.write("packing.csv", "# mine\nx_m,y_m,radius_m\n1,2,0.1\n1,2\n1,x,0.1\n");
-    refused("F118", &["line 4: radius_m is missing", "line 5: y_m is \"x\""]);
+    refused("F120", &["line 4: radius_m is missing", "line 5: y_m is \"x\""]);
     // Inside the fill of the left haunch, and in the river.
     stage.write("packing.csv", "x_m,y_m,radius_m\n-1,2,0.1\n9,-3,0.1\n");
     refused("F108", &["1 of the 2 particles", "x = 9.000 m, y = -3.000 m"]);

@@ -60,6 +60,9 @@ impl Strength {
 
 /// All joints of a model and the interfaces they come from.
 pub(super) fn joints(model: &BlockModel, settings: &Settings) -> Result<(Vec<Interface>, Vec<Joint>), ModelError> {
+    if !model.particles.is_empty() {
+        return Err(ModelError::ParticlesInLimitAnalysis(model.particles.len()));
+    }
     let faces = interfaces(model, settings.touching)?;
     let joints = faces.iter().map(|face| joint(model, settings, face)).collect();
     Ok((faces, joints))

@@ -68,8 +68,13 @@ mod tests {
     use mechanics::ids::GroupId;
 
     fn region(outline: &[(f64, f64)], top: f64) -> FillRegion {
-        let layer = FillLayer { group: GroupId(0), top, density: 1890.0 };
-        FillRegion { outline: outline.iter().map(|&(x, y)| vec2(x, y)).collect(), area: 1.0, layers: vec![layer] }
+        let layer = FillLayer { group: GroupId(0), top, density: 1890.0, friction_angle: None, cohesion: None };
+        FillRegion {
+            outline: outline.iter().map(|&(x, y)| vec2(x, y)).collect(),
+            area: 1.0,
+            layers: vec![layer],
+            slabs: false,
+        }
     }
 
     #[test]

@@ -152,7 +152,8 @@ impl Plan<'_> {
 
     /// With what the command line says in place of the file.
     pub fn chosen(&self, mut bridge: Bridge) -> Result<Bridge, Failure> {
-        self.choice.apply(&mut bridge)?;
+        let width = bridge.width;
+        self.choice.apply(&mut bridge.plan, width)?;
         Ok(bridge)
     }
 }

@@ -1,0 +1,293 @@
+//! Collapse of a block model that a file lists or a drawing holds.
+
+use super::report::{Collapse, Status};
+use super::{AnalysisError, by_dem, by_limit};
+use crate::blocks::Scene;
+use crate::discretise::{Discretised, laws};
+use crate::outcome::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
+use crate::warning::{self, Warning};
+use bridge::{Analysis, Method, Plan};
+use mechanics::dem::Body;
+use mechanics::ids::{GroupId, Id};
+use mechanics::limit;
+use mechanics::watch::Watch;
+use std::collections::BTreeMap;
+
+/// The blocks as they are drawn. Nothing is computed.
+pub fn blocks_as_built(scene: &Scene) -> Picture {
+    built(scene, "as built")
+}
+
+/// Raises the loads of the model until its blocks collapse. `resume` is a state that [`Watch::keep`] was offered by a
+/// run of the same model.
+pub fn collapse_of_blocks(
+    scene: &Scene,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    let d = scene.discretised();
+    if d.loading.variable.is_empty() {
+        return Err(AnalysisError::NoLoad);
+    }
+    let mut found = match scene.plan.method {
+        Method::Dem => dem(scene, &d, resume, watch),
+        Method::Limit => limit(scene, &d),
+    }?;
+    found.block_names = scene.bodies.iter().map(|body| body.name.clone()).collect();
+    found.picture.collapse_load = found.collapse_load;
+    let shown = found.picture.last_stable.and_then(|k| found.picture.snapshots.get(k));
+    found.picture.thrust_lines = shown.map_or_else(Vec::new, |state| chains(&found.picture.shapes, state));
+    notes(scene, &mut found);
+    Ok(found)
+}
+
+fn dem(
+    scene: &Scene,
+    d: &Discretised,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    require_stiffness(scene)?;
+    let filled = !d.model.particles.is_empty();
+    let rigid = match filled {
+        true => None,
+        false => Some(limit::collapse_load(&d.model, &d.loading, &by_limit::settings_of(&scene.plan, false))?),
+    };
+    let bound = rigid.as_ref().and_then(|rigid| rigid.factor.or(rigid.associated_factor));
+    let mut chosen = Vec::new();
+    let (program, step) = by_dem::program(&planned(scene, filled)?, d, bound, &mut chosen)?;
+    let settings = mechanics::dem::Settings { scaled_inertia: filled, ..by_dem::settings_of(&scene.plan) };
+    let outcome = mechanics::dem::collapse(&d.model, &d.loading, &program, &settings, resume, watch)?;
+    let mut picture = built(scene, "discrete elements");
+    by_dem::draw(d, &outcome, &|factor| d.load(factor), &mut picture);
+    let (status, broken) = by_dem::status(&outcome);
+    let mut c = blank(scene, d, Method::Dem, status, picture);
+    c.max_compressive_stress = Some(outcome.max_compressive_stress);
+    let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
+    c.contacts = at_rest.map_or(0, |frame| frame.contacts.len() + frame.particle_contacts.len());
+    let broken = broken.map(|(body, step)| (named(scene, body), step));
+    c.dem = Some(by_dem::numbers(&scene.plan, &outcome, broken));
+    c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
+    c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
+    c.load_step = Some(step);
+    c.limit_load = rigid.and_then(|rigid| rigid.factor).map(|f| f * d.reference_load);
+    c.tolerance = scene.plan.tolerance;
+    c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
+    c.assumptions.push(
+        "Rigid blocks in deformable point contact; loads follow their blocks and keep their direction; displacements are large."
+            .into(),
+    );
+    c.assumptions.push(
+        "collapse_load is the first load step that did not come to rest; last_stable_load is the last that did.".into(),
+    );
+    Ok(c)
+}
+
+/// Load steps tried where the file gives no limit for a model with particles.
+const MOST_STEPS: f64 = 100.0;
+
+/// The plan; with particles, limit analysis cannot choose what it leaves open.
+fn planned(scene: &Scene, filled: bool) -> Result<Plan, AnalysisError> {
+    let plan = scene.plan.clone();
+    if !filled {
+        return Ok(plan);
+    }
+    let step = plan.load_step.ok_or(AnalysisError::Missing {
+        what: "load_step",
+        why: "limit analysis, from which it would be chosen, knows no particles",
+    })?;
+    Ok(Plan { load_limit: plan.load_limit.or(Some(MOST_STEPS * step)), ..plan })
+}
+
+/// The name of a block; particles are counted from 1.
+fn named(scene: &Scene, body: Body) -> String {
+    match body {
+        Body::Block(block) => scene.bodies[block.index()].name.clone(),
+        Body::Particle(particle) => format!("particle {}", particle.index() + 1),
+    }
+}
+
+/// Refuses pairs of materials in use whose joint has no stiffness.
+fn require_stiffness(scene: &Scene) -> Result<(), AnalysisError> {
+    let used = |k: usize| {
+        scene.bodies.iter().any(|body| body.material == k) || scene.particles.iter().any(|p| p.material == k)
+    };
+    let materials: Vec<usize> = (0..scene.materials.len()).filter(|&k| used(k)).collect();
+    let stiff = |a: usize, b: usize| laws::has_stiffness(scene.laws.between(GroupId(a as u32), GroupId(b as u32)));
+    match materials.iter().all(|&a| materials.iter().all(|&b| stiff(a, b))) {
+        true => Ok(()),
+        false => Err(AnalysisError::NoStiffness { joint: "joints between the materials of the blocks" }),
+    }
+}
+
+fn limit(scene: &Scene, d: &Discretised) -> Result<Collapse, AnalysisError> {
+    let crushing = scene.materials.iter().any(|material| material.masonry.compressive_strength.is_some());
+    let settings = by_limit::settings_of(&scene.plan, crushing);
+    let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
+    let unlimited = match crushing {
+        true => limit::collapse_load(&d.model, &d.loading, &by_limit::settings_of(&scene.plan, false))?.factor,
+        false => outcome.factor,
+    };
+    let mut picture = built(scene, "limit analysis");
+    by_limit::draw(d, &outcome, &mut picture);
+    let mut c = blank(scene, d, Method::Limit, by_limit::status(outcome.status), picture);
+    by_limit::loads(d, &outcome, unlimited, &mut c);
+    c.assumptions.push(
+        "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
+    );
+    if c.limit.as_ref().is_some_and(|report| report.friction == "associated") && !c.sliding_joints.is_empty() {
+        let message = format!(
+            "{} joints slide in the mechanism and friction is associated: the load is an upper bound",
+            c.sliding_joints.len()
+        );
+        c.warnings.push(Warning::new(warning::ASSOCIATED_SLIDING, message));
+    }
+    Ok(c)
+}
+
+/// What a reader of any of these results must know.
+fn notes(scene: &Scene, c: &mut Collapse) {
+    let unlimited: Vec<&str> = (scene.materials.iter())
+        .filter(|material| material.masonry.compressive_strength.is_none())
+        .map(|material| material.name.as_str())
+        .collect();
+    if !unlimited.is_empty() {
+        let message =
+            format!("compressive strength of {} has no limit: crushing is left out there", unlimited.join(", "));
+        c.warnings.push(Warning::new(warning::UNLIMITED_STRENGTH, message));
+    }
+    let rounding = scene.materials.iter().map(|material| material.masonry.rounding).fold(0.0, f64::max);
+    if rounding > 0.0 {
+        let message = format!("contact points lie up to {:.1} mm inside the edges of the blocks", 1e3 * rounding);
+        c.warnings.push(Warning::new(warning::INSET, message));
+    }
+    if let (Some(stable), Some(bound), Method::Dem) = (c.last_stable_load, c.limit_load, c.method)
+        && stable > bound
+    {
+        let message =
+            format!("last stable load {:.2} kN/m, limit load of the same blocks {:.2} kN/m", stable / 1e3, bound / 1e3);
+        c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+    }
+    c.assumptions.push("The loads act on the blocks as the file says; nothing spreads them.".into());
+    c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+}
+
+fn built(scene: &Scene, title: &str) -> Picture {
+    let shape =
+        |body: &crate::blocks::Body| Shape { outline: body.outline.clone(), role: "block".to_owned(), held: body.held };
+    let variable = scene.forces.iter().filter(|force| !force.permanent);
+    Picture {
+        title: format!("{}: {title}", scene.name),
+        shapes: scene.bodies.iter().map(shape).collect(),
+        particles: discs(scene),
+        loads: variable.map(|force| LoadArrow { at: force.at, force: force.force }).collect(),
+        ..Picture::default()
+    }
+}
+
+/// The particles, their layers in the order in which they are met.
+fn discs(scene: &Scene) -> Vec<Disc> {
+    let mut layers: Vec<&str> = Vec::new();
+    let mut discs = Vec::with_capacity(scene.particles.len());
+    for particle in &scene.particles {
+        let known = layers.iter().position(|layer| *layer == particle.layer);
+        let layer = known.unwrap_or(layers.len());
+        if known.is_none() {
+            layers.push(&particle.layer);
+        }
+        discs.push(Disc { centre: particle.centre, radius: particle.radius, layer });
+    }
+    discs
+}
+
+fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture: Picture) -> Collapse {
+    Collapse {
+        bridge: scene.name.clone(),
+        width: scene.width,
+        method,
+        analysis: Analysis::Load,
+        status,
+        collapse_load: None,
+        last_stable_load: None,
+        load_step: None,
+        reference_load: d.reference_load,
+        limit_load: None,
+        hinges: picture.hinges.clone(),
+        sliding_joints: picture.sliding.clone(),
+        max_compressive_stress: None,
+        blocks: d.model.blocks.len(),
+        particles: d.model.particles.len(),
+        contacts: 0,
+        tolerance: scene.plan.tolerance,
+        seed: scene.plan.seed,
+        dem: None,
+        limit: None,
+        thickness: None,
+        support: None,
+        packing: None,
+        combination: None,
+        wall_strip: None,
+        block_names: Vec::new(),
+        warnings: Vec::new(),
+        assumptions: Vec::new(),
+        picture,
+    }
+}
+
+/// Lines of thrust through blocks that stand in a row: each has two joints that carry. Where more meet, a line ends.
+fn chains(shapes: &[Shape], state: &Snapshot) -> Vec<Vec<ThrustPoint>> {
+    let joints = joints(&state.contacts);
+    let mut of_block: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (k, (blocks, _)) in joints.iter().enumerate() {
+        for &block in blocks {
+            of_block.entry(block).or_default().push(k);
+        }
+    }
+    let passes = |block: usize| !shapes[block].held && of_block[&block].len() == 2;
+    let mut used = vec![false; joints.len()];
+    let mut lines = Vec::new();
+    let mut walk = |first: usize, from: usize, used: &mut Vec<bool>| {
+        let (mut joint, mut from, mut line) = (first, from, vec![joints[first].1]);
+        used[joint] = true;
+        loop {
+            let [a, b] = joints[joint].0;
+            let to = if a == from { b } else { a };
+            if !passes(to) {
+                break;
+            }
+            let Some(&next) = of_block[&to].iter().find(|&&k| !used[k]) else { break };
+            used[next] = true;
+            line.push(joints[next].1);
+            (joint, from) = (next, to);
+        }
+        if line.len() > 1 {
+            lines.push(line);
+        }
+    };
+    // From the ends of rows first; what is left goes round in a circle.
+    for k in 0..joints.len() {
+        let end = joints[k].0.into_iter().find(|&block| !passes(block));
+        if let (false, Some(end)) = (used[k], end) {
+            walk(k, end, &mut used);
+        }
+    }
+    lines
+}
+
+/// The resultant of each pair of blocks: where it crosses their joint, and its size.
+fn joints(contacts: &[ContactForce]) -> Vec<([usize; 2], ThrustPoint)> {
+    let mut pairs: BTreeMap<[usize; 2], (f64, Point, Point)> = BTreeMap::new();
+    for c in contacts.iter().filter(|c| c.compression > 0.0) {
+        let (total, moment, force) = pairs.entry(c.blocks).or_default();
+        *total += c.compression;
+        for k in 0..2 {
+            let tangent = [-c.normal[1], c.normal[0]];
+            moment[k] += c.compression * c.point[k];
+            force[k] += c.compression * c.normal[k] + c.shear * tangent[k];
+        }
+    }
+    let resultant = |(blocks, (total, moment, force)): ([usize; 2], (f64, Point, Point))| {
+        (blocks, ThrustPoint { point: moment.map(|m| m / total), thrust: force[0].hypot(force[1]) })
+    };
+    pairs.into_iter().map(resultant).collect()
+}

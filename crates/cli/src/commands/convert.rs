@@ -1,0 +1,192 @@
+//! `extrados convert`: bridge files, block model files, drawings and ParaView files, by extension.
+
+use super::model::{self, Model};
+use super::{Desk, Source, read_file};
+use crate::args::Convert;
+use crate::failure::Failure;
+use crate::folder;
+use crate::quantities;
+use crate::render::{self, Paint};
+use crate::report::Report;
+use crate::results;
+use crate::status::Status;
+use assess::blocks::{Scene, Skeleton, of_bridge, skeleton, toml};
+use assess::outcome::{Motion, Picture, Shape, Snapshot};
+use drawing::{Drawing, Item, Options, Sheet};
+use std::f64::consts::TAU;
+use std::path::Path;
+
+/// What was read: a model that can be analysed, or the bare geometry of a drawing.
+enum Content {
+    Model(Box<Scene>),
+    Drawing(Drawing),
+}
+
+/// Reads FROM and writes TO.
+pub fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
+    let (from, to) = (ending(&arguments.from), ending(&arguments.to));
+    if !matches!((from.as_str(), to.as_str()), ("toml" | "dxf", "toml" | "dxf" | "vtu")) {
+        return Err(no_pair(&from, &to));
+    }
+    let (report, content, inputs) = match from.as_str() {
+        "dxf" => read_drawing(desk, arguments)?,
+        _ => read_model(desk, arguments)?,
+    };
+    let Some(content) = content else { return Ok(report) };
+    let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let bytes = match (&content, to.as_str()) {
+        (Content::Model(scene), "toml") => toml(scene).into_bytes(),
+        (Content::Drawing(drawing), "toml") => skeleton(&Skeleton { name: &name, drawing }).into_bytes(),
+        (_, "dxf") => sheet(&content).dxf(),
+        _ => vtu(&name, &content).unwrap_or_default().into_bytes(),
+    };
+    let inputs: Vec<&Path> = inputs.iter().map(AsRef::as_ref).collect();
+    guard(arguments, &inputs)?;
+    folder::write_whole(&arguments.to, &bytes).map_err(|error| Failure::unwritable(&arguments.to, &error))?;
+    let (blocks, particles) = match &content {
+        Content::Model(scene) => (scene.bodies.len(), scene.particles.len()),
+        Content::Drawing(drawing) => (drawing.outlines.len(), drawing.circles.len()),
+    };
+    let shown = arguments.to.display().to_string();
+    let mut summary =
+        format!("{}: {blocks} blocks, {particles} particles written to {shown}\n", arguments.from.display());
+    if matches!((&content, to.as_str()), (Content::Drawing(_), "toml")) {
+        summary += "fill in the lines marked TO FILL IN, then: extrados check ";
+        summary += &shown;
+        summary.push('\n');
+    }
+    Ok(report.with("blocks", blocks).with("particles", particles).with("written", shown).saying(summary))
+}
+
+/// What a file's name ends in, in small letters.
+fn ending(path: &Path) -> String {
+    path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase())
+}
+
+fn no_pair(from: &str, to: &str) -> Failure {
+    let shown =
+        |ending: &str| if ending.is_empty() { "a file without extension".to_owned() } else { format!(".{ending}") };
+    let message = format!("there is no conversion from {} to {}", shown(from), shown(to));
+    Failure::input("F118", message, "convert .toml to .dxf, .vtu or .toml, or .dxf to .toml, .vtu or .dxf")
+}
+
+type ReadIn = (Report, Option<Content>, Vec<std::path::PathBuf>);
+
+fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
+    let of_drawing = arguments.unit.is_some()
+        || arguments.chord_tolerance.is_some()
+        || arguments.gap_tolerance.is_some()
+        || arguments.cut_concave;
+    if of_drawing {
+        let message = "--unit, --chord-tolerance, --gap-tolerance and --cut-concave are for drawings (.dxf)";
+        return Err(Failure::input("F107", message, "write them into [drawing] of the block model file"));
+    }
+    let mut inputs = vec![arguments.from.clone()];
+    if bridge::is_block_file(&read_file(&arguments.from)?) {
+        let mut model = Model::open(desk, &arguments.from)?;
+        inputs.extend(model.drawing.clone());
+        let scene = model.scene.take();
+        let status = if scene.is_some() { Status::Completed } else { Status::UnusableInput };
+        return Ok((model.report(status), scene.map(|scene| Content::Model(Box::new(scene))), inputs));
+    }
+    let source = Source::open(desk, &arguments.from)?;
+    let Some(bridge) = &source.read.bridge else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
+    let cut = assess::discretise::discretise(bridge).map_err(|error| results::not_set_up(&error.into()))?;
+    let scene = Box::new(of_bridge(bridge, &cut));
+    Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))
+}
+
+fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
+    let bytes = model::bytes(&arguments.from).map_err(|error| Failure::unreadable(&arguments.from, &error))?;
+    let length = |option: &str, text: &Option<String>, default: f64| match text {
+        Some(text) => quantities::length(option, text),
+        None => Ok(default),
+    };
+    let default = Options::default();
+    let metres = |symbol: &str| bridge::quantity::UNITS.iter().find(|unit| unit.symbol == symbol).map(|unit| unit.size);
+    let options = Options {
+        unit: arguments.unit.as_deref().and_then(metres),
+        chord_tolerance: length("--chord-tolerance", &arguments.chord_tolerance, default.chord_tolerance)?,
+        gap_tolerance: length("--gap-tolerance", &arguments.gap_tolerance, default.gap_tolerance)?,
+        concave: if arguments.cut_concave { drawing::Concave::Cut } else { drawing::Concave::Refuse },
+        ignored: Vec::new(),
+    };
+    let read = drawing::read(&bytes, &options);
+    let name = arguments.from.display().to_string();
+    let usable = read.is_usable();
+    if !usable || !desk.screen.quiet {
+        desk.screen.remark(&render::drawing(&name, &read.findings, &Paint::for_stderr()));
+    }
+    let mut report = Report::new(if usable { Status::Completed } else { Status::UnusableInput });
+    report.add_drawing(&name, &read.findings);
+    Ok((report, usable.then_some(Content::Drawing(read.drawing)), vec![arguments.from.clone()]))
+}
+
+/// Refuses to replace an input, and any other file unless it was asked for.
+fn guard(arguments: &Convert, inputs: &[&Path]) -> Result<(), Failure> {
+    let Ok(target) = arguments.to.canonicalize() else { return Ok(()) };
+    let shown = arguments.to.display();
+    if inputs.iter().any(|input| input.canonicalize().is_ok_and(|input| input == target)) {
+        let message = format!("{shown} is an input of this conversion");
+        return Err(Failure::input("F119", message, "write to another file"));
+    }
+    if !arguments.overwrite {
+        let help = "name another file, or add --overwrite to replace it";
+        return Err(Failure::input("F119", format!("{shown} exists"), help));
+    }
+    Ok(())
+}
+
+/// The bodies on their layers.
+fn sheet(content: &Content) -> Sheet {
+    let mut sheet = Sheet::default();
+    let mut put = |layer: &str, item: Item| {
+        // Black, green, cyan, magenta, red, yellow, blue and grey in turn.
+        let colours = [7, 3, 4, 6, 1, 2, 5, 8];
+        let colour = colours[sheet.layers.len() % colours.len()];
+        sheet.layer(layer, colour);
+        sheet.items.push(item);
+    };
+    let line =
+        |layer: &str, points: &[[f64; 2]]| Item::Line { layer: layer.into(), points: points.into(), closed: true };
+    let circle = |layer: &str, centre, radius| Item::Circle { layer: layer.into(), centre, radius };
+    match content {
+        Content::Model(scene) => {
+            scene.bodies.iter().for_each(|body| put(&body.layer, line(&body.layer, &body.outline)));
+            scene.particles.iter().for_each(|p| put(&p.layer, circle(&p.layer, p.centre, p.radius)));
+        }
+        Content::Drawing(drawing) => {
+            drawing.outlines.iter().for_each(|o| put(&o.layer, line(&o.layer, &o.points)));
+            drawing.circles.iter().for_each(|c| put(&c.layer, circle(&c.layer, c.centre, c.radius)));
+        }
+    }
+    sheet
+}
+
+/// Corners of the polygon that stands for a circle in ParaView files.
+const ROUND: usize = 32;
+
+/// The bodies as a ParaView file, circles as polygons.
+fn vtu(name: &str, content: &Content) -> Option<String> {
+    let round = |centre: [f64; 2], radius: f64| {
+        let corner = |k: usize| {
+            let (s, c) = (TAU * k as f64 / ROUND as f64).sin_cos();
+            [centre[0] + radius * c, centre[1] + radius * s]
+        };
+        Shape { outline: (0..ROUND).map(corner).collect(), role: "particle".into(), held: false }
+    };
+    let shapes: Vec<Shape> = match content {
+        Content::Model(scene) => {
+            let bodies = assess::analysis::blocks_as_built(scene).shapes.into_iter();
+            bodies.chain(scene.particles.iter().map(|p| round(p.centre, p.radius))).collect()
+        }
+        Content::Drawing(drawing) => {
+            let block = |o: &drawing::Outline| Shape { outline: o.points.clone(), role: "block".into(), held: false };
+            let outlines = drawing.outlines.iter().map(block);
+            outlines.chain(drawing.circles.iter().map(|c| round(c.centre, c.radius))).collect()
+        }
+    };
+    let at_rest = Snapshot { motions: vec![Motion::default(); shapes.len()], ..Snapshot::default() };
+    let picture = Picture { title: name.to_owned(), shapes, snapshots: vec![at_rest], ..Picture::default() };
+    figures::vtk::blocks(&picture, 0)
+}

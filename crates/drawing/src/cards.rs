@@ -1,0 +1,191 @@
+//! What a code of a finding means.
+
+/// The card of a code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Card {
+    /// The code.
+    pub code: &'static str,
+    /// In a few words.
+    pub title: &'static str,
+    /// Why it matters, and what to do.
+    pub text: &'static str,
+}
+
+const fn card(code: &'static str, title: &'static str, text: &'static str) -> Card {
+    Card { code, title, text }
+}
+
+/// Every card, in the order of the codes.
+pub const CARDS: &[Card] = &[
+    card(
+        "D101",
+        "no drawing that can be read",
+        "The file is empty, binary, breaks off, or is no DXF file at all; or nothing in it is an outline or a circle. Save the \
+         drawing as DXF with text (ASCII), version R2000 or later, with the outlines of the blocks in model space.",
+    ),
+    card(
+        "D102",
+        "the unit of the drawing is not known",
+        "The header of a DXF file says in $INSUNITS in which unit it is drawn. Where it does not, a bridge of 18 m may as well be \
+         one of 18 mm, so nothing is assumed: state unit = \"mm\" in [drawing], or --unit mm with `extrados convert`.",
+    ),
+    card(
+        "D103",
+        "an entity has values that cannot be read",
+        "A coordinate is missing, is no number or is infinite, or a spline has knots or weights that make no curve. The entity is \
+         left out and the drawing refused, for a block would be missing. Draw the entity again.",
+    ),
+    card(
+        "D104",
+        "entities left out",
+        "Texts, dimensions, hatches, points, solids and the like are no outlines. They are counted by layer and kind and left out. \
+         Where one of them is meant to be a block, draw its outline as a closed polyline. Layers with role = \"ignore\" are passed \
+         over without a word.",
+    ),
+    card(
+        "D105",
+        "an entity outside the plane",
+        "The model is plane: everything is drawn at z = 0 and seen from above (a mirror image, extrusion direction (0, 0, -1), is \
+         turned back). Heights up to the gap tolerance pass. Move the entity into the plane, or project the drawing.",
+    ),
+    card(
+        "D106",
+        "more than a drawing of a bridge holds",
+        "Files above 64 MB, more than 200 000 entities or 5000 layers, references that multiply without end, outlines of thousands of points, and \
+         coordinates beyond 1000 km are no drawing of blocks, and may be one meant to do harm. Export only the outlines, near the \
+         origin.",
+    ),
+    card(
+        "D107",
+        "a block reference that cannot be expanded",
+        "The block is not in the file (an external reference that was not bound), refers to itself, lies too deep inside others, or \
+         is inserted with a scale of zero. Bind or explode the reference before the export.",
+    ),
+    card(
+        "D108",
+        "two units for one drawing",
+        "The header names a unit and the model file, or --unit, another. The stated one is used. Take it out if the header is right.",
+    ),
+    card(
+        "D201",
+        "duplicate points removed",
+        "Points less than a micrometre apart are one corner. Nothing has to be done.",
+    ),
+    card(
+        "D202",
+        "points on straight edges dropped",
+        "A point within a micrometre of the line between its neighbours is no corner. Nothing has to be done.",
+    ),
+    card(
+        "D203",
+        "curves made into chords",
+        "Blocks have straight edges. Arcs, bulges, ellipses and splines become chords that lie no farther from the curve than \
+         chord_tolerance, a millimetre unless it is stated. The ends of a curve stay where they are.",
+    ),
+    card(
+        "D204",
+        "a gap closed",
+        "Two ends that lie within gap_tolerance of one another were joined in the middle of the gap. Look whether they are meant to \
+         meet.",
+    ),
+    card(
+        "D205",
+        "lines and arcs chained",
+        "Loose lines and arcs of one layer whose ends meet became one closed outline. Nothing has to be done.",
+    ),
+    card("D206", "a clockwise outline turned", "Outlines run counter-clockwise. Nothing has to be done."),
+    card(
+        "D207",
+        "a concave outline cut into pieces",
+        "Blocks are convex. With concave = \"cut\" a concave outline is cut along its diagonals, and each piece is a block of its own: \
+         the cuts open and slide like the other joints of that material, so the model is weaker than one solid stone.",
+    ),
+    card(
+        "D301",
+        "an outline that is not closed",
+        "A chain of lines ends without meeting its start, or three and more ends of a layer meet in one point, so that nobody can tell \
+         which belong together. Close the outline, or draw each block as a closed polyline; a larger gap_tolerance closes larger gaps.",
+    ),
+    card(
+        "D302",
+        "an outline that crosses itself",
+        "The outline of a block runs around it once. The message names the first crossing.",
+    ),
+    card(
+        "D303",
+        "a concave outline",
+        "Blocks are convex: contacts between them are found by their edges. A voussoir whose intrados is drawn as an arc is concave by \
+         the sagitta of that arc: a chord_tolerance at least as large makes one chord of it. Otherwise cut the block in two in the \
+         drawing, or state concave = \"cut\".",
+    ),
+    card("D304", "an outline without area", "The corners lie on one line, or a radius is zero. Take the entity out."),
+    card(
+        "D305",
+        "outlines that overlap",
+        "Two blocks cannot be in one place. They may touch, and be drawn into one another by round-off: a hundred-thousandth of the \
+         smaller one's half diagonal. The same outline drawn twice is reported as such.",
+    ),
+    card(
+        "D401",
+        "a layer that no entry maps",
+        "Every layer of the drawing with outlines or circles has a [[drawing.layer]] that says what is on it: role = \"block\", \
+         \"support\" or \"particles\" with a material, or role = \"ignore\". The message shows the lines to add.",
+    ),
+    card(
+        "D402",
+        "a layer that is not in the drawing",
+        "A [[drawing.layer]] names a layer on which nothing is drawn. Names do not tell capitals apart, but every other letter counts.",
+    ),
+    card(
+        "D403",
+        "circles and outlines on the wrong layer",
+        "Circles stand for particles, outlines for blocks and supports. A circle on a layer of blocks, or an outline on a layer of \
+         particles, is most likely on the wrong layer. To have a round block, draw it as a polygon.",
+    ),
+    card(
+        "D404",
+        "a load that finds no block",
+        "A load at a point acts on the block that holds this point, or on whose edge it lies. Where it finds none, or a support, it \
+         would vanish. The message names the nearest block.",
+    ),
+    card(
+        "D405",
+        "the model cannot be built",
+        "The outlines are sound and still make no model: there is no free block, a rounding leaves nothing of an edge, a block file \
+         names a block twice, or an analysis was asked for that needs an arch.",
+    ),
+    card(
+        "D406",
+        "particles need discrete elements",
+        "Limit analysis knows blocks only. A model with circles on layers with role = \"particles\" is analysed with method = \"dem\" \
+         and a load_step; role = \"ignore\" leaves the circles out.",
+    ),
+    card(
+        "D407",
+        "circles drawn over other bodies",
+        "Particles touch, or overlap by the little that they press on one another. A circle that reaches into another, or into a \
+         block, by more than a tenth of the smaller radius would be thrown out when the model is let go.",
+    ),
+    card(
+        "D408",
+        "particles that stick or crush",
+        "Contacts of particles carry no tension and do not crush. Give particles a material of their own with a [[joint]] whose \
+         tensile_strength is zero; the compressive strength of that material is not used.",
+    ),
+];
+
+/// The card of a code, however it is capitalised.
+pub fn explain(code: &str) -> Option<&'static Card> {
+    CARDS.iter().find(|card| card.code.eq_ignore_ascii_case(code.trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cards_are_complete_and_in_order() {
+        assert!(CARDS.windows(2).all(|pair| pair[0].code < pair[1].code));
+        assert!(CARDS.iter().all(|card| !card.title.is_empty() && card.text.len() > 40));
+    }
+}

@@ -1,0 +1,113 @@
+//! What was found in a drawing, as plain data.
+
+use crate::Point;
+
+/// How bad it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Something was made simpler, within the stated tolerance.
+    Note,
+    /// Something was repaired or left out: a reader should look.
+    Warning,
+    /// The drawing cannot be used.
+    Error,
+}
+
+/// Where in a drawing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Place {
+    /// Layer; empty where the finding is about the file.
+    pub layer: String,
+    /// What stands there: "LWPOLYLINE 2F", "LINE 31 in INSERT 40"; empty where it is about the file.
+    pub entity: String,
+    /// Coordinates [m], where there is a point.
+    pub at: Option<Point>,
+}
+
+impl Place {
+    /// The same place at a point [m].
+    pub fn at(&self, point: Point) -> Place {
+        Place { at: Some(point), ..self.clone() }
+    }
+
+    /// In words: "layer RING, LWPOLYLINE 2F, at (1.250, 3.000) m".
+    pub fn words(&self) -> String {
+        let mut parts = Vec::new();
+        if !self.layer.is_empty() {
+            parts.push(format!("layer {}", self.layer));
+        }
+        if !self.entity.is_empty() {
+            parts.push(self.entity.clone());
+        }
+        if let Some([x, y]) = self.at {
+            // Adding zero takes the sign off a negative zero.
+            parts.push(format!("at ({:.4}, {:.4}) m", x + 0.0, y + 0.0));
+        }
+        parts.join(", ")
+    }
+}
+
+/// One finding about a drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// Stable code, `D…`; its card is in [`cards`](crate::cards).
+    pub code: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Where.
+    pub place: Place,
+    /// What was found, in one line.
+    pub message: String,
+    /// What to do about it; empty where nothing has to be done.
+    pub help: String,
+}
+
+/// No list of findings is longer; more say no more.
+const MOST: usize = 2000;
+
+/// Collects findings.
+#[derive(Debug, Default)]
+pub(crate) struct Findings {
+    pub(crate) list: Vec<Finding>,
+    /// Errors that no longer fit.
+    beyond: usize,
+}
+
+impl Findings {
+    pub(crate) fn add(
+        &mut self,
+        severity: Severity,
+        code: &'static str,
+        place: Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        if self.list.len() < MOST {
+            self.list.push(Finding { code, severity, place, message: message.into(), help: help.into() });
+        } else if severity == Severity::Error {
+            self.beyond += 1;
+        }
+    }
+
+    pub(crate) fn error(&mut self, code: &'static str, place: Place, message: impl Into<String>, help: &str) {
+        self.add(Severity::Error, code, place, message, help);
+    }
+
+    pub(crate) fn warning(&mut self, code: &'static str, place: Place, message: impl Into<String>, help: &str) {
+        self.add(Severity::Warning, code, place, message, help);
+    }
+
+    pub(crate) fn note(&mut self, code: &'static str, place: Place, message: impl Into<String>) {
+        self.add(Severity::Note, code, place, message, "");
+    }
+
+    /// All of them; errors that did not fit are counted in one more.
+    pub(crate) fn finish(mut self) -> Vec<Finding> {
+        if self.beyond > 0 {
+            let message = format!("{} more errors are not listed", self.beyond);
+            let help = "mend those listed first".to_owned();
+            self.list.push(Finding { code: "D106", severity: Severity::Error, place: Place::default(), message, help });
+        }
+        self.list
+    }
+}

@@ -1,0 +1,30 @@
+//! Drawings (DXF) as closed outlines and circles in metres, both ways. A leaf: it knows neither bridges nor mechanics.
+//!
+//! Reading never fails, whatever the bytes are: it gives what it understood and every finding, each with the layer, the
+//! handle and the coordinates of its place. [`read()`] goes through four steps: the sieve keeps the parts of
+//! the file that describe geometry, the crate `dxf` reads them, curves become chords and block references are expanded,
+//! and what comes out is chained, repaired and checked until only convex outlines are left.
+//!
+//! Lengths are in metres, x to the right, y up.
+
+pub mod cards;
+mod chain;
+mod curve;
+mod cut;
+mod entities;
+mod finding;
+mod outline;
+mod overlap;
+mod read;
+mod sieve;
+mod transform;
+mod units;
+mod write;
+
+pub use finding::{Finding, Place, Severity};
+pub use read::{Circle, Concave, Drawing, Options, Outline, Read, read};
+pub use units::{UNITS, Unit};
+pub use write::{Item, Layer, Sheet, layer_name};
+
+/// A point [m].
+pub type Point = [f64; 2];

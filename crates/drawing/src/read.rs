@@ -1,0 +1,177 @@
+//! Reading a drawing: from bytes to outlines and circles, with every finding.
+
+use crate::Point;
+use crate::finding::{Finding, Findings, Place, Severity};
+use crate::units::numbered;
+use crate::{chain, entities, outline, overlap, sieve};
+use std::collections::BTreeSet;
+
+/// What to do with an outline that is not convex.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Concave {
+    /// It is an error.
+    Refuse,
+    /// It is cut into convex pieces.
+    Cut,
+}
+
+/// How a drawing is to be read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Metres in one unit of the drawing, in place of what its header says.
+    pub unit: Option<f64>,
+    /// How far a chord may lie from its curve [m].
+    pub chord_tolerance: f64,
+    /// How far apart ends may lie that are meant to meet [m].
+    pub gap_tolerance: f64,
+    /// What to do with an outline that is not convex.
+    pub concave: Concave,
+    /// Layers that are passed over, whatever is on them.
+    pub ignored: Vec<String>,
+}
+
+impl Default for Options {
+    /// A millimetre is what a survey of masonry resolves, for curves and for gaps.
+    fn default() -> Options {
+        Options {
+            unit: None,
+            chord_tolerance: 1e-3,
+            gap_tolerance: 1e-3,
+            concave: Concave::Refuse,
+            ignored: Vec::new(),
+        }
+    }
+}
+
+/// A closed convex outline, counter-clockwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    /// Its layer.
+    pub layer: String,
+    /// What it was drawn as.
+    pub place: Place,
+    /// Corners [m]; the last is not the first again.
+    pub points: Vec<Point>,
+}
+
+/// A circle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Circle {
+    /// Its layer.
+    pub layer: String,
+    /// What it was drawn as.
+    pub place: Place,
+    /// Centre [m].
+    pub centre: Point,
+    /// Radius [m].
+    pub radius: f64,
+}
+
+/// A drawing as outlines and circles in metres, in the order of the file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Drawing {
+    /// Closed outlines.
+    pub outlines: Vec<Outline>,
+    /// Circles.
+    pub circles: Vec<Circle>,
+    /// Layers on which something was drawn that is, or should be, an outline or a circle; in order of first use.
+    pub layers: Vec<String>,
+    /// Metres in one unit of the drawing.
+    pub unit: f64,
+}
+
+/// What reading gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Read {
+    /// What was understood. Whether it can be used is for the findings.
+    pub drawing: Drawing,
+    /// Every finding.
+    pub findings: Vec<Finding>,
+}
+
+impl Read {
+    /// Whether no finding is an error.
+    pub fn is_usable(&self) -> bool {
+        self.findings.iter().all(|finding| finding.severity != Severity::Error)
+    }
+}
+
+/// Whether a layer is passed over. Names of layers do not tell capitals apart.
+pub(crate) fn is_ignored(options: &Options, layer: &str) -> bool {
+    options.ignored.iter().any(|name| name.to_uppercase() == layer.to_uppercase())
+}
+
+/// Reads a drawing from the bytes of a DXF file.
+pub fn read(bytes: &[u8], options: &Options) -> Read {
+    let mut findings = Findings::default();
+    let drawing = understand(bytes, options, &mut findings).unwrap_or_default();
+    Read { drawing, findings: findings.finish() }
+}
+
+fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Option<Drawing> {
+    let sieved = sieve::sieve(bytes, findings)?;
+    let unit = unit(sieved.unit, options, findings);
+    for ((layer, kind), count) in sieved.left_out.iter().filter(|((layer, _), _)| !is_ignored(options, layer)) {
+        let place = Place { layer: layer.clone(), ..Place::default() };
+        let message = format!(
+            "{count} of kind {kind} left out: only lines, arcs, polylines, circles, ellipses, splines \
+                               and block references become outlines"
+        );
+        findings.warning("D104", place, message, "draw what is meant to be a block as a closed polyline");
+    }
+    let loaded = match dxf::Drawing::load(&mut sieved.text.as_bytes()) {
+        Ok(loaded) => loaded,
+        Err(error) => {
+            findings.error("D101", Place::default(), format!("the file cannot be read: {error}"), "export it again");
+            return None;
+        }
+    };
+    let drawn = entities::expand(&loaded, unit, options, findings);
+    let layers = layers(&drawn);
+    let closed = chain::close(drawn.strands, options, findings);
+    let outlines: Vec<Outline> =
+        closed.into_iter().flat_map(|strand| outline::check(strand, options, findings)).collect();
+    let circle = |r: entities::Ring| Circle {
+        layer: r.place.layer.clone(),
+        place: r.place.at(r.centre),
+        centre: r.centre,
+        radius: r.radius,
+    };
+    let circles = drawn.rings.into_iter().map(circle).collect();
+    overlap::check(&outlines, findings);
+    if layers.is_empty() && !findings.list.iter().any(|f| f.severity == Severity::Error) {
+        let help = "export the outlines of the blocks; see also what was left out";
+        findings.error("D101", Place::default(), "there is no outline and no circle in the drawing", help);
+    }
+    Some(Drawing { outlines, circles, layers, unit })
+}
+
+/// Every layer on which something is drawn, in order of first use.
+fn layers(drawn: &entities::Strands) -> Vec<String> {
+    let places = drawn.strands.iter().map(|s| &s.place).chain(drawn.rings.iter().map(|r| &r.place));
+    let mut known = BTreeSet::new();
+    places.filter(|place| known.insert(place.layer.as_str())).map(|place| place.layer.clone()).collect()
+}
+
+/// Metres in one unit of the drawing: what the caller says, else the header.
+fn unit(header: Option<i16>, options: &Options, findings: &mut Findings) -> f64 {
+    let known = header.and_then(numbered);
+    match (options.unit, known, header) {
+        (Some(said), Some(unit), _) if (said - unit.metres).abs() > 1e-9 * said => {
+            let message = format!("the header says {}, the unit stated for this drawing is {said} m", unit.symbol);
+            findings.warning("D108", Place::default(), message, "take `unit` out if the header is right");
+            said
+        }
+        (Some(said), _, _) => said,
+        (None, Some(unit), _) => unit.metres,
+        (None, None, number) => {
+            let message = match number {
+                None => "the drawing does not say in which unit it is drawn: its header has no $INSUNITS".to_owned(),
+                Some(0) => "the drawing does not say in which unit it is drawn: $INSUNITS is 0".to_owned(),
+                Some(other) => format!("no bridge is drawn in the unit of this drawing ($INSUNITS is {other})"),
+            };
+            findings.error("D102", Place::default(), message, "state the unit, such as unit = \"mm\" or --unit mm");
+            1.0
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! The parts of a DXF file that describe geometry, checked pair by pair before anything is made of them.
+//!
+//! The crate `dxf` passes over entities it does not know and breaks off at the first value it cannot read. Both must be
+//! said, so the file is taken apart here into its pairs of a group code and a value. Only the header's unit, the blocks
+//! and the entities that become outlines go on, with only those of their groups that are needed; the rest is counted.
+//! Group codes after Autodesk, DXF Reference (2018).
+
+use crate::finding::{Findings, Place};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// No drawing of a bridge is longer [bytes].
+const LONGEST: usize = 64 << 20;
+/// Entities read in one go; more is no drawing of a bridge, but something else.
+const MOST_ENTITIES: usize = 200_000;
+
+/// Layers that entities lie on, likewise: the reader looks through all of them for each.
+const MOST_LAYERS: usize = 5_000;
+
+/// What goes on to the crate `dxf`, and what the file says of itself.
+#[derive(Debug, Default)]
+pub(crate) struct Sieved {
+    /// A small DXF file: blocks and entities alone.
+    pub(crate) text: String,
+    /// `$INSUNITS`, where the header has it.
+    pub(crate) unit: Option<i16>,
+    /// Entities that do not become outlines: layer, kind, how many.
+    pub(crate) left_out: BTreeMap<(String, String), usize>,
+}
+
+/// A group: code, value, number of the line that holds the value.
+struct Group<'a> {
+    code: i32,
+    value: &'a str,
+    line: usize,
+}
+
+/// What an entity keeps besides handle, layer and paper space.
+fn kept(kind: &str) -> Option<&'static [i32]> {
+    Some(match kind {
+        "LINE" => &[10, 20, 30, 11, 21, 31],
+        "LWPOLYLINE" => &[10, 20, 42, 38, 70, 210, 220, 230],
+        "POLYLINE" => &[10, 20, 30, 70, 210, 220, 230],
+        "VERTEX" => &[10, 20, 30, 42, 70],
+        "SEQEND" => &[],
+        "ARC" => &[10, 20, 30, 40, 50, 51, 210, 220, 230],
+        "CIRCLE" => &[10, 20, 30, 40, 210, 220, 230],
+        "ELLIPSE" => &[10, 20, 30, 11, 21, 31, 40, 41, 42, 210, 220, 230],
+        "SPLINE" => &[10, 20, 30, 40, 41, 70, 71],
+        "INSERT" => &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71, 210, 220, 230],
+        "BLOCK" => &[2, 10, 20, 30, 70],
+        "ENDBLK" => &[],
+        _ => return None,
+    })
+}
+
+/// Takes a file apart.
+pub(crate) fn sieve(bytes: &[u8], findings: &mut Findings) -> Option<Sieved> {
+    let whole = Place::default;
+    const SAVE: &str = "save the drawing as DXF with text (ASCII), version R2000 or later";
+    if bytes.len() > LONGEST {
+        let message = format!("the file is {:.0} MB long", bytes.len() as f64 / 1e6);
+        findings.error("D106", whole(), message, "export only the outlines of the blocks");
+        return None;
+    }
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        findings.error("D101", whole(), "the file is empty", "export the drawing again");
+        return None;
+    }
+    if bytes.starts_with(b"AutoCAD Binary DXF") || bytes.starts_with(b"AutoCAD DXB") || bytes.starts_with(b"AC10") {
+        findings.error("D101", whole(), "the file is binary: a binary DXF, a DXB or a DWG file", SAVE);
+        return None;
+    }
+    let text = decode(bytes);
+    let groups = match groups(&text) {
+        Ok(groups) => groups,
+        Err(line) => {
+            let message = format!("line {line} is not a group code: a DXF file is pairs of a number and a value");
+            findings.error("D101", whole(), message, SAVE);
+            return None;
+        }
+    };
+    let mut sieved = sections(&groups, findings);
+    if !groups.last().is_some_and(|g| g.code == 0 && g.value == "EOF") {
+        let line = groups.last().map_or(0, |g| g.line);
+        findings.error("D101", whole(), format!("the file breaks off after line {line}"), "export the drawing again");
+    }
+    sieved.text.push_str("0\nENDSEC\n0\nEOF\n");
+    Some(sieved)
+}
+
+/// Text of any encoding: UTF-8 where it is, else byte by byte, which keeps the names of layers apart.
+fn decode(bytes: &[u8]) -> String {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
+    }
+}
+
+/// All pairs; the number of the first line that should be a group code and is none. What follows EOF is not read.
+fn groups(text: &str) -> Result<Vec<Group<'_>>, usize> {
+    let mut lines = text.lines().enumerate();
+    let mut groups = Vec::new();
+    while let Some((number, line)) = lines.next() {
+        let word = line.trim();
+        let Ok(code) = word.parse::<i32>() else {
+            // Blank lines at the end are no harm.
+            let rest_blank = word.is_empty() && lines.all(|(_, line)| line.trim().is_empty());
+            return if rest_blank { Ok(groups) } else { Err(number + 1) };
+        };
+        let Some((below, value)) = lines.next() else { return Ok(groups) };
+        let value = value.trim();
+        groups.push(Group { code, value, line: below + 1 });
+        if code == 0 && value == "EOF" {
+            break;
+        }
+    }
+    Ok(groups)
+}
+
+fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
+    let mut out = Sieved::default();
+    // The version says that the text below is UTF-8.
+    out.text.push_str("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1024\n");
+    let (mut section, mut opened, mut entities, mut in_polyline) = ("", "", 0, false);
+    let mut layers: BTreeSet<&str> = BTreeSet::new();
+    let mut at = 0;
+    while at < groups.len() {
+        let group = &groups[at];
+        let end = groups[at + 1..].iter().position(|g| g.code == 0).map_or(groups.len(), |n| at + 1 + n);
+        let body = &groups[at + 1..end];
+        at = end;
+        if group.code != 0 {
+            continue;
+        }
+        match group.value {
+            "SECTION" => {
+                section = body.iter().find(|g| g.code == 2).map_or("", |g| g.value);
+                if section == "HEADER" {
+                    out.unit = unit(body);
+                }
+                continue;
+            }
+            "ENDSEC" => {
+                section = "";
+                continue;
+            }
+            "EOF" => break,
+            _ if section != "BLOCKS" && section != "ENTITIES" => continue,
+            _ => {}
+        }
+        if opened != section {
+            let _ = std::fmt::Write::write_fmt(&mut out.text, format_args!("0\nENDSEC\n0\nSECTION\n2\n{section}\n"));
+            opened = section;
+        }
+        entities += 1;
+        layers.extend(body.iter().find(|g| g.code == 8).map(|g| g.value));
+        if entities > MOST_ENTITIES || layers.len() > MOST_LAYERS {
+            let message = format!("there are more than {MOST_ENTITIES} entities or {MOST_LAYERS} layers");
+            findings.error("D106", Place::default(), message, "export only the outlines of the blocks");
+            break;
+        }
+        let kind = group.value;
+        match kind {
+            "POLYLINE" => in_polyline = true,
+            "VERTEX" => {}
+            // A sequence of attributes ends like a sequence of vertices.
+            "SEQEND" if !in_polyline => continue,
+            _ => in_polyline = false,
+        }
+        match kept(kind) {
+            Some(codes) => entity(kind, codes, group.line, body, &mut out.text, findings),
+            None if kind == "ATTRIB" || kind == "ATTDEF" => {}
+            None => *out.left_out.entry((layer(body), shorten(kind))).or_insert(0) += 1,
+        }
+    }
+    out
+}
+
+/// `$INSUNITS` of the header.
+fn unit(header: &[Group<'_>]) -> Option<i16> {
+    let at = header.iter().position(|g| g.code == 9 && g.value == "$INSUNITS")?;
+    header.get(at + 1).filter(|g| g.code == 70).and_then(|g| g.value.parse().ok())
+}
+
+fn layer(body: &[Group<'_>]) -> String {
+    body.iter().find(|g| g.code == 8).map_or_else(|| "0".to_owned(), |g| unescape(g.value))
+}
+
+/// Writes an entity, or says which of its values cannot be read.
+fn entity(kind: &str, codes: &[i32], line: usize, body: &[Group<'_>], out: &mut String, findings: &mut Findings) {
+    let handle = body.iter().find(|g| g.code == 5).map_or("", |g| g.value);
+    let place = || Place { layer: layer(body), entity: format!("{kind} {}", shorten(handle)).trim().into(), at: None };
+    let mut text = format!("0\n{kind}\n");
+    let mut put = |code: i32, value: &str| {
+        let _ = std::fmt::Write::write_fmt(&mut text, format_args!("{code}\n{value}\n"));
+    };
+    let mut coordinates = [0usize; 2];
+    for group in body {
+        let known = matches!(group.code, 5 | 8 | 67) || codes.contains(&group.code);
+        if !known {
+            continue;
+        }
+        match group.code {
+            5 => {
+                if u64::from_str_radix(group.value, 16).is_ok() {
+                    put(5, group.value);
+                }
+            }
+            2 | 8 => put(group.code, &unescape(group.value)),
+            60..=79 => match group.value.parse::<f64>() {
+                Ok(number) if number.is_finite() => put(group.code, &format!("{}", number as i16)),
+                _ => return unreadable(place(), group, findings),
+            },
+            _ => match group.value.parse::<f64>() {
+                Ok(number) if number.is_finite() => {
+                    // A vertex starts with its x; a bulge or a height before the first belongs to none.
+                    let early = kind == "LWPOLYLINE" && matches!(group.code, 20 | 42) && coordinates[0] == 0;
+                    match group.code {
+                        10 => coordinates[0] += 1,
+                        20 => coordinates[1] += 1,
+                        _ => {}
+                    }
+                    if !early {
+                        put(group.code, group.value);
+                    }
+                }
+                _ => return unreadable(place(), group, findings),
+            },
+        }
+    }
+    let needed = !matches!(kind, "SEQEND" | "ENDBLK" | "BLOCK" | "POLYLINE");
+    if coordinates[0] != coordinates[1] || (needed && coordinates[0] == 0) {
+        let message = format!("the entity that starts in line {line} lacks coordinates");
+        findings.error("D103", place(), message, "draw it again, or take it out");
+        return;
+    }
+    // Splines with points in space have a third coordinate each; without, it is zero.
+    let heights = body.iter().filter(|g| g.code == 30).count();
+    if kind == "SPLINE" {
+        for _ in heights..coordinates[0] {
+            put(30, "0.0");
+        }
+        if heights > coordinates[0] {
+            findings.error("D103", place(), "a spline has more heights than points", "draw it again, or take it out");
+            return;
+        }
+    }
+    out.push_str(&text);
+}
+
+fn unreadable(place: Place, group: &Group<'_>, findings: &mut Findings) {
+    let message = format!("line {}: \"{}\" is no number (group code {})", group.line, shorten(group.value), group.code);
+    findings.error("D103", place, message, "draw the entity again, or take it out");
+}
+
+/// Characters that old versions write as \U+00C5.
+fn unescape(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find("\\U+") {
+        let code = rest.get(at + 3..at + 7).and_then(|hex| u32::from_str_radix(hex, 16).ok()).and_then(char::from_u32);
+        let Some(character) = code else { break };
+        out.push_str(&rest[..at]);
+        out.push(character);
+        rest = &rest[at + 7..];
+    }
+    out.push_str(rest);
+    // A name stands on one line, and is written back on one.
+    out.retain(|c| !c.is_control());
+    out
+}
+
+/// A word of the file as it may be quoted.
+fn shorten(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).take(40).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn escapes_of_old_versions_become_letters() {
+        assert_eq!(unescape("\\U+00C5NGSTR\\U+00D6M"), "ÅNGSTRÖM");
+        assert_eq!(unescape("\\U+ZZ"), "\\U+ZZ");
+        assert_eq!(unescape("\\U+"), "\\U+");
+    }
+}
