@@ -147,9 +147,6 @@ fn filled(b: &mut Bridge) {
         friction_angle: None,
         cohesion: None,
         elastic_modulus: None,
-        friction_angle: None,
-        cohesion: None,
-        particles: false,
         slabs: None,
     }];
     b.cover.depth = 0.4;
