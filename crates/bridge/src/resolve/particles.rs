@@ -79,7 +79,7 @@ fn sizes(table: &Table<'_>, findings: &mut Findings) -> Option<Sizes> {
     let smallest = table.quantity("smallest_diameter", findings);
     let largest = table.quantity("largest_diameter", findings);
     if table.has("count") {
-        for key in ["smallest_diameter", "largest_diameter"].into_iter().filter(|key| table.has(key)) {
+        if let Some(key) = ["smallest_diameter", "largest_diameter"].into_iter().find(|key| table.has(key)) {
             exclude(table, key, "`count`", findings);
             return None;
         }
