@@ -113,8 +113,8 @@ pub enum AnalysisError {
     },
 }
 
-/// Least side of a sample of fill in mean diameters of its particles: narrower ones are walls more than fill.
-pub(crate) const LEAST_SAMPLE: f64 = 4.0;
+/// Least side of a sample of fill in mean diameters of its particles: with fewer side by side each touches a wall.
+pub(crate) const LEAST_SAMPLE: f64 = 3.0;
 
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
 /// Particles are drawn where a saved packing says where they are.

@@ -14,7 +14,7 @@ mod squares;
 mod tests;
 
 pub use moduli::{Curve, CurvePoint, Moduli, Spread};
-pub use press::Pressed;
+pub use press::{Moment, Pressed};
 pub use report::{At, CalibrationReport, Check, Confined, Drawn, Measured, Verdict};
 pub use sample::{Cut, Sample};
 
@@ -61,7 +61,7 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
             if !report.table.iter().any(|known| known.multiple == measured.multiple) {
                 report.leave_out(&measured);
             }
-            report.found = Some(measured);
+            report.found = Some(*measured);
         }
         Found::OutOfReach(reach) => return Ok(report.out_of_reach(wanted, reach)),
         Found::Stopped => return Ok(report.cancelled()),

@@ -27,10 +27,19 @@ pub struct Pressed {
     pub height: f64,
     /// Mean stress under the block [Pa] and its sinking since it first rested [m], at the start and after each step.
     pub path: Vec<[f64; 2]>,
-    /// Centres and radii [m] of the particles, and the level of the block's underside, at the first rest and the last.
-    pub moments: Vec<(Vec<[f64; 3]>, f64)>,
+    /// The first rest and the last.
+    pub moments: Vec<Moment>,
     /// Iterations.
     pub iterations: u64,
+}
+
+/// The sample at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moment {
+    /// Centres and radii of the particles [m].
+    pub particles: Vec<[f64; 3]>,
+    /// Level of the block's underside [m].
+    pub block: f64,
 }
 
 impl Rig {
@@ -62,10 +71,10 @@ impl Rig {
         };
         let settled: Vec<&Frame> = outcome.frames[..outcome.last_stable_frame.map_or(0, |k| k + 1)].iter().collect();
         let moment = |frame: &&Frame| {
-            let circles = frame.particles.iter().map(|p| [p.centre.x, p.centre.y, p.radius]).collect();
+            let particles = frame.particles.iter().map(|p| [p.centre.x, p.centre.y, p.radius]).collect();
             let (block, point) = built.watched;
             let sunk = frame.poses[block].position - built.model.blocks[block].outline.centroid();
-            (circles, point.y + sunk.y)
+            Moment { particles, block: point.y + sunk.y }
         };
         Ok(Pressed {
             status: outcome.status,

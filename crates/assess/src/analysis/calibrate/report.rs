@@ -1,7 +1,7 @@
 //! What a calibration found.
 
 use super::moduli::{Curve, CurvePoint, Moduli, Spread, scatter};
-use super::press::Pressed;
+use super::press::{Moment, Pressed};
 use super::sample::{Cut, Sample};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, Calibration, Modulus};
@@ -110,7 +110,7 @@ pub struct Measured {
     /// Iterations in all.
     pub iterations: u64,
     /// The first sample that counts: its index, and its particles before and after.
-    drawn: Option<(usize, Vec<(Vec<[f64; 3]>, f64)>)>,
+    drawn: Option<(usize, Vec<Moment>)>,
 }
 
 /// Particles in the press.
@@ -273,11 +273,8 @@ fn drawn(measured: &Measured, samples: &[Sample]) -> Option<Drawn> {
     let [first, last] = &moments[..] else { return None };
     let sample = &samples[*k];
     let points = &measured.samples[*k].2.points;
-    let confined = |(particles, block): &(Vec<[f64; 3]>, f64), stress| Confined {
-        particles: particles.clone(),
-        block: *block,
-        stress,
-    };
+    let confined =
+        |moment: &Moment, stress| Confined { particles: moment.particles.clone(), block: moment.block, stress };
     Some(Drawn {
         name: (sample.seed, sample.square),
         size: sample.size,

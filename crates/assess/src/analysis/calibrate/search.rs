@@ -9,7 +9,7 @@ use bridge::Modulus;
 /// How a search ended.
 pub enum Found {
     /// The multiple with the wanted modulus.
-    Multiple(Measured),
+    Multiple(Box<Measured>),
     /// Lowest and highest modulus that stiffness reaches.
     OutOfReach([At; 2]),
     /// The onlooker stopped it.
@@ -35,7 +35,7 @@ pub fn search(
     let mut beyond = [BEYOND; 2];
     loop {
         if let Some((_, near)) = nearest(&known, wanted).filter(|k| off(k.0, wanted).abs() <= tolerance) {
-            return Ok(Found::Multiple(near.clone()));
+            return Ok(Found::Multiple(Box::new(near.clone())));
         }
         if let Some(k) = known.windows(2).position(|p| p[0].0.modulus <= wanted && wanted <= p[1].0.modulus) {
             let [low, high] = [known[k].0, known[k + 1].0];
@@ -104,7 +104,7 @@ fn close_in(
         }
     }
     match nearest(&known, wanted) {
-        Some((_, near)) => Ok(Found::Multiple(near.clone())),
+        Some((_, near)) => Ok(Found::Multiple(Box::new(near.clone()))),
         None => Ok(Found::OutOfReach([low, high])),
     }
 }

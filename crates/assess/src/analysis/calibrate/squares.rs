@@ -94,7 +94,7 @@ mod tests {
         let outline: Vec<(f64, f64)> = back.iter().copied().chain([(20.0, 4.0), (0.0, 4.0)]).collect();
         let region = region(&outline, 4.0);
         let found = squares(&region, 1.0, 0.1);
-        assert!(found.len() >= 8 && found.len() % 2 == 0, "{found:?}");
+        assert!(found.len() >= 8 && found.len().is_multiple_of(2), "{found:?}");
         assert!(apart(&found, 1.0));
         for corner in &found {
             let under = back.iter().filter(|p| p.0 >= corner.x - 0.1 && p.0 <= corner.x + 1.1).map(|p| p.1);
