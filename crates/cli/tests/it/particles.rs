@@ -5,8 +5,8 @@ use crate::stage::{Stage, number};
 /// Case 3 with few particles and few load steps.
 fn small() -> String {
     let text = include_str!("../../../../examples/bridgemill/case-3.toml");
-    let text = text.replace("count = 1984", "count = 80").replace("load_limit = \"10 MN\"", "load_limit = \"400 kN\"");
-    assert!(text.contains("count = 80") && text.contains("400 kN"), "case 3 has another form");
+    let text = text.replace("count = 1984", "count = 240").replace("load_limit = \"10 MN\"", "load_limit = \"250 kN\"");
+    assert!(text.contains("count = 240") && text.contains("250 kN"), "case 3 has another form");
     text
 }
 
@@ -25,7 +25,7 @@ fn a_saved_packing_gives_the_same_run_bit_for_bit() {
         assert!(names.iter().any(|n| n == name), "{name} is not among {names:?}");
     }
     assert!(stage.names("grown/paraview").iter().any(|n| n == "particles.pvd"));
-    assert_eq!(stage.read("grown/particles.csv").lines().count(), 81);
+    assert_eq!(stage.read("grown/particles.csv").lines().count(), 241);
     let packing = &grown["packing"];
     assert!((0.6..0.95).contains(&number(packing, "solid_fraction")), "{packing}");
     for key in ["coordination", "mean_stress_kpa", "smallest_diameter_m", "largest_diameter_m", "settlement_mm", "seed"]
@@ -34,7 +34,7 @@ fn a_saved_packing_gives_the_same_run_bit_for_bit() {
     }
 
     stage.write("packing.csv", stage.read("grown/packing.csv"));
-    stage.write("saved.toml", text.replace("count = 80", "count = 80\nfile = \"packing.csv\""));
+    stage.write("saved.toml", text.replace("count = 240", "count = 240\nfile = \"packing.csv\""));
     let (saved, ending) = stage.object(&["collapse", "saved.toml", "--out", "saved"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     for table in ["path", "particles", "particle-contacts", "contacts", "blocks"].map(|n| format!("{n}.csv")) {
@@ -52,13 +52,13 @@ fn a_saved_packing_gives_the_same_run_bit_for_bit() {
         assert_eq!(answer["status"], "completed");
         stage.read("drawn/bridge.svg").matches("<circle").count()
     };
-    assert_eq!([circles("grown.toml"), circles("saved.toml")], [0, 80]);
+    assert_eq!([circles("grown.toml"), circles("saved.toml")], [0, 240]);
 }
 
 #[test]
 fn a_packing_that_cannot_be_used_is_told_with_its_lines() {
     let stage = Stage::new("particles-unusable");
-    let text = small().replace("count = 80", "count = 80\nfile = \"packing.csv\"");
+    let text = small().replace("count = 240", "count = 240\nfile = \"packing.csv\"");
     stage.write("bridge.toml", text);
     let refused = |code: &str, words: &[&str]| {
         for command in ["check", "collapse"] {
