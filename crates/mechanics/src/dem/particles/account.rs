@@ -21,8 +21,7 @@ impl Particles {
     pub fn unbalanced(&self) -> f64 {
         let mut sum = 0.0;
         for chunk in &self.chunks {
-            with_forces(chunk, &self.chunks, |k, force| {
-                let _ = k;
+            with_forces(chunk, &self.chunks, |_, force| {
                 sum += force[0].abs() + force[1].abs() + std::f64::consts::SQRT_2 * force[2].abs();
             });
         }
