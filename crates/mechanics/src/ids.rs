@@ -35,6 +35,14 @@ ids! {
     ParticleId,
     /// A group of bodies that share the laws of their contacts: voussoirs of one ring, a pier, backing.
     GroupId,
+    /// A node of a finite element [`Mesh`](crate::fem::Mesh).
+    NodeId,
+    /// A quadrilateral of a finite element [`Mesh`](crate::fem::Mesh).
+    QuadId,
+    /// A row of facing node pairs of a finite element [`Mesh`](crate::fem::Mesh).
+    InterfaceId,
+    /// A zone of one material of a finite element [`Mesh`](crate::fem::Mesh).
+    ZoneId,
 }
 
 /// A `Vec<T>` that can only be indexed by its own id.

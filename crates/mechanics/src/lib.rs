@@ -14,6 +14,7 @@
 
 pub mod blocks;
 pub mod dem;
+pub mod fem;
 pub mod ids;
 pub mod limit;
 pub mod plane;

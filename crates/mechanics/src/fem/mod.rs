@@ -1,0 +1,6 @@
+//! Finite elements in the plane: solids of quadrilaterals, joints and contacts between them.
+
+pub mod law;
+mod mesh;
+
+pub use mesh::{Interface, Mesh, Quad, Quadrature};
