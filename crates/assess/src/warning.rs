@@ -96,6 +96,11 @@ cards! {
          their widths. Both must reach them together for the sum to hold: a stiff wall fails while the rest is still far \
          from its load, and walls lean outwards before they fail in their plane. Where the walls carry much more of the \
          sum than their share of the width, rely on the strip between them.";
+    /// Particles that bridge the cover.
+    COARSE_PARTICLES = "A115", "a particle is larger than the cover is deep",
+        "The largest particle reaches from the ring to the road at the shallowest place of the cover. There the fill is single \
+         stones wedged between load and ring, and neither its weight nor its strength is that of a fill. Take more particles \
+         until several lie above one another at the crown: compare the answers of several seeds and counts.";
     /// A wanted modulus of fill that no stiffness gives.
     OUT_OF_REACH = "A120", "the wanted modulus of the fill is out of reach",
         "Stiffer contacts make the fill stiffer only as long as contacts are what yields: particles that slide and roll past \

@@ -288,6 +288,9 @@ pub struct Bench {
     /// For `disks`: compare with this many boxes stepped side by side, one thread each
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
     pub copies: Option<u16>,
+    /// For `disks`: measure this many steps from the expanded packing on, settling included, and once
+    #[arg(long, value_name = "N", conflicts_with_all = ["copies", "repeats"], value_parser = clap::value_parser!(u32).range(1..))]
+    pub steps: Option<u32>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,

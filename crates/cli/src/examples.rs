@@ -44,7 +44,7 @@ pub const ALL: &[Example] = &[
         name: "bridgemill",
         about: "the Bridgemill bridge, 18.3 m, tested to collapse",
         main: "case-1.toml",
-        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "calibration.toml", "parabola.toml", "vary.toml"),
+        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "vary.toml"),
     },
     Example {
         name: "tiny",

@@ -62,7 +62,7 @@ pub fn collapse_filled(
         dem.iterations_total += rested.outcome.iterations;
     }
     notes::dem(bridge, &d, &mut c);
-    notes::filled(&mut c);
+    notes::filled(bridge, &mut c);
     Ok(c)
 }
 

@@ -92,7 +92,7 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
 }
 
 /// Notes on fill that is particles.
-pub fn filled(c: &mut Collapse) {
+pub fn filled(bridge: &Bridge, c: &mut Collapse) {
     c.assumptions.push(
         "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of the \
          region that they cover. Discs roll, so that the fill as a whole is weaker than the friction of its contacts."
@@ -107,7 +107,17 @@ pub fn filled(c: &mut Collapse) {
             p.coordination,
             p.mean_stress / 1e3
         ));
+        if let Some(message) = wedged(p.diameters[1], bridge.cover.depth) {
+            c.warnings.push(Warning::new(warning::COARSE_PARTICLES, message));
+        }
     }
+}
+
+/// What is to be said where the largest particle [m] is larger than the cover is deep at its shallowest [m].
+fn wedged(largest: f64, depth: f64) -> Option<String> {
+    let message =
+        || format!("the largest particle is {largest:.3} m across, the cover over the crown {depth:.3} m deep");
+    (largest > depth).then(message)
 }
 
 /// Says so where limit analysis with crushing joints carries less than the discrete elements did [N/m].
@@ -140,6 +150,9 @@ pub fn corrected(c: &mut Collapse, load: Option<f64>) {
 fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     let (Some(wall), Some(road)) = (&bridge.spandrel_wall, &d.road) else { return };
     let pieces = d.origins.iter().filter(|o| matches!(o, Origin::Brick { .. })).count();
+    if pieces == 0 {
+        return;
+    }
     let ends = if wall.end_walls { "fixed walls stand at both ends" } else { "its ends are free" };
     c.assumptions.push(format!(
         "A metre of the spandrel walls' own thickness: {pieces} pieces of bricks of {:.3} x {:.3} m stand on the ring from \
@@ -245,4 +258,16 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             bridge.dispersal.slope
         ),
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_particle_larger_than_the_cover_is_deep_is_told() {
+        assert_eq!(wedged(0.40, 0.478), None);
+        let said = wedged(0.5, 0.478).unwrap();
+        assert!(said.contains("0.500") && said.contains("0.478"), "{said}");
+    }
 }

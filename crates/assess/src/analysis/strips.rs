@@ -8,7 +8,8 @@ use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
 
 /// Analyses the strip between the walls, then that of the walls, and adds up their collapse loads by their widths: the
-/// result of the strip between the walls, with the other and the sum beside it. A kept state starts with the number of
+/// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
+/// held sideways and would hold a wall too, so the bricks of the walls are loaded themselves. A kept state starts with the number of
 /// the strip that was at work; on resuming the first strip is run again, to the same bits.
 pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let wall = bridge.spandrel_wall.as_ref().ok_or(crate::discretise::DiscretiseError::NoWall)?;
@@ -23,7 +24,10 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
         return Ok(found);
     }
     let walls = strip(bridge, Strip::Wall, kept[1], watch)?;
-    let sum = combination(&found, &walls, [bridge.width - wall.thickness, wall.thickness]);
+    let mut sum = combination(&found, &walls, [bridge.width - wall.thickness, wall.thickness]);
+    if bridge.loads.iter().any(|load| load.block.is_some()) {
+        sum.assumptions.push(BRICKS_LOADED.to_owned());
+    }
     if let (Some(total), Some(load)) = (sum.collapse_load, walls.collapse_load) {
         let message = format!(
             "the walls carry {:.0} % of the sum of both strips on {:.0} % of the width",
@@ -40,7 +44,10 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
     Ok(found)
 }
 
-fn strip(
+/// Said where a block stands on the fill.
+const BRICKS_LOADED: &str = "Blocks bring the loads onto the fill; on the walls the loads are forces on bricks.";
+
+pub(super) fn strip(
     bridge: &Bridge,
     strip: Strip,
     resume: Option<&[u64]>,
@@ -48,6 +55,9 @@ fn strip(
 ) -> Result<Collapse, AnalysisError> {
     let mut alone = bridge.clone();
     alone.plan.strip = strip;
+    if strip == Strip::Wall {
+        alone.loads.iter_mut().for_each(|load| load.block = None);
+    }
     let number = u64::from(strip == Strip::Wall);
     collapse(&alone, resume, &mut Part { watch, number })
 }

@@ -326,6 +326,18 @@ fn both_strips_add_up_by_their_widths() {
     assert!(wall > fill, "bricks that push back carry more than nothing at all");
 }
 
+/// A block held sideways would hold the wall: with it and without, the wall carries the same.
+#[test]
+fn in_both_strips_the_bricks_of_the_wall_are_loaded_themselves() {
+    let mut b = walled();
+    let wall = answer(&b).collapse_load.unwrap();
+    b.loads.iter_mut().for_each(|load| load.block = Some(bridge::LoadingBlock { weight: 1e3 }));
+    assert!(answer(&b).collapse_load.unwrap() > 1.05 * wall);
+    // The strip between the walls has nothing there that a block could stand on, so the wall's is asked for by itself.
+    let alone = strips::strip(&b, Strip::Wall, None, &mut mechanics::watch::Unwatched).unwrap();
+    assert_eq!(alone.collapse_load, Some(wall));
+}
+
 #[test]
 fn the_published_combination_is_the_sum_by_widths() {
     // Rouxinol, Providência and Lemos, section 3.5: 391.2 and 433.73 kN/m over 7.86 and 0.44 m are 3265 kN.

@@ -1,5 +1,6 @@
 //! Layers above the rings, and backing.
 
+use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind};
 use crate::tree::Table;
@@ -12,12 +13,32 @@ pub(super) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> 
     let layers: Vec<Option<Layer>> = tables.iter().map(|table| layer(table, findings)).collect();
     let backing = if file.has("backing") { backing(file, findings).map(Some) } else { Some(None) };
     let layers = layers.into_iter().collect::<Option<Vec<Layer>>>()?;
+    if !layers.iter().any(|layer| layer.particles) {
+        let slabs =
+            tables.iter().zip(&layers).filter(|(_, layer)| layer.slabs.is_some()).map(|(table, _)| table.place("as"));
+        slabs.for_each(|place| bodies_without_particles(place, findings));
+        if let Some(Some(Backing { body: BackingBody::Blocks | BackingBody::Particles, .. })) = backing
+            && let Some(table) = file.table("backing", &mut Findings::default())
+        {
+            bodies_without_particles(table.place("as"), findings);
+        }
+    }
     if file.has("cover") && layers.is_empty() {
         return None;
     }
     // From zero on, for an empty sum is minus zero.
     let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
     Some(Cover { depth, layers, backing: backing? })
+}
+
+fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
+    findings.error(
+        "B216",
+        place,
+        "no layer of the cover is modelled as particles, among which this could stand",
+        "it would carry nothing",
+        "write as = \"weight\", or as = \"particles\" in a [[cover]]",
+    );
 }
 
 fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {

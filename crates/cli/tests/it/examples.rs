@@ -27,7 +27,8 @@ fn examples_give_their_numbers() {
 }
 
 /// Files that take most of a minute are only read and drawn here; slow cases of `verification/` run them.
-const SLOW: &[(&str, &str)] = &[("bridgemill", "case-4.toml"), ("bridgemill", "calibration.toml")];
+const SLOW: &[(&str, &str)] =
+    &[("bridgemill", "case-4.toml"), ("bridgemill", "whole.toml"), ("bridgemill", "calibration.toml")];
 
 #[test]
 fn every_example_runs_to_an_answer() {

@@ -8,7 +8,8 @@ use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
 use assess::disks::{Disks, SOLID_FRACTION, disks, mean_radius, settings};
-use mechanics::dem::{State, Workspace, step};
+use mechanics::dem::{State, Workspace, begin, step};
+use mechanics::watch::{Progress, Watch, Wish};
 
 /// Steps of one repeat: at least as many as there may be between two searches for neighbours, and enough for a clock.
 const STEPS: u64 = 1_000;
@@ -24,6 +25,9 @@ struct Stepped {
 /// One repeat after the other: the box on all threads and, where it is wanted, copies of it side by side.
 pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let count = arguments.count as usize;
+    if let Some(steps) = arguments.steps {
+        return from_the_packing(desk, count, u64::from(steps));
+    }
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let built = disks(count, &mut onlooker).map(|disks| disks.settled(&mut onlooker).map(|state| (disks, state)));
     onlooker.finish();
@@ -102,6 +106,53 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         );
     }
     Ok(report.saying(words))
+}
+
+/// So many steps from the expanded packing on, while friction and gravity bring it to rest.
+fn from_the_packing(desk: &Desk, count: usize, steps: u64) -> Result<Report, Failure> {
+    const LOOK: u64 = 20;
+    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
+    let disks = match disks(count, &mut onlooker) {
+        Ok(disks) => disks,
+        Err(_) if asked_to_stop() => return Ok(Report::new(Status::Cancelled)),
+        Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
+    };
+    let (mut state, mut work, mut searches) = (begin(&disks.model, &settings()), Workspace::default(), 0);
+    let clock = Clock::start();
+    while state.steps < steps {
+        let next = LOOK.min(steps - state.steps);
+        let stepped = run_steps(&disks, (&mut state, &mut work), next);
+        searches += stepped.searches;
+        let (fraction, moved) = (Some(state.steps as f64 / steps as f64), stepped.moved / mean_radius());
+        let stage = format!("from the packing to rest, {moved:.0e} of a radius a step");
+        if onlooker.look(&Progress { stage, fraction, steps: state.steps }) == Wish::Stop {
+            return Ok(Report::new(Status::Cancelled));
+        }
+    }
+    let seconds = clock.seconds();
+    onlooker.finish();
+    let rate = count as f64 * steps as f64 / seconds;
+    let touching = disks.touching(&state);
+    let bytes = state.particle_bytes(&disks.model, &work) as f64 / count as f64;
+    Ok(Report::new(Status::Completed)
+        .with("name", "disks")
+        .with("size", count)
+        .with("repeats", 1)
+        .with("particle_steps_per_second", rate)
+        .with("contacts_per_particle", touching.contacts_per_particle)
+        .with("coordination", touching.coordination)
+        .with("bytes_per_particle", bytes)
+        .with("solid_fraction", SOLID_FRACTION)
+        .with("steps", steps)
+        .with("seconds", seconds)
+        .with("searches", searches)
+        .with("tiles", disks.tiles)
+        .saying(format!(
+            "disks: {:.2} million particle steps a second, {count} discs, {steps} steps from the expanded packing on in {seconds:.1} s \
+             with {searches} searches; coordination {:.2}, {bytes:.0} bytes a disc\n",
+            rate / 1e6,
+            touching.coordination,
+        )))
 }
 
 fn run_steps(disks: &Disks, (state, work): (&mut State, &mut Workspace), steps: u64) -> Stepped {
