@@ -1,5 +1,6 @@
 //! Finite elements in the plane: solids of quadrilaterals, joints and contacts between them.
 
+pub mod joint;
 pub mod law;
 mod mesh;
 
