@@ -31,6 +31,7 @@ pub use mesh::{Interface, Mesh, Quad, Quadrature};
 pub use model::{Model, ModelError, Support};
 pub use newmark::{Damping, Integration, Motion, at_rest, transient};
 pub use newton::{Target, advance};
+pub use pattern::Pattern;
 pub use outcome::{Outcome, Status, Step};
 pub use recover::{Recovered, reactions, recover, stress_at};
 pub use settings::{Kinematics, Settings};

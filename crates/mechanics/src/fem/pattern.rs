@@ -6,13 +6,13 @@ use crate::ids::NodeId;
 
 /// The pattern of a model's tangent, fixed for good.
 #[derive(Debug, Clone)]
-pub(super) struct Pattern {
+pub struct Pattern {
     /// Start of each column in `rows`, and the end of the last.
-    pub columns: Vec<u32>,
+    pub(super) columns: Vec<u32>,
     /// Rows of the lower triangle, ascending in each column, the diagonal first.
-    pub rows: Vec<u32>,
+    pub(super) rows: Vec<u32>,
     /// Entries that join a free component (by equation) to a held one (by component); they stand behind those of the triangle.
-    pub coupling: Vec<(u32, u32)>,
+    pub(super) coupling: Vec<(u32, u32)>,
     /// Places of the entries (0,0), (1,0), (1,1), (2,0) ... of each element: quadrilaterals first, then springs.
     slots: Vec<u32>,
     starts: Vec<usize>,
@@ -20,7 +20,7 @@ pub(super) struct Pattern {
 
 impl Pattern {
     /// Finds the pattern of a model.
-    pub(super) fn new(model: &Model) -> Pattern {
+    pub fn new(model: &Model) -> Pattern {
         let quads = model.mesh.quads.iter().map(|quad| quad.nodes.to_vec());
         let springs = model.springs().iter().map(|spring| spring.nodes().collect());
         let elements: Vec<Vec<NodeId>> = quads.chain(springs).collect();

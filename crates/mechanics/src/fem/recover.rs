@@ -1,5 +1,6 @@
 //! Reactions, and stresses at nodes and at any place.
 
+use super::assemble::assemble;
 use super::element::{corner_values, weights};
 use super::law::Four;
 use super::model::Model;
@@ -16,8 +17,12 @@ pub struct Recovered {
     pub stress: BTreeMap<(ZoneId, NodeId), Four>,
 }
 
-/// Forces [N/m] that the supports exert, by component; zero at free components. The state must be one that `work` has just balanced.
-pub fn reactions(model: &Model, work: &Workspace, state: &State) -> Vec<f64> {
+/// Forces [N/m] that the supports exert, by component; zero at free components.
+pub fn reactions(model: &Model, work: &mut Workspace, state: &State) -> Vec<f64> {
+    work.take(state);
+    if assemble(model, work, state).is_err() {
+        return vec![f64::NAN; state.forces.len()];
+    }
     let dofs = model.dofs();
     let of = |component: usize| match dofs.held(component) {
         true => work.internal[component] - state.forces[component],

@@ -1,5 +1,6 @@
 //! Scratch of a model: pattern, factorisation, and what an iteration tries.
 
+use super::assemble::assemble;
 use super::factor::{FactorError, Solver};
 use super::gmres::norm;
 use super::model::Model;
@@ -40,7 +41,8 @@ impl Workspace {
         Workspace::with_pattern(model, Pattern::new(model))
     }
 
-    fn with_pattern(model: &Model, pattern: Pattern) -> Result<Workspace, FactorError> {
+    /// Orders the equations of a pattern that was found before.
+    pub fn with_pattern(model: &Model, pattern: Pattern) -> Result<Workspace, FactorError> {
         let state = State::new(model);
         Ok(Workspace {
             solver: Solver::new(&pattern)?,
@@ -57,6 +59,24 @@ impl Workspace {
             pattern,
             fresh: false,
         })
+    }
+
+    /// Computes the tangent of a state.
+    pub fn stiffness(&mut self, model: &Model, state: &State) -> Result<(), FactorError> {
+        self.take(state);
+        assemble(model, self, state).map_err(|_| FactorError::Singular)
+    }
+
+    /// Factorises the tangent at hand; tells whether its symmetric part is positive definite.
+    pub fn factorise(&mut self) -> Result<bool, FactorError> {
+        self.solver.factorise(&self.pattern, &self.values)
+    }
+
+    /// Solves with the tangent factorised last; `accuracy` is the residual over the right-hand side that is enough where the tangent
+    /// is not symmetric.
+    pub fn solve(&mut self, right: &[f64], accuracy: f64) -> Result<Vec<f64>, FactorError> {
+        let skew: &[f64] = if self.skewed { &self.skew } else { &[] };
+        self.solver.solve(&self.pattern, (&self.values, skew), right, accuracy)
     }
 
     /// Entries of the tangent's lower triangle.
@@ -83,17 +103,6 @@ impl Workspace {
         state.modes.copy_from_slice(&self.trial.modes);
         state.forces.copy_from_slice(forces);
         self.fresh = true;
-    }
-
-    /// Factorises the tangent at hand; tells whether its symmetric part is positive definite.
-    pub(super) fn factorise(&mut self) -> Result<bool, FactorError> {
-        self.solver.factorise(&self.pattern, &self.values)
-    }
-
-    /// Solves with the tangent factorised last.
-    pub(super) fn solve(&mut self, right: &[f64], accuracy: f64) -> Result<Vec<f64>, FactorError> {
-        let skew: &[f64] = if self.skewed { &self.skew } else { &[] };
-        self.solver.solve(&self.pattern, (&self.values, skew), right, accuracy)
     }
 
     /// What is out of balance at the free components: loads less internal forces [N/m].
