@@ -15,6 +15,8 @@ mod dem_support;
 mod dem_table;
 mod dem_time_step;
 mod dem_viscous;
+mod fem_law;
+mod fem_law_tangent;
 mod limit_any;
 mod limit_arch;
 mod limit_models;
