@@ -45,7 +45,9 @@ fn mortar_lifts_off_at_its_force_and_never_holds_again() {
     assert!(again.state == PairState::Open && again.traction[0] == 0.0);
     // Closed again it presses, and its shear starts from where it touched.
     let shut = law.respond([-1e-6, 2e-6], area, &again.memory);
-    assert!((shut.traction[0] + law.normal * 1e-6).abs() < 1e-6 && (shut.traction[1] - law.tangential * 1e-6).abs() < 1e-3);
+    assert!(
+        (shut.traction[0] + law.normal * 1e-6).abs() < 1e-6 && (shut.traction[1] - law.tangential * 1e-6).abs() < 1e-3
+    );
 }
 
 #[test]
@@ -85,7 +87,9 @@ fn friction_slides_at_its_cone() {
             let harder = law.respond([-2.0 * press, way * limit / law.tangential * 5.0], 1.0, &slid.memory);
             assert!(harder.state == PairState::Closed && (harder.traction[1] - way * limit).abs() < 1e-9 * limit);
             let softer = law.respond([-0.5 * press, way * limit / law.tangential * 5.0], 1.0, &slid.memory);
-            assert!(softer.state == PairState::Sliding && (softer.traction[1] - 0.5 * way * limit).abs() < 1e-9 * limit);
+            assert!(
+                softer.state == PairState::Sliding && (softer.traction[1] - 0.5 * way * limit).abs() < 1e-9 * limit
+            );
         }
     }
 }
@@ -125,7 +129,11 @@ fn tangents_are_the_slopes_of_traction() {
                 }
             }
             // The laws are linear piece by piece: rounding of the traction over the step, and a step in ten million across a kink.
-            if worst > 1e-6 { kinks += 1 } else { seen[here.state as usize] += 1 }
+            if worst > 1e-6 {
+                kinks += 1
+            } else {
+                seen[here.state as usize] += 1
+            }
             assert!(here.traction.iter().all(|t| t.is_finite()));
             // Kept, and asked again, it stays.
             let again = law.respond(at, 0.1, &here.memory);
