@@ -20,6 +20,8 @@ mod fem_law;
 mod fem_law_closest;
 mod fem_law_known;
 mod fem_law_tangent;
+mod fem_elements;
+mod fem_tools;
 mod limit_any;
 mod limit_arch;
 mod limit_models;
