@@ -84,8 +84,10 @@ pub(super) fn back(elastic: &Elastic, trial: &Three, faces: &[Face]) -> Option<R
     nearest.map(|(_, returned)| returned)
 }
 
+/// How far a stress lies beyond the faces, or its principal values out of order: the faces stand for their mirror images too.
 fn worst(faces: &[Face], stress: &Three) -> f64 {
-    faces.iter().fold(f64::NEG_INFINITY, |worst, face| worst.max(face.excess(stress)))
+    let order = (stress[1] - stress[0]).max(stress[2] - stress[1]);
+    faces.iter().fold(order, |worst, face| worst.max(face.excess(stress)))
 }
 
 fn on_face(hooke: &Matrix, face: &Face) -> Matrix {
