@@ -5,6 +5,7 @@ pub mod blocks;
 pub mod checkpoint;
 pub mod discretise;
 pub mod disks;
+pub mod footing;
 pub mod outcome;
 pub mod packing_file;
 pub mod vary;

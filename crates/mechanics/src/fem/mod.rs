@@ -1,6 +1,39 @@
 //! Finite elements in the plane: solids of quadrilaterals, joints and contacts between them.
+//!
+//! A [`Model`] is what is fixed: mesh, materials, supports. A [`State`] is what has happened to it: displacements, and what points
+//! remember. A [`Workspace`] holds the pattern, the factorisation and scratch; it can be thrown away. [`advance`] takes a state to new
+//! loads in steps of Newton's method, [`transient`] through time; how that ended is an [`Outcome`] with a named status.
+//! Equations are numbered in `docs/theory/finite-elements.md`.
 
+mod assemble;
+mod dofs;
+mod element;
+mod factor;
+mod gmres;
+mod interface;
+pub mod joint;
 pub mod law;
 mod mesh;
+mod model;
+mod newmark;
+mod newton;
+mod outcome;
+mod pattern;
+mod recover;
+mod settings;
+mod state;
+mod workspace;
 
+pub use element::{Element, Section};
+pub use factor::FactorError;
+pub use interface::Spring;
 pub use mesh::{Interface, Mesh, Quad, Quadrature};
+pub use model::{Model, ModelError, Support};
+pub use newmark::{Damping, Integration, Motion, at_rest, transient};
+pub use newton::{Target, advance};
+pub use pattern::Pattern;
+pub use outcome::{Outcome, Status, Step};
+pub use recover::{Recovered, reactions, recover, stress_at};
+pub use settings::{Kinematics, Settings};
+pub use state::{Bond, Point, State};
+pub use workspace::Workspace;

@@ -1,6 +1,27 @@
 //! What solids answer to strain: stress, tangent and new memory from strain and old memory. Pure functions.
 //!
 //! Components run `[xx, yy, zz, xy]`; the last strain is the engineering shear `gamma_xy`. Tension is positive.
+//!
+//! Every law answers the *total* strain, from the plastic strain at the end of the last step that was kept: what is asked in
+//! between leaves no trace, and an iteration may go wrong and come back.
+
+mod cone;
+mod drucker_prager;
+mod elastic;
+mod mohr_coulomb;
+mod no_tension;
+mod plane_stress;
+mod polyhedron;
+mod principal;
+mod three;
+mod von_mises;
+
+pub use drucker_prager::{Cone, DruckerPrager};
+pub use elastic::Elastic;
+pub use mohr_coulomb::MohrCoulomb;
+pub use no_tension::NoTension;
+pub use plane_stress::PlaneStress;
+pub use von_mises::VonMises;
 
 /// Strain or stress: `[xx, yy, zz, xy]`.
 pub type Four = [f64; 4];
@@ -10,7 +31,7 @@ pub type Four = [f64; 4];
 pub struct Memory {
     /// Plastic (or cracking) strain.
     pub plastic: Four,
-    /// Accumulated plastic strain.
+    /// Accumulated plastic strain: the sum over steps of the length of its increment (engineering shear counted half).
     pub hardening: f64,
 }
 
@@ -31,4 +52,99 @@ pub struct Response {
 pub trait Law {
     /// Answers a total strain from the memory at the end of the last step that was kept.
     fn respond(&self, strain: &Four, old: &Memory) -> Response;
+}
+
+/// What a zone is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Material {
+    /// Linear elastic.
+    Elastic(Elastic),
+    /// Elastic, perfectly plastic, of a strength in shear that knows no pressure.
+    VonMises(VonMises),
+    /// Elastic, perfectly plastic on a cone about the hydrostatic axis.
+    DruckerPrager(DruckerPrager),
+    /// Elastic, perfectly plastic on the six-sided pyramid of friction and cohesion.
+    MohrCoulomb(MohrCoulomb),
+    /// Elastic under compression, without any strength in tension; cracks close again.
+    NoTension(NoTension),
+}
+
+impl Material {
+    /// The elasticity that every one of them starts from.
+    #[must_use]
+    pub fn elastic(&self) -> Elastic {
+        match self {
+            Material::Elastic(law) => *law,
+            Material::VonMises(law) => law.elastic,
+            Material::DruckerPrager(law) => law.elastic,
+            Material::MohrCoulomb(law) => law.elastic,
+            Material::NoTension(law) => law.elastic,
+        }
+    }
+
+    /// Whether its tangent is symmetric wherever it stands.
+    #[must_use]
+    pub fn symmetric(&self) -> bool {
+        match self {
+            Material::Elastic(_) | Material::VonMises(_) | Material::NoTension(_) => true,
+            Material::DruckerPrager(law) => law.beta.to_bits() == law.alpha.to_bits(),
+            Material::MohrCoulomb(law) => law.dilatancy_angle.to_bits() == law.friction_angle.to_bits(),
+        }
+    }
+
+    /// Whether it is linear, so that stress is its tangent times strain and nothing is remembered.
+    #[must_use]
+    pub fn linear(&self) -> bool {
+        matches!(self, Material::Elastic(_))
+    }
+}
+
+impl Law for Material {
+    fn respond(&self, strain: &Four, old: &Memory) -> Response {
+        match self {
+            Material::Elastic(law) => law.respond(strain, old),
+            Material::VonMises(law) => law.respond(strain, old),
+            Material::DruckerPrager(law) => law.respond(strain, old),
+            Material::MohrCoulomb(law) => law.respond(strain, old),
+            Material::NoTension(law) => law.respond(strain, old),
+        }
+    }
+}
+
+/// What is held across the plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Plane {
+    /// No strain across: bodies long in that direction, such as a barrel or its fill.
+    #[default]
+    Strain,
+    /// No stress across: thin sheets.
+    Stress,
+}
+
+/// A material in one of the two states of plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solid {
+    /// What it is made of.
+    pub material: Material,
+    /// What is held across.
+    pub plane: Plane,
+}
+
+impl Law for Solid {
+    /// In plane stress the strain `zz` that is passed in is not read.
+    fn respond(&self, strain: &Four, old: &Memory) -> Response {
+        match self.plane {
+            Plane::Strain => self.material.respond(strain, old),
+            Plane::Stress => PlaneStress(self.material).respond(strain, old),
+        }
+    }
+}
+
+/// Closes an answer: what of the strain is not elastic becomes the new memory.
+fn flowed(elastic: &Elastic, strain: &Four, old: &Memory, stress: Four, tangent: [[f64; 4]; 4]) -> Response {
+    let kept = elastic.strain(&stress);
+    let plastic: Four = std::array::from_fn(|i| strain[i] - kept[i]);
+    let more: Four = std::array::from_fn(|i| plastic[i] - old.plastic[i]);
+    let length = (more[0] * more[0] + more[1] * more[1] + more[2] * more[2] + 0.5 * more[3] * more[3]).sqrt();
+    Response { stress, tangent, memory: Memory { plastic, hardening: old.hardening + length }, yields: true }
 }

@@ -1,0 +1,154 @@
+//! A rough strip footing pushed into weightless ground: the work on which programs for yielding solids are compared.
+
+use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane, Solid, VonMises};
+use mechanics::fem::{
+    Element, FactorError, Kinematics, Mesh, Model, ModelError, Outcome, Quad, Section, Settings, State, Support,
+    Target, Workspace, advance, reactions,
+};
+use mechanics::ids::{Id, NodeId};
+use mechanics::plane::vec2;
+use mechanics::watch::Watch;
+use thiserror::Error;
+
+/// Half of the ground, by symmetry: width and depth [m].
+const GROUND: (f64, f64) = (20.0, 10.0);
+
+/// Half width of the footing, and how far it is pushed down [m].
+const HALF_WIDTH: f64 = 2.0;
+const PUSHED: f64 = 0.02;
+
+/// Elastic modulus [Pa] and Poisson's ratio.
+const ELASTIC: Elastic = Elastic { modulus: 170e6, ratio: 0.19 };
+
+/// Undrained strength of the clay [Pa]; cohesion [Pa] and angle of friction [deg] of the soil.
+const CLAY: f64 = 100e3;
+const COHESION: f64 = 10e3;
+const FRICTION_ANGLE: f64 = 30.0;
+
+/// What the ground is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ground {
+    /// Linear.
+    Elastic,
+    /// Clay.
+    VonMises,
+    /// The cone that collapses in plane strain as the soil of Mohr and Coulomb does, flowing at right angles to it.
+    DruckerPrager,
+    /// The cone for flow without any change of volume.
+    NonAssociated,
+    /// The soil itself, with associated flow.
+    MohrCoulomb,
+}
+
+/// A mesh with its footing.
+#[derive(Debug, Clone)]
+pub struct Footing {
+    /// Ground, base and sides.
+    pub model: Model,
+    /// What is asked of it.
+    pub target: Target,
+    nodes: Vec<NodeId>,
+}
+
+/// Why there is no footing.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FootingError {
+    /// The mesh makes no model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The model makes no workspace.
+    #[error(transparent)]
+    Factor(#[from] FactorError),
+}
+
+/// Ten equal steps, each balanced to `tolerance`.
+pub fn settings(tolerance: f64) -> Settings {
+    Settings { tolerance, load_steps: 10, ..Settings::default() }
+}
+
+/// Bearing capacity of a weightless soil by Prandtl [Pa], which is exact.
+pub fn prandtl(ground: Ground) -> Option<f64> {
+    match ground {
+        Ground::Elastic => None,
+        Ground::VonMises => Some((2.0 + std::f64::consts::PI) * CLAY),
+        Ground::DruckerPrager | Ground::NonAssociated | Ground::MohrCoulomb => {
+            let tangent = FRICTION_ANGLE.to_radians().tan();
+            let passive = (45.0 + 0.5 * FRICTION_ANGLE).to_radians().tan().powi(2);
+            Some(COHESION * ((std::f64::consts::PI * tangent).exp() * passive - 1.0) / tangent)
+        }
+    }
+}
+
+fn material(ground: Ground) -> Material {
+    let angle = FRICTION_ANGLE.to_radians();
+    let cone = |dilatancy| DruckerPrager::matching(ELASTIC, Cone::PlaneStrain, COHESION, angle, dilatancy);
+    match ground {
+        Ground::Elastic => Material::Elastic(ELASTIC),
+        Ground::VonMises => Material::VonMises(VonMises { elastic: ELASTIC, strength: CLAY }),
+        Ground::DruckerPrager => Material::DruckerPrager(cone(angle)),
+        Ground::NonAssociated => Material::DruckerPrager(cone(0.0)),
+        Ground::MohrCoulomb => Material::MohrCoulomb(MohrCoulomb {
+            elastic: ELASTIC,
+            cohesion: COHESION,
+            friction_angle: angle,
+            dilatancy_angle: angle,
+            tension_cutoff: None,
+        }),
+    }
+}
+
+/// A uniform mesh of `columns` by half as many rows, in plane strain: base fixed, sides smooth, the footing rough.
+pub fn footing(columns: usize, ground: Ground, element: Element) -> Result<Footing, FootingError> {
+    let rows = columns.div_ceil(2);
+    let node = |i: usize, j: usize| NodeId::new(j * (columns + 1) + i);
+    let mut mesh = Mesh::default();
+    let zone = mesh.zones.push("ground".to_owned());
+    let place = |i: usize, j: usize| {
+        vec2(GROUND.0 * i as f64 / columns as f64, GROUND.1 * (j as f64 / rows as f64 - 1.0))
+    };
+    for j in 0..=rows {
+        for i in 0..=columns {
+            mesh.nodes.push(place(i, j));
+        }
+    }
+    for j in 0..rows {
+        for i in 0..columns {
+            mesh.quads.push(Quad { nodes: [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)], zone });
+        }
+    }
+    let under = |i: &usize| place(*i, rows).x <= HALF_WIDTH + 1e-9;
+    let nodes: Vec<NodeId> = (0..=columns).filter(under).map(|i| node(i, rows)).collect();
+    let base = (0..=columns).map(|i| Support { node: node(i, 0), held: [true, true] });
+    let sides = (1..=rows).flat_map(|j| [0, columns].map(|i| Support { node: node(i, j), held: [true, false] }));
+    let rough = nodes.iter().map(|node| Support { node: *node, held: [true, true] });
+    let supports: Vec<Support> = base.chain(sides).chain(rough).collect();
+    let section = Section { solid: Solid { material: material(ground), plane: Plane::Strain }, element, density: 0.0 };
+    let forces = vec![0.0; 2 * mesh.nodes.len()];
+    let sections = [section].into_iter().collect();
+    let model = Model::new(mesh, sections, Vec::new(), &supports, Kinematics::Small)?;
+    let target = Target { forces, imposed: nodes.iter().map(|node| (*node, 1, -PUSHED)).collect() };
+    Ok(Footing { model, target, nodes })
+}
+
+/// How the push went.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pushed {
+    /// Status and steps.
+    pub outcome: Outcome,
+    /// Reaction over the footing's half width [Pa], at the last step that was balanced.
+    pub mean_pressure: f64,
+    /// Points that flow.
+    pub yielding: usize,
+}
+
+impl Footing {
+    /// Pushes the footing down, from the mesh's pattern to the last step.
+    pub fn push(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Pushed, FootingError> {
+        let mut work = Workspace::new(&self.model)?;
+        let mut state = State::new(&self.model);
+        let outcome = advance(&self.model, &mut state, &mut work, &self.target, settings, watch);
+        let reactions = reactions(&self.model, &mut work, &state);
+        let force: f64 = self.nodes.iter().map(|node| reactions[2 * node.index() + 1]).sum();
+        Ok(Pushed { outcome, mean_pressure: -force / HALF_WIDTH, yielding: state.yielding() })
+    }
+}

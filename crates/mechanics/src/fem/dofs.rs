@@ -1,0 +1,53 @@
+//! Which displacement components are free, and the number each has in the system of equations.
+
+use crate::ids::{Id, NodeId};
+
+/// Number of a component that is held.
+pub(super) const HELD: u32 = u32::MAX;
+
+/// Components are `2 node` (x) and `2 node + 1` (y); the free ones are numbered in that order.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Dofs {
+    equation: Vec<u32>,
+    free: Vec<u32>,
+}
+
+impl Dofs {
+    /// Numbers those that are not `held`.
+    pub(super) fn new(held: &[bool]) -> Dofs {
+        let mut equation = vec![HELD; held.len()];
+        let mut free = Vec::new();
+        for (dof, _) in held.iter().enumerate().filter(|(_, held)| !**held) {
+            equation[dof] = free.len() as u32;
+            free.push(dof as u32);
+        }
+        Dofs { equation, free }
+    }
+
+    /// Components in all.
+    pub(super) fn count(&self) -> usize {
+        self.equation.len()
+    }
+
+    /// Free components in order of their equations.
+    pub(super) fn free(&self) -> &[u32] {
+        &self.free
+    }
+
+    /// Equation of a component, [`HELD`] if it has none.
+    #[inline]
+    pub(super) fn equation(&self, dof: usize) -> u32 {
+        self.equation[dof]
+    }
+
+    /// Whether a component is held.
+    pub(super) fn held(&self, dof: usize) -> bool {
+        self.equation[dof] == HELD
+    }
+}
+
+/// Component `axis` (0 or 1) of a node.
+#[inline]
+pub(super) fn dof(node: NodeId, axis: usize) -> usize {
+    2 * node.index() + axis
+}

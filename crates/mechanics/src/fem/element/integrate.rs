@@ -1,0 +1,176 @@
+//! Forces and tangent of one quadrilateral, its incompatible modes condensed.
+
+use super::shape::Sample;
+use crate::fem::law::{Four, Law, Material, Memory, Plane, Solid};
+use crate::fem::state::Point;
+
+/// Most iterations for the amplitudes of the modes, and the part of the stresses' own forces to which they are balanced.
+const LOCAL_LIMIT: usize = 30;
+const LOCAL_TOLERANCE: f64 = 1e-11;
+
+/// Forces of an element on its corners, and their derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::fem) struct Answer {
+    /// Internal forces [N/m].
+    pub force: [f64; 8],
+    /// `d force[i] / d displacement[j]` [Pa].
+    pub tangent: [[f64; 8]; 8],
+}
+
+/// What an element would remember.
+pub(in crate::fem) struct Kept<'a> {
+    /// Its four points.
+    pub points: &'a mut [Point],
+    /// Amplitudes of its modes: where the search for them starts, and where it ended.
+    pub modes: &'a mut [f64; 4],
+}
+
+/// The answer of an element to displacements `u` of its corners; `None` where its modes find no balance.
+pub(in crate::fem) fn respond(
+    solid: &Solid,
+    incompatible: bool,
+    samples: &[Sample; 4],
+    u: &[f64; 8],
+    old: &[Point],
+    kept: Kept<'_>,
+) -> Option<Answer> {
+    if !incompatible {
+        let (force, tangent, _) = integrate::<8>(solid, samples, u, old, kept.points);
+        return Some(Answer { force, tangent });
+    }
+    let mut all = [0.0; 12];
+    all[..8].copy_from_slice(u);
+    all[8..].copy_from_slice(kept.modes);
+    let mut last = f64::INFINITY;
+    for _ in 0..LOCAL_LIMIT {
+        let (force, tangent, size) = integrate::<12>(solid, samples, &all, old, kept.points);
+        let left = force[8..].iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+        let condensed = condense(&force, &tangent)?;
+        // Linear laws are balanced but for rounding; a stall next to the tolerance is rounding too.
+        if left <= LOCAL_TOLERANCE * size || (left >= last && left <= 1e3 * LOCAL_TOLERANCE * size) {
+            kept.modes.copy_from_slice(&all[8..]);
+            return Some(condensed.0);
+        }
+        last = left;
+        for (mode, step) in all[8..].iter_mut().zip(condensed.1) {
+            *mode -= step;
+        }
+    }
+    None
+}
+
+/// Sums over the points: forces and tangent of `M / 2` functions of two components (equation 3), and the size of the sum's terms.
+fn integrate<const M: usize>(
+    solid: &Solid,
+    samples: &[Sample; 4],
+    u: &[f64; M],
+    old: &[Point],
+    new: &mut [Point],
+) -> ([f64; M], [[f64; M]; M], f64) {
+    let mut force = [0.0; M];
+    let mut tangent = [[0.0; M]; M];
+    let mut size = 0.0;
+    for ((sample, old), new) in samples.iter().zip(old).zip(new) {
+        let mut strain = [0.0; 4];
+        for a in 0..M / 2 {
+            strain[0] += sample.dx[a] * u[2 * a];
+            strain[1] += sample.dy[a] * u[2 * a + 1];
+            strain[3] += sample.dy[a] * u[2 * a] + sample.dx[a] * u[2 * a + 1];
+        }
+        let answer = answer(solid, &strain, &old.memory);
+        *new = Point { memory: answer.memory, stress: answer.stress, yields: answer.yields };
+        let d = &answer.tangent;
+        let s = answer.stress;
+        let area = sample.area;
+        let mut db = [[0.0; M]; 3];
+        for (row, from) in [0, 1, 3].into_iter().enumerate() {
+            let [xx, yy, xy] = [area * d[from][0], area * d[from][1], area * d[from][3]];
+            for a in 0..M / 2 {
+                db[row][2 * a] = xx * sample.dx[a] + xy * sample.dy[a];
+                db[row][2 * a + 1] = yy * sample.dy[a] + xy * sample.dx[a];
+            }
+        }
+        for a in 0..M / 2 {
+            let (bx, by) = (sample.dx[a], sample.dy[a]);
+            force[2 * a] += area * (bx * s[0] + by * s[3]);
+            force[2 * a + 1] += area * (by * s[1] + bx * s[3]);
+            for c in 0..M {
+                tangent[2 * a][c] += bx * db[0][c] + by * db[2][c];
+                tangent[2 * a + 1][c] += by * db[1][c] + bx * db[2][c];
+            }
+        }
+        let stress = s[0].abs().max(s[1].abs()).max(s[3].abs());
+        size += area * stress * (sample.dx[M / 2 - 1].abs() + sample.dy[M / 2 - 1].abs());
+    }
+    (force, tangent, size)
+}
+
+/// The law, without a detour where it is linear.
+#[inline]
+fn answer(solid: &Solid, strain: &Four, old: &Memory) -> crate::fem::law::Response {
+    match (&solid.material, solid.plane) {
+        (Material::Elastic(law), Plane::Strain) => law.respond(strain, old),
+        _ => solid.respond(strain, old),
+    }
+}
+
+/// Takes the modes out of forces and tangent (equation 6); the second part is what Newton's method takes off their amplitudes.
+fn condense(force: &[f64; 12], tangent: &[[f64; 12]; 12]) -> Option<(Answer, [f64; 4])> {
+    // Columns: d modes / d displacements, then the force on the modes.
+    let mut a = [[0.0; 4]; 4];
+    let mut b = [[0.0; 9]; 4];
+    for i in 0..4 {
+        a[i].copy_from_slice(&tangent[8 + i][8..]);
+        b[i][..8].copy_from_slice(&tangent[8 + i][..8]);
+        b[i][8] = force[8 + i];
+    }
+    solve(&mut a, &mut b)?;
+    let mut answer = Answer { force: [0.0; 8], tangent: [[0.0; 8]; 8] };
+    for i in 0..8 {
+        let mut row = [0.0; 9];
+        row[..8].copy_from_slice(&tangent[i][..8]);
+        row[8] = force[i];
+        for (m, solved) in b.iter().enumerate() {
+            let k = tangent[i][8 + m];
+            for (r, s) in row.iter_mut().zip(solved) {
+                *r -= k * s;
+            }
+        }
+        answer.tangent[i].copy_from_slice(&row[..8]);
+        answer.force[i] = row[8];
+    }
+    Some((answer, [b[0][8], b[1][8], b[2][8], b[3][8]]))
+}
+
+/// Gaussian elimination with row exchanges; `None` where a pivot vanishes.
+fn solve(a: &mut [[f64; 4]; 4], b: &mut [[f64; 9]; 4]) -> Option<()> {
+    let scale = a.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    for k in 0..4 {
+        let pivot = (k..4).fold(k, |best, i| if a[i][k].abs() > a[best][k].abs() { i } else { best });
+        if !(a[pivot][k].abs() > 1e-14 * scale) {
+            return None;
+        }
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        let inverse = 1.0 / a[k][k];
+        for i in k + 1..4 {
+            let factor = a[i][k] * inverse;
+            for j in k..4 {
+                a[i][j] -= factor * a[k][j];
+            }
+            for j in 0..9 {
+                b[i][j] -= factor * b[k][j];
+            }
+        }
+    }
+    for k in (0..4).rev() {
+        for j in 0..9 {
+            let mut sum = b[k][j];
+            for i in k + 1..4 {
+                sum -= a[k][i] * b[i][j];
+            }
+            b[k][j] = sum / a[k][k];
+        }
+    }
+    Some(())
+}

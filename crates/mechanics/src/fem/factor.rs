@@ -1,0 +1,194 @@
+//! Factorisation of the tangent: found symbolically once, computed anew for each tangent.
+
+use super::gmres::{self, Refined};
+use super::pattern::Pattern;
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+use thiserror::Error;
+
+/// Residual of a solution over its right-hand side beyond which it counts as none.
+const LARGEST_RESIDUAL: f64 = 1e-6;
+
+/// Why there is no factorisation or no solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum FactorError {
+    /// The tangent has no inverse, or none that numbers could show.
+    #[error("the stiffness has no inverse: a part can move without resistance")]
+    Singular,
+    /// The factor does not fit into memory.
+    #[error("the factor of {0} equations does not fit into memory")]
+    Memory(usize),
+}
+
+/// What the values at hand are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Nothing,
+    /// L L^T: the symmetric part is positive definite.
+    Definite,
+    /// L D L^T: it is not.
+    Indefinite,
+}
+
+/// Factorises the symmetric part of the tangent, and solves with it.
+///
+/// A tangent that is not symmetric is solved for by GMRES with that factor as preconditioner (see `gmres.rs`).
+pub(super) struct Solver {
+    symbolic: SymbolicCholesky<u32>,
+    values: Vec<f64>,
+    memory: MemBuffer,
+    kind: Kind,
+}
+
+impl std::fmt::Debug for Solver {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        to.debug_struct("Solver").field("entries", &self.values.len()).field("kind", &self.kind).finish_non_exhaustive()
+    }
+}
+
+impl Solver {
+    /// Orders the equations (AMD) and finds the pattern of the factor.
+    pub(super) fn new(pattern: &Pattern) -> Result<Solver, FactorError> {
+        let count = pattern.columns.len() - 1;
+        let matrix = structure(pattern);
+        let parameters = CholeskySymbolicParams::default();
+        let symbolic = factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, parameters)
+            .map_err(|_| FactorError::Memory(count))?;
+        let need = StackReq::any_of(&[
+            symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()),
+            symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
+            symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
+        ]);
+        let memory = MemBuffer::try_new(need).map_err(|_| FactorError::Memory(count))?;
+        let mut values = Vec::new();
+        values.try_reserve_exact(symbolic.len_val()).map_err(|_| FactorError::Memory(count))?;
+        values.resize(symbolic.len_val(), 0.0);
+        Ok(Solver { symbolic, values, memory, kind: Kind::Nothing })
+    }
+
+    /// Entries of the factor.
+    pub(super) fn entries(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Factorises; tells whether the symmetric part is positive definite.
+    pub(super) fn factorise(&mut self, pattern: &Pattern, values: &[f64]) -> Result<bool, FactorError> {
+        self.kind = Kind::Nothing;
+        let values = &values[..pattern.entries()];
+        if !values.iter().all(|value| value.is_finite()) {
+            return Err(FactorError::Singular);
+        }
+        if self.definite(pattern, values) && self.values_are_finite() {
+            self.kind = Kind::Definite;
+        } else if self.indefinite(pattern, values) && self.values_are_finite() {
+            self.kind = Kind::Indefinite;
+        } else {
+            return Err(FactorError::Singular);
+        }
+        Ok(self.kind == Kind::Definite)
+    }
+
+    fn definite(&mut self, pattern: &Pattern, values: &[f64]) -> bool {
+        let matrix = SparseColMatRef::new(structure(pattern), values);
+        let stack = MemStack::new(&mut self.memory);
+        let plain = LltRegularization::default();
+        let done = self.symbolic.factorize_numeric_llt(
+            &mut self.values,
+            matrix,
+            Side::Lower,
+            plain,
+            Par::Seq,
+            stack,
+            Default::default(),
+        );
+        done.is_ok()
+    }
+
+    fn indefinite(&mut self, pattern: &Pattern, values: &[f64]) -> bool {
+        let matrix = SparseColMatRef::new(structure(pattern), values);
+        let stack = MemStack::new(&mut self.memory);
+        let plain = LdltRegularization::default();
+        let done = self.symbolic.factorize_numeric_ldlt(
+            &mut self.values,
+            matrix,
+            Side::Lower,
+            plain,
+            Par::Seq,
+            stack,
+            Default::default(),
+        );
+        done.is_ok()
+    }
+
+    fn values_are_finite(&self) -> bool {
+        self.values.iter().all(|value| value.is_finite())
+    }
+
+    /// `x` becomes the inverse of the factorised symmetric part times `x`.
+    pub(super) fn apply(&mut self, x: &mut [f64]) {
+        let rows = x.len();
+        let right = MatMut::from_column_major_slice_mut(x, rows, 1);
+        let stack = MemStack::new(&mut self.memory);
+        match self.kind {
+            Kind::Nothing => {}
+            Kind::Definite => LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+                Conj::No,
+                right,
+                Par::Seq,
+                stack,
+            ),
+            Kind::Indefinite => LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+                Conj::No,
+                right,
+                Par::Seq,
+                stack,
+            ),
+        }
+    }
+
+    /// Solves with the tangent that was factorised last, whose values these are. `accuracy` is the residual over the right-hand side
+    /// that is enough where the answer has to be sought by iteration.
+    pub(super) fn solve(
+        &mut self,
+        pattern: &Pattern,
+        (values, skew): (&[f64], &[f64]),
+        right: &[f64],
+        accuracy: f64,
+    ) -> Result<Vec<f64>, FactorError> {
+        if self.kind == Kind::Definite && skew.is_empty() {
+            return self.direct(pattern, values, right);
+        }
+        let goal = if skew.is_empty() { 1e-10 } else { accuracy };
+        let Refined { x, residual } = gmres::solve(
+            |x, out| pattern.multiply(values, skew, x, out),
+            |x| self.apply(x),
+            right,
+            goal,
+        );
+        let worst = LARGEST_RESIDUAL.max(10.0 * accuracy);
+        if residual <= worst && x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(FactorError::Singular) }
+    }
+}
+
+impl Solver {
+    /// A pivot that is nothing but rounding passes for positive; it shows in the residual.
+    fn direct(&mut self, pattern: &Pattern, values: &[f64], right: &[f64]) -> Result<Vec<f64>, FactorError> {
+        let mut x = right.to_vec();
+        self.apply(&mut x);
+        let mut rest: Vec<f64> = right.iter().map(|r| -r).collect();
+        pattern.multiply(values, &[], &x, &mut rest);
+        let sound = gmres::norm(&rest) <= LARGEST_RESIDUAL * gmres::norm(right);
+        if sound && x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(FactorError::Singular) }
+    }
+}
+
+fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
+    let count = pattern.columns.len() - 1;
+    SymbolicSparseColMatRef::new_checked(count, count, &pattern.columns, None, &pattern.rows)
+}

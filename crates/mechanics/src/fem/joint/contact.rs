@@ -1,0 +1,55 @@
+//! Coulomb friction between two faces.
+
+use super::{PairLaw, PairMemory, PairResponse, PairState};
+
+/// Frictional contact by penalty: stiff, never quite rigid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Normal stiffness per area [Pa/m].
+    pub normal: f64,
+    /// Tangential stiffness per area [Pa/m].
+    pub tangential: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Cohesion [Pa]: shear that is carried without any pressure, as long as the faces touch.
+    pub cohesion: f64,
+    /// Whether the faces may come apart. If not, they hold together in tension, and slide as far as their friction, on
+    /// compression alone, and their cohesion allow.
+    pub separation: bool,
+}
+
+impl PairLaw for Contact {
+    fn respond(&self, opening: [f64; 2], _area: f64, old: &PairMemory) -> PairResponse {
+        let normal = self.normal * opening[0];
+        if self.separation && normal > 0.0 {
+            let state = PairState::Open;
+            return PairResponse {
+                traction: [0.0; 2],
+                tangent: [[0.0; 2]; 2],
+                memory: PairMemory { slip: opening[1], broken: true, state, ..*old },
+                state,
+            };
+        }
+        let strength = self.cohesion + self.friction * (-normal).max(0.0);
+        let shear = self.tangential * (opening[1] - old.slip);
+        if shear.abs() <= strength {
+            let state = PairState::Closed;
+            return PairResponse {
+                traction: [normal, shear],
+                tangent: [[self.normal, 0.0], [0.0, self.tangential]],
+                memory: PairMemory { state, ..*old },
+                state,
+            };
+        }
+        let way = 1.0_f64.copysign(shear);
+        let shear = way * strength;
+        let by_pressure = if normal < 0.0 { -way * self.friction * self.normal } else { 0.0 };
+        let state = PairState::Sliding;
+        PairResponse {
+            traction: [normal, shear],
+            tangent: [[self.normal, 0.0], [by_pressure, 0.0]],
+            memory: PairMemory { slip: opening[1] - shear / self.tangential, state, ..*old },
+            state,
+        }
+    }
+}

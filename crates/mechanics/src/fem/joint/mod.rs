@@ -1,0 +1,99 @@
+//! What a pair of facing points answers to being moved apart: traction, tangent, new memory and state. Pure functions.
+//!
+//! Components run `[normal, tangential]`. Opening is positive normally where the points are apart, and tangentially where the
+//! point of side `two` has moved, relative to that of side `one`, along the way walked. Traction is what works on
+//! that opening: positive normally in tension. Memory is that at the end of the last step that was kept.
+
+mod contact;
+mod elastic;
+mod mortar;
+
+pub use contact::Contact;
+pub use elastic::ElasticJoint;
+pub use mortar::{LiftOff, Mortar};
+
+/// Whether a pair touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PairState {
+    /// It carries and holds.
+    #[default]
+    Closed,
+    /// It has come apart.
+    Open,
+    /// It touches, and its shear is at its strength.
+    Sliding,
+}
+
+/// What a pair remembers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PairMemory {
+    /// Tangential opening at which the shear would vanish [m].
+    pub slip: f64,
+    /// Normal opening at which the compression would vanish [m]; below zero where the joint was crushed.
+    pub crush: f64,
+    /// Whether what strength it had in tension is lost.
+    pub broken: bool,
+    /// State at the end of the step.
+    pub state: PairState,
+}
+
+/// Answer of a pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairResponse {
+    /// Traction [Pa]: normal (tension positive), shear.
+    pub traction: [f64; 2],
+    /// Consistent tangent [Pa/m]: `d traction[i] / d opening[j]`. Unsymmetric where friction slides.
+    pub tangent: [[f64; 2]; 2],
+    /// Memory if this opening is kept.
+    pub memory: PairMemory,
+    /// State at this opening.
+    pub state: PairState,
+}
+
+/// A law of a pair of facing points.
+pub trait PairLaw {
+    /// Answers an opening [m] of a pair that stands for an area [m² per metre of width, so m].
+    fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse;
+}
+
+/// The law of one kind of interface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JointLaw {
+    /// Linear, whatever the opening.
+    Elastic(ElasticJoint),
+    /// A mortar bed: springs that lift off, and a shear panel with a strength.
+    Mortar(Mortar),
+    /// Coulomb friction.
+    Contact(Contact),
+}
+
+impl JointLaw {
+    /// Whether its tangent is symmetric wherever it stands.
+    #[must_use]
+    pub fn symmetric(&self) -> bool {
+        match self {
+            JointLaw::Elastic(_) | JointLaw::Mortar(_) => true,
+            JointLaw::Contact(law) => law.friction <= 0.0,
+        }
+    }
+
+    /// Stiffness per area [Pa/m] while it is closed and holds: normal, tangential.
+    #[must_use]
+    pub fn stiffness(&self) -> [f64; 2] {
+        match self {
+            JointLaw::Elastic(law) => [law.normal, law.tangential],
+            JointLaw::Mortar(law) => [law.normal, law.tangential],
+            JointLaw::Contact(law) => [law.normal, law.tangential],
+        }
+    }
+}
+
+impl PairLaw for JointLaw {
+    fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
+        match self {
+            JointLaw::Elastic(law) => law.respond(opening, area, old),
+            JointLaw::Mortar(law) => law.respond(opening, area, old),
+            JointLaw::Contact(law) => law.respond(opening, area, old),
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Drucker-Prager: a cone about the hydrostatic axis.
+
+use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
+use super::{Elastic, Four, Law, Memory, Response, cone, flowed, polyhedron, principal::Principal};
+
+/// Elastic, perfectly plastic on √J2 + α I1 ≤ k, with flow along √J2 + β I1; tension positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DruckerPrager {
+    /// Elasticity.
+    pub elastic: Elastic,
+    /// Friction α, not below zero.
+    pub alpha: f64,
+    /// Dilatancy β, from 0 to α.
+    pub beta: f64,
+    /// Strength k at no pressure [Pa], not below zero.
+    pub strength: f64,
+    /// Greatest principal stress it takes in tension [Pa]; none leaves the cone up to its apex at k/3α.
+    pub tension_cutoff: Option<f64>,
+}
+
+/// Which of the cones stands for a pyramid of Mohr and Coulomb.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cone {
+    /// Through the edges of triaxial compression: the outermost.
+    Compression,
+    /// Through the edges of triaxial extension.
+    Extension,
+    /// The same collapse in plane strain, at the given angle of dilatancy.
+    PlaneStrain,
+    /// The greatest cone within the pyramid.
+    Inner,
+}
+
+impl Cone {
+    /// α and k/c of the cone for an angle of friction and one of dilatancy [rad].
+    fn constants(self, friction: f64, dilatancy: f64) -> (f64, f64) {
+        let (sin, cos) = friction.sin_cos();
+        let root = 3.0_f64.sqrt();
+        match self {
+            Cone::Compression => (2.0 * sin / (root * (3.0 - sin)), 6.0 * cos / (root * (3.0 - sin))),
+            Cone::Extension => (2.0 * sin / (root * (3.0 + sin)), 6.0 * cos / (root * (3.0 + sin))),
+            Cone::PlaneStrain => {
+                // Flow leaves no strain across, which fixes the stress across and so the circle of Mohr.
+                let beta = dilatancy.sin() / (9.0 + 3.0 * dilatancy.sin().powi(2)).sqrt();
+                let share = (1.0 - 3.0 * beta * beta).sqrt() + beta * sin;
+                (sin / (3.0 * share), cos / share)
+            }
+            Cone::Inner => {
+                let share = (9.0 + 3.0 * sin * sin).sqrt();
+                (sin / share, 3.0 * cos / share)
+            }
+        }
+    }
+}
+
+impl DruckerPrager {
+    /// The cone that stands for a cohesion [Pa], an angle of friction and one of dilatancy [rad].
+    #[must_use]
+    pub fn matching(elastic: Elastic, cone: Cone, cohesion: f64, friction: f64, dilatancy: f64) -> DruckerPrager {
+        let (alpha, strength) = cone.constants(friction, dilatancy);
+        // Flow is that of the same cone drawn for the angle of dilatancy: associated where the two angles are the same.
+        let (beta, _) = cone.constants(dilatancy, dilatancy);
+        let beta = if friction.to_bits() == dilatancy.to_bits() { alpha } else { beta };
+        DruckerPrager { elastic, alpha, beta, strength: strength * cohesion, tension_cutoff: None }
+    }
+
+    /// How far a stress lies beyond the surface [Pa]; below zero inside.
+    #[must_use]
+    pub fn excess(&self, stress: &Four) -> f64 {
+        let principal = Principal::of(stress).stress;
+        let shear = self.beyond(&principal);
+        match self.tension_cutoff {
+            Some(cutoff) => shear.max(principal[0] - cutoff),
+            None => shear,
+        }
+    }
+
+    fn beyond(&self, principal: &Three) -> f64 {
+        let (radius, _, sum) = parts(principal);
+        radius + self.alpha * sum - self.strength
+    }
+}
+
+impl Law for DruckerPrager {
+    fn respond(&self, strain: &Four, old: &Memory) -> Response {
+        let trial = self.elastic.trial(strain, old);
+        let on_cone = cone::back(&self.elastic, &trial, self.alpha, self.beta, self.strength);
+        if let Some(cutoff) = self.tension_cutoff {
+            let candidate = on_cone.map_or(trial, |(stress, _)| stress);
+            let size = candidate.iter().fold(cutoff.abs(), |size, s| size.max(s.abs()));
+            if Principal::of(&candidate).stress[0] > cutoff + cone::ROUNDING * size {
+                let principal = Principal::of(&trial);
+                let (stress, tangent) = self.cut_off(&principal.stress, cutoff);
+                let (stress, tangent) = principal.back(&self.elastic, &stress, &tangent);
+                return flowed(&self.elastic, strain, old, stress, tangent);
+            }
+        }
+        match on_cone {
+            None => self.elastic.holds(trial, old),
+            Some((stress, tangent)) => flowed(&self.elastic, strain, old, stress, tangent),
+        }
+    }
+}
+
+/// The way back where the cut-off in tension takes part, in principal stresses.
+impl DruckerPrager {
+    fn cut_off(&self, trial: &Three, cutoff: f64) -> (Three, Matrix) {
+        let size = trial.iter().fold(cutoff.abs() + self.strength, |size, s| size.max(s.abs()));
+        let rounding = 1e-12 * size;
+        let faces = polyhedron::tension(cutoff);
+        let tip = [cutoff.min(self.strength / (3.0 * self.alpha)); 3];
+        if let Some(flat) = polyhedron::back(&self.elastic, trial, &faces)
+            && self.beyond(&flat.stress) <= rounding
+        {
+            return (flat.stress, flat.tangent);
+        }
+        if let Some((stress, tangent)) = self.rim(trial, cutoff)
+            && stress[1] <= cutoff + rounding
+        {
+            return (stress, tangent);
+        }
+        // Two directions at the cut-off, the third where the cone is met.
+        let stress = self.rim_corner(cutoff).unwrap_or(tip);
+        (stress, [[0.0; 3]; 3])
+    }
+
+    /// Where the cone meets the cut-off of the greatest stress. The flow of the cut-off is sought that leaves, once the cone
+    /// has drawn in what remains, the greatest stress at the cut-off.
+    fn rim(&self, trial: &Three, cutoff: f64) -> Option<(Three, Matrix)> {
+        let hooke = hooke(&self.elastic);
+        let push = [hooke[0][0], hooke[1][0], hooke[2][0]];
+        let at = |amount: f64| {
+            let pushed: Three = std::array::from_fn(|i| trial[i] - amount * push[i]);
+            self.drawn_in(&pushed)
+        };
+        let beyond = |amount: f64| at(amount).0[0] - cutoff;
+        let (mut low, mut low_value) = (0.0, beyond(0.0));
+        let mut high = (trial[0] - cutoff).abs().max(cutoff.abs()) / push[0];
+        let mut high_value = beyond(high);
+        for _ in 0..60 {
+            if high_value <= 0.0 {
+                break;
+            }
+            (low, low_value) = (high, high_value);
+            high *= 2.0;
+            high_value = beyond(high);
+        }
+        if !(low_value > 0.0 && high_value <= 0.0) {
+            return None;
+        }
+        // Illinois: false position that halves the weight of an end that stays.
+        let mut side = 0;
+        for _ in 0..200 {
+            let middle = (low * high_value - high * low_value) / (high_value - low_value);
+            let middle = if middle > low && middle < high { middle } else { 0.5 * (low + high) };
+            if !(middle > low && middle < high) {
+                break;
+            }
+            let value = beyond(middle);
+            if value > 0.0 {
+                (low, low_value) = (middle, value);
+                high_value *= if side == 1 { 0.5 } else { 1.0 };
+                side = 1;
+            } else {
+                (high, high_value) = (middle, value);
+                low_value *= if side == -1 { 0.5 } else { 1.0 };
+                side = -1;
+                if value == 0.0 {
+                    break;
+                }
+            }
+        }
+        let (mut stress, flow) = at(high);
+        stress[0] = cutoff;
+        Some((stress, self.rim_tangent(&hooke, &stress, flow)))
+    }
+
+    /// Back to the cone alone: stress, and the amount of flow.
+    fn drawn_in(&self, stress: &Three) -> (Three, f64) {
+        let (radius, deviator, sum) = parts(stress);
+        let excess = radius + self.alpha * sum - self.strength;
+        if excess <= 0.0 {
+            return (*stress, 0.0);
+        }
+        let (bulk, shear) = (self.elastic.bulk(), self.elastic.shear());
+        let flow = excess / (shear + 9.0 * bulk * self.alpha * self.beta);
+        if shear * flow > radius {
+            return ([self.strength / (3.0 * self.alpha); 3], flow);
+        }
+        let mean = sum / 3.0 - 3.0 * bulk * self.beta * flow;
+        (deviator.map(|d| mean + d * (1.0 - shear * flow / radius)), flow)
+    }
+
+    /// Tangent at the rim: elasticity softened by the turning of the cone's flow, less what flow along both takes.
+    fn rim_tangent(&self, hooke: &Matrix, stress: &Three, flow: f64) -> Matrix {
+        let nothing = [[0.0; 3]; 3];
+        let (radius, deviator, _) = parts(stress);
+        if !(radius > 0.0) {
+            return nothing;
+        }
+        let along = deviator.map(|d| d / (2.0 * radius));
+        let Some(soft) = inverse(hooke) else { return nothing };
+        let curvature = |i: usize, j: usize| {
+            let unit = if i == j { 2.0 / 3.0 } else { -1.0 / 3.0 };
+            (0.5 * unit - along[i] * along[j]) / radius
+        };
+        let soft: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| soft[i][j] + flow * curvature(i, j)));
+        let Some(stiff) = inverse(&soft) else { return nothing };
+        let normals = [along.map(|a| a + self.alpha), [1.0, 0.0, 0.0]];
+        let pushes = [times(&stiff, &along.map(|a| a + self.beta)), times(&stiff, &[1.0, 0.0, 0.0])];
+        let feels = normals.map(|normal| transposed_times(&stiff, &normal));
+        let [[a, b], [c, d]] = normals.map(|normal| pushes.map(|push| dot(&normal, &push)));
+        let determinant = a * d - b * c;
+        if !(determinant.abs() > 1e-14 * (a * d).abs()) {
+            return nothing;
+        }
+        let back = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
+        let taken = |p: usize, q: usize| -> f64 {
+            (0..2).map(|i| (0..2).map(|j| pushes[i][p] * back[i][j] * feels[j][q]).sum::<f64>()).sum()
+        };
+        std::array::from_fn(|p| std::array::from_fn(|q| stiff[p][q] - taken(p, q)))
+    }
+
+    /// The stress with its two greatest at the cut-off, on the cone: with σ₃ = t − x, √J2 = x/√3 and I1 = 3t − x.
+    fn rim_corner(&self, cutoff: f64) -> Option<Three> {
+        let slope = 1.0 / 3.0_f64.sqrt() - self.alpha;
+        let left = self.strength - 3.0 * self.alpha * cutoff;
+        (slope > 0.0 && left >= 0.0).then(|| [cutoff, cutoff, cutoff - left / slope])
+    }
+}
+
+/// √J2, deviator and sum of principal stresses.
+fn parts(stress: &Three) -> (f64, Three, f64) {
+    let sum: f64 = stress.iter().sum();
+    let deviator = stress.map(|s| s - sum / 3.0);
+    ((0.5 * dot(&deviator, &deviator)).sqrt(), deviator, sum)
+}

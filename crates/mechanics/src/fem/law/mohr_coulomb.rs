@@ -1,0 +1,73 @@
+//! Mohr-Coulomb: friction and cohesion on the worst plane.
+
+use super::polyhedron::{Face, back, tension};
+use super::principal::Principal;
+use super::{Elastic, Four, Law, Memory, Response, flowed};
+
+/// Elastic, perfectly plastic on (σ₁ − σ₃) + (σ₁ + σ₃) sin φ ≤ 2 c cos φ, tension positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MohrCoulomb {
+    /// Elasticity.
+    pub elastic: Elastic,
+    /// Cohesion c [Pa], not below zero.
+    pub cohesion: f64,
+    /// Angle of friction φ [rad], from 0 to below a quarter turn. With 0 this is Tresca's law.
+    pub friction_angle: f64,
+    /// Angle of dilatancy ψ [rad], from 0 to φ. Flow is associated where the two are the same.
+    pub dilatancy_angle: f64,
+    /// Greatest principal stress it takes in tension [Pa]; none leaves the pyramid up to its apex at c cot φ.
+    pub tension_cutoff: Option<f64>,
+}
+
+impl MohrCoulomb {
+    /// How far a stress lies beyond the surface [Pa]; below zero inside.
+    #[must_use]
+    pub fn excess(&self, stress: &Four) -> f64 {
+        let principal = Principal::of(stress).stress;
+        let (sin, cos) = self.friction_angle.sin_cos();
+        let shear = principal[0] - principal[2] + (principal[0] + principal[2]) * sin - 2.0 * self.cohesion * cos;
+        match self.tension_cutoff {
+            Some(cutoff) => shear.max(principal[0] - cutoff),
+            None => shear,
+        }
+    }
+
+    /// The three faces that a stress with its principal values in order can meet: between the greatest and the least, and the
+    /// two that meet it at the edges.
+    fn faces(&self) -> [Face; 3] {
+        let (friction, dilatancy) = (self.friction_angle.sin(), self.dilatancy_angle.sin());
+        let bound = 2.0 * self.cohesion * self.friction_angle.cos();
+        [(0, 2), (0, 1), (1, 2)].map(|(great, small)| {
+            let along = |sine: f64| {
+                let mut direction = [0.0; 3];
+                direction[great] = 1.0 + sine;
+                direction[small] = sine - 1.0;
+                direction
+            };
+            Face { normal: along(friction), flow: along(dilatancy), bound }
+        })
+    }
+}
+
+impl Law for MohrCoulomb {
+    fn respond(&self, strain: &Four, old: &Memory) -> Response {
+        let trial = self.elastic.trial(strain, old);
+        let principal = Principal::of(&trial);
+        let shear = self.faces();
+        let returned = match self.tension_cutoff {
+            None => back(&self.elastic, &principal.stress, &shear),
+            Some(cutoff) => {
+                let [a, b, c] = shear;
+                let [d, e, f] = tension(cutoff);
+                back(&self.elastic, &principal.stress, &[a, b, c, d, e, f])
+            }
+        };
+        match returned {
+            None => self.elastic.holds(trial, old),
+            Some(returned) => {
+                let (stress, tangent) = principal.back(&self.elastic, &returned.stress, &returned.tangent);
+                flowed(&self.elastic, strain, old, stress, tangent)
+            }
+        }
+    }
+}

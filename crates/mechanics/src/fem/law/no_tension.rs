@@ -1,0 +1,31 @@
+//! Masonry as a body without any strength in tension.
+
+use super::polyhedron::{back, tension};
+use super::principal::Principal;
+use super::{Elastic, Four, Law, Memory, Response, flowed};
+
+/// Elastic under compression; no principal stress is in tension (Del Piero 1989).
+///
+/// Cracking strain is whatever of the strain is not elastic, and closes again: stress follows from the strain alone, by the
+/// closest point in energy, so that it has a potential and no memory. The memory it gives holds the cracking strain, for
+/// those who show cracks. Where all three directions are cracked the tangent is nought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoTension {
+    /// Elasticity.
+    pub elastic: Elastic,
+}
+
+impl Law for NoTension {
+    fn respond(&self, strain: &Four, _old: &Memory) -> Response {
+        let fresh = Memory::default();
+        let trial = self.elastic.stress(strain);
+        let principal = Principal::of(&trial);
+        match back(&self.elastic, &principal.stress, &tension(0.0)) {
+            None => self.elastic.holds(trial, &fresh),
+            Some(returned) => {
+                let (stress, tangent) = principal.back(&self.elastic, &returned.stress, &returned.tangent);
+                flowed(&self.elastic, strain, &fresh, stress, tangent)
+            }
+        }
+    }
+}

@@ -1,0 +1,367 @@
+//! Newton's method in load steps that are cut back where they fail and grow again where they go well.
+
+use super::assemble::assemble;
+use super::dofs::dof;
+use super::factor::FactorError;
+use super::gmres::{dot, norm};
+use super::model::{Model, count};
+use super::newmark::Inertia;
+use super::outcome::{Outcome, Status, Step};
+use super::settings::Settings;
+use super::state::State;
+use super::workspace::Workspace;
+use crate::ids::NodeId;
+use crate::watch::{Progress, Watch, Wish};
+
+/// What is to be carried in the end.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Target {
+    /// Nodal forces on all components [N/m].
+    pub forces: Vec<f64>,
+    /// Displacements of held components: node, axis (0 or 1), value [m]. Those that are not named stay as they are.
+    pub imposed: Vec<(NodeId, usize, f64)>,
+}
+
+/// Takes a state to a target in load steps between what it carries and what it is to carry.
+///
+/// Where that ends early, the state stands at the last step that was balanced. The first guess of a step goes along the tangent with
+/// which the last step ended, if `work` still has it: another workspace gives the same state to within the tolerance, not to the bit.
+pub fn advance(
+    model: &Model,
+    state: &mut State,
+    work: &mut Workspace,
+    target: &Target,
+    settings: &Settings,
+    watch: &mut dyn Watch,
+) -> Outcome {
+    let mut outcome = Outcome { status: Status::Completed, reached: 0.0, iterations: 0, steps: Vec::new() };
+    let from = Aim { forces: state.forces.clone(), displacements: state.displacements.clone() };
+    let to = Aim::new(model, &from, target);
+    let mut path = Path::new(settings);
+    work.fresh &= work.trial.displacements == state.displacements;
+    while path.reached < 1.0 {
+        let progress = Progress {
+            stage: format!("load step {}", outcome.steps.len() + 1),
+            fraction: Some(path.reached),
+            steps: outcome.iterations,
+        };
+        if watch.look(&progress) == Wish::Stop {
+            outcome.status = Status::Cancelled;
+            return outcome;
+        }
+        let aim = from.towards(&to, path.next());
+        let attempt = balance(model, state, work, &aim, None, settings);
+        outcome.iterations += u64::from(attempt.iterations);
+        outcome.steps.push(attempt.step(work, path.next()));
+        if attempt.end == End::Balanced {
+            work.keep(state, &aim.forces);
+            path.accept(attempt.iterations);
+            outcome.reached = path.reached;
+        } else if !path.cut(work) {
+            outcome.status = if attempt.end == End::Singular { Status::Singular } else { Status::NotConverged };
+            return outcome;
+        }
+    }
+    outcome
+}
+
+/// What is carried at some point of the path.
+#[derive(Debug, Clone)]
+pub(super) struct Aim {
+    /// On all components [N/m].
+    pub forces: Vec<f64>,
+    /// Of all components [m]; only those of held ones are read.
+    pub displacements: Vec<f64>,
+}
+
+impl Aim {
+    fn new(model: &Model, from: &Aim, target: &Target) -> Aim {
+        let mut to = from.clone();
+        to.forces.iter_mut().zip(&target.forces).for_each(|(to, force)| *to = *force);
+        for &(node, axis, value) in &target.imposed {
+            if axis < 2 && model.held(node, axis) {
+                to.displacements[dof(node, axis)] = value;
+            }
+        }
+        to
+    }
+
+    fn towards(&self, to: &Aim, share: f64) -> Aim {
+        let mix = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect();
+        Aim { forces: mix(&self.forces, &to.forces), displacements: mix(&self.displacements, &to.displacements) }
+    }
+}
+
+/// How far along the load the run is, and how far the next step goes.
+#[derive(Debug)]
+struct Path {
+    reached: f64,
+    step: f64,
+    largest: f64,
+    smallest: f64,
+}
+
+/// Iterations within which a step counts as easy, so that the next may be longer.
+const EASY: u32 = 8;
+
+impl Path {
+    fn new(settings: &Settings) -> Path {
+        let largest = 1.0 / f64::from(settings.load_steps.max(1));
+        let smallest = largest * 0.5_f64.powi(settings.cut_limit.min(1000) as i32);
+        Path { reached: 0.0, step: largest, largest, smallest }
+    }
+
+    /// Share of the load at the end of the next step; the rest, where little more is left.
+    fn next(&self) -> f64 {
+        let next = self.reached + self.step;
+        if next > 1.0 - 1e-9 { 1.0 } else { next }
+    }
+
+    fn accept(&mut self, iterations: u32) {
+        self.reached = self.next();
+        if iterations <= EASY {
+            self.step = (2.0 * self.step).min(self.largest);
+        }
+    }
+
+    /// Halves the step; tells whether it may still be tried. The tangent starts anew.
+    fn cut(&mut self, work: &mut Workspace) -> bool {
+        self.step *= 0.5;
+        work.fresh = false;
+        self.step >= self.smallest
+    }
+}
+
+/// How an attempt ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    Balanced,
+    Diverged,
+    Singular,
+}
+
+/// One attempt at balance.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Attempt {
+    pub end: End,
+    pub iterations: u32,
+    pub unbalanced: f64,
+    pub line_searches: u32,
+    pub indefinite: u32,
+}
+
+impl Attempt {
+    pub(super) fn step(&self, work: &Workspace, reached: f64) -> Step {
+        let (open, sliding) = count(work.trial.bonds.iter().map(|bond| bond.state));
+        Step {
+            reached,
+            iterations: self.iterations,
+            unbalanced: self.unbalanced,
+            line_searches: self.line_searches,
+            indefinite: self.indefinite,
+            yielding: work.trial.points.iter().filter(|point| point.yields).count(),
+            open,
+            sliding,
+            kept: self.end == End::Balanced,
+        }
+    }
+}
+
+/// Iterations without a new least residual after which an attempt is given up.
+const STALL: u32 = 20;
+
+/// Residual over applied force beyond which an attempt is given up.
+const RUNAWAY: f64 = 1e12;
+
+/// Residual to which unsymmetric tangents are solved: Newton's method makes up for the rest.
+const ACCURACY: f64 = 1e-4;
+
+/// Finds displacements at which internal forces balance what is aimed at; `work` then holds them (equation 15).
+pub(super) fn balance(
+    model: &Model,
+    state: &State,
+    work: &mut Workspace,
+    aim: &Aim,
+    inertia: Option<&Inertia>,
+    settings: &Settings,
+) -> Attempt {
+    let mut attempt =
+        Attempt { end: End::Diverged, iterations: 0, unbalanced: f64::INFINITY, line_searches: 0, indefinite: 0 };
+    let equations = Equations { model, state, aim, inertia };
+    let (mut right, imposes) = match equations.predict(work) {
+        Some(first) => first,
+        None => return attempt,
+    };
+    let mut best = (f64::INFINITY, 0);
+    while attempt.iterations < settings.iteration_limit.max(1) {
+        attempt.iterations += 1;
+        let first = attempt.iterations == 1;
+        let direction = match direction(work, &right) {
+            Ok((direction, definite)) => {
+                attempt.indefinite += u32::from(!definite);
+                direction
+            }
+            Err(_) => {
+                attempt.end = End::Singular;
+                return attempt;
+            }
+        };
+        let start = dot(&right, &direction);
+        if first {
+            equations.impose(work);
+        }
+        let whole = equations.go(work, &direction, 1.0);
+        let poor = |now: &Option<Vec<f64>>| now.as_ref().is_none_or(|now| poor(start, dot(now, &direction)));
+        let found = if settings.line_search && !(first && imposes) && poor(&whole) {
+            attempt.line_searches += 1;
+            equations.search(work, &direction, start, whole)
+        } else {
+            whole
+        };
+        let Some(now) = found else { return attempt };
+        right = now;
+        attempt.unbalanced = norm(&right) / equations.size(work).max(f64::MIN_POSITIVE);
+        if attempt.unbalanced <= settings.tolerance {
+            attempt.end = End::Balanced;
+            return attempt;
+        }
+        if attempt.unbalanced < 0.9 * best.0 {
+            best = (attempt.unbalanced, attempt.iterations);
+        }
+        if !(attempt.unbalanced < RUNAWAY) || attempt.iterations > best.1 + STALL {
+            return attempt;
+        }
+    }
+    attempt
+}
+
+/// The step of Newton's method, and whether the symmetric part of the tangent was positive definite.
+fn direction(work: &mut Workspace, right: &[f64]) -> Result<(Vec<f64>, bool), FactorError> {
+    let definite = work.factorise()?;
+    Ok((work.solve(right, ACCURACY)?, definite))
+}
+
+/// Whether the force along the direction is left, after the whole step, so large that a part of the step may serve better.
+fn poor(start: f64, end: f64) -> bool {
+    const LEFT: f64 = 0.8;
+    !(end.abs() <= LEFT * start.abs())
+}
+
+/// The equations of balance of one step.
+struct Equations<'a> {
+    model: &'a Model,
+    state: &'a State,
+    aim: &'a Aim,
+    inertia: Option<&'a Inertia>,
+}
+
+impl Equations<'_> {
+    /// Right-hand side of the first iteration, and whether displacements are imposed in this step. The tangent of the last step is
+    /// used where it is at hand.
+    fn predict(&self, work: &mut Workspace) -> Option<(Vec<f64>, bool)> {
+        let fresh = work.fresh;
+        work.take(self.state);
+        if !fresh {
+            self.evaluate(work)?;
+        }
+        work.fresh = false;
+        let mut right = self.unbalanced(work);
+        let mut imposes = false;
+        let entries = work.pattern.entries();
+        for (&(equation, component), value) in work.pattern.coupling.iter().zip(&work.values[entries..]) {
+            let more = self.more(component as usize);
+            imposes |= more != 0.0;
+            right[equation as usize] -= value * more;
+        }
+        Some((right, imposes))
+    }
+
+    /// How much further a held component is to move.
+    fn more(&self, component: usize) -> f64 {
+        self.aim.displacements[component] - self.state.displacements[component]
+    }
+
+    fn impose(&self, work: &mut Workspace) {
+        let dofs = self.model.dofs();
+        for component in (0..dofs.count()).filter(|component| dofs.held(*component)) {
+            work.trial.displacements[component] = self.aim.displacements[component];
+        }
+    }
+
+    /// Moves the free components and computes what is then out of balance.
+    fn go(&self, work: &mut Workspace, direction: &[f64], share: f64) -> Option<Vec<f64>> {
+        for (component, step) in self.model.dofs().free().iter().zip(direction) {
+            work.trial.displacements[*component as usize] += share * step;
+        }
+        self.evaluate(work)?;
+        Some(self.unbalanced(work))
+    }
+
+    fn evaluate(&self, work: &mut Workspace) -> Option<()> {
+        assemble(self.model, work, self.state).ok()?;
+        if let Some(inertia) = self.inertia {
+            inertia.stiffen(work);
+        }
+        Some(())
+    }
+
+    fn unbalanced(&self, work: &Workspace) -> Vec<f64> {
+        match self.inertia {
+            None => work.unbalanced(self.model, &self.aim.forces),
+            Some(inertia) => inertia.unbalanced(self.model, work, &self.aim.forces),
+        }
+    }
+
+    /// Size of the forces that are to balance [N/m].
+    fn size(&self, work: &Workspace) -> f64 {
+        let applied = work.applied(self.model, &self.aim.forces);
+        match self.inertia {
+            None => applied,
+            Some(_) => {
+                let free = self.model.dofs().free().iter();
+                let internal: Vec<f64> = free.map(|component| work.internal[*component as usize]).collect();
+                applied.max(norm(&internal))
+            }
+        }
+    }
+
+    /// Searches the part of the step at which the force along it vanishes, by false position within [0.05, 1]; `whole` was found at 1.
+    fn search(
+        &self,
+        work: &mut Workspace,
+        direction: &[f64],
+        start: f64,
+        whole: Option<Vec<f64>>,
+    ) -> Option<Vec<f64>> {
+        const TRIES: usize = 6;
+        const LEAST: f64 = 0.05;
+        let along = |right: &Option<Vec<f64>>| right.as_ref().map_or(f64::INFINITY, |right| dot(right, direction));
+        let (mut low, mut high) = ((0.0, start), (1.0, along(&whole)));
+        let (mut share, mut found) = (1.0, whole);
+        let mut best = (share, high.1.abs());
+        for _ in 0..TRIES {
+            let crosses = high.1.is_finite() && low.1 * high.1 < 0.0;
+            let (a, b) = (low.1.abs(), high.1.abs());
+            let part = if crosses { (a / (a + b)).clamp(0.1, 0.9) } else { 0.5 };
+            let next = low.0 + part * (high.0 - low.0);
+            if next < LEAST {
+                break;
+            }
+            found = self.go(work, direction, next - share);
+            share = next;
+            let force = along(&found);
+            if force.abs() < best.1 {
+                best = (share, force.abs());
+            }
+            if !poor(start, force) {
+                return found;
+            }
+            if force.is_finite() && force * start > 0.0 && force.abs() < start.abs() {
+                low = (share, force);
+            } else {
+                high = (share, force);
+            }
+        }
+        if best.0 == share { found } else { self.go(work, direction, best.0 - share) }
+    }
+}

@@ -1,0 +1,50 @@
+//! How a run ended, and what each step took.
+
+/// How it ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// All of the load is carried.
+    Completed,
+    /// No balance was found beyond the load reached, however small the step.
+    NotConverged,
+    /// The tangent has no inverse beyond the load reached, however small the step: a mechanism, or a part without support.
+    Singular,
+    /// The onlooker stopped it.
+    Cancelled,
+}
+
+/// One attempt at a load step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Share of the load at its end, 0 to 1.
+    pub reached: f64,
+    /// Iterations it took.
+    pub iterations: u32,
+    /// Out-of-balance force over applied force at its end.
+    pub unbalanced: f64,
+    /// Searches along a direction.
+    pub line_searches: u32,
+    /// Times the symmetric part of the tangent was not positive definite.
+    pub indefinite: u32,
+    /// Points that flow or crack.
+    pub yielding: usize,
+    /// Springs of interfaces that are open.
+    pub open: usize,
+    /// Springs of interfaces that slide.
+    pub sliding: usize,
+    /// Whether it was kept; otherwise the step was halved.
+    pub kept: bool,
+}
+
+/// A run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// How it ended.
+    pub status: Status,
+    /// Share of the load carried, 0 to 1; the state stands there.
+    pub reached: f64,
+    /// Iterations of all attempts.
+    pub iterations: u64,
+    /// Every attempt, in order.
+    pub steps: Vec<Step>,
+}

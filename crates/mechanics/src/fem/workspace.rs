@@ -1,0 +1,122 @@
+//! Scratch of a model: pattern, factorisation, and what an iteration tries.
+
+use super::assemble::assemble;
+use super::factor::{FactorError, Solver};
+use super::gmres::norm;
+use super::model::Model;
+use super::pattern::Pattern;
+use super::state::{Bond, Point, State};
+
+/// Scratch; made once for a model and used for all of its states.
+#[derive(Debug)]
+pub struct Workspace {
+    pub(super) pattern: Pattern,
+    pub(super) solver: Solver,
+    /// Symmetric part of the tangent: lower triangle, then entries that join held components, then one that nobody reads.
+    pub(super) values: Vec<f64>,
+    /// The rest of it, where it is not symmetric; empty in models that have symmetric tangents alone.
+    pub(super) skew: Vec<f64>,
+    /// Whether anything in `skew` differs from zero.
+    pub(super) skewed: bool,
+    /// Internal forces on all components.
+    pub(super) internal: Vec<f64>,
+    /// What the state would be if it were kept.
+    pub(super) trial: Trial,
+    /// Whether `values` are the tangent with which the last kept step ended.
+    pub(super) fresh: bool,
+}
+
+/// A state that is tried.
+#[derive(Debug, Default)]
+pub(super) struct Trial {
+    pub displacements: Vec<f64>,
+    pub points: Vec<Point>,
+    pub modes: Vec<[f64; 4]>,
+    pub bonds: Vec<Bond>,
+}
+
+impl Workspace {
+    /// Finds the pattern and orders the equations.
+    pub fn new(model: &Model) -> Result<Workspace, FactorError> {
+        Workspace::with_pattern(model, Pattern::new(model))
+    }
+
+    /// Orders the equations of a pattern that was found before.
+    pub fn with_pattern(model: &Model, pattern: Pattern) -> Result<Workspace, FactorError> {
+        let state = State::new(model);
+        Ok(Workspace {
+            solver: Solver::new(&pattern)?,
+            values: vec![0.0; pattern.places()],
+            skew: if model.symmetric() { Vec::new() } else { vec![0.0; pattern.places()] },
+            skewed: false,
+            internal: vec![0.0; model.dofs().count()],
+            trial: Trial {
+                displacements: state.displacements,
+                points: state.points,
+                modes: state.modes,
+                bonds: state.bonds,
+            },
+            pattern,
+            fresh: false,
+        })
+    }
+
+    /// Computes the tangent of a state.
+    pub fn stiffness(&mut self, model: &Model, state: &State) -> Result<(), FactorError> {
+        self.take(state);
+        assemble(model, self, state).map_err(|_| FactorError::Singular)
+    }
+
+    /// Factorises the tangent at hand; tells whether its symmetric part is positive definite.
+    pub fn factorise(&mut self) -> Result<bool, FactorError> {
+        self.solver.factorise(&self.pattern, &self.values)
+    }
+
+    /// Solves with the tangent factorised last; `accuracy` is the residual over the right-hand side that is enough where the tangent
+    /// is not symmetric.
+    pub fn solve(&mut self, right: &[f64], accuracy: f64) -> Result<Vec<f64>, FactorError> {
+        let skew: &[f64] = if self.skewed { &self.skew } else { &[] };
+        self.solver.solve(&self.pattern, (&self.values, skew), right, accuracy)
+    }
+
+    /// Entries of the tangent's lower triangle.
+    pub fn tangent_entries(&self) -> usize {
+        self.pattern.entries()
+    }
+
+    /// Entries of its factor.
+    pub fn factor_entries(&self) -> usize {
+        self.solver.entries()
+    }
+
+    /// Starts from a state.
+    pub(super) fn take(&mut self, state: &State) {
+        self.trial.displacements.copy_from_slice(&state.displacements);
+        self.trial.modes.copy_from_slice(&state.modes);
+    }
+
+    /// Keeps what was tried: memories are exchanged, not copied.
+    pub(super) fn keep(&mut self, state: &mut State, forces: &[f64]) {
+        std::mem::swap(&mut self.trial.points, &mut state.points);
+        std::mem::swap(&mut self.trial.bonds, &mut state.bonds);
+        state.displacements.copy_from_slice(&self.trial.displacements);
+        state.modes.copy_from_slice(&self.trial.modes);
+        state.forces.copy_from_slice(forces);
+        self.fresh = true;
+    }
+
+    /// What is out of balance at the free components: loads less internal forces [N/m].
+    pub(super) fn unbalanced(&self, model: &Model, forces: &[f64]) -> Vec<f64> {
+        let free = model.dofs().free().iter();
+        free.map(|component| forces[*component as usize] - self.internal[*component as usize]).collect()
+    }
+
+    /// Size of what is applied: loads on free components, or reactions, whichever are larger [N/m].
+    pub(super) fn applied(&self, model: &Model, forces: &[f64]) -> f64 {
+        let dofs = model.dofs();
+        let loads: Vec<f64> = dofs.free().iter().map(|component| forces[*component as usize]).collect();
+        let held = (0..dofs.count()).filter(|component| dofs.held(*component));
+        let reactions: Vec<f64> = held.map(|component| self.internal[component] - forces[component]).collect();
+        norm(&loads).max(norm(&reactions))
+    }
+}
