@@ -37,6 +37,8 @@ pub struct Bridge {
     pub dispersal: Dispersal,
     /// What to analyse, and how exactly.
     pub plan: Plan,
+    /// The train that crosses, and what is measured meanwhile, where the file says so.
+    pub passage: Option<crate::passage::Passage>,
 }
 
 /// One span.

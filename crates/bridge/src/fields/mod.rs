@@ -7,8 +7,10 @@ mod cover;
 mod loading;
 mod material;
 mod particles;
+mod passage;
 mod plan;
 mod structure;
+pub(crate) mod train;
 mod vary;
 mod wall;
 
@@ -270,6 +272,15 @@ pub static FILE: Section = Section {
             .optional("supports do not move"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
             .optional("limit analysis of the load, with the defaults"),
+        Field::new("train", Kind::Table(&train::TRAIN), "The train that crosses in `extrados respond`.", "")
+            .optional("no train crosses"),
+        Field::new("track", Kind::Table(&train::TRACK), "How axles reach the fill: rails, sleepers, ballast.", "")
+            .optional("possible only where no train crosses"),
+        Field::new("passage", Kind::Table(&passage::PASSAGE), "How the train crosses, and how that is analysed.", "")
+            .optional("possible only where no train crosses"),
+        Field::new("sensor", Kind::Tables(&passage::SENSOR), "What is measured while the train crosses.", "").optional(
+            "crown, pier springing and abutment springing of the first span: displacement and strain of each",
+        ),
         Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
             .optional("nothing is varied"),
     ],

@@ -7,8 +7,11 @@ mod geometry;
 mod loading;
 mod materials;
 mod particles;
+mod passage;
 mod plan;
+mod sensors;
 pub(crate) mod structure;
+pub(crate) mod train;
 mod vary;
 mod wall;
 
@@ -38,6 +41,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
+    let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
     if let (Some(spans), Some(piers)) = (&spans, &piers) {
@@ -73,5 +77,6 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        passage: passage?,
     })
 }
