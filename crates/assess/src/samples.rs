@@ -63,6 +63,7 @@ pub fn bridgemill() -> Bridge {
             support_movement: None,
             seed: 0,
         },
+        service: Service::default(),
     }
 }
 

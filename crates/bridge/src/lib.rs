@@ -16,6 +16,7 @@ pub mod reference;
 mod resolve;
 pub mod ring;
 pub mod schema;
+pub mod service;
 pub mod text;
 mod tree;
 mod values;
@@ -23,6 +24,7 @@ pub mod vary;
 
 pub use diagnostic::{Diagnostic, Severity, TextRange};
 pub use model::*;
+pub use service::*;
 pub use text::Position;
 
 use findings::Findings;

@@ -8,6 +8,7 @@ mod loading;
 mod material;
 mod particles;
 mod plan;
+mod service;
 mod structure;
 mod vary;
 mod wall;
@@ -270,6 +271,17 @@ pub static FILE: Section = Section {
             .optional("supports do not move"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
             .optional("limit analysis of the load, with the defaults"),
+        Field::new("mesh", Kind::Table(&service::MESH), "The finite element mesh.", "").optional("the defaults"),
+        Field::new("fill", Kind::Table(&service::FILL), "Fill above the rings, in the finite element model.", "")
+            .optional("not needed for collapse"),
+        Field::new("haunch_fill", Kind::Table(&service::HAUNCH_FILL), "Fill of the haunches.", "")
+            .optional("the haunches are filled as the rest"),
+        Field::new("abutment_fill", Kind::Table(&service::ABUTMENT_FILL), "Fill behind the abutments.", "")
+            .optional("as the rest of the fill"),
+        Field::new("mortar", Kind::Table(&service::MORTAR), "Mortar of the joints, in the finite element model.", "")
+            .optional("not needed for collapse"),
+        Field::new("fill_contact", Kind::Table(&service::FILL_CONTACT), "Contact of fill with masonry.", "")
+            .optional("not needed for collapse"),
         Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
             .optional("nothing is varied"),
     ],

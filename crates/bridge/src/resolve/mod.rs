@@ -8,6 +8,7 @@ mod loading;
 mod materials;
 mod particles;
 mod plan;
+mod service;
 pub(crate) mod structure;
 mod vary;
 mod wall;
@@ -33,6 +34,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
+    let service = service::service(file, cover.as_ref(), findings);
     let particles = particles::particles(file, cover.as_ref(), findings);
     let calibration = calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
@@ -73,5 +75,6 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        service: service?,
     })
 }
