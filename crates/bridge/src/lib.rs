@@ -17,6 +17,7 @@ pub mod reference;
 mod resolve;
 pub mod ring;
 pub mod schema;
+pub mod service;
 pub mod text;
 pub mod train;
 mod tree;
@@ -25,6 +26,7 @@ pub mod vary;
 
 pub use diagnostic::{Diagnostic, Severity, TextRange};
 pub use model::*;
+pub use service::*;
 pub use text::Position;
 
 use findings::Findings;

@@ -32,7 +32,7 @@ pub struct Track {
     pub ballast_depth: f64,
     /// Slope at which pressure spreads through it, vertical to one horizontal.
     pub ballast_slope: f64,
-    /// Weight of ballast, sleepers and rails on the fill [Pa].
+    /// Weight of rails and sleepers on the fill [Pa]; that of ballast is part of it only where no layer of the cover is ballast.
     pub dead_load: f64,
     /// Width of the bridge that carries an axle [m]; the barrel's where the file gives none.
     pub effective_width: Option<f64>,

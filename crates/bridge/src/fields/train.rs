@@ -124,8 +124,8 @@ pub(super) static TRACK: Section = Section {
         Field::new(
             "dead_load",
             Kind::Quantity(Stress),
-            "weight of ballast, sleepers and rails on the fill, a part of the self-weight",
-            "8 kPa",
+            "weight of rails and sleepers on the fill (and of ballast where no [[cover]] layer is ballast); a part of the self-weight",
+            "3 kPa",
         )
         .at_least(0.0)
         .at_most(1e6),

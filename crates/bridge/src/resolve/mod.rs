@@ -10,6 +10,7 @@ mod particles;
 mod passage;
 mod plan;
 mod sensors;
+mod service;
 pub(crate) mod structure;
 pub(crate) mod train;
 mod vary;
@@ -36,6 +37,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
+    let service = service::service(file, cover.as_ref(), findings);
     let particles = particles::particles(file, cover.as_ref(), findings);
     let calibration = calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
@@ -77,6 +79,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        service: service?,
         passage: passage?,
     })
 }

@@ -41,8 +41,7 @@ impl TrackLoads {
         let first = number(left - 0.5 * pressed).ceil() as i64;
         let last = number(right + 0.5 * pressed).floor() as i64;
         let sleepers: Vec<f64> = (first..=last).map(|n| middle + track.sleeper_spacing * n as f64).collect();
-        let patterns =
-            sleepers.iter().map(|x| strip(surface, x - 0.5 * pressed, x + 0.5 * pressed)).collect();
+        let patterns = sleepers.iter().map(|x| strip(surface, x - 0.5 * pressed, x + 0.5 * pressed)).collect();
         let (axles, rail) = (axles.to_vec(), Rail::new(track));
         TrackLoads { rail, axles, width, origin: middle, first, sleepers, patterns, pressed }
     }

@@ -332,7 +332,8 @@ mod tests {
             sliding: 0.0,
             state: PairState::Closed,
         };
-        let row = |joint, a, b| Row { kind: RowKind::Joint { span: 1, joint }, pairs: vec![pair(0.0, a), pair(1.0, b)] };
+        let row =
+            |joint, a, b| Row { kind: RowKind::Joint { span: 1, joint }, pairs: vec![pair(0.0, a), pair(1.0, b)] };
         let rows = vec![row(1, -1e5, -3e5), row(0, -2e5, 0.0), row(2, 0.0, 0.0)];
         let lines = Moment { rows, ..Moment::default() }.thrust_lines();
         assert!(lines[0].is_empty());

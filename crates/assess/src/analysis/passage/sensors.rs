@@ -118,10 +118,18 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
         (SensorKind::Strain { gauge_length }, Place::Span { span, share }) => {
             let stones = faces(ring(rings, span, sensor)?, sensor.face);
             let stone = stone_at(mesh, stones, share);
-            let reading = gauge(mesh, &stones[stone], gauge_length)
-                .map_err(|stone| SensorError::LongGauge { name: name.clone(), gauge: gauge_length, stone })?;
+            let reading = gauge(mesh, &stones[stone], gauge_length).map_err(|stone| SensorError::LongGauge {
+                name: name.clone(),
+                gauge: gauge_length,
+                stone,
+            })?;
             let site = site(span, share, sensor.face);
-            let about = format!("stone {} of {}, {site}, over {:.0} mm, tension positive", stone + 1, stones.len(), 1e3 * gauge_length);
+            let about = format!(
+                "stone {} of {}, {site}, over {:.0} mm, tension positive",
+                stone + 1,
+                stones.len(),
+                1e3 * gauge_length
+            );
             (Quantity::Strain, reading, about)
         }
         (SensorKind::JointOpening | SensorKind::JointSliding, Place::Span { span, share }) => {
@@ -131,7 +139,8 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
             let reading = across(mesh, &ring.joints[joint], sensor.face, opening)
                 .ok_or(SensorError::NeedsRing { name: name.clone() })?;
             let sign = if opening { "apart positive" } else { "its right side outwards positive" };
-            let about = format!("joint {joint} of {}, {}, {sign}", ring.joints.len() - 1, site(span, share, sensor.face));
+            let about =
+                format!("joint {joint} of {}, {}, {sign}", ring.joints.len() - 1, site(span, share, sensor.face));
             (if opening { Quantity::JointOpening } else { Quantity::JointSliding }, reading, about)
         }
         (SensorKind::Stress, Place::Span { span, share }) => {
@@ -139,7 +148,12 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
             let stone = stone_at(mesh, stones, share);
             let (at, along) = middle(mesh, &stones[stone]);
             let quad = nearest_of(mesh, &stones[stone], at).ok_or(SensorError::NeedsRing { name: name.clone() })?;
-            let about = format!("stone {} of {}, {}, along the ring, tension positive", stone + 1, stones.len(), site(span, share, sensor.face));
+            let about = format!(
+                "stone {} of {}, {}, along the ring, tension positive",
+                stone + 1,
+                stones.len(),
+                site(span, share, sensor.face)
+            );
             (Quantity::Stress, Reading::Stress { quad, along: [along.x, along.y] }, about)
         }
         (_, Place::Point(_)) => return Err(SensorError::NeedsRing { name }),
