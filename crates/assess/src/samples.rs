@@ -63,6 +63,8 @@ pub fn bridgemill() -> Bridge {
             support_movement: None,
             seed: 0,
         },
+        service: Service::default(),
+        passage: None,
     }
 }
 
@@ -110,4 +112,55 @@ pub fn case_two() -> Bridge {
         layer(LayerKind::Surfacing, 0.150, false),
     ];
     b
+}
+
+/// Two spans of 6 m on a pier, with fill and ballast over them.
+pub fn railway() -> Bridge {
+    let ring = Ring { crown_thickness: 0.54, springing_thickness: 0.54, voussoirs: 19 };
+    let span = Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring] };
+    let mut b = spans(vec![span; 2], 1.5, 1.5, 3.0, 6);
+    b.name = "railway".into();
+    b.width = 4.87;
+    b.abutments = [Abutment { top_width: 1.5, height: 3.0 }; 2];
+    b.cover = case_two().cover;
+    b.cover.layers.truncate(1);
+    b.cover.layers[0].thickness = 0.5;
+    b.cover.depth = 0.5;
+    b.loads.clear();
+    b
+}
+
+/// A passage at 45 km/h over common track; no vehicles yet.
+pub fn passage() -> bridge::passage::Passage {
+    use bridge::passage::*;
+    Passage {
+        train: bridge::train::Train { name: String::new(), file: None, vehicles: vec![] },
+        track: Track {
+            rail_bending_stiffness: 4.47e6,
+            track_modulus: 30e6,
+            sleeper_spacing: 0.6,
+            sleeper_breadth: 0.25,
+            sleeper_length: 2.75,
+            ballast_depth: 0.25,
+            ballast_slope: 2.0,
+            dead_load: 3e3,
+            effective_width: None,
+        },
+        plan: PassagePlan {
+            speed: 12.5,
+            time_step: 0.005,
+            from: None,
+            to: None,
+            analysis: PassageAnalysis::Static,
+            damping: None,
+            numerical_damping: 0.0,
+            kinematics: PassageKinematics::Small,
+            load_steps: 10,
+            iterations: 100,
+            tolerance: 1e-6,
+            path: PassagePath::Condensed,
+            pictures: vec![],
+        },
+        sensors: vec![],
+    }
 }

@@ -2,6 +2,7 @@
 
 mod errors;
 mod geometry;
+mod passage;
 mod vary;
 mod warnings;
 
@@ -25,7 +26,7 @@ pub struct Card {
 }
 
 /// All cards, by subject.
-pub const CARDS: [&[Card]; 4] = [errors::CARDS, geometry::CARDS, vary::CARDS, warnings::CARDS];
+pub const CARDS: [&[Card]; 5] = [errors::CARDS, geometry::CARDS, passage::CARDS, vary::CARDS, warnings::CARDS];
 
 /// All cards one after the other.
 pub fn cards() -> impl Iterator<Item = &'static Card> {

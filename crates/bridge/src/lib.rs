@@ -9,6 +9,7 @@ pub mod explain;
 pub mod fields;
 mod findings;
 pub mod model;
+pub mod passage;
 pub mod path;
 mod plausible;
 pub mod quantity;
@@ -16,13 +17,16 @@ pub mod reference;
 mod resolve;
 pub mod ring;
 pub mod schema;
+pub mod service;
 pub mod text;
+pub mod train;
 mod tree;
 mod values;
 pub mod vary;
 
 pub use diagnostic::{Diagnostic, Severity, TextRange};
 pub use model::*;
+pub use service::*;
 pub use text::Position;
 
 use findings::Findings;

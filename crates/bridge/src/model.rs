@@ -1,6 +1,7 @@
 //! What a bridge file means, in SI units: the value that reading returns. Plain data, nothing computed.
 
 use crate::ring::Profile;
+use crate::service::Service;
 
 /// A bridge as its file describes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,10 @@ pub struct Bridge {
     pub dispersal: Dispersal,
     /// What to analyse, and how exactly.
     pub plan: Plan,
+    /// What only the finite element model reads.
+    pub service: Service,
+    /// The train that crosses, and what is measured meanwhile, where the file says so.
+    pub passage: Option<crate::passage::Passage>,
 }
 
 /// One span.
@@ -347,6 +352,10 @@ pub struct Backing {
     pub height: f64,
     /// Mass density [kg/m^3].
     pub density: f64,
+    /// Young's modulus [Pa].
+    pub elastic_modulus: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson_ratio: Option<f64>,
     /// What it is in the discrete element method.
     pub body: BackingBody,
     /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.

@@ -58,6 +58,10 @@ const USUAL: &[Usual] = &[
     usual("P006", "backing", "density", 1000.0, 3000.0, "backing usually weighs 1000 to 3000 kg/m^3"),
     usual("P007", "bridge", "gravity", 9.7, 9.9, "gravity on the ground is 9.76 to 9.83 m/s^2"),
     usual("P008", "bridge", "width", 1.0, 40.0, "bridges are usually 1 to 40 m wide"),
+    usual("P052", "track", "track_modulus", 5e6, 200e6, "track moduli are usually 5 to 200 MPa for one rail"),
+    usual("P052", "track", "rail_bending_stiffness", 0.5e6, 10e6, "rails usually have 0.5 to 10 MNm^2"),
+    usual("P052", "track", "sleeper_spacing", 0.4, 1.0, "sleepers usually stand 0.4 to 1 m apart"),
+    usual("P053", "passage", "speed", 1.0 / 3.6, 250.0 / 3.6, "trains usually cross bridges at 1 to 250 km/h"),
 ];
 
 /// Reports what is unusual, as far as the file could be read.
@@ -79,6 +83,8 @@ pub(crate) fn check(
     rings(file, spans.unwrap_or_default(), masonry, findings);
     piers(file, findings);
     settings(file, findings);
+    axles(file, findings);
+    effective_width(file, findings);
 }
 
 /// The tables of a section, one or many; their mistakes have been reported already.
@@ -327,6 +333,47 @@ fn settings(file: &Table<'_>, findings: &mut Findings) {
                 "the slope of the dispersal is unusual",
                 "vertical to horizontal",
                 "2:1 is common for soil, 4:1 for ballast, 1:1 for concrete; check whether the numbers are swapped",
+            );
+        }
+    }
+}
+
+/// Axle loads as no rail has seen them.
+fn axles(file: &Table<'_>, findings: &mut Findings) {
+    let mut unheard = Findings::default();
+    let Some(train) = file.table("train", &mut unheard) else { return };
+    for table in train.tables("vehicle", &mut unheard) {
+        for (key, least, most, says) in [
+            ("axle_loads", 1e3, 45e3, "axles usually bring 1 to 45 t onto the rails"),
+            ("axle_forces", 10e3, 450e3, "axles usually bring 10 to 450 kN onto the rails"),
+        ] {
+            let Some(loads) = table.quantities(key, &mut unheard) else { continue };
+            if loads.value.iter().any(|load| !(least..=most).contains(load)) {
+                findings.warning(
+                    "P051",
+                    loads.range,
+                    format!("an axle load of {} is unusual", table.title()),
+                    says,
+                    "check number and unit; this is the load of an axle, not of the vehicle",
+                );
+            }
+        }
+    }
+}
+
+/// An axle spreads over its sleepers before anything else.
+fn effective_width(file: &Table<'_>, findings: &mut Findings) {
+    for table in every(file, "track") {
+        let (width, sleeper) = (value(&table, "effective_width"), value(&table, "sleeper_length"));
+        if let (Some(width), Some(sleeper)) = (width, sleeper)
+            && width < sleeper
+        {
+            findings.warning(
+                "P054",
+                table.place("effective_width"),
+                "an axle is carried by less width than its sleepers have",
+                format!("sleepers are {sleeper} m long"),
+                "leave it out for the width of the barrel, or give the width reached at the depth of the ring",
             );
         }
     }

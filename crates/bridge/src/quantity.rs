@@ -21,6 +21,14 @@ pub enum Dimension {
     Acceleration,
     /// Rotation per length of movement [rad/m].
     AngleRate,
+    /// Bending stiffness of a beam [N m^2].
+    BendingStiffness,
+    /// Speed [m/s].
+    Speed,
+    /// Time [s].
+    Time,
+    /// Frequency [Hz].
+    Frequency,
     /// Weight per unit volume [N/m^3]; known only so that it can be told from a mass density.
     UnitWeight,
     /// Mass [kg]; known only so that it can be told from a force.
@@ -88,6 +96,14 @@ pub const UNITS: &[Unit] = &[
     unit("m/s^2", Dimension::Acceleration, 1.0),
     unit("rad/m", Dimension::AngleRate, 1.0),
     unit("deg/m", Dimension::AngleRate, DEGREE),
+    unit("MNm^2", Dimension::BendingStiffness, 1e6),
+    unit("kNm^2", Dimension::BendingStiffness, 1e3),
+    unit("Nm^2", Dimension::BendingStiffness, 1.0),
+    unit("km/h", Dimension::Speed, 1.0 / 3.6),
+    unit("m/s", Dimension::Speed, 1.0),
+    unit("s", Dimension::Time, 1.0),
+    unit("ms", Dimension::Time, 1e-3),
+    unit("Hz", Dimension::Frequency, 1.0),
     unit("kN/m^3", Dimension::UnitWeight, 1e3),
     unit("N/m^3", Dimension::UnitWeight, 1.0),
     unit("kg", Dimension::Mass, 1.0),
@@ -108,6 +124,10 @@ impl Dimension {
             Dimension::LineLoad => "a force per metre of width",
             Dimension::Acceleration => "an acceleration",
             Dimension::AngleRate => "a rotation per metre",
+            Dimension::BendingStiffness => "a bending stiffness",
+            Dimension::Speed => "a speed",
+            Dimension::Time => "a time",
+            Dimension::Frequency => "a frequency",
             Dimension::UnitWeight => "a weight per volume",
             Dimension::Mass => "a mass",
         }
@@ -130,6 +150,10 @@ impl Dimension {
             Dimension::LineLoad => 1e10,
             Dimension::Acceleration => 1e3,
             Dimension::AngleRate => 1e6,
+            Dimension::BendingStiffness => 1e12,
+            Dimension::Speed => 200.0,
+            Dimension::Time => 1e4,
+            Dimension::Frequency => 1e6,
             Dimension::UnitWeight => 1e6,
             Dimension::Mass => 1e10,
         }

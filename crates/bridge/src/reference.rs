@@ -67,6 +67,11 @@ fn units(out: &mut String) {
         Dimension::LineLoad,
         Dimension::Acceleration,
         Dimension::AngleRate,
+        Dimension::Mass,
+        Dimension::BendingStiffness,
+        Dimension::Speed,
+        Dimension::Time,
+        Dimension::Frequency,
     ] {
         let symbols: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.symbol)).collect();
         line(

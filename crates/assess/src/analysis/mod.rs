@@ -8,6 +8,7 @@ mod filled;
 mod movement;
 mod notes;
 mod of_blocks;
+pub mod passage;
 mod picture;
 mod places;
 mod report;
@@ -100,6 +101,9 @@ pub enum AnalysisError {
         /// Centre of the first one outside [m].
         first: [f64; 2],
     },
+    /// A train's passage cannot be set up.
+    #[error(transparent)]
+    Passage(#[from] passage::PassageError),
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase")]
     NoLoad,

@@ -6,6 +6,7 @@ pub mod dispersal;
 pub mod extrados;
 pub mod fill;
 pub mod laws;
+pub mod mesh;
 mod rings;
 mod supports;
 pub mod wall;

@@ -32,7 +32,7 @@ struct Joints {
 }
 
 /// Thickness of a ring at a share of the arc length: linear from springing to crown.
-fn thickness(ring: &bridge::Ring, share: f64) -> f64 {
+pub(super) fn thickness(ring: &bridge::Ring, share: f64) -> f64 {
     let to_crown = 1.0 - (2.0 * share - 1.0).abs();
     ring.springing_thickness + (ring.crown_thickness - ring.springing_thickness) * to_crown
 }

@@ -153,6 +153,8 @@ fn backing_takes_the_place_of_fill_below_its_level() {
     b.cover.backing = Some(bridge::Backing {
         height: 1.5,
         density: 1000.0,
+        elastic_modulus: None,
+        poisson_ratio: None,
         body: bridge::BackingBody::Weight,
         friction_angle: None,
         cohesion: None,
@@ -161,6 +163,8 @@ fn backing_takes_the_place_of_fill_below_its_level() {
     b.cover.backing = Some(bridge::Backing {
         height: 1.5,
         density: 2000.0,
+        elastic_modulus: None,
+        poisson_ratio: None,
         body: bridge::BackingBody::Weight,
         friction_angle: None,
         cohesion: None,

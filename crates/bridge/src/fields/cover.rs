@@ -74,6 +74,13 @@ pub(super) static BACKING: Section = Section {
         Field::new("height", Kind::Quantity(Length), "level of the backing's upper face above the springings", "1.5 m")
             .positive(),
         Field::new("density", Kind::Quantity(Density), "mass density of the backing", "2000 kg/m^3").positive(),
+        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the backing", "3 GPa")
+            .positive()
+            .optional("not needed for collapse"),
+        Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the backing", "0.2")
+            .at_least(0.0)
+            .at_most(0.4999)
+            .optional("not needed for collapse"),
         Field::new("as", Kind::Word(BACKINGS), "what the backing is in the discrete element method", "blocks")
             .default("weight"),
         Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction between its particles", "40 deg")

@@ -7,8 +7,11 @@ mod cover;
 mod loading;
 mod material;
 mod particles;
+mod passage;
 mod plan;
+mod service;
 mod structure;
+pub(crate) mod train;
 mod vary;
 mod wall;
 
@@ -270,6 +273,26 @@ pub static FILE: Section = Section {
             .optional("supports do not move"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
             .optional("limit analysis of the load, with the defaults"),
+        Field::new("mesh", Kind::Table(&service::MESH), "The finite element mesh.", "").optional("the defaults"),
+        Field::new("fill", Kind::Table(&service::FILL), "Fill above the rings, in the finite element model.", "")
+            .optional("not needed for collapse"),
+        Field::new("haunch_fill", Kind::Table(&service::HAUNCH_FILL), "Fill of the haunches.", "")
+            .optional("the haunches are filled as the rest"),
+        Field::new("abutment_fill", Kind::Table(&service::ABUTMENT_FILL), "Fill behind the abutments.", "")
+            .optional("as the rest of the fill"),
+        Field::new("mortar", Kind::Table(&service::MORTAR), "Mortar of the joints, in the finite element model.", "")
+            .optional("not needed for collapse"),
+        Field::new("fill_contact", Kind::Table(&service::FILL_CONTACT), "Contact of fill with masonry.", "")
+            .optional("not needed for collapse"),
+        Field::new("train", Kind::Table(&train::TRAIN), "The train that crosses in `extrados respond`.", "")
+            .optional("no train crosses"),
+        Field::new("track", Kind::Table(&train::TRACK), "How axles reach the fill: rails, sleepers, ballast.", "")
+            .optional("possible only where no train crosses"),
+        Field::new("passage", Kind::Table(&passage::PASSAGE), "How the train crosses, and how that is analysed.", "")
+            .optional("possible only where no train crosses"),
+        Field::new("sensor", Kind::Tables(&passage::SENSOR), "What is measured while the train crosses.", "").optional(
+            "crown, pier springing and abutment springing of the first span: displacement and strain of each",
+        ),
         Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
             .optional("nothing is varied"),
     ],

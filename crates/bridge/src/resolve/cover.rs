@@ -88,12 +88,16 @@ fn backing(file: &Table<'_>, findings: &mut Findings) -> Option<Backing> {
     let table = file.table("backing", findings)?;
     let height = table.quantity("height", findings);
     let density = table.quantity("density", findings);
+    let elastic_modulus = table.quantity("elastic_modulus", findings);
+    let poisson_ratio = table.number("poisson_ratio", findings);
     let body = table.word("as", findings);
     let friction_angle = table.quantity("friction_angle", findings);
     let cohesion = table.quantity("cohesion", findings);
     Some(Backing {
         height: height?.value,
         density: density?.value,
+        elastic_modulus: maybe(&table, "elastic_modulus", elastic_modulus)?,
+        poisson_ratio: maybe(&table, "poisson_ratio", poisson_ratio)?,
         body: match maybe(&table, "as", body)? {
             Some("particles") => BackingBody::Particles,
             Some("blocks") => BackingBody::Blocks,

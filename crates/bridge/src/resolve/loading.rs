@@ -44,7 +44,12 @@ pub(super) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
 
 /// "2:1", vertical to horizontal.
 pub(crate) fn slope(table: &Table<'_>, findings: &mut Findings) -> Option<At<f64>> {
-    let (field, raw) = table.entry("slope")?;
+    slope_of(table, "slope", findings)
+}
+
+/// The same of another key.
+pub(crate) fn slope_of(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<At<f64>> {
+    let (field, raw) = table.entry(key)?;
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
     match read_slope(text).filter(|value| value.is_finite() && field.limits.allow(*value)) {
         Some(value) => Some(At { value, range: raw.span().into() }),
@@ -182,8 +187,8 @@ fn position(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings)
     }
 }
 
-/// "1/4 of span 1", "0.25 span", "30% of span 2", "crown of span 1".
-fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) -> Option<At<f64>> {
+/// "1/4 of span 1", "0.25 span", "30% of span 2", "crown of span 1": its distance from the first springing [m].
+pub(super) fn share(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) -> Option<At<f64>> {
     let (field, raw) = table.entry("at")?;
     let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
     let range = raw.span().into();

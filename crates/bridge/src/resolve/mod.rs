@@ -7,8 +7,12 @@ mod geometry;
 mod loading;
 mod materials;
 mod particles;
+mod passage;
 mod plan;
+mod sensors;
+mod service;
 pub(crate) mod structure;
+pub(crate) mod train;
 mod vary;
 mod wall;
 
@@ -33,11 +37,13 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
+    let service = service::service(file, cover.as_ref(), findings);
     let particles = particles::particles(file, cover.as_ref(), findings);
     let calibration = calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
+    let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
     if let (Some(spans), Some(piers)) = (&spans, &piers) {
@@ -73,5 +79,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        service: service?,
+        passage: passage?,
     })
 }

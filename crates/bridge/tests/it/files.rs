@@ -20,9 +20,16 @@ pub const PARTICLES: &str = include_str!("files/particles.toml");
 pub const LAYERS: &str = include_str!("files/layers.toml");
 /// Fill as particles of given diameters, and all that its calibration may say.
 pub const CALIBRATION: &str = include_str!("files/calibration.toml");
+/// A train of its own crosses, and all that its passage may say.
+pub const PASSAGE: &str = include_str!("files/passage.toml");
+/// A train of the library, with as little as will do.
+pub const TRAIN: &str = include_str!("files/train.toml");
+/// A train from a file.
+pub const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 
 /// All of them.
-pub const GOOD: [&str; 8] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION];
+pub const GOOD: [&str; 11] =
+    [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, PASSAGE, TRAIN, TRAIN_FILE];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

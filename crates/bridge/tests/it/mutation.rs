@@ -182,6 +182,12 @@ fn judge(file: &[u8]) -> Result<(), String> {
         // Names may hold any word.
         bridge.name.clear();
         bridge.loads.iter_mut().for_each(|load| load.name.clear());
+        if let Some(passage) = &mut bridge.passage {
+            passage.train.name.clear();
+            passage.train.file = None;
+            passage.train.vehicles.iter_mut().for_each(|vehicle| vehicle.name.clear());
+            passage.sensors.iter_mut().for_each(|sensor| sensor.name.clear());
+        }
         let numbers = format!("{bridge:?}");
         if numbers.contains("NaN") || numbers.contains("inf") {
             return Err(numbers);

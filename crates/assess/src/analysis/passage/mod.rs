@@ -1,0 +1,104 @@
+//! A train crosses the bridge: mesh, loads and sensors are set up here, the positions are solved in `solve.rs`.
+
+pub mod loads;
+pub mod outcome;
+pub mod rail;
+pub mod sensors;
+mod setup;
+mod solve;
+
+pub use outcome::{Channel, Moment, Passage, PassageStatus, Quantity};
+pub use setup::{Setup, setup};
+pub use solve::{Solution, solve};
+
+use super::AnalysisError;
+use bridge::Bridge;
+use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
+use mechanics::watch::Watch;
+use thiserror::Error;
+
+/// Why a passage cannot be set up.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PassageError {
+    /// The file has no train.
+    #[error("the file has no train that crosses: describe it with [train], [track] and [passage]")]
+    NoTrain,
+    /// The vehicles of a file have not been read.
+    #[error("the vehicles of {0} have not been read")]
+    UnreadTrain(String),
+    /// Too many positions.
+    #[error(
+        "the train stands at {count} positions, more than {most}: give a larger `time_step` in [passage], or `from` and `to`"
+    )]
+    TooManyPositions {
+        /// How many.
+        count: usize,
+        /// Most.
+        most: usize,
+    },
+    /// The positions leave nothing to do.
+    #[error("the first axle starts at {from:.3} m and ends at {to:.3} m: give a larger `to` in [passage]")]
+    NoWay {
+        /// Start [m].
+        from: f64,
+        /// End [m].
+        to: f64,
+    },
+    /// A sensor finds no place.
+    #[error(transparent)]
+    Sensor(#[from] sensors::SensorError),
+    /// The bridge has no mesh.
+    #[error(transparent)]
+    Mesh(#[from] crate::discretise::mesh::MeshError),
+    /// No solver.
+    #[error("this build cannot solve passages")]
+    NoSolver,
+}
+
+/// The passage that the file describes.
+pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, AnalysisError> {
+    let setup = setup(bridge)?;
+    let solution = solve(bridge, &setup, watch)?;
+    Ok(report(bridge, &setup, solution))
+}
+
+/// The solution in an engineer's words.
+pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
+    let plan = &setup.plan;
+    let solved = solution.values.first().map_or(0, Vec::len);
+    let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| Channel {
+        name: sensor.name.clone(),
+        quantity: sensor.quantity,
+        about: sensor.about.clone(),
+        self_weight: solution.self_weight.get(k).copied().unwrap_or(0.0),
+        values,
+    });
+    Passage {
+        bridge: bridge.name.clone(),
+        train: setup.train.clone(),
+        speed: plan.speed,
+        analysis: if plan.analysis == PassageAnalysis::Transient { "transient" } else { "static" },
+        kinematics: if plan.kinematics == PassageKinematics::Large { "large" } else { "small" },
+        path: if plan.path == PassagePath::Plain { "plain" } else { "condensed" },
+        status: solution.status,
+        reason: solution.reason,
+        times: setup.times[..solved].to_vec(),
+        positions: setup.positions[..solved].to_vec(),
+        channels: channels.collect(),
+        degrees_of_freedom: solution.degrees_of_freedom,
+        condensed_degrees_of_freedom: solution.condensed_degrees_of_freedom,
+        iterations_total: solution.log.iter().map(|step| step.iterations as u64).sum(),
+        open_joints: solution.log.iter().map(|step| step.open_joints).max().unwrap_or(0),
+        plastic_points: solution.log.iter().map(|step| step.plastic_points).max().unwrap_or(0),
+        effective_width: setup.effective_width,
+        tolerance: plan.tolerance,
+        assumptions: setup.assumptions.iter().cloned().chain(solution.assumptions).collect(),
+        warnings: solution.warnings,
+        log: solution.log,
+        mesh: setup.picture(),
+        moments: solution.moments,
+    }
+}
+
+#[cfg(test)]
+mod tests;

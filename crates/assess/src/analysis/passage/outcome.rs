@@ -1,0 +1,344 @@
+//! What came of a train's passage, in SI units; tables, figures and the wire format are made from this alone.
+
+use crate::outcome::{Point, ThrustPoint};
+use crate::warning::Warning;
+
+/// How a passage ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PassageStatus {
+    /// The train has crossed.
+    Completed,
+    /// A step found no equilibrium; what came before it stands.
+    NotConverged,
+    /// Somebody asked to stop.
+    Cancelled,
+}
+
+impl PassageStatus {
+    /// All of them.
+    pub const ALL: [PassageStatus; 3] =
+        [PassageStatus::Completed, PassageStatus::NotConverged, PassageStatus::Cancelled];
+
+    /// The word that scripts read.
+    pub fn word(self) -> &'static str {
+        match self {
+            PassageStatus::Completed => "completed",
+            PassageStatus::NotConverged => "not-converged",
+            PassageStatus::Cancelled => "cancelled",
+        }
+    }
+}
+
+/// What a channel records.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Displacement [m], in mm.
+    Displacement,
+    /// Strain [-], in microstrain.
+    Strain,
+    /// Opening of a joint [m], in mm.
+    JointOpening,
+    /// Sliding of a joint [m], in mm.
+    JointSliding,
+    /// Stress [Pa], in MPa.
+    Stress,
+}
+
+impl Quantity {
+    /// The word that scripts read.
+    pub fn word(self) -> &'static str {
+        match self {
+            Quantity::Displacement => "displacement",
+            Quantity::Strain => "strain",
+            Quantity::JointOpening => "joint-opening",
+            Quantity::JointSliding => "joint-sliding",
+            Quantity::Stress => "stress",
+        }
+    }
+
+    /// The unit in tables and figures.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Strain => "microstrain",
+            Quantity::Stress => "MPa",
+            _ => "mm",
+        }
+    }
+
+    /// How many of that unit an SI unit is.
+    pub fn scale(self) -> f64 {
+        match self {
+            Quantity::Strain => 1e6,
+            Quantity::Stress => 1e-6,
+            _ => 1e3,
+        }
+    }
+}
+
+/// The record of one sensor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Its name.
+    pub name: String,
+    /// What it records.
+    pub quantity: Quantity,
+    /// Where it sits and what its sign means, in words.
+    pub about: String,
+    /// Value under self-weight alone [SI].
+    pub self_weight: f64,
+    /// Value at every time, self-weight taken off [SI].
+    pub values: Vec<f64>,
+}
+
+impl Channel {
+    /// Least and greatest value [SI]; zeros of an empty record.
+    pub fn range(&self) -> [f64; 2] {
+        let first = self.values.first().copied().unwrap_or(0.0);
+        self.values.iter().fold([first; 2], |[low, high], value| [low.min(*value), high.max(*value)])
+    }
+
+    /// Index of the value of largest size, the first of equals; its sign is kept.
+    pub fn peak(&self) -> Option<usize> {
+        (0..self.values.len()).reduce(|best, k| if self.values[k].abs() > self.values[best].abs() { k } else { best })
+    }
+
+    /// That value [SI].
+    pub fn peak_value(&self) -> f64 {
+        self.peak().map_or(0.0, |k| self.values[k])
+    }
+}
+
+/// One step of the run: of the self-weight, then one position after the other.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StepLog {
+    /// What it is: "self-weight" or "passage".
+    pub stage: String,
+    /// Time since the train started [s]; the share of the load in the self-weight's steps.
+    pub time: f64,
+    /// Place of the first axle [m].
+    pub position: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// Out-of-balance force over applied force.
+    pub unbalanced: f64,
+    /// How often the step was cut back.
+    pub cuts: usize,
+    /// Points that yield.
+    pub plastic_points: usize,
+    /// Joints that are open somewhere.
+    pub open_joints: usize,
+    /// Pairs that slide.
+    pub sliding_pairs: usize,
+}
+
+/// State of a pair of facing points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PairState {
+    /// In contact.
+    Closed,
+    /// Apart.
+    Open,
+    /// In contact, and sliding.
+    Sliding,
+}
+
+/// A pair of facing points of a joint or a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// Where, as built [m].
+    pub at: Point,
+    /// Area that it stands for, per metre of width [m].
+    pub area: f64,
+    /// Normal traction [Pa], tension positive.
+    pub normal: f64,
+    /// Shear traction [Pa].
+    pub shear: f64,
+    /// Opening [m], apart is positive.
+    pub opening: f64,
+    /// Sliding [m].
+    pub sliding: f64,
+    /// Its state.
+    pub state: PairState,
+}
+
+/// What a row of pairs belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowKind {
+    /// A joint of the ring of a span (both from 0): joint 0 is the left springing.
+    Joint {
+        /// The span.
+        span: usize,
+        /// The joint.
+        joint: usize,
+    },
+    /// Contact of masonry with fill.
+    Contact,
+}
+
+/// A joint or a contact: its pairs in order, joints from the intrados to the extrados.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What it belongs to.
+    pub kind: RowKind,
+    /// Its pairs.
+    pub pairs: Vec<Pair>,
+}
+
+/// The bridge at one moment.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Moment {
+    /// Why it is kept: "self-weight", "peak of crown displacement", "first axle at 3.00 m".
+    pub name: String,
+    /// Time [s].
+    pub time: f64,
+    /// Place of the first axle [m].
+    pub position: f64,
+    /// Places [m] and forces [N] of the axles above the mesh.
+    pub axles: Vec<(f64, f64)>,
+    /// Displacement of every node since the bridge was built, self-weight included [m].
+    pub displacements: Vec<Point>,
+    /// Stress of every quadrilateral [Pa], tension positive: xx, yy, xy, zz.
+    pub stresses: Vec<[f64; 4]>,
+    /// Whether a point of it yields.
+    pub yielding: Vec<bool>,
+    /// Joints and contacts.
+    pub rows: Vec<Row>,
+}
+
+/// The mesh as figures need it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MeshPicture {
+    /// Nodes as built [m].
+    pub nodes: Vec<Point>,
+    /// Corners of every quadrilateral, counter-clockwise.
+    pub quads: Vec<[usize; 4]>,
+    /// Zone of every quadrilateral.
+    pub zones: Vec<usize>,
+    /// Names of the zones.
+    pub zone_names: Vec<String>,
+    /// Top of the fill, from left to right [m].
+    pub surface: Vec<Point>,
+}
+
+/// The passage of a train over a bridge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passage {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// Name of the train.
+    pub train: String,
+    /// Its speed [m/s].
+    pub speed: f64,
+    /// "static" or "transient".
+    pub analysis: &'static str,
+    /// "small" or "large".
+    pub kinematics: &'static str,
+    /// "condensed" or "plain".
+    pub path: &'static str,
+    /// How it ended.
+    pub status: PassageStatus,
+    /// Why, where it did not complete.
+    pub reason: Option<String>,
+    /// Times [s].
+    pub times: Vec<f64>,
+    /// Place of the first axle at these times [m].
+    pub positions: Vec<f64>,
+    /// Records of the sensors.
+    pub channels: Vec<Channel>,
+    /// Unknowns of the model, before anything is condensed.
+    pub degrees_of_freedom: usize,
+    /// Unknowns that iterate, where linear parts are condensed.
+    pub condensed_degrees_of_freedom: Option<usize>,
+    /// Iterations of all steps.
+    pub iterations_total: u64,
+    /// Most joints that were open somewhere at the same time.
+    pub open_joints: usize,
+    /// Most points that yielded at the same time.
+    pub plastic_points: usize,
+    /// Width of the bridge that carries an axle [m].
+    pub effective_width: f64,
+    /// Asked out-of-balance force over applied force.
+    pub tolerance: f64,
+    /// What was assumed, in words.
+    pub assumptions: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// Every step.
+    pub log: Vec<StepLog>,
+    /// The mesh.
+    pub mesh: MeshPicture,
+    /// The bridge at chosen moments; the first is under self-weight alone.
+    pub moments: Vec<Moment>,
+}
+
+impl Moment {
+    /// Lines of thrust, one for each span: where the resultant crosses each joint of the ring, from the tractions of its pairs.
+    /// Joints that carry no compression are passed over.
+    pub fn thrust_lines(&self) -> Vec<Vec<ThrustPoint>> {
+        let mut lines: Vec<Vec<(usize, ThrustPoint)>> = Vec::new();
+        for row in &self.rows {
+            let RowKind::Joint { span, joint } = row.kind else { continue };
+            if lines.len() <= span {
+                lines.resize(span + 1, Vec::new());
+            }
+            if let Some(point) = resultant(&row.pairs) {
+                lines[span].push((joint, point));
+            }
+        }
+        for line in &mut lines {
+            line.sort_by_key(|(joint, _)| *joint);
+        }
+        lines.into_iter().map(|line| line.into_iter().map(|(_, point)| point).collect()).collect()
+    }
+}
+
+/// Where the resultant of a joint's tractions crosses it, and its size [N/m].
+fn resultant(pairs: &[Pair]) -> Option<ThrustPoint> {
+    let compression = |pair: &Pair| -pair.normal * pair.area;
+    let normal: f64 = pairs.iter().map(compression).sum();
+    let shear: f64 = pairs.iter().map(|pair| pair.shear * pair.area).sum();
+    if normal.is_nan() || normal <= 0.0 {
+        return None;
+    }
+    let centre = |c: usize| pairs.iter().map(|pair| compression(pair) * pair.at[c]).sum::<f64>() / normal;
+    Some(ThrustPoint { point: [centre(0), centre(1)], thrust: normal.hypot(shear) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_peak_keeps_its_sign_and_its_time() {
+        let channel = Channel {
+            name: "crown".into(),
+            quantity: Quantity::Displacement,
+            about: String::new(),
+            self_weight: -1e-3,
+            values: vec![0.0, 1e-4, -3e-4, 2e-4, -3e-4],
+        };
+        assert_eq!((channel.peak(), channel.peak_value(), channel.range()), (Some(2), -3e-4, [-3e-4, 2e-4]));
+    }
+
+    /// Springs at the edges of a section: the resultant stands where levers put it.
+    #[test]
+    fn the_line_of_thrust_passes_through_the_resultants() {
+        let pair = |y: f64, normal: f64| Pair {
+            at: [1.0, y],
+            area: 0.5,
+            normal,
+            shear: 0.3 * normal,
+            opening: 0.0,
+            sliding: 0.0,
+            state: PairState::Closed,
+        };
+        let row =
+            |joint, a, b| Row { kind: RowKind::Joint { span: 1, joint }, pairs: vec![pair(0.0, a), pair(1.0, b)] };
+        let rows = vec![row(1, -1e5, -3e5), row(0, -2e5, 0.0), row(2, 0.0, 0.0)];
+        let lines = Moment { rows, ..Moment::default() }.thrust_lines();
+        assert!(lines[0].is_empty());
+        assert_eq!(lines[1].iter().map(|p| p.point[1]).collect::<Vec<_>>(), [0.0, 0.75]);
+        // Half a square metre each, friction of 0.3.
+        assert!((lines[1][1].thrust - 2e5 * 1.09_f64.sqrt()).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,154 @@
+//! From the bridge to what is solved: mesh, positions, loads as patterns, sensors as functionals.
+
+use super::PassageError;
+use super::loads::TrackLoads;
+use super::outcome::MeshPicture;
+use super::sensors::{Placed, RingNodes, place};
+use crate::analysis::AnalysisError;
+use crate::discretise::mesh::{Meshed, SpanSets, mesh};
+use bridge::Bridge;
+use bridge::passage::{Passage, PassagePlan, default_sensors};
+use mechanics::fem::Mesh;
+use mechanics::ids::{Id, NodeId};
+
+/// A passage that is ready to be solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setup {
+    /// The bridge as a mesh.
+    pub meshed: Meshed,
+    /// Name of the train.
+    pub train: String,
+    /// How it crosses.
+    pub plan: PassagePlan,
+    /// Its loads: `sum r_s q_s` on the surface, whose nodes the patterns count from 0 on the left.
+    pub loads: TrackLoads,
+    /// Weight of rails, sleepers and ballast on the surface, vertical nodal forces, downwards positive [N/m]: a part of the
+    /// self-weight.
+    pub dead_load: Vec<f64>,
+    /// The sensors on the mesh.
+    pub sensors: Vec<Placed>,
+    /// Times [s].
+    pub times: Vec<f64>,
+    /// Place of the first axle at these times [m].
+    pub positions: Vec<f64>,
+    /// Width of the bridge that carries an axle [m].
+    pub effective_width: f64,
+    /// What was assumed, in words.
+    pub assumptions: Vec<String>,
+}
+
+/// Most positions of a passage; the reader's own limit where the file says from where to where.
+pub const MOST_POSITIONS: usize = 720_000;
+
+/// Mesh, loads, sensors and positions of the passage that the file describes.
+pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
+    let asked = bridge.passage.as_ref().ok_or(PassageError::NoTrain)?;
+    if let (Some(file), true) = (&asked.train.file, asked.train.vehicles.is_empty()) {
+        return Err(PassageError::UnreadTrain(file.clone()).into());
+    }
+    let meshed = mesh(bridge).map_err(PassageError::from)?;
+    let surface: Vec<[f64; 2]> = meshed.sets.surface.iter().map(|node| at(&meshed.mesh, *node)).collect();
+    let effective_width = asked.track.effective_width.unwrap_or(bridge.width);
+    let axles = asked.train.axles(bridge.gravity);
+    let middle = 0.5 * crate::discretise::bridge_length(bridge);
+    let loads = TrackLoads::new(&asked.track, &axles, effective_width, &surface, middle);
+    let pressure = asked.track.dead_load + meshed.ballast_pressure;
+    let dead_load = even(&surface, pressure);
+    let rings: Vec<RingNodes> = meshed.sets.spans.iter().map(|span| ring_nodes(&meshed.mesh, span)).collect();
+    let wanted = if asked.sensors.is_empty() { default_sensors(bridge.spans.len()) } else { asked.sensors.clone() };
+    let sensors: Result<Vec<Placed>, _> = wanted.iter().map(|sensor| place(sensor, &meshed.mesh, &rings)).collect();
+    let sensors = sensors.map_err(PassageError::from)?;
+    let (times, positions) = positions(&asked.plan, &surface, loads.wheelbase())?;
+    let assumptions = assumptions(bridge, asked, &loads, effective_width, pressure);
+    let (train, plan) = (asked.train.name.clone(), asked.plan.clone());
+    Ok(Setup { meshed, train, plan, loads, dead_load, sensors, times, positions, effective_width, assumptions })
+}
+
+fn at(mesh: &Mesh, node: NodeId) -> [f64; 2] {
+    let point = mesh.nodes[node];
+    [point.x, point.y]
+}
+
+/// Nodal forces of an even pressure [Pa] on a surface.
+fn even(surface: &[[f64; 2]], pressure: f64) -> Vec<f64> {
+    let mut forces = vec![0.0; surface.len()];
+    for (k, pair) in surface.windows(2).enumerate() {
+        let half = 0.5 * pressure * (pair[1][0] - pair[0][0]);
+        forces[k] += half;
+        forces[k + 1] += half;
+    }
+    forces
+}
+
+/// The nodes of a ring as sensors look for them.
+fn ring_nodes(mesh: &Mesh, span: &SpanSets) -> RingNodes {
+    let joint = |id: &mechanics::ids::InterfaceId| {
+        // Walking from intrados to extrados, side one lies on the right.
+        let interface = &mesh.interfaces[*id];
+        [interface.two.clone(), interface.one.clone()]
+    };
+    RingNodes {
+        intrados: span.voussoirs.first().into_iter().flatten().map(|stone| stone.intrados().collect()).collect(),
+        extrados: span.voussoirs.last().into_iter().flatten().map(|stone| stone.extrados().collect()).collect(),
+        joints: span.joints.first().into_iter().flatten().map(joint).collect(),
+    }
+}
+
+/// Times and places of the first axle, from where the mesh begins to where the last axle has left it, unless the file says so.
+fn positions(plan: &PassagePlan, surface: &[[f64; 2]], wheelbase: f64) -> Result<(Vec<f64>, Vec<f64>), PassageError> {
+    let end = |point: Option<&[f64; 2]>| point.map_or(0.0, |point| point[0]);
+    let from = plan.from.unwrap_or(end(surface.first()));
+    let to = plan.to.unwrap_or(end(surface.last()) + wheelbase);
+    if to <= from {
+        return Err(PassageError::NoWay { from, to });
+    }
+    let steps = ((to - from) / (plan.speed * plan.time_step)).ceil();
+    if steps >= MOST_POSITIONS as f64 {
+        return Err(PassageError::TooManyPositions { count: steps as usize + 1, most: MOST_POSITIONS });
+    }
+    let times: Vec<f64> = (0..=steps as usize).map(|k| plan.time_step * k as f64).collect();
+    let positions = times.iter().map(|time| from + plan.speed * time).collect();
+    Ok((times, positions))
+}
+
+fn assumptions(bridge: &Bridge, asked: &Passage, loads: &TrackLoads, width: f64, pressure: f64) -> Vec<String> {
+    let track = &asked.track;
+    let by = if track.effective_width.is_some() { "as the file says" } else { "the width of the barrel" };
+    let spread = track.sleeper_length + 2.0 * track.ballast_depth / track.ballast_slope;
+    let heaviest = asked.train.axles(bridge.gravity).iter().map(|axle| axle.force).fold(0.0, f64::max);
+    let mut said = vec![
+        format!(
+            "an axle is carried by {width:.3} m of the bridge's width, {by}; the heaviest brings {:.2} kN/m; sleepers and ballast \
+             alone spread it over {spread:.2} m",
+            heaviest / width / 1e3
+        ),
+        format!("a sleeper presses evenly on {:.3} m of the top of the fill", loads.pressed),
+        "half of an axle bears on each rail, a beam on equal springs under its sleepers that carry tension as well; a sleeper lies \
+         in the middle of the bridge"
+            .to_owned(),
+        format!("{:.2} kPa of ballast, sleepers and rails press on the fill, a part of the self-weight", pressure / 1e3),
+    ];
+    if asked.sensors.is_empty() {
+        said.push("the file names no sensors: those of the railway paper's Table 1, on the first span".to_owned());
+    }
+    said
+}
+
+impl Setup {
+    /// Vertical nodal forces on the nodes of the surface, downwards positive [N/m], at a position.
+    pub fn forces(&self, position: f64) -> Vec<f64> {
+        self.loads.forces(position, self.meshed.sets.surface.len())
+    }
+
+    /// The mesh as figures need it.
+    pub fn picture(&self) -> MeshPicture {
+        let mesh = &self.meshed.mesh;
+        MeshPicture {
+            nodes: mesh.nodes.iter().map(|point| [point.x, point.y]).collect(),
+            quads: mesh.quads.iter().map(|quad| quad.nodes.map(Id::index)).collect(),
+            zones: mesh.quads.iter().map(|quad| quad.zone.index()).collect(),
+            zone_names: mesh.zones.iter().cloned().collect(),
+            surface: self.meshed.sets.surface.iter().map(|node| at(mesh, *node)).collect(),
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The parts of a passage together: set-up on a real mesh, report of a made-up solution.
+
+use super::outcome::StepLog;
+use super::*;
+use crate::samples;
+use bridge::passage::{Passage as Asked, Place, Sensor, SensorKind};
+use bridge::train::{Train, built_in, read_toml};
+
+/// Two spans under the short train of the library.
+fn railway() -> Bridge {
+    let mut bridge = samples::railway();
+    let vehicles = read_toml(built_in("paper-short").unwrap().text.as_bytes()).vehicles.unwrap();
+    let train = Train { name: "paper-short".into(), file: None, vehicles };
+    let asked = Asked { train, ..samples::passage() };
+    bridge.passage = Some(asked);
+    bridge
+}
+
+#[test]
+fn a_passage_is_set_up_on_the_mesh() {
+    let bridge = railway();
+    let setup = setup(&bridge).unwrap();
+    assert_eq!(setup.sensors.len(), 6, "the channels of Table 1");
+    let surface = &setup.picture().surface;
+    assert!((setup.positions[0] - surface[0][0]).abs() < 1e-12, "the first axle starts where the mesh begins");
+    let last = setup.positions.last().unwrap() - setup.loads.wheelbase();
+    assert!(last >= surface.last().unwrap()[0], "the last axle has left");
+    let step = setup.positions[1] - setup.positions[0];
+    assert!((step - 12.5 * 0.005).abs() < 1e-12, "45 km/h at 200 Hz: {step}");
+    // The whole dead load, and axles that stand well inside.
+    let length = surface.last().unwrap()[0] - surface[0][0];
+    let dead: f64 = setup.dead_load.iter().sum();
+    assert!((dead - (3e3 + setup.meshed.ballast_pressure) * length).abs() < 1e-6 * dead);
+    let front = surface.last().unwrap()[0] - 0.3 * length;
+    let force: f64 = setup.forces(front).iter().sum();
+    let axles = setup.loads.axles_above(front, surface[0][0], front);
+    let axles: f64 = axles.iter().map(|(_, force)| force).sum();
+    // All but what the rail carries beyond the left end.
+    assert!((force / (axles / bridge.width) - 1.0).abs() < 0.1, "{force} {axles}");
+}
+
+/// A homogeneous stretch of the whole mesh strains every stone along its face alike, whatever its direction.
+#[test]
+fn sensors_on_a_mesh_read_a_homogeneous_strain() {
+    let setup = setup(&railway()).unwrap();
+    let mesh = &setup.meshed.mesh;
+    let moved = |node: mechanics::ids::NodeId| [1e-4 * mesh.nodes[node].x, 1e-4 * mesh.nodes[node].y];
+    for sensor in setup.sensors.iter().filter(|sensor| sensor.quantity == Quantity::Strain) {
+        let value = sensor.reading.value(moved, |_| [0.0; 3]);
+        assert!((value - 1e-4).abs() < 1e-13, "{}: {value}", sensor.name);
+    }
+}
+
+#[test]
+fn what_cannot_be_set_up_says_why() {
+    let mut bridge = railway();
+    bridge.passage.as_mut().unwrap().plan.time_step = 1e-5;
+    bridge.passage.as_mut().unwrap().plan.speed = 0.01;
+    assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::TooManyPositions { .. }))));
+    let mut bridge = railway();
+    bridge.passage.as_mut().unwrap().plan.from = Some(1e3);
+    assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::NoWay { .. }))));
+    let mut bridge = railway();
+    let strain = SensorKind::Strain { gauge_length: 5.0 };
+    let place = Place::Span { span: 0, share: 0.5 };
+    let long = Sensor { name: "long".into(), kind: strain, place, face: bridge::passage::Face::Extrados };
+    bridge.passage.as_mut().unwrap().sensors = vec![long];
+    assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::Sensor(_)))));
+    bridge.passage = None;
+    assert_eq!(setup(&bridge).unwrap_err(), AnalysisError::Passage(PassageError::NoTrain));
+}
+
+/// A run that breaks off keeps what it has.
+#[test]
+fn a_report_ends_where_the_solution_ends() {
+    let bridge = railway();
+    let setup = setup(&bridge).unwrap();
+    let step = |iterations, open_joints| StepLog { iterations, open_joints, ..StepLog::default() };
+    let solution = Solution {
+        status: PassageStatus::NotConverged,
+        reason: Some("test".into()),
+        self_weight: vec![1.0; 6],
+        values: vec![vec![0.0, 2.0, -3.0]; 6],
+        degrees_of_freedom: 7,
+        condensed_degrees_of_freedom: None,
+        log: vec![step(3, 1), step(4, 5), step(2, 0)],
+        moments: Vec::new(),
+        assumptions: vec!["also".into()],
+        warnings: Vec::new(),
+    };
+    let report = report(&bridge, &setup, solution);
+    assert_eq!((report.times.len(), report.positions.len(), report.channels.len()), (3, 3, 6));
+    assert_eq!((report.iterations_total, report.open_joints), (9, 5));
+    assert_eq!(report.channels[0].peak_value(), -3.0);
+    assert_eq!(report.assumptions.last().unwrap(), "also");
+}

@@ -1,0 +1,721 @@
+//! The mesh of a bridge, from the rings outwards.
+
+use super::arch::{Arch, End};
+use super::patch::{Points, growing, spaced};
+use super::saddle::{self, Layers, Side};
+use super::sets::{NodeSets, Role, Seam, SpanSets, Voussoir};
+use super::stations::{self, Stations};
+use super::supports::{Flank, Support, support};
+use super::{LEAST_JACOBIAN, MOST_NODES, MeshError, MeshOptions, Meshed, quality};
+use crate::discretise::curve::Curve;
+use bridge::{Bridge, LayerKind};
+use mechanics::fem::{Interface, Mesh, Quad, Quadrature};
+use mechanics::ids::{Id, InterfaceId, NodeId, QuadId, Table, ZoneId};
+use mechanics::plane::{Vec2, vec2};
+
+/// Rows of nodes from the bottom, each from left to right.
+type Grid = Vec<Vec<NodeId>>;
+
+/// Levels and places that regions share.
+struct Layout {
+    /// Surface [m].
+    surface: f64,
+    /// Backs of the abutments [m].
+    backs: [f64; 2],
+    /// How far fill behind the abutments reaches [m].
+    extent: f64,
+    /// Distances of columns behind the abutments from their backs [m].
+    behind: [Vec<f64>; 2],
+    /// Level of the backing's upper face, and of the haunch fill's [m]; minus infinity where there is none.
+    backing: f64,
+    haunch: f64,
+    /// Rows of fill between the columns' feet and the surface.
+    rows: usize,
+}
+
+impl Layout {
+    /// What fill at a point is.
+    fn role(&self, at: Vec2) -> Role {
+        let [left, right] = self.backs;
+        if at.x < left || at.x > right {
+            let (depth, end) = if at.x < left { (left - at.x, End::Left) } else { (at.x - right, End::Right) };
+            return if depth < self.extent { Role::AbutmentFill(end) } else { Role::Fill };
+        }
+        if at.y < self.backing {
+            Role::Backing
+        } else if at.y < self.haunch {
+            Role::HaunchFill
+        } else {
+            Role::Fill
+        }
+    }
+}
+
+/// Makes the mesh.
+pub fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
+    let arches = arches(bridge)?;
+    room_on_piers(&arches, options.size)?;
+    let (surface, ballast_pressure) = surface(bridge, &arches)?;
+    let size = options.size;
+    let levels = levels(bridge);
+    let backs = backs(bridge, &arches);
+    let layers: Vec<Layers> = (0..=arches.len())
+        .map(|i| {
+            let [left, right] = sides(&arches, backs, i);
+            saddle::layers(&left, &right, &levels, size)
+        })
+        .collect();
+    let stations: Vec<Stations> =
+        stations::count(&arches, &layers, size).iter().map(stations::Breaks::stations).collect();
+    let layout = layout(bridge, &arches, &stations, options, surface, backs);
+    refuse_too_fine(&arches, &stations, &layout, options)?;
+
+    let mut build = Build::new(bridge, options, layout);
+    for (i, arch) in arches.iter().enumerate() {
+        build.rings(i, arch, &stations[i]);
+    }
+    for i in 0..=arches.len() {
+        build.support(i, &arches, &stations);
+    }
+    build.columns();
+    build.finish(surface, ballast_pressure)
+}
+
+/// The rings of all spans where they stand: springings at level zero, the left one of the first span at x = 0.
+fn arches(bridge: &Bridge) -> Result<Vec<Arch<'_>>, MeshError> {
+    let mut x = 0.0;
+    let mut arches = Vec::new();
+    for (i, span) in bridge.spans.iter().enumerate() {
+        let curve = Curve::new(span, vec2(x, 0.0)).map_err(|misfit| MeshError::Intrados { span: i + 1, misfit })?;
+        arches.push(Arch { span, curve });
+        x += span.span + bridge.piers.get(i).map_or(0.0, |p| p.width);
+    }
+    Ok(arches)
+}
+
+/// Fill needs room on a pier's top: a fiftieth of an element.
+fn room_on_piers(arches: &[Arch<'_>], size: f64) -> Result<(), MeshError> {
+    let least = 0.02 * size;
+    for (i, pair) in arches.windows(2).enumerate() {
+        let gap = pair[1].extrados(0.0).x - pair[0].extrados(1.0).x;
+        if gap < least {
+            return Err(MeshError::RingsMeet { support: i + 1, gap, least, wider: least - gap });
+        }
+    }
+    Ok(())
+}
+
+/// Level of the surface [m], and the weight of the ballast on it [Pa]. Ballast on top spreads loads and is no part of the mesh.
+fn surface(bridge: &Bridge, arches: &[Arch<'_>]) -> Result<(f64, f64), MeshError> {
+    const TRIED: usize = 256;
+    let highest = |arch: &Arch<'_>| {
+        (0..=TRIED).map(|k| arch.extrados(k as f64 / TRIED as f64).y).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let crown = arches.iter().map(highest).fold(f64::NEG_INFINITY, f64::max);
+    let ballast = bridge.cover.layers.iter().rev().take_while(|layer| layer.name == LayerKind::Ballast);
+    let (mut depth, mut pressure) = (bridge.cover.depth, 0.0);
+    for layer in ballast {
+        depth -= layer.thickness;
+        pressure += layer.thickness * layer.density * bridge.gravity;
+    }
+    if depth > 1e-3 { Ok((crown + depth, pressure)) } else { Err(MeshError::NoFill) }
+}
+
+/// Levels at which the material over the haunches changes, from below [m].
+fn levels(bridge: &Bridge) -> Vec<f64> {
+    let mut levels: Vec<f64> = bridge.cover.backing.iter().map(|b| b.height).collect();
+    levels.extend(bridge.service.haunch_fill.iter().map(|h| h.height));
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    levels
+}
+
+/// Backs of the abutments [m].
+fn backs(bridge: &Bridge, arches: &[Arch<'_>]) -> [f64; 2] {
+    let last = &arches[arches.len() - 1];
+    [
+        arches[0].extrados(0.0).x.min(arches[0].intrados(0.0).x) - bridge.abutments[0].top_width,
+        last.extrados(1.0).x.max(last.intrados(1.0).x) + bridge.abutments[1].top_width,
+    ]
+}
+
+/// What stands on both sides of support `i`.
+fn sides<'a>(arches: &'a [Arch<'a>], backs: [f64; 2], i: usize) -> [Side<'a>; 2] {
+    let left = match i.checked_sub(1) {
+        Some(k) => Side::Arch(&arches[k], End::Right),
+        None => Side::Back(backs[0]),
+    };
+    let right = match arches.get(i) {
+        Some(arch) => Side::Arch(arch, End::Left),
+        None => Side::Back(backs[1]),
+    };
+    [left, right]
+}
+
+fn layout(
+    bridge: &Bridge,
+    arches: &[Arch<'_>],
+    stations: &[Stations],
+    options: MeshOptions,
+    surface: f64,
+    backs: [f64; 2],
+) -> Layout {
+    let size = options.size;
+    let heights = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
+    let height = heights.fold(0.0, f64::max) + surface;
+    let distance = options.side_distance.unwrap_or(2.0 * height) * options.farther;
+    let extent = bridge.service.abutment_fill.extent.unwrap_or(f64::INFINITY);
+    // Feet of the columns: the lowest, where rows end, and the highest, at the crown.
+    let mut feet = [f64::INFINITY, f64::NEG_INFINITY];
+    for (arch, s) in arches.iter().zip(stations) {
+        let last = s.shares.len() - 1;
+        let ends = [s.layers[0].last().copied().unwrap_or(0), last - s.layers[1].last().copied().unwrap_or(0)];
+        for k in [ends[0], ends[1], s.crown] {
+            let y = arch.extrados(s.shares[k]).y;
+            feet = [feet[0].min(y), feet[1].max(y)];
+        }
+    }
+    let (deep, shallow) = ((surface - feet[0]).max(0.0), (surface - feet[1]).max(0.0));
+    let rows = ((deep * shallow).sqrt() / size).max(shallow / size).ceil().max(2.0) as usize;
+    let behind = |_: usize| {
+        let most = 6.0 * size;
+        let (first, growth) = (1.2 * size, 1.12);
+        if extent >= distance {
+            return growing(distance, first, growth, most);
+        }
+        let mut near = growing(extent, first, growth, most);
+        let step = near.windows(2).map(|w| w[1] - w[0]).fold(first, f64::max);
+        near.extend(growing(distance - extent, step, growth, most.max(step)).iter().skip(1).map(|d| extent + d));
+        near
+    };
+    Layout {
+        surface,
+        backs,
+        extent,
+        behind: [behind(0), behind(1)],
+        backing: bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| b.height),
+        haunch: bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| h.height),
+        rows,
+    }
+}
+
+/// Refuses before memory is asked for.
+fn refuse_too_fine(
+    arches: &[Arch<'_>],
+    stations: &[Stations],
+    layout: &Layout,
+    options: MeshOptions,
+) -> Result<(), MeshError> {
+    let rings: usize = arches
+        .iter()
+        .zip(stations)
+        .map(|(arch, s)| {
+            let doubled = s.shares.len() + arch.span.rings.iter().map(|r| r.voussoirs).max().unwrap_or(0);
+            doubled * options.ring_nodes * arch.span.rings.len()
+        })
+        .sum();
+    let along: usize = stations.iter().map(|s| s.shares.len()).sum();
+    let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
+    let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1));
+    if nodes > MOST_NODES { Err(MeshError::TooFine { nodes, most: MOST_NODES }) } else { Ok(()) }
+}
+
+struct Build<'a> {
+    bridge: &'a Bridge,
+    options: MeshOptions,
+    layout: Layout,
+    nodes: Table<NodeId, Vec2>,
+    /// Elements of each zone, in the order of the zones.
+    zones: Vec<(Role, Vec<[NodeId; 4]>)>,
+    interfaces: Table<InterfaceId, Interface>,
+    seams: Table<InterfaceId, Seam>,
+    sets: NodeSets,
+    /// The fill's nodes along the extrados of each span, station by station.
+    backs: Vec<Vec<NodeId>>,
+    /// First and last column of each ring, from intrados to extrados.
+    ends: Vec<Vec<[Vec<NodeId>; 2]>>,
+    /// Feet of the columns of fill, from left to right.
+    feet: Vec<NodeId>,
+    /// Elements of voussoirs: span, ring, voussoir, and their places in the zone of the span.
+    voussoir_quads: Vec<(usize, usize, usize, std::ops::Range<usize>)>,
+}
+
+impl<'a> Build<'a> {
+    fn new(bridge: &'a Bridge, options: MeshOptions, layout: Layout) -> Build<'a> {
+        let spans = bridge.spans.len();
+        let roles = (0..spans)
+            .map(Role::Voussoirs)
+            .chain((0..spans - 1).map(Role::Pier))
+            .chain([End::Left, End::Right].map(Role::Abutment))
+            .chain([Role::Fill, Role::HaunchFill, Role::Backing])
+            .chain([End::Left, End::Right].map(Role::AbutmentFill));
+        Build {
+            bridge,
+            options,
+            layout,
+            nodes: Table::default(),
+            zones: roles.map(|role| (role, Vec::new())).collect(),
+            interfaces: Table::default(),
+            seams: Table::default(),
+            sets: NodeSets::default(),
+            backs: Vec::new(),
+            ends: Vec::new(),
+            feet: Vec::new(),
+            voussoir_quads: Vec::new(),
+        }
+    }
+
+    fn zone(&mut self, role: Role) -> &mut Vec<[NodeId; 4]> {
+        // Every role is in the list from the start.
+        let k = self.zones.iter().position(|(known, _)| *known == role).unwrap_or(0);
+        &mut self.zones[k].1
+    }
+
+    /// Elements between the rows and columns of a grid, all of one zone.
+    fn solid(&mut self, grid: &Grid, role: Role) {
+        let quads = quads_of(grid);
+        self.zone(role).extend(quads);
+    }
+
+    /// Elements of fill, each of the zone in which its middle lies.
+    fn fill(&mut self, grid: &Grid) {
+        for quad in quads_of(grid) {
+            let middle = quad.iter().fold(Vec2::ZERO, |sum, n| sum + self.nodes[*n]) * 0.25;
+            let role = self.layout.role(middle);
+            self.zone(role).push(quad);
+        }
+    }
+
+    /// Nodes at points, but for those that are known.
+    fn grid(&mut self, points: &Points, known: impl Fn(usize, usize) -> Option<NodeId>) -> Grid {
+        let mut grid = Grid::with_capacity(points.len());
+        for (i, row) in points.iter().enumerate() {
+            let nodes = row.iter().enumerate().map(|(j, p)| known(i, j).unwrap_or_else(|| self.nodes.push(*p)));
+            grid.push(nodes.collect());
+        }
+        grid
+    }
+
+    fn seam(&mut self, one: Vec<NodeId>, two: Vec<NodeId>, seam: Seam) -> InterfaceId {
+        let quadrature = match seam {
+            Seam::Joint { .. } => self.options.joints,
+            Seam::Rings { .. } | Seam::Contact(_) => Quadrature::Nodal,
+        };
+        self.seams.push(seam);
+        self.interfaces.push(Interface { one, two, kind: seam.kind(), quadrature })
+    }
+
+    /// The rings of a span: voussoirs, the joints between them, and the fill's nodes on their backs.
+    fn rings(&mut self, span: usize, arch: &Arch<'_>, stations: &Stations) {
+        let across = self.options.ring_nodes;
+        let mut sets = Vec::new();
+        let mut joints = Vec::new();
+        let mut ends = Vec::new();
+        // Nodes of a ring's upper face, and those of its lower one, by voussoir: stations and nodes.
+        type Face = Vec<(Vec<usize>, Vec<NodeId>)>;
+        let mut lower: Option<Face> = None;
+        for (ring, at) in stations.joints.iter().enumerate() {
+            let mut voussoirs: Vec<Voussoir> = Vec::new();
+            for pair in at.windows(2) {
+                let columns = pair[0]..=pair[1];
+                let points: Points = (0..across)
+                    .map(|k| {
+                        let depth = k as f64 / (across - 1) as f64;
+                        columns.clone().map(|j| arch.at(stations.shares[j], ring, depth)).collect()
+                    })
+                    .collect();
+                let grid = self.grid(&points, |_, _| None);
+                let zone = self.zone(Role::Voussoirs(span));
+                let first = zone.len();
+                zone.extend(quads_of(&grid));
+                let range = first..zone.len();
+                self.voussoir_quads.push((span, ring, voussoirs.len(), range));
+                let nodes = (0..grid[0].len()).flat_map(|j| grid.iter().map(move |row| row[j])).collect();
+                voussoirs.push(Voussoir { nodes, across, quads: Vec::new() });
+            }
+            let column = |v: &Voussoir, last: bool| {
+                let n = v.nodes.len();
+                if last { v.nodes[n - across..].to_vec() } else { v.nodes[..across].to_vec() }
+            };
+            let mut own = Vec::new();
+            for j in 1..voussoirs.len() {
+                let (one, two) = (column(&voussoirs[j], false), column(&voussoirs[j - 1], true));
+                own.push(self.seam(one, two, Seam::Joint { span, ring, joint: j }));
+            }
+            ends.push([column(&voussoirs[0], false), column(&voussoirs[voussoirs.len() - 1], true)]);
+            let face = |of: &dyn Fn(&Voussoir) -> Vec<NodeId>| -> Face {
+                at.windows(2).zip(&voussoirs).map(|(w, v)| ((w[0]..=w[1]).collect(), of(v))).collect()
+            };
+            let (beds, backs) = (face(&|v| v.intrados().collect()), face(&|v| v.extrados().collect()));
+            if let Some(lower) = lower.take() {
+                self.between_rings(&lower, &beds, span, ring - 1);
+            }
+            lower = Some(backs);
+            sets.push(voussoirs);
+            joints.push(own);
+        }
+        let fill: Vec<NodeId> = stations.shares.iter().map(|s| self.nodes.push(arch.extrados(*s))).collect();
+        for (at, nodes) in lower.unwrap_or_default() {
+            let facing = at.iter().map(|j| fill[*j]).collect();
+            self.seam(nodes, facing, Seam::Contact(Role::Voussoirs(span)));
+        }
+        self.backs.push(fill);
+        self.ends.push(ends);
+        self.span_sets(arch, stations, sets, joints);
+    }
+
+    /// Interfaces between the backs of one ring and the beds of the next, one for each pair of voussoirs that touch.
+    fn between_rings(
+        &mut self,
+        lower: &[(Vec<usize>, Vec<NodeId>)],
+        upper: &[(Vec<usize>, Vec<NodeId>)],
+        span: usize,
+        ring: usize,
+    ) {
+        for (below, backs) in lower {
+            for (above, beds) in upper {
+                let from = below[0].max(above[0]);
+                let to = below[below.len() - 1].min(above[above.len() - 1]);
+                if from < to {
+                    let one = backs[from - below[0]..=to - below[0]].to_vec();
+                    let two = beds[from - above[0]..=to - above[0]].to_vec();
+                    self.seam(one, two, Seam::Rings { span, ring });
+                }
+            }
+        }
+    }
+
+    fn span_sets(
+        &mut self,
+        arch: &Arch<'_>,
+        stations: &Stations,
+        voussoirs: Vec<Vec<Voussoir>>,
+        joints: Vec<Vec<InterfaceId>>,
+    ) {
+        let at_crown = |ring: usize, top: bool| {
+            let k = stations.joints[ring].partition_point(|j| *j < stations.crown).max(1) - 1;
+            let column = stations.crown - stations.joints[ring][k];
+            let voussoir = &voussoirs[ring][k];
+            voussoir.nodes[column * voussoir.across + if top { voussoir.across - 1 } else { 0 }]
+        };
+        let last = voussoirs.len() - 1;
+        let crown = [at_crown(0, false), at_crown(last, true)];
+        // The springings are those of the rings until the supports are there.
+        let ends = &self.ends[self.ends.len() - 1][0];
+        self.sets.spans.push(SpanSets {
+            intrados: voussoirs[0].iter().flat_map(|v| v.intrados().collect::<Vec<_>>()).collect(),
+            extrados: voussoirs[last].iter().flat_map(|v| v.extrados().collect::<Vec<_>>()).collect(),
+            crown,
+            crown_at: arch.intrados(stations.shares[stations.crown]),
+            springings: [ends[0][0], ends[1][0]],
+            springings_at: [arch.intrados(0.0), arch.intrados(1.0)],
+            voussoirs,
+            joints,
+        });
+    }
+
+    /// Support `i`: its masonry, its joints, and the fill on and behind it.
+    fn support(&mut self, i: usize, arches: &[Arch<'_>], stations: &[Stations]) {
+        let [left, right] = [i.checked_sub(1), (i < arches.len()).then_some(i)];
+        let rows_to = |span: Option<usize>, end: usize| -> usize {
+            span.and_then(|k| stations[k].layers[end].last().copied()).unwrap_or(0)
+        };
+        let rows = rows_to(left, 1).max(rows_to(right, 0));
+        // Fill's nodes up both extrados, from the springing.
+        let climb = |span: Option<usize>, end: End, backs: &[Vec<NodeId>]| -> Option<Vec<NodeId>> {
+            let nodes = &backs[span?];
+            let last = nodes.len() - 1;
+            Some((0..=rows).map(|k| if end == End::Left { nodes[k] } else { nodes[last - k] }).collect())
+        };
+        let up = [climb(left, End::Right, &self.backs), climb(right, End::Left, &self.backs)];
+        let solid = self.masonry(i, [left, right], arches, &up);
+        let role = match (left, right) {
+            (Some(pier), Some(_)) => Role::Pier(pier),
+            (None, _) => Role::Abutment(End::Left),
+            _ => Role::Abutment(End::Right),
+        };
+        let grid = self.grid(&solid.points, |_, _| None);
+        self.solid(&grid, role);
+        self.sets.base.extend(&grid[0]);
+        for (side, span) in [left, right].into_iter().enumerate() {
+            if let Some(span) = span {
+                self.springing(span, side, solid.skewback(&grid, side));
+            }
+        }
+
+        // The fill's nodes on the masonry's top: those at the springings are there already.
+        let top = solid.top(&grid);
+        let last = top.len() - 1;
+        let points = vec![top.iter().map(|n| self.nodes[*n]).collect::<Vec<Vec2>>()];
+        let known = |j: usize| match j {
+            0 => up[0].as_ref().map(|n| n[0]),
+            _ if j == last => up[1].as_ref().map(|n| n[0]),
+            _ => None,
+        };
+        let foot = self.grid(&points, |_, j| known(j)).swap_remove(0);
+        self.seam(top, foot.clone(), Seam::Contact(role));
+
+        let over = self.rows_of_fill(&foot, rows, &up);
+        self.fill(&over);
+        let feet = over[rows].clone();
+        match (left, right) {
+            (None, _) => {
+                let edge: Vec<NodeId> = over.iter().map(|row| row[0]).collect();
+                let mut behind = self.behind(0, &grid, &edge);
+                behind.extend(&feet[1..]);
+                self.join_feet(behind);
+            }
+            (Some(_), None) => {
+                let edge: Vec<NodeId> = over.iter().map(|row| row[last]).collect();
+                let behind = self.behind(1, &grid, &edge);
+                self.join_feet(feet);
+                self.join_feet(behind);
+            }
+            _ => self.join_feet(feet),
+        }
+        if let Some(span) = right {
+            // From where rows end on this side of the span to where they end on the other.
+            let nodes = &self.backs[span];
+            let end = nodes.len() - 1 - rows_to_right(&stations[span]);
+            let ridge = nodes[rows..=end].to_vec();
+            self.join_feet(ridge);
+        }
+    }
+
+    /// The masonry of a support.
+    fn masonry(
+        &self,
+        i: usize,
+        [left, right]: [Option<usize>; 2],
+        arches: &[Arch<'_>],
+        up: &[Option<Vec<NodeId>>; 2],
+    ) -> Support {
+        let size = self.options.size;
+        let skewback = |span: usize, end: usize| -> Vec<Vec2> {
+            let mut points: Vec<Vec2> = Vec::new();
+            for ring in &self.ends[span] {
+                let skip = usize::from(!points.is_empty());
+                points.extend(ring[end].iter().skip(skip).map(|n| self.nodes[*n]));
+            }
+            points
+        };
+        let (low, feet) = match (left, right) {
+            (Some(_), Some(_)) => {
+                let pier = &self.bridge.piers[i - 1];
+                let (a, b) = (arches[i - 1].intrados(1.0), arches[i].intrados(0.0));
+                let (middle, half) = (0.5 * (a.x + b.x), 0.5 * pier.base_width);
+                (a.y.min(b.y) - pier.height, [middle - half, middle + half])
+            }
+            (None, _) => (-self.bridge.abutments[0].height, [self.layout.backs[0], arches[0].intrados(0.0).x]),
+            _ => (-self.bridge.abutments[1].height, [arches[arches.len() - 1].intrados(1.0).x, self.layout.backs[1]]),
+        };
+        let flank = |span: Option<usize>, end: usize, other: Option<usize>| match span {
+            Some(span) => Flank::Skewback(skewback(span, end), feet[1 - end]),
+            None => {
+                let k = other.unwrap_or(0);
+                let top = arches[k].extrados(if end == 1 { 0.0 } else { 1.0 }).y;
+                Flank::Back { x: self.layout.backs[1 - end], top }
+            }
+        };
+        let flanks = [flank(left, 1, right), flank(right, 0, left)];
+        // As many elements as the width asks for, at the masonry's top and where rows of fill end.
+        let at = |k: usize, side: usize| match &up[side] {
+            Some(nodes) => self.nodes[nodes[if k == 0 { 0 } else { nodes.len() - 1 }]].x,
+            None => self.layout.backs[side],
+        };
+        let (narrow, wide) = (at(0, 1) - at(0, 0), at(1, 1) - at(1, 0));
+        let across = ((narrow * wide).max(0.0).sqrt() / size).max(wide / (1.5 * size)).max(narrow / size);
+        support(&flanks[0], &flanks[1], low, (across.ceil() as usize).max(2), size)
+    }
+
+    /// The springing joints of a span on a support whose right (`side` 1) or left flank it stands on.
+    fn springing(&mut self, span: usize, side: usize, skewback: Vec<NodeId>) {
+        let end = 1 - side;
+        let mut from = 0;
+        for ring in 0..self.ends[span].len() {
+            let own = self.ends[span][ring][end].clone();
+            let facing = skewback[from..from + own.len()].to_vec();
+            from += own.len() - 1;
+            let joints = &self.sets.spans[span].joints[ring];
+            let joint = if end == 0 { 0 } else { joints.len() + 1 };
+            let seam = Seam::Joint { span, ring, joint };
+            // Side `one` is to the right: the ring at its left springing, the support at its right one.
+            let (one, two) = if end == 0 { (own, facing) } else { (facing, own) };
+            let id = self.seam(one, two, seam);
+            let joints = &mut self.sets.spans[span].joints[ring];
+            if end == 0 { joints.insert(0, id) } else { joints.push(id) }
+        }
+        self.sets.spans[span].springings[end] = skewback[0];
+    }
+
+    /// Rows of fill over a support, from its top to where columns begin.
+    fn rows_of_fill(&mut self, foot: &[NodeId], rows: usize, up: &[Option<Vec<NodeId>>; 2]) -> Grid {
+        let last = foot.len() - 1;
+        let place = |build: &Build<'_>, i: usize, side: usize| match &up[side] {
+            Some(nodes) => build.nodes[nodes[i]],
+            None => {
+                let level = up[1 - side].as_ref().map_or(0.0, |nodes| build.nodes[nodes[i]].y);
+                vec2(build.layout.backs[side], level)
+            }
+        };
+        let first: Vec<Vec2> = foot.iter().map(|n| self.nodes[*n]).collect();
+        let shares: Vec<f64> = (0..=last).map(|j| j as f64 / last as f64).collect();
+        let points: Points = (0..=rows)
+            .map(|i| {
+                if i == 0 {
+                    return first.clone();
+                }
+                let (a, b) = (place(self, i, 0), place(self, i, 1));
+                shares.iter().map(|t| a + (b - a) * *t).collect()
+            })
+            .collect();
+        self.grid(&points, |i, j| match (i, j) {
+            (0, _) => Some(foot[j]),
+            (_, 0) => up[0].as_ref().map(|n| n[i]),
+            _ if j == last => up[1].as_ref().map(|n| n[i]),
+            _ => None,
+        })
+    }
+
+    /// Fill behind an abutment, up to where columns begin: against the masonry's back, then beside the rows over it, whose outer
+    /// edge is `edge`. Returns the feet of its columns, from left to right.
+    fn behind(&mut self, side: usize, masonry: &Grid, edge: &[NodeId]) -> Vec<NodeId> {
+        let distances = self.layout.behind[side].clone();
+        let column = if side == 0 { 0 } else { masonry[0].len() - 1 };
+        let back: Vec<NodeId> = masonry.iter().map(|row| row[column]).collect();
+        let outwards = if side == 0 { -1.0 } else { 1.0 };
+        let far = distances[distances.len() - 1];
+        // Along each level from the back outwards; the corner on the masonry's top belongs to both parts.
+        let levels: Vec<Vec2> =
+            back.iter().map(|n| self.nodes[*n]).chain(edge[1..].iter().map(|n| self.nodes[*n])).collect();
+        let points: Points = levels.iter().map(|p| spaced(*p, *p + vec2(outwards * far, 0.0), &distances)).collect();
+        let corner = back.len() - 1;
+        let mut grid = self.grid(&points, |i, j| if j == 0 && i >= corner { Some(edge[i - corner]) } else { None });
+        let facing: Vec<NodeId> = grid[..=corner].iter().map(|row| row[0]).collect();
+        let role = Role::Abutment(if side == 0 { End::Left } else { End::Right });
+        // Masonry on the right of the way walked: up the left abutment's back, down the right one's.
+        let (mut one, mut two) = (back, facing);
+        if side == 1 {
+            one.reverse();
+            two.reverse();
+        }
+        self.seam(one, two, Seam::Contact(role));
+        if side == 0 {
+            grid.iter_mut().for_each(|row| row.reverse());
+        }
+        self.fill(&grid);
+        self.sets.base.extend(&grid[0]);
+        let outer = if side == 0 { 0 } else { distances.len() - 1 };
+        let boundary: Vec<NodeId> = grid.iter().map(|row| row[outer]).collect();
+        if side == 0 {
+            self.sets.left = boundary
+        } else {
+            self.sets.right = boundary
+        }
+        grid.swap_remove(grid.len() - 1)
+    }
+
+    /// Feet of further columns, to the right of those known; the first may be the last known one.
+    fn join_feet(&mut self, feet: Vec<NodeId>) {
+        let skip = usize::from(self.feet.last().is_some() && self.feet.last() == feet.first());
+        self.feet.extend(feet.into_iter().skip(skip));
+    }
+
+    /// Columns of fill from their feet up to the surface.
+    fn columns(&mut self) {
+        let feet = self.feet.clone();
+        let (rows, surface) = (self.layout.rows, self.layout.surface);
+        let points: Points = (0..=rows)
+            .map(|i| {
+                let t = i as f64 / rows as f64;
+                feet.iter()
+                    .map(|n| {
+                        let p = self.nodes[*n];
+                        vec2(p.x, if i == rows { surface } else { p.y + (surface - p.y) * t })
+                    })
+                    .collect()
+            })
+            .collect();
+        let grid = self.grid(&points, |i, j| (i == 0).then(|| feet[j]));
+        self.fill(&grid);
+        self.sets.surface = grid[rows].clone();
+        self.sets.left.extend(grid[1..].iter().map(|row| row[0]));
+        self.sets.right.extend(grid[1..].iter().map(|row| row[feet.len() - 1]));
+    }
+
+    fn finish(mut self, surface: f64, ballast_pressure: f64) -> Result<Meshed, MeshError> {
+        let mut mesh = Mesh {
+            nodes: self.nodes,
+            interfaces: self.interfaces,
+            kinds: Seam::KINDS.map(str::to_owned).to_vec(),
+            ..Mesh::default()
+        };
+        let mut roles: Table<ZoneId, Role> = Table::default();
+        for (role, quads) in self.zones {
+            if quads.is_empty() {
+                continue;
+            }
+            let zone = mesh.zones.push(role.name());
+            roles.push(role);
+            let first = mesh.quads.len();
+            for nodes in quads {
+                mesh.quads.push(Quad { nodes, zone });
+            }
+            for (_, ring, voussoir, range) in self.voussoir_quads.iter().filter(|v| Role::Voussoirs(v.0) == role) {
+                let Role::Voussoirs(span) = role else { continue };
+                self.sets.spans[span].voussoirs[*ring][*voussoir].quads =
+                    range.clone().map(|k| QuadId::new(first + k)).collect();
+            }
+        }
+        let quality = quality::quality(&mesh, self.sets.held());
+        if !(quality.scaled_jacobian >= LEAST_JACOBIAN) {
+            return Err(folded(&mesh, &roles, &quality));
+        }
+        Ok(Meshed {
+            mesh,
+            roles,
+            seams: self.seams,
+            sets: self.sets,
+            options: self.options,
+            quality,
+            surface,
+            ballast_pressure,
+        })
+    }
+}
+
+/// Where an element is folded, and what helps.
+fn folded(mesh: &Mesh, roles: &Table<ZoneId, Role>, quality: &quality::Quality) -> MeshError {
+    let at = quality.worst;
+    let value = |q: QuadId| quality::scaled_jacobian(quality::corners(mesh, q));
+    let worst = mesh.quads.ids().find(|q| !(value(*q) > quality.scaled_jacobian));
+    let role = worst.map(|q| roles[mesh.quads[q].zone]);
+    let help = match role {
+        Some(Role::Voussoirs(_)) => "check the intrados and the thickness of the ring there",
+        Some(Role::Pier(_) | Role::Abutment(_)) => "check the springings, and the width and height of the support",
+        _ => "check the profiles of the spans on both sides, or give a smaller `size` in [mesh]",
+    };
+    MeshError::Folded {
+        zone: role.map_or_else(String::new, Role::name),
+        x: at.x,
+        y: at.y,
+        value: quality.scaled_jacobian,
+        help,
+    }
+}
+
+/// Stations of rows at the right end of a span.
+fn rows_to_right(stations: &Stations) -> usize {
+    stations.layers[1].last().copied().unwrap_or(0)
+}
+
+/// Elements between rows and columns, counter-clockwise, row by row.
+fn quads_of(grid: &Grid) -> Vec<[NodeId; 4]> {
+    let mut quads = Vec::new();
+    for pair in grid.windows(2) {
+        for j in 0..pair[0].len().saturating_sub(1) {
+            quads.push([pair[0][j], pair[0][j + 1], pair[1][j + 1], pair[1][j]]);
+        }
+    }
+    quads
+}

@@ -1,0 +1,159 @@
+//! Nodes by what they are on a bridge.
+
+use mechanics::ids::{InterfaceId, NodeId, QuadId};
+use mechanics::plane::Vec2;
+
+use super::arch::End;
+
+/// What a zone is. Spans and piers count from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The voussoirs of a span.
+    Voussoirs(usize),
+    /// A pier.
+    Pier(usize),
+    /// An abutment.
+    Abutment(End),
+    /// Fill over the rings.
+    Fill,
+    /// Fill of the haunches.
+    HaunchFill,
+    /// Backing of the haunches.
+    Backing,
+    /// Fill behind an abutment.
+    AbutmentFill(End),
+}
+
+impl Role {
+    /// What it is made of, in a word that spans and piers share.
+    pub fn made_of(self) -> &'static str {
+        match self {
+            Role::Voussoirs(_) => "voussoirs",
+            Role::Pier(_) => "pier",
+            Role::Abutment(_) => "abutment",
+            Role::Fill => "fill",
+            Role::HaunchFill => "haunch fill",
+            Role::Backing => "backing",
+            Role::AbutmentFill(_) => "abutment fill",
+        }
+    }
+    /// Its name.
+    pub fn name(self) -> String {
+        match self {
+            Role::Voussoirs(span) => format!("voussoirs span {}", span + 1),
+            Role::Pier(pier) => format!("pier {}", pier + 1),
+            Role::Abutment(End::Left) => "abutment left".into(),
+            Role::Abutment(End::Right) => "abutment right".into(),
+            Role::Fill => "fill".into(),
+            Role::HaunchFill => "haunch fill".into(),
+            Role::Backing => "backing".into(),
+            Role::AbutmentFill(End::Left) => "abutment fill left".into(),
+            Role::AbutmentFill(End::Right) => "abutment fill right".into(),
+        }
+    }
+}
+
+/// What an interface lies between. Spans, rings and joints count from 0, joints from the left springing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Seam {
+    /// A joint of a ring, from intrados to extrados: side `one` is to the right of it, side `two` to the left. Joint 0 is the
+    /// left springing, the last the right one.
+    Joint {
+        /// Span.
+        span: usize,
+        /// Ring.
+        ring: usize,
+        /// Joint.
+        joint: usize,
+    },
+    /// Between two rings, from left to right: side `one` is the lower ring.
+    Rings {
+        /// Span.
+        span: usize,
+        /// The lower ring.
+        ring: usize,
+    },
+    /// Between masonry, side `one`, and fill, side `two`.
+    Contact(Role),
+}
+
+impl Seam {
+    /// Names of the kinds of interface, in the order of [`Seam::kind`].
+    pub const KINDS: [&str; 3] = ["mortar joint", "ring joint", "fill contact"];
+
+    /// Which kind it is of.
+    pub fn kind(self) -> usize {
+        match self {
+            Seam::Joint { .. } => 0,
+            Seam::Rings { .. } => 1,
+            Seam::Contact(_) => 2,
+        }
+    }
+}
+
+/// A voussoir.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Voussoir {
+    /// Its nodes, station by station from the left, each from the intrados to the extrados.
+    pub nodes: Vec<NodeId>,
+    /// How many of them stand at one station.
+    pub across: usize,
+    /// Its elements.
+    pub quads: Vec<QuadId>,
+}
+
+impl Voussoir {
+    /// Nodes on its intrados, from left to right.
+    pub fn intrados(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.nodes.iter().copied().step_by(self.across.max(1))
+    }
+    /// Nodes on its extrados, from left to right.
+    pub fn extrados(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.nodes.iter().copied().skip(self.across.saturating_sub(1)).step_by(self.across.max(1))
+    }
+}
+
+/// Nodes and joints of a span.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpanSets {
+    /// Nodes of the intrados from left to right; where voussoirs meet, that of the left one, then that of the right one.
+    pub intrados: Vec<NodeId>,
+    /// Nodes of the extrados, in the same way.
+    pub extrados: Vec<NodeId>,
+    /// Voussoirs of each ring, from the left.
+    pub voussoirs: Vec<Vec<Voussoir>>,
+    /// Joints of each ring, from the left springing to the right one.
+    pub joints: Vec<Vec<InterfaceId>>,
+    /// Nodes of the crown: at the intrados and at the extrados. Where a joint stands there, those of the voussoir left of it.
+    pub crown: [NodeId; 2],
+    /// Where the crown's intrados is [m].
+    pub crown_at: Vec2,
+    /// Nodes of the supports at the left and right springing, at the intrados.
+    pub springings: [NodeId; 2],
+    /// Where they are [m].
+    pub springings_at: [Vec2; 2],
+}
+
+/// Nodes that supports, loads, sensors and figures look for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct NodeSets {
+    /// On the fixed base.
+    pub base: Vec<NodeId>,
+    /// On the left side boundary, from the base up; the lowest is on the base too.
+    pub left: Vec<NodeId>,
+    /// On the right side boundary, in the same way.
+    pub right: Vec<NodeId>,
+    /// On the surface, from left to right.
+    pub surface: Vec<NodeId>,
+    /// Of each span.
+    pub spans: Vec<SpanSets>,
+}
+
+impl NodeSets {
+    /// Displacements that the supports hold: both on the base, the horizontal one on the sides.
+    pub fn held(&self) -> usize {
+        let sides = [&self.left, &self.right];
+        let alone = sides.iter().flat_map(|side| side.iter()).filter(|n| !self.base.contains(n)).count();
+        2 * self.base.len() + alone
+    }
+}

@@ -1,0 +1,137 @@
+//! Piers and abutments as four-sided regions.
+//!
+//! A skewback that lies flat is part of the upper side, so that lines run straight down from it; a steep one is part of the
+//! flank, so that rows run into it.
+
+use super::patch::{Points, between, growing, line};
+use mechanics::plane::{Vec2, vec2};
+
+/// Skewbacks steeper than this [rad] belong to the flank: 50 degrees.
+const STEEP: f64 = 50.0 / 180.0 * std::f64::consts::PI;
+
+/// One flank of a support.
+pub enum Flank {
+    /// A ring springs here: nodes of its skewback from the intrados to the extrados; the flank stands on the base at this x.
+    Skewback(Vec<Vec2>, f64),
+    /// The vertical back of an abutment, up to this level, at this x.
+    Back {
+        /// Where [m].
+        x: f64,
+        /// Level of its top [m].
+        top: f64,
+    },
+}
+
+impl Flank {
+    /// Its upper end: where the fill's lower edge begins.
+    fn head(&self) -> Vec2 {
+        match self {
+            Flank::Skewback(points, _) => points[points.len() - 1],
+            Flank::Back { x, top } => vec2(*x, *top),
+        }
+    }
+    fn base(&self) -> f64 {
+        match self {
+            Flank::Skewback(_, x) => *x,
+            Flank::Back { x, .. } => *x,
+        }
+    }
+    /// The end of the part that goes straight down.
+    fn shoulder(&self) -> Vec2 {
+        match self {
+            Flank::Skewback(points, _) => points[0],
+            Flank::Back { .. } => self.head(),
+        }
+    }
+    /// Steps of the skewback that belong to the flank, and those that belong to the upper side.
+    fn steps(&self) -> [usize; 2] {
+        let Flank::Skewback(points, _) = self else { return [0, 0] };
+        let (a, b) = (points[0], points[points.len() - 1]);
+        let steps = points.len() - 1;
+        if (b.y - a.y).atan2((b.x - a.x).abs()) > STEEP { [steps, 0] } else { [0, steps] }
+    }
+}
+
+/// A support as points, and where on its sides the skewbacks lie.
+pub struct Support {
+    /// Its points.
+    pub points: Points,
+    /// Of the left and the right flank: steps of the skewback in the flank, and in the upper side.
+    steps: [[usize; 2]; 2],
+}
+
+/// A pier or an abutment between two flanks on a base at level `low`, with `across` elements on its top and elements of about
+/// `size` [m] below.
+pub fn support(left: &Flank, right: &Flank, low: f64, across: usize, size: f64) -> Support {
+    let flanks = [left, right];
+    let steps = flanks.map(Flank::steps);
+    let height = flanks.map(|f| f.shoulder().y - low);
+    // Distances down from the shoulder: elements grow towards the base.
+    let down = growing(height[0].max(height[1]), 1.2 * size, 1.12, 3.0 * size);
+    let rows = down.len() - 1 + steps[0][0].max(steps[1][0]);
+    let mut sides = [0, 1].map(|k| {
+        let flank = flanks[k];
+        let (foot, shoulder) = (vec2(flank.base(), low), flank.shoulder());
+        let mut side: Vec<Vec2> = rise(&down, rows - steps[k][0]).into_iter().map(|t| mix(foot, shoulder, t)).collect();
+        if let Flank::Skewback(points, _) = flank
+            && steps[k][0] > 0
+        {
+            side.extend(&points[1..]);
+        }
+        side
+    });
+    // A back has its rows at the levels of a skewback in the other flank.
+    for k in [0, 1] {
+        if matches!(flanks[k], Flank::Back { .. }) && steps[1 - k][0] > 0 {
+            let x = flanks[k].base();
+            sides[k] = sides[1 - k].iter().map(|p| vec2(x, p.y)).collect();
+        }
+    }
+    let mut top = line(left.head(), right.head(), across);
+    if let (Flank::Skewback(points, _), true) = (left, steps[0][1] > 0) {
+        top = points.iter().copied().chain(top.into_iter().skip(1)).collect();
+    }
+    if let (Flank::Skewback(points, _), true) = (right, steps[1][1] > 0) {
+        top.extend(points.iter().rev().skip(1));
+    }
+    let [left, right] = sides;
+    let (first, last) = (top[0].x, top[top.len() - 1].x);
+    let share = |p: &Vec2| (p.x - first) / (last - first);
+    let bottom: Vec<Vec2> = top.iter().map(|p| mix(left[0], right[0], share(p))).collect();
+    Support { points: between(&bottom, &top, &left, &right), steps }
+}
+
+/// Shares of the height, from 0 to 1, of `rows` rows whose heights follow `down`, distances from the top.
+fn rise(down: &[f64], rows: usize) -> Vec<f64> {
+    let (steps, height) = (down.len() - 1, down[down.len() - 1]);
+    let depth = |share: f64| {
+        let at = share * steps as f64;
+        let k = (at.floor() as usize).min(steps - 1);
+        (down[k] + (down[k + 1] - down[k]) * (at - k as f64)) / height
+    };
+    (0..=rows).map(|k| if k == rows { 1.0 } else { 1.0 - depth(1.0 - k as f64 / rows as f64) }).collect()
+}
+
+fn mix(a: Vec2, b: Vec2, t: f64) -> Vec2 {
+    if t == 1.0 { b } else { a + (b - a) * t }
+}
+
+impl Support {
+    /// What stands on a skewback, from the intrados to the extrados; `side` is 0 for the left flank and 1 for the right one.
+    pub fn skewback<T: Copy>(&self, grid: &[Vec<T>], side: usize) -> Vec<T> {
+        let (rows, columns) = (grid.len() - 1, grid[0].len() - 1);
+        let [flank, top] = self.steps[side];
+        match (side, flank > 0) {
+            (0, true) => (rows - flank..=rows).map(|i| grid[i][0]).collect(),
+            (_, true) => (rows - flank..=rows).map(|i| grid[i][columns]).collect(),
+            (0, false) => grid[rows][..=top].to_vec(),
+            (_, false) => grid[rows][columns - top..].iter().rev().copied().collect(),
+        }
+    }
+
+    /// What stands on the upper face between the flanks' heads, from left to right.
+    pub fn top<T: Copy>(&self, grid: &[Vec<T>]) -> Vec<T> {
+        let row = &grid[grid.len() - 1];
+        row[self.steps[0][1]..row.len() - self.steps[1][1]].to_vec()
+    }
+}

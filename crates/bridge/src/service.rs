@@ -1,0 +1,148 @@
+//! What the finite element model needs beyond what collapse asks for: mesh, soils, mortar and the contact of fill with masonry.
+//! What a file leaves out stays `None` here; whoever computes says what is missing.
+
+/// The part of a bridge file that only the finite element model reads.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Service {
+    /// How fine the mesh is and how far it reaches.
+    pub mesh: MeshPlan,
+    /// The fill above the rings.
+    pub fill: Soil,
+    /// Fill of the haunches, where it differs from the rest.
+    pub haunch_fill: Option<HaunchFill>,
+    /// Fill behind the abutments.
+    pub abutment_fill: AbutmentFill,
+    /// Mortar of the joints between voussoirs and at the springings.
+    pub mortar: Mortar,
+    /// Contact of fill with masonry.
+    pub fill_contact: FillContact,
+}
+
+/// How fine the mesh is and how far it reaches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshPlan {
+    /// Length of an element near the rings and the surface [m]; none: half the thickness of the rings.
+    pub size: Option<f64>,
+    /// Nodes across the depth of a ring: springs of a joint.
+    pub ring_nodes: usize,
+    /// Distance from the back of an abutment to the boundary [m]; none: twice the height from the lowest foundation to the
+    /// surface.
+    pub side_distance: Option<f64>,
+}
+
+impl Default for MeshPlan {
+    fn default() -> MeshPlan {
+        MeshPlan { size: None, ring_nodes: 7, side_distance: None }
+    }
+}
+
+/// A soil: granular fill, or what behaves like it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Soil {
+    /// Young's modulus [Pa].
+    pub elastic_modulus: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson_ratio: Option<f64>,
+    /// Mass density [kg/m^3].
+    pub density: Option<f64>,
+    /// Friction angle [rad].
+    pub friction_angle: Option<f64>,
+    /// Cohesion [Pa].
+    pub cohesion: Option<f64>,
+    /// Dilatancy angle [rad].
+    pub dilatancy_angle: f64,
+    /// Largest tension [Pa]; none: what cohesion and friction leave.
+    pub tension_cutoff: Option<f64>,
+    /// Where its cone meets the pyramid of Mohr and Coulomb.
+    pub cone: Cone,
+    /// When it yields.
+    pub law: SoilLaw,
+}
+
+/// Where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Cone {
+    /// In triaxial compression: outside of the pyramid.
+    #[default]
+    Compression,
+    /// In triaxial extension.
+    Extension,
+    /// In plane strain at failure.
+    PlaneStrain,
+    /// Touching the pyramid from inside.
+    Inner,
+}
+
+/// When a soil yields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SoilLaw {
+    /// On the cone of Drucker and Prager.
+    #[default]
+    DruckerPrager,
+    /// On the pyramid of Mohr and Coulomb.
+    MohrCoulomb,
+    /// Never.
+    Elastic,
+}
+
+/// Fill of the haunches: over piers and abutments, between the extrados of two spans, up to a level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HaunchFill {
+    /// Level of its upper face above the springings [m].
+    pub height: f64,
+    /// What it is made of.
+    pub soil: Soil,
+}
+
+/// Fill behind the abutments, from their foundation to the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AbutmentFill {
+    /// How far it reaches behind the abutment's back [m]; none: to the boundary.
+    pub extent: Option<f64>,
+    /// What it is made of.
+    pub soil: Soil,
+}
+
+/// Mortar of joints.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Mortar {
+    /// Young's modulus [Pa].
+    pub elastic_modulus: Option<f64>,
+    /// Thickness of a joint [m].
+    pub thickness: Option<f64>,
+    /// Force at which a spring across a joint lifts off, per metre of width [N/m].
+    pub lift_off: f64,
+    /// Shear strength [Pa].
+    pub shear_strength: Option<f64>,
+    /// How the stress across a joint is summed.
+    pub springs: Springs,
+}
+
+/// How the stress across a joint is summed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Springs {
+    /// A spring at each node, all of the same area.
+    #[default]
+    Equal,
+    /// A spring at each node, with the area that belongs to it.
+    Nodal,
+    /// Two Gauss points between neighbouring nodes: an interface of no thickness.
+    Interface,
+}
+
+/// Contact of fill with masonry.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FillContact {
+    /// Coefficient of friction.
+    pub friction_coefficient: Option<f64>,
+    /// Whether fill and masonry may part.
+    pub separation: bool,
+    /// Normal stiffness [Pa/m]; none: from the fill's modulus and the size of its elements.
+    pub stiffness: Option<f64>,
+}
+
+impl Default for FillContact {
+    fn default() -> FillContact {
+        FillContact { friction_coefficient: None, separation: true, stiffness: None }
+    }
+}
