@@ -68,7 +68,7 @@ pub fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError>
     let stations: Vec<Stations> =
         stations::count(&arches, &layers, size).iter().map(stations::Breaks::stations).collect();
     let layout = layout(bridge, &arches, &stations, options, surface, backs);
-    refuse_too_fine(&arches, &stations, &layout, options)?;
+    refuse_too_fine(bridge, &arches, &stations, &layout, options)?;
 
     let mut build = Build::new(bridge, options, layout);
     for (i, arch) in arches.iter().enumerate() {
@@ -201,6 +201,7 @@ fn layout(
 
 /// Refuses before memory is asked for.
 fn refuse_too_fine(
+    bridge: &Bridge,
     arches: &[Arch<'_>],
     stations: &[Stations],
     layout: &Layout,
@@ -216,7 +217,14 @@ fn refuse_too_fine(
         .sum();
     let along: usize = stations.iter().map(|s| s.shares.len()).sum();
     let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
-    let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1));
+    // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
+    let wide = bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
+    let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
+    let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
+    let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
+    let behind = layout.behind.iter().map(|d| d.len() as f64).fold(0.0, f64::max) * tall / options.size;
+    let others = below / (options.size * options.size) + 2.0 * behind;
+    let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1)).saturating_add(others as usize);
     if nodes > MOST_NODES { Err(MeshError::TooFine { nodes, most: MOST_NODES }) } else { Ok(()) }
 }
 
@@ -540,7 +548,8 @@ impl<'a> Build<'a> {
             let facing = skewback[from..from + own.len()].to_vec();
             from += own.len() - 1;
             let joints = &self.sets.spans[span].joints[ring];
-            let joint = if end == 0 { 0 } else { joints.len() + 1 };
+            // The left springing comes before the right one.
+            let joint = if end == 0 { 0 } else { joints.len() };
             let seam = Seam::Joint { span, ring, joint };
             // Side `one` is to the right: the ring at its left springing, the support at its right one.
             let (one, two) = if end == 0 { (own, facing) } else { (facing, own) };
