@@ -162,7 +162,9 @@ fn a_doubled_boundary_changes_nothing_else() {
     let edge = |m: &Meshed| m.mesh.nodes[m.sets.right[0]].x;
     let back = 6.0 * 4.0 + 1.5 * 3.0 + 0.54 * 0.8 + 1.5;
     assert!((edge(&far) - back - 2.0 * (edge(&near) - back)).abs() < 1e-9);
-    assert_eq!(far.sets.spans, near.sets.spans);
+    for (a, b) in far.sets.spans.iter().zip(&near.sets.spans) {
+        assert_eq!(a.voussoirs, b.voussoirs);
+    }
 }
 
 #[test]
@@ -242,7 +244,7 @@ fn random_bridge(dice: &mut Dice) -> Bridge {
 #[test]
 fn random_bridges_have_sound_meshes() {
     let mut dice = Dice(7);
-    let (mut least, mut aspect, mut refused) = (f64::INFINITY, 0.0f64, Vec::new());
+    let (mut least, mut aspect, mut refused, mut poor) = (f64::INFINITY, 0.0f64, Vec::new(), Vec::new());
     for k in 0..400 {
         let bridge = random_bridge(&mut dice);
         let profiles: Vec<String> = bridge
@@ -256,8 +258,8 @@ fn random_bridges_have_sound_meshes() {
                 if k % 20 == 0 {
                     faces_fit(&m);
                 }
-                if m.quality.scaled_jacobian < 0.12 || m.quality.aspect_ratio > 60.0 {
-                    eprintln!("{k}: {profiles:?} {:?}", m.quality);
+                if m.quality.scaled_jacobian < 0.15 {
+                    poor.push(format!("{k}: {profiles:?} {:?}", m.quality));
                 }
                 least = least.min(m.quality.scaled_jacobian);
                 aspect = aspect.max(m.quality.aspect_ratio);
@@ -265,6 +267,7 @@ fn random_bridges_have_sound_meshes() {
             Err(error) => refused.push(format!("{k}: {profiles:?} haunch {:?}: {error}", bridge.service.haunch_fill.map(|h| h.height))),
         }
     }
+    eprintln!("{} poor:\n{}", poor.len(), poor.join("\n"));
     eprintln!("least scaled Jacobian {least}, largest aspect ratio {aspect}");
     assert!(refused.is_empty(), "{} refused:\n{}", refused.len(), refused.join("\n"));
 }
