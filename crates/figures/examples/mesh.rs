@@ -4,7 +4,8 @@
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let [file, folder] = std::env::args().skip(1).collect::<Vec<_>>().try_into().map_err(|_| "which file and folder?")?;
+    let [file, folder] =
+        std::env::args().skip(1).collect::<Vec<_>>().try_into().map_err(|_| "which file and folder?")?;
     let read = bridge::read(&std::fs::read(&file)?);
     let bridge = read.bridge.ok_or_else(|| format!("{file} cannot be used: {:?}", read.diagnostics))?;
     let meshed = assess::discretise::mesh::mesh(&bridge)?;

@@ -54,14 +54,13 @@ const DENSITY: Field =
 const FRICTION: Field = Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
     .at_least(0.0)
     .at_most(1.2);
-const COHESION: Field =
-    Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "10 kPa").at_least(0.0);
+const COHESION: Field = Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "10 kPa").at_least(0.0);
 const DILATANCY: Field =
     Field::new("dilatancy_angle", Kind::Quantity(Angle), "angle of dilatancy of the fill", "0 deg")
         .at_least(0.0)
         .at_most(1.2);
-const CUTOFF: Field = Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa")
-    .at_least(0.0);
+const CUTOFF: Field =
+    Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa").at_least(0.0);
 const CONE: Field = Field::new(
     "cone",
     Kind::Word(CONES),

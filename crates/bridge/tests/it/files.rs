@@ -21,8 +21,11 @@ pub const LAYERS: &str = include_str!("files/layers.toml");
 /// Fill as particles of given diameters, and all that its calibration may say.
 pub const CALIBRATION: &str = include_str!("files/calibration.toml");
 
+/// Everything that only the finite element model reads.
+pub const SERVICE: &str = include_str!("files/service.toml");
+
 /// All of them.
-pub const GOOD: [&str; 8] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION];
+pub const GOOD: [&str; 9] = [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, SERVICE];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

@@ -264,7 +264,8 @@ fn refuse_too_fine(
     let along: usize = stations.iter().map(|s| s.shares.len()).sum();
     let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
     // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
-    let wide = bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
+    let wide =
+        bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
     let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
     let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
     let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
@@ -561,10 +562,7 @@ impl<'a> Build<'a> {
                 (a.y.min(b.y) - pier.height, [middle - half, middle + half])
             }
             (None, _) => (-self.bridge.abutments[0].height, [self.layout.backs[0], arches[0].intrados(0.0).x]),
-            _ => (
-                -self.bridge.abutments[1].height,
-                [arches[arches.len() - 1].intrados(1.0).x, self.layout.backs[1]],
-            ),
+            _ => (-self.bridge.abutments[1].height, [arches[arches.len() - 1].intrados(1.0).x, self.layout.backs[1]]),
         };
         let flank = |span: Option<usize>, end: usize, other: Option<usize>| match span {
             Some(span) => Flank::Skewback(skewback(span, end), feet[1 - end]),
@@ -648,8 +646,7 @@ impl<'a> Build<'a> {
             back.iter().map(|n| self.nodes[*n]).chain(edge[1..].iter().map(|n| self.nodes[*n])).collect();
         let points: Points = levels.iter().map(|p| spaced(*p, *p + vec2(outwards * far, 0.0), &distances)).collect();
         let corner = back.len() - 1;
-        let mut grid =
-            self.grid(&points, |i, j| if j == 0 && i >= corner { Some(edge[i - corner]) } else { None });
+        let mut grid = self.grid(&points, |i, j| if j == 0 && i >= corner { Some(edge[i - corner]) } else { None });
         let facing: Vec<NodeId> = grid[..=corner].iter().map(|row| row[0]).collect();
         let role = Role::Abutment(if side == 0 { End::Left } else { End::Right });
         // Masonry on the right of the way walked: up the left abutment's back, down the right one's.
@@ -666,7 +663,11 @@ impl<'a> Build<'a> {
         self.sets.base.extend(&grid[0]);
         let outer = if side == 0 { 0 } else { distances.len() - 1 };
         let boundary: Vec<NodeId> = grid.iter().map(|row| row[outer]).collect();
-        if side == 0 { self.sets.left = boundary } else { self.sets.right = boundary }
+        if side == 0 {
+            self.sets.left = boundary
+        } else {
+            self.sets.right = boundary
+        }
         grid.swap_remove(grid.len() - 1)
     }
 

@@ -166,7 +166,11 @@ fn insert(shares: &mut Vec<f64>, share: f64, near: f64) -> f64 {
     let below = k.checked_sub(1).and_then(close);
     match (below, close(k)) {
         (Some(a), Some(b)) => {
-            if share - a < b - share { a } else { b }
+            if share - a < b - share {
+                a
+            } else {
+                b
+            }
         }
         (Some(a), None) => a,
         (None, Some(b)) => b,

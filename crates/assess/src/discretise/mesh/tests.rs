@@ -229,8 +229,7 @@ fn random_bridge(dice: &mut Dice) -> Bridge {
     b.abutments = [0, 1].map(|_| Abutment { top_width: dice.between(0.3, 4.0), height: dice.between(0.3, 6.0) });
     let rise = b.spans[0].rise;
     if dice.roll() < 0.5 {
-        b.service.haunch_fill =
-            Some(HaunchFill { height: rise * dice.between(0.1, 1.2), soil: Soil::default() });
+        b.service.haunch_fill = Some(HaunchFill { height: rise * dice.between(0.1, 1.2), soil: Soil::default() });
     }
     if dice.roll() < 0.3 {
         b.service.abutment_fill.extent = Some(dice.between(0.5, 8.0));
@@ -264,7 +263,8 @@ fn random_bridges_have_sound_meshes() {
                 least = least.min(m.quality.scaled_jacobian);
                 aspect = aspect.max(m.quality.aspect_ratio);
             }
-            Err(error) => refused.push(format!("{k}: {profiles:?} haunch {:?}: {error}", bridge.service.haunch_fill.map(|h| h.height))),
+            Err(error) => refused
+                .push(format!("{k}: {profiles:?} haunch {:?}: {error}", bridge.service.haunch_fill.map(|h| h.height))),
         }
     }
     eprintln!("{} poor:\n{}", poor.len(), poor.join("\n"));
