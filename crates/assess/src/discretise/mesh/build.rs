@@ -264,7 +264,8 @@ fn refuse_too_fine(
     let along: usize = stations.iter().map(|s| s.shares.len()).sum();
     let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
     // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
-    let wide = bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
+    let wide =
+        bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
     let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
     let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
     let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
