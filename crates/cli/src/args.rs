@@ -282,9 +282,12 @@ pub struct Bench {
     /// How often
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub repeats: u32,
-    /// How many discs, for `disks`
-    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
-    pub count: u32,
+    /// How many discs, for `disks` (2000); how many elements along the ground, for `factor` (316) and `footing` (142)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=10_000_000))]
+    pub count: Option<u32>,
+    /// What yields, for `footing` (von-mises)
+    #[arg(long, value_name = "LAW")]
+    pub material: Option<BenchGround>,
     /// For `disks`: compare with this many boxes stepped side by side, one thread each
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
     pub copies: Option<u16>,
@@ -302,6 +305,23 @@ pub enum BenchName {
     Arch,
     /// Bridgemill's ring and dispersed knife load by limit analysis, building and both bounds included
     Limit,
+    /// The elastic stiffness of a finite element mesh: analysed, assembled, factorised, solved with
+    Factor,
+    /// A rough footing pushed into yielding ground, in ten load steps
+    Footing,
+}
+
+/// Ground under the footing of `bench footing`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BenchGround {
+    /// Clay
+    VonMises,
+    /// Frictional, with associated flow
+    DruckerPrager,
+    /// Frictional, without dilation: an unsymmetric tangent
+    NonAssociated,
+    /// Frictional, the pyramid in place of the cone, with associated flow
+    MohrCoulomb,
 }
 
 /// A method for collapse.

@@ -1,6 +1,8 @@
 //! `extrados bench`: the speed of one method on this machine, on one core unless more are asked for.
 
 mod disks;
+mod factor;
+mod footing;
 
 use super::Desk;
 use crate::args::{Bench, BenchName};
@@ -22,6 +24,8 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchName::Disks => disks::run(desk, arguments),
         BenchName::Arch => bridgemill(arguments, arch),
         BenchName::Limit => bridgemill(arguments, limit),
+        BenchName::Factor => factor::run(arguments),
+        BenchName::Footing => footing::run(desk, arguments),
     }
 }
 
@@ -57,7 +61,7 @@ fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisEr
                 "arch: {least:.3} s to collapse (median {middle:.3} s of {repeats}), {iterations} iterations with adaptive \
                  damping, {blocks} blocks, one core\n"
             )),
-        BenchName::Limit | BenchName::Disks => {
+        BenchName::Limit | BenchName::Disks | BenchName::Factor | BenchName::Footing => {
             let (least, middle) = (1e3 * least, 1e3 * middle);
             report.with("name", "limit").with("milliseconds", least).with("milliseconds_median", middle).saying(format!(
                 "limit: {least:.3} ms (median {middle:.3} ms of {repeats}), building and both bounds included, {blocks} \

@@ -225,6 +225,26 @@ fn new_explain_schema_and_bench_answer() {
 }
 
 #[test]
+fn bench_factor_and_footing_answer() {
+    let stage = Stage::new("answers-elements");
+    let (bench, ending) = stage.object(&["bench", "factor", "--count", "40", "--repeats", "2"]);
+    assert_eq!((ending.code, bench["name"].as_str(), bench["size"].as_u64()), (Some(0), Some("factor"), Some(800)));
+    for part in ["seconds_analyse", "seconds_assembly", "seconds_factor", "seconds_solve"] {
+        assert!(number(&bench, part) > 0.0, "{part}");
+    }
+    assert_eq!(number(&bench, "degrees_of_freedom"), 1549.0);
+    let (bench, ending) = stage.object(&["bench", "footing", "--count", "40", "--repeats", "1"]);
+    assert_eq!((ending.code, bench["status"].as_str()), (Some(0), Some("completed")));
+    assert!(number(&bench, "seconds") > 0.0 && number(&bench, "iterations_total") >= 10.0);
+    let pressure = number(&bench, "mean_pressure_kpa");
+    // A coarse mesh is stiffer than the 392.4 kPa of 142 elements, and far below the elastic 758 kPa.
+    assert!((392.0..460.0).contains(&pressure), "{pressure}");
+    let (bench, _) = stage.object(&["bench", "footing", "--count", "40", "--repeats", "1", "--material", "drucker-prager"]);
+    assert_eq!(bench["status"], "completed");
+    assert!(number(&bench, "mean_pressure_kpa") > number(&bench, "limit_pressure_kpa"));
+}
+
+#[test]
 fn words_for_people_are_short_and_name_the_folder() {
     let stage = Stage::with_example("answers-words", "tiny");
     let ending = stage.run(&["collapse", "bridge/bridge.toml"]);

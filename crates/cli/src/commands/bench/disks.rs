@@ -14,6 +14,10 @@ use mechanics::dem::{State, Workspace, step};
 const STEPS: u64 = 1_000;
 const PARTICLE_STEPS: u64 = 10_000_000;
 
+/// How many discs where `--count` does not say, and the fewest that make a box.
+const DISCS: u32 = 2_000;
+const LEAST: u32 = 100;
+
 /// What some steps of one box told.
 #[derive(Debug, Clone, Copy, Default)]
 struct Stepped {
@@ -23,7 +27,7 @@ struct Stepped {
 
 /// One repeat after the other: the box on all threads and, where it is wanted, copies of it side by side.
 pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
-    let count = arguments.count as usize;
+    let count = arguments.count.unwrap_or(DISCS).max(LEAST) as usize;
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let built = disks(count, &mut onlooker).map(|disks| disks.settled(&mut onlooker).map(|state| (disks, state)));
     onlooker.finish();

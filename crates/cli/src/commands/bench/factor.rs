@@ -1,0 +1,93 @@
+//! `extrados bench factor`: the elastic stiffness of a mesh, assembled, factorised and solved with.
+
+use crate::args::Bench;
+use crate::clock::Clock;
+use crate::failure::Failure;
+use crate::report::Report;
+use crate::status::Status;
+use assess::footing::{Footing, FootingError, Ground, footing};
+use mechanics::fem::{Element, Pattern, State, Workspace};
+
+/// Elements along the ground where `--count` does not say: 99,793 degrees of freedom.
+const COLUMNS: u32 = 316;
+
+/// Seconds of one repeat.
+#[derive(Debug, Clone, Copy)]
+struct Seconds {
+    pattern: f64,
+    analyse: f64,
+    assembly: f64,
+    factor: f64,
+    solve: f64,
+}
+
+impl Seconds {
+    fn in_all(&self) -> f64 {
+        self.analyse + self.factor + self.solve
+    }
+}
+
+/// Repeats all of it; each part's least time.
+pub fn run(arguments: &Bench) -> Result<Report, Failure> {
+    let columns = arguments.count.unwrap_or(COLUMNS) as usize;
+    let refused = |error: FootingError| Failure::input("F108", error.to_string(), "ask for fewer elements");
+    let ground = footing(columns, Ground::Elastic, Element::Q4).map_err(refused)?;
+    let (mut all, mut entries) = (Vec::new(), [0; 2]);
+    for _ in 0..arguments.repeats {
+        let (seconds, found) = repeat(&ground).map_err(refused)?;
+        all.push(seconds);
+        entries = found;
+    }
+    let least = |part: fn(&Seconds) -> f64| all.iter().map(part).fold(f64::INFINITY, f64::min);
+    let [pattern, analyse, assembly, factor, solve, whole] = [
+        least(|s| s.pattern),
+        least(|s| s.analyse),
+        least(|s| s.assembly),
+        least(|s| s.factor),
+        least(|s| s.solve),
+        least(Seconds::in_all),
+    ];
+    let equations = ground.model.equations();
+    Ok(Report::new(Status::Completed)
+        .with("name", "factor")
+        .with("size", columns * columns.div_ceil(2))
+        .with("repeats", arguments.repeats)
+        .with("degrees_of_freedom", equations)
+        .with("seconds_pattern", pattern)
+        .with("seconds_assembly", assembly)
+        .with("seconds_analyse", analyse)
+        .with("seconds_factor", factor)
+        .with("seconds_solve", solve)
+        .with("seconds", whole)
+        .with("stiffness_entries", entries[0])
+        .with("factor_entries", entries[1])
+        .saying(format!(
+            "factor: {whole:.3} s in all: {analyse:.3} s analyse + {factor:.3} s factor + {solve:.3} s solve, {equations} degrees of \
+             freedom, one core\npattern {pattern:.3} s once; assembly into it {assembly:.3} s; {} entries of the stiffness, {} of its \
+             factor; least of {} repeats\n",
+            entries[0], entries[1], arguments.repeats,
+        )))
+}
+
+/// Times, and the entries of the stiffness and of its factor.
+fn repeat(ground: &Footing) -> Result<(Seconds, [usize; 2]), FootingError> {
+    let clock = Clock::start();
+    let pattern = Pattern::new(&ground.model);
+    let seconds_pattern = clock.seconds();
+    let clock = Clock::start();
+    let mut work = Workspace::with_pattern(&ground.model, pattern)?;
+    let analyse = clock.seconds();
+    let state = State::new(&ground.model);
+    let clock = Clock::start();
+    work.stiffness(&ground.model, &state)?;
+    let assembly = clock.seconds();
+    let clock = Clock::start();
+    work.factorise()?;
+    let factor = clock.seconds();
+    let right = vec![1.0; ground.model.equations()];
+    let clock = Clock::start();
+    work.solve(&right, 1e-6)?;
+    let solve = clock.seconds();
+    let entries = [work.tangent_entries(), work.factor_entries()];
+    Ok((Seconds { pattern: seconds_pattern, analyse, assembly, factor, solve }, entries))
+}

@@ -1,0 +1,81 @@
+//! `extrados bench footing`: yielding ground under a rough footing, from the mesh to the last load step.
+
+use crate::args::{Bench, BenchGround};
+use crate::clock::Clock;
+use crate::commands::Desk;
+use crate::failure::Failure;
+use crate::report::Report;
+use crate::status::Status;
+use crate::watcher::{Spectator, asked_to_stop};
+use assess::footing::{Ground, footing, prandtl, settings};
+use mechanics::fem;
+
+/// Elements along the ground where `--count` does not say.
+const COLUMNS: u32 = 142;
+
+/// Out-of-balance force over the reaction at which a step counts as balanced.
+const TOLERANCE: f64 = 1e-6;
+
+/// Repeats the push and gives the least and the middle time.
+pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+    let columns = arguments.count.unwrap_or(COLUMNS) as usize;
+    let (ground, name) = match arguments.material.unwrap_or(BenchGround::VonMises) {
+        BenchGround::VonMises => (Ground::VonMises, "von-mises"),
+        BenchGround::DruckerPrager => (Ground::DruckerPrager, "drucker-prager"),
+        BenchGround::NonAssociated => (Ground::NonAssociated, "non-associated"),
+        BenchGround::MohrCoulomb => (Ground::MohrCoulomb, "mohr-coulomb"),
+    };
+    let refused = |error: assess::footing::FootingError| Failure::input("F108", error.to_string(), "ask for less");
+    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
+    let (mut seconds, mut last) = (Vec::new(), None);
+    for _ in 0..arguments.repeats {
+        let clock = Clock::start();
+        let ground = footing(columns, ground, fem::Element::Q4).map_err(refused)?;
+        let pushed = ground.push(&settings(TOLERANCE), &mut onlooker).map_err(refused)?;
+        seconds.push(clock.seconds());
+        last = Some((pushed, ground.model.equations()));
+        if asked_to_stop() {
+            break;
+        }
+    }
+    onlooker.finish();
+    seconds.sort_by(f64::total_cmp);
+    let (least, middle) = (seconds[0], seconds[seconds.len() / 2]);
+    let Some((pushed, equations)) = last else { return Ok(Report::new(Status::Undetermined)) };
+    let (status, ended) = match pushed.outcome.status {
+        fem::Status::Completed => (Status::Completed, "completed"),
+        fem::Status::NotConverged => (Status::Undetermined, "not converged"),
+        fem::Status::Singular => (Status::Undetermined, "singular"),
+        fem::Status::Cancelled => (Status::Cancelled, "cancelled"),
+    };
+    let pressure = pushed.mean_pressure / 1e3;
+    let exact = prandtl(ground).map(|pressure| pressure / 1e3);
+    let beyond = exact.map_or(String::new(), |exact| format!(", Prandtl's limit {exact:.1} kPa"));
+    let kept = pushed.outcome.steps.iter().filter(|step| step.kept).count();
+    Ok(Report::new(status)
+        .with("name", "footing")
+        .with("size", columns * columns.div_ceil(2))
+        .with("repeats", seconds.len())
+        .with("material", name)
+        .with("seconds", least)
+        .with("seconds_median", middle)
+        .with("iterations_total", pushed.outcome.iterations)
+        .with("mean_pressure_kpa", pressure)
+        .with("limit_pressure_kpa", exact)
+        .with("reached", pushed.outcome.reached)
+        .with("load_steps", kept)
+        .with("ended", ended)
+        .with("plastic_points", pushed.yielding)
+        .with("tolerance", TOLERANCE)
+        .with("degrees_of_freedom", equations)
+        .saying(format!(
+            "footing: {least:.3} s (median {middle:.3} s of {}), {name}, {columns} x {} elements, {equations} degrees of freedom, one \
+             core\n{ended} at {:.1} % of the push in {kept} steps and {} iterations to {TOLERANCE:.0e}; mean pressure {pressure:.1} \
+             kPa{beyond}; {} points flow\n",
+            seconds.len(),
+            columns.div_ceil(2),
+            100.0 * pushed.outcome.reached,
+            pushed.outcome.iterations,
+            pushed.yielding,
+        )))
+}
