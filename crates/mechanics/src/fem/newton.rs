@@ -332,13 +332,7 @@ impl Equations<'_> {
     }
 
     /// Searches the part of the step at which the force along it vanishes, by false position within [0.05, 1]; `whole` was found at 1.
-    fn search(
-        &self,
-        work: &mut Workspace,
-        direction: &[f64],
-        start: f64,
-        whole: Option<Vec<f64>>,
-    ) -> Option<Vec<f64>> {
+    fn search(&self, work: &mut Workspace, direction: &[f64], start: f64, whole: Option<Vec<f64>>) -> Option<Vec<f64>> {
         const TRIES: usize = 6;
         const LEAST: f64 = 0.05;
         let along = |right: &Option<Vec<f64>>| right.as_ref().map_or(f64::INFINITY, |right| dot(right, direction));
