@@ -8,16 +8,8 @@ use mechanics::plane::{Vec2, vec2};
 
 /// MacNeal and Harder's patch: five elements, none of them a parallelogram.
 fn patch() -> Mesh {
-    let places = [
-        (0.0, 0.0),
-        (0.24, 0.0),
-        (0.24, 0.12),
-        (0.0, 0.12),
-        (0.04, 0.02),
-        (0.18, 0.03),
-        (0.16, 0.08),
-        (0.08, 0.08),
-    ];
+    let places =
+        [(0.0, 0.0), (0.24, 0.0), (0.24, 0.12), (0.0, 0.12), (0.04, 0.02), (0.18, 0.03), (0.16, 0.08), (0.08, 0.08)];
     let quads = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]];
     let mut mesh = Mesh::default();
     let zone = mesh.zones.push("patch".to_owned());
@@ -36,11 +28,9 @@ fn patch() -> Mesh {
 fn the_patch_test_is_passed() {
     let field = |p: Vec2| [1e-3 * (p.x + 0.5 * p.y), 1e-3 * (p.y + 0.5 * p.x)];
     for element in [Element::Q4, Element::QM6] {
-        for (plane, kinematics) in [
-            (Plane::Strain, Kinematics::Small),
-            (Plane::Stress, Kinematics::Small),
-            (Plane::Strain, Kinematics::Large),
-        ] {
+        for (plane, kinematics) in
+            [(Plane::Strain, Kinematics::Small), (Plane::Stress, Kinematics::Small), (Plane::Strain, Kinematics::Large)]
+        {
             let mesh = patch();
             let supports: Vec<_> = (0..4).map(|i| held(NodeId::new(i), true, true)).collect();
             let body = model(mesh, elastic(1e6, 0.25, plane, element), &supports, kinematics);

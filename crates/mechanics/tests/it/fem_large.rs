@@ -76,8 +76,7 @@ fn a_strut_sways_towards_eulers_load() {
         let strut = model(mesh, section, &supports, Kinematics::Large);
         let tip = node(n, n, 1);
         let lateral = 1e-3 * bending;
-        let target =
-            Target { forces: forces(&strut, &[(tip, -share * euler, lateral)]), imposed: Vec::new() };
+        let target = Target { forces: forces(&strut, &[(tip, -share * euler, lateral)]), imposed: Vec::new() };
         let (state, _, outcome) = carried(&strut, &target, &tight(4));
         assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
         moved(&state, tip)[1]

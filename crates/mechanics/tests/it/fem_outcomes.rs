@@ -91,13 +91,8 @@ fn stacked(law: JointLaw, quadrature: Quadrature, kinematics: Kinematics) -> (Mo
 /// A block pressed on another by 1 kN slides at friction times that and not before, whatever the quadrature and the kinematics.
 #[test]
 fn a_block_slides_at_its_friction() {
-    let law = JointLaw::Contact(Contact {
-        normal: 1e10,
-        tangential: 1e10,
-        friction: 0.4,
-        cohesion: 0.0,
-        separation: true,
-    });
+    let law =
+        JointLaw::Contact(Contact { normal: 1e10, tangential: 1e10, friction: 0.4, cohesion: 0.0, separation: true });
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
         for kinematics in [Kinematics::Small, Kinematics::Large] {
             let (body, top) = stacked(law, quadrature, kinematics);
@@ -140,7 +135,8 @@ fn areas_of_springs_fill_the_face() {
 #[test]
 fn models_that_are_none_are_named() {
     let section = elastic(1e6, 0.25, Plane::Strain, Element::QM6);
-    let with = |mesh: Mesh, section| Model::new(mesh, [section].into_iter().collect(), Vec::new(), &[], Kinematics::Small);
+    let with =
+        |mesh: Mesh, section| Model::new(mesh, [section].into_iter().collect(), Vec::new(), &[], Kinematics::Small);
     let folded = grid(1, 1, |s, t| vec2(-s, t));
     assert!(matches!(with(folded, section), Err(ModelError::Folded(0, _))));
     let nowhere = grid(1, 1, |s, t| vec2(s, t / 0.0));

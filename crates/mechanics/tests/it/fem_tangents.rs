@@ -3,7 +3,9 @@
 use crate::fem_tools::{elastic, grid, held, node, of};
 use mechanics::fem::joint::{Contact, ElasticJoint, JointLaw};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, VonMises};
-use mechanics::fem::{Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, Section, State, Support, Workspace};
+use mechanics::fem::{
+    Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, Section, State, Support, Workspace,
+};
 use mechanics::ids::{Id, NodeId};
 use mechanics::plane::{Vec2, vec2};
 
@@ -74,11 +76,9 @@ fn of_yielding_elements() {
         Material::DruckerPrager(DruckerPrager::matching(STIFF, Cone::PlaneStrain, 100.0, angle, dilatancy))
     };
     for material in [von_mises, cone(30.0_f64.to_radians()), cone(0.0)] {
-        for (plane, kinematics) in [
-            (Plane::Strain, Kinematics::Small),
-            (Plane::Stress, Kinematics::Small),
-            (Plane::Strain, Kinematics::Large),
-        ] {
+        for (plane, kinematics) in
+            [(Plane::Strain, Kinematics::Small), (Plane::Stress, Kinematics::Small), (Plane::Strain, Kinematics::Large)]
+        {
             for element in [Element::Q4, Element::QM6] {
                 let (model, state) = crooked(of(material, plane, element), kinematics, 5e-4);
                 let off = error(&model, &state, 1e-9);
@@ -125,13 +125,8 @@ fn blocks(quadrature: Quadrature, law: JointLaw, kinematics: Kinematics, size: f
 #[test]
 fn of_interfaces() {
     let elastic = JointLaw::Elastic(ElasticJoint { normal: 2e6, tangential: 1e6 });
-    let contact = JointLaw::Contact(Contact {
-        normal: 2e6,
-        tangential: 1e6,
-        friction: 0.4,
-        cohesion: 10.0,
-        separation: true,
-    });
+    let contact =
+        JointLaw::Contact(Contact { normal: 2e6, tangential: 1e6, friction: 0.4, cohesion: 10.0, separation: true });
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
         for kinematics in [Kinematics::Small, Kinematics::Large] {
             for (law, size) in [(elastic, 0.05), (contact, 0.02)] {

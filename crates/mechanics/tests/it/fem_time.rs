@@ -52,17 +52,8 @@ fn vibration(
     };
     let settings = exactly();
     let mut forces = |_: u64| none.clone();
-    let outcome = transient(
-        model,
-        &mut state,
-        &mut work,
-        &motion,
-        steps,
-        &mut forces,
-        &mut see,
-        &settings,
-        &mut Unwatched,
-    );
+    let outcome =
+        transient(model, &mut state, &mut work, &motion, steps, &mut forces, &mut see, &settings, &mut Unwatched);
     assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
     heights
 }
@@ -71,8 +62,7 @@ fn vibration(
 /// phase over many steps gives it: heights are exactly cos(k w' dt).
 #[test]
 fn the_period_error_is_that_of_the_scheme() {
-    let (body, frequency) =
-        oscillator(elastic(1e6, 0.0, Plane::Strain, Element::Q4), Kinematics::Small);
+    let (body, frequency) = oscillator(elastic(1e6, 0.0, Plane::Strain, Element::Q4), Kinematics::Small);
     for (angle, ratio) in [(0.1, 1.000833), (0.5, 1.020497), (1.0, 1.078405)] {
         let heights = vibration(&body, Integration::AVERAGE, angle / frequency, 200, 1e-3, &mut |_, _, _| {});
         // Every three heights give the angle of a step: h1 + h-1 = 2 h0 cos.
@@ -184,17 +174,8 @@ fn a_moving_load_crosses_a_beam() {
         let mut most = 0.0_f64;
         let mut see = |_: u64, state: &State, _: &Workspace| most = most.max(-moved(state, middle)[1]);
         let settings = Settings { tolerance: 1e-8, ..Settings::default() };
-        let outcome = transient(
-            &beam,
-            &mut state,
-            &mut work,
-            &motion,
-            steps,
-            &mut load,
-            &mut see,
-            &settings,
-            &mut Unwatched,
-        );
+        let outcome =
+            transient(&beam, &mut state, &mut work, &motion, steps, &mut load, &mut see, &settings, &mut Unwatched);
         assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.steps.last());
         assert!((most / peak - 1.0).abs() < 1e-3, "{speed} m/s: {most} for {peak}");
     }
@@ -244,8 +225,7 @@ fn rayleigh_damping_meets_its_two_frequencies() {
         let ratio = 0.5 * (damping.mass / frequency + damping.stiffness * frequency);
         assert!((ratio - 0.02_f64).abs() < 1e-15);
     }
-    let (body, frequency) =
-        oscillator(elastic(1e6, 0.0, Plane::Strain, Element::Q4), Kinematics::Small);
+    let (body, frequency) = oscillator(elastic(1e6, 0.0, Plane::Strain, Element::Q4), Kinematics::Small);
     let damping = Damping::of(0.02, [frequency, 5.0 * frequency]);
     let mut work = Workspace::new(&body).unwrap();
     let step = 0.01 / frequency;

@@ -162,12 +162,7 @@ fn condense(force: &[f64; 12], tangent: &[[f64; 12]; 12], stiffness: f64) -> Opt
     condensed(force, tangent, stiffness, 0.0).or_else(|| condensed(force, tangent, stiffness, 1e-8))
 }
 
-fn condensed(
-    force: &[f64; 12],
-    tangent: &[[f64; 12]; 12],
-    stiffness: f64,
-    trace: f64,
-) -> Option<(Answer, [f64; 4])> {
+fn condensed(force: &[f64; 12], tangent: &[[f64; 12]; 12], stiffness: f64, trace: f64) -> Option<(Answer, [f64; 4])> {
     // Columns: d modes / d displacements, then the force on the modes.
     let mut a = [[0.0; 4]; 4];
     let mut b = [[0.0; 9]; 4];
