@@ -103,9 +103,8 @@ pub fn footing(columns: usize, ground: Ground, element: Element) -> Result<Footi
     let node = |i: usize, j: usize| NodeId::new(j * (columns + 1) + i);
     let mut mesh = Mesh::default();
     let zone = mesh.zones.push("ground".to_owned());
-    let place = |i: usize, j: usize| {
-        vec2(GROUND.0 * i as f64 / columns as f64, GROUND.1 * (j as f64 / rows as f64 - 1.0))
-    };
+    let place =
+        |i: usize, j: usize| vec2(GROUND.0 * i as f64 / columns as f64, GROUND.1 * (j as f64 / rows as f64 - 1.0));
     for j in 0..=rows {
         for i in 0..=columns {
             mesh.nodes.push(place(i, j));

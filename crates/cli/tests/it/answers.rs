@@ -257,7 +257,8 @@ fn bench_factor_and_footing_answer() {
     let pressure = number(&bench, "mean_pressure_kpa");
     // A coarse mesh is stiffer than the 392.4 kPa of 142 elements, and far below the elastic 758 kPa.
     assert!((392.0..460.0).contains(&pressure), "{pressure}");
-    let (bench, _) = stage.object(&["bench", "footing", "--count", "40", "--repeats", "1", "--material", "drucker-prager"]);
+    let (bench, _) =
+        stage.object(&["bench", "footing", "--count", "40", "--repeats", "1", "--material", "drucker-prager"]);
     assert_eq!(bench["status"], "completed");
     assert!(number(&bench, "mean_pressure_kpa") > number(&bench, "limit_pressure_kpa"));
 }

@@ -93,8 +93,10 @@ fn leaves_know_nothing_of_one_another_and_only_assess_joins_them() {
 }
 
 #[test]
-fn discrete_elements_and_limit_analysis_do_not_use_one_another() {
-    for (folder, other) in [("dem", "limit"), ("limit", "dem")] {
+fn the_methods_do_not_use_one_another() {
+    let methods = ["dem", "limit", "fem"];
+    let pairs = methods.iter().flat_map(|one| methods.iter().filter(move |two| one != *two).map(move |two| (one, two)));
+    for (folder, other) in pairs {
         for path in sources(&format!("crates/mechanics/src/{folder}")) {
             let text = code(&path);
             for use_of in [format!("crate::{other}"), format!("super::super::{other}"), format!("use super::{other}::")]

@@ -32,13 +32,7 @@ pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Re
 }
 
 /// One quadrilateral, in its own turned frame where displacements are large.
-fn quadrilateral(
-    model: &Model,
-    trial: &mut Trial,
-    id: QuadId,
-    quad: &Quad,
-    state: &State,
-) -> Option<element::Answer> {
+fn quadrilateral(model: &Model, trial: &mut Trial, id: QuadId, quad: &Quad, state: &State) -> Option<element::Answer> {
     let corners = model.corners(id);
     let index = id.index();
     let section = model.section(id);
@@ -52,13 +46,7 @@ fn quadrilateral(
         Kinematics::Large => {
             let frame = Frame::of(&corners, &u)?;
             let mut answer = element::respond(&section.solid, incompatible, &samples, &frame.local, old, kept)?;
-            turned(
-                &frame.angle,
-                frame.direction,
-                &frame.positions,
-                (&mut answer.force, &mut answer.tangent),
-                8,
-            );
+            turned(&frame.angle, frame.direction, &frame.positions, (&mut answer.force, &mut answer.tangent), 8);
             Some(answer)
         }
     }
@@ -108,9 +96,8 @@ fn springs(model: &Model, work: &mut Workspace, state: &State) -> Result<(), Bro
     let large = model.kinematics == Kinematics::Large;
     for (index, spring) in model.springs().iter().enumerate() {
         let law = &model.joints[spring.kind];
-        let pull = spring
-            .respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index])
-            .ok_or(Broken)?;
+        let pull =
+            spring.respond(law, &model.mesh, &work.trial.displacements, large, &state.bonds[index]).ok_or(Broken)?;
         let mut components = [0; 12];
         for (n, node) in spring.nodes().enumerate() {
             (components[2 * n], components[2 * n + 1]) = (2 * node.index(), 2 * node.index() + 1);

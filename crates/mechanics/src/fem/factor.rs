@@ -137,18 +137,12 @@ impl Solver {
         let stack = MemStack::new(&mut self.memory);
         match self.kind {
             Kind::Nothing => {}
-            Kind::Definite => LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-                Conj::No,
-                right,
-                Par::Seq,
-                stack,
-            ),
-            Kind::Indefinite => LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-                Conj::No,
-                right,
-                Par::Seq,
-                stack,
-            ),
+            Kind::Definite => {
+                LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack)
+            }
+            Kind::Indefinite => {
+                LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack)
+            }
         }
     }
 
@@ -165,12 +159,8 @@ impl Solver {
             return self.direct(pattern, values, right);
         }
         let goal = if skew.is_empty() { 1e-10 } else { accuracy };
-        let Refined { x, residual } = gmres::solve(
-            |x, out| pattern.multiply(values, skew, x, out),
-            |x| self.apply(x),
-            right,
-            goal,
-        );
+        let Refined { x, residual } =
+            gmres::solve(|x, out| pattern.multiply(values, skew, x, out), |x| self.apply(x), right, goal);
         let worst = LARGEST_RESIDUAL.max(10.0 * accuracy);
         if residual <= worst && x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(FactorError::Singular) }
     }

@@ -90,8 +90,7 @@ impl Spring {
                 pull.force[2 * n + i] = self.area * one * answer.traction[AXIS[i]];
                 for (k, &(_, two, _)) in self.nodes.iter().enumerate() {
                     for j in 0..2 {
-                        pull.tangent[2 * n + i][2 * k + j] =
-                            self.area * one * two * answer.tangent[AXIS[i]][AXIS[j]];
+                        pull.tangent[2 * n + i][2 * k + j] = self.area * one * two * answer.tangent[AXIS[i]][AXIS[j]];
                     }
                 }
             }

@@ -4,7 +4,7 @@ use super::dofs::{Dofs, dof};
 use super::element::{Element, Section, mass, sample};
 use super::interface::{Spring, springs};
 use super::joint::{JointLaw, PairState};
-use super::mesh::Mesh;
+use super::mesh::{Mesh, Quad};
 use super::settings::Kinematics;
 use crate::ids::{Id, InterfaceId, NodeId, QuadId, Table, ZoneId};
 use crate::plane::Vec2;
@@ -32,6 +32,7 @@ pub struct Model {
     pub kinematics: Kinematics,
     springs: Vec<Spring>,
     dofs: Dofs,
+    size: f64,
 }
 
 /// Why there is no model.
@@ -91,12 +92,18 @@ impl Model {
                 held[dof(support.node, axis)] |= support.held[axis];
             }
         }
-        Ok(Model { dofs: Dofs::new(&held), springs, mesh, sections, joints, kinematics })
+        let size = size(&mesh);
+        Ok(Model { dofs: Dofs::new(&held), springs, size, mesh, sections, joints, kinematics })
     }
 
     /// Equations: free components of displacement.
     pub fn equations(&self) -> usize {
         self.dofs.free().len()
+    }
+
+    /// Components (`2 node` for x, `2 node + 1` for y) in order of their equations.
+    pub fn free(&self) -> &[u32] {
+        self.dofs.free()
     }
 
     /// Whether a component of a node is held.
@@ -107,6 +114,11 @@ impl Model {
     /// Points of the interfaces.
     pub fn springs(&self) -> &[Spring] {
         &self.springs
+    }
+
+    /// Length of an element, in the mean [m].
+    pub(super) fn size(&self) -> f64 {
+        self.size
     }
 
     pub(super) fn dofs(&self) -> &Dofs {
@@ -148,6 +160,11 @@ impl Model {
     pub(super) fn incompatible(&self, quad: QuadId) -> bool {
         self.section(quad).element == Element::QM6
     }
+}
+
+fn size(mesh: &Mesh) -> f64 {
+    let across = |quad: &Quad| (mesh.nodes[quad.nodes[2]] - mesh.nodes[quad.nodes[0]]).norm();
+    mesh.quads.iter().map(across).sum::<f64>() / mesh.quads.len().max(1) as f64
 }
 
 /// How many of some pairs are open, and how many slide.

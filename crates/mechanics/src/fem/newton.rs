@@ -167,7 +167,10 @@ impl Attempt {
     }
 }
 
-/// Iterations without a new least residual after which an attempt is given up.
+/// Iterations without a new least residual after which what is left may be rounding.
+const PATIENCE: u32 = 3;
+
+/// Those after which an attempt is given up.
 const STALL: u32 = 20;
 
 /// Residual over applied force beyond which an attempt is given up.
@@ -221,7 +224,9 @@ pub(super) fn balance(
         let Some(now) = found else { return attempt };
         right = now;
         attempt.unbalanced = norm(&right) / equations.size(work).max(f64::MIN_POSITIVE);
-        if attempt.unbalanced <= settings.tolerance {
+        // Balanced, or as near to it as numbers can come.
+        let stalled = attempt.iterations > best.1 + PATIENCE;
+        if attempt.unbalanced <= settings.tolerance || (stalled && norm(&right) <= work.rounding(model)) {
             attempt.end = End::Balanced;
             return attempt;
         }
@@ -241,10 +246,11 @@ fn direction(work: &mut Workspace, right: &[f64]) -> Result<(Vec<f64>, bool), Fa
     Ok((work.solve(right, ACCURACY)?, definite))
 }
 
-/// Whether the force along the direction is left, after the whole step, so large that a part of the step may serve better.
+/// Whether a part of the step may serve better than the whole: the force along it has turned round and is large, or has grown.
 fn poor(start: f64, end: f64) -> bool {
     const LEFT: f64 = 0.8;
-    !(end.abs() <= LEFT * start.abs())
+    let turned = end * start < 0.0;
+    !(end.abs() <= if turned { LEFT } else { 1.0 } * start.abs())
 }
 
 /// The equations of balance of one step.
@@ -326,13 +332,7 @@ impl Equations<'_> {
     }
 
     /// Searches the part of the step at which the force along it vanishes, by false position within [0.05, 1]; `whole` was found at 1.
-    fn search(
-        &self,
-        work: &mut Workspace,
-        direction: &[f64],
-        start: f64,
-        whole: Option<Vec<f64>>,
-    ) -> Option<Vec<f64>> {
+    fn search(&self, work: &mut Workspace, direction: &[f64], start: f64, whole: Option<Vec<f64>>) -> Option<Vec<f64>> {
         const TRIES: usize = 6;
         const LEAST: f64 = 0.05;
         let along = |right: &Option<Vec<f64>>| right.as_ref().map_or(f64::INFINITY, |right| dot(right, direction));

@@ -5,6 +5,7 @@ use super::factor::{FactorError, Solver};
 use super::gmres::norm;
 use super::model::Model;
 use super::pattern::Pattern;
+use super::settings::Kinematics;
 use super::state::{Bond, Point, State};
 
 /// Scratch; made once for a model and used for all of its states.
@@ -79,6 +80,19 @@ impl Workspace {
         self.solver.solve(&self.pattern, (&self.values, skew), right, accuracy)
     }
 
+    /// Internal forces on all components [N/m] at the displacements for which the tangent was computed last.
+    pub fn internal_forces(&self) -> &[f64] {
+        &self.internal
+    }
+
+    /// The tangent computed last times a vector of free components.
+    pub fn tangent_times(&self, x: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; x.len()];
+        let skew: &[f64] = if self.skewed { &self.skew } else { &[] };
+        self.pattern.multiply(&self.values, skew, x, &mut out);
+        out
+    }
+
     /// Entries of the tangent's lower triangle.
     pub fn tangent_entries(&self) -> usize {
         self.pattern.entries()
@@ -109,6 +123,21 @@ impl Workspace {
     pub(super) fn unbalanced(&self, model: &Model, forces: &[f64]) -> Vec<f64> {
         let free = model.dofs().free().iter();
         free.map(|component| forces[*component as usize] - self.internal[*component as usize]).collect()
+    }
+
+    /// Bound on the out-of-balance force that rounding of displacements and places leaves [N/m]: slender and stiff parts carry little
+    /// of what their stiffness times their displacement would be.
+    pub(super) fn rounding(&self, model: &Model) -> f64 {
+        let places = match model.kinematics {
+            Kinematics::Small => 0.0,
+            Kinematics::Large => model.size(),
+        };
+        let of = |(equation, component): (usize, &u32)| {
+            let moved = self.trial.displacements[*component as usize].abs() + places;
+            self.values[self.pattern.column(equation).start] * moved
+        };
+        let terms: Vec<f64> = model.dofs().free().iter().enumerate().map(of).collect();
+        4.0 * f64::EPSILON * norm(&terms)
     }
 
     /// Size of what is applied: loads on free components, or reactions, whichever are larger [N/m].

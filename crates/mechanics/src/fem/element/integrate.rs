@@ -41,22 +41,61 @@ pub(in crate::fem) fn respond(
     let mut all = [0.0; 12];
     all[..8].copy_from_slice(u);
     all[8..].copy_from_slice(kept.modes);
+    let stiffness = modes_stiffness(solid, samples);
+    let mut now = integrate::<12>(solid, samples, &all, old, kept.points);
     let mut last = f64::INFINITY;
     for _ in 0..LOCAL_LIMIT {
-        let (force, tangent, size) = integrate::<12>(solid, samples, &all, old, kept.points);
+        let (force, tangent, size) = &now;
         let left = force[8..].iter().fold(0.0, |most: f64, f| most.max(f.abs()));
-        let condensed = condense(&force, &tangent)?;
+        let (answer, step) = condense(force, tangent, stiffness)?;
         // Linear laws are balanced but for rounding; a stall next to the tolerance is rounding too.
         if left <= LOCAL_TOLERANCE * size || (left >= last && left <= 1e3 * LOCAL_TOLERANCE * size) {
             kept.modes.copy_from_slice(&all[8..]);
-            return Some(condensed.0);
+            return Some(answer);
         }
         last = left;
-        for (mode, step) in all[8..].iter_mut().zip(condensed.1) {
-            *mode -= step;
-        }
+        now = step_modes(&mut all, &step, &now.0, |all| integrate::<12>(solid, samples, all, old, &mut *kept.points))?;
     }
     None
+}
+
+/// Forces and tangent of corners and modes, and the size of the sums' terms.
+type Whole = ([f64; 12], [[f64; 12]; 12], f64);
+
+/// Moves the amplitudes by the step of Newton's method, or by the part of it after which the force along it is small: flow that
+/// sets in on the way makes the whole step too long.
+fn step_modes(
+    all: &mut [f64; 12],
+    step: &[f64; 4],
+    force: &[f64; 12],
+    mut at: impl FnMut(&[f64; 12]) -> Whole,
+) -> Option<Whole> {
+    const TRIES: usize = 12;
+    const LEFT: f64 = 0.9;
+    let from = *all;
+    let along = |force: &[f64; 12]| force[8..].iter().zip(step).map(|(force, step)| force * step).sum::<f64>();
+    let start = along(force);
+    let mut share = 1.0;
+    for _ in 0..TRIES {
+        for i in 0..4 {
+            all[8 + i] = from[8 + i] - share * step[i];
+        }
+        let now = at(all);
+        let end = along(&now.0);
+        // Short of balance along the step is as good as close to it: what resists grows with the amplitudes.
+        if end.abs() <= LEFT * start.abs() || end * start >= 0.0 {
+            return Some(now);
+        }
+        let part = if end.is_finite() { start.abs() / (start.abs() + end.abs()) } else { 0.5 };
+        share *= part.clamp(0.1, 0.9);
+    }
+    None
+}
+
+/// A measure of what the modes resist while nothing flows [Pa].
+fn modes_stiffness(solid: &Solid, samples: &[Sample; 4]) -> f64 {
+    let square = |s: &Sample| s.area * (s.dx[4].powi(2) + s.dy[4].powi(2) + s.dx[5].powi(2) + s.dy[5].powi(2));
+    solid.material.elastic().modulus * samples.iter().map(square).sum::<f64>()
 }
 
 /// Sums over the points: forces and tangent of `M / 2` functions of two components (equation 3), and the size of the sum's terms.
@@ -99,7 +138,9 @@ fn integrate<const M: usize>(
                 tangent[2 * a + 1][c] += by * db[1][c] + bx * db[2][c];
             }
         }
-        let stress = s[0].abs().max(s[1].abs()).max(s[3].abs());
+        // Where a law leaves next to no stress, what is left is the rounding of the trial stress that it came from.
+        let trial = solid.material.elastic().shear() * strain.iter().fold(0.0, |most: f64, e| most.max(e.abs()));
+        let stress = s[0].abs().max(s[1].abs()).max(s[3].abs()).max(1e-2 * trial);
         size += area * stress * (sample.dx[M / 2 - 1].abs() + sample.dy[M / 2 - 1].abs());
     }
     (force, tangent, size)
@@ -115,7 +156,13 @@ fn answer(solid: &Solid, strain: &Four, old: &Memory) -> crate::fem::law::Respon
 }
 
 /// Takes the modes out of forces and tangent (equation 6); the second part is what Newton's method takes off their amplitudes.
-fn condense(force: &[f64; 12], tangent: &[[f64; 12]; 12]) -> Option<(Answer, [f64; 4])> {
+///
+/// Modes that nothing resists, because all points are at the end of their strength, are given a trace of their elastic stiffness.
+fn condense(force: &[f64; 12], tangent: &[[f64; 12]; 12], stiffness: f64) -> Option<(Answer, [f64; 4])> {
+    condensed(force, tangent, stiffness, 0.0).or_else(|| condensed(force, tangent, stiffness, 1e-8))
+}
+
+fn condensed(force: &[f64; 12], tangent: &[[f64; 12]; 12], stiffness: f64, trace: f64) -> Option<(Answer, [f64; 4])> {
     // Columns: d modes / d displacements, then the force on the modes.
     let mut a = [[0.0; 4]; 4];
     let mut b = [[0.0; 9]; 4];
@@ -123,8 +170,9 @@ fn condense(force: &[f64; 12], tangent: &[[f64; 12]; 12]) -> Option<(Answer, [f6
         a[i].copy_from_slice(&tangent[8 + i][8..]);
         b[i][..8].copy_from_slice(&tangent[8 + i][..8]);
         b[i][8] = force[8 + i];
+        a[i][i] += trace * stiffness;
     }
-    solve(&mut a, &mut b)?;
+    solve(&mut a, &mut b, 1e-12 * stiffness)?;
     let mut answer = Answer { force: [0.0; 8], tangent: [[0.0; 8]; 8] };
     for i in 0..8 {
         let mut row = [0.0; 9];
@@ -143,11 +191,10 @@ fn condense(force: &[f64; 12], tangent: &[[f64; 12]; 12]) -> Option<(Answer, [f6
 }
 
 /// Gaussian elimination with row exchanges; `None` where a pivot vanishes.
-fn solve(a: &mut [[f64; 4]; 4], b: &mut [[f64; 9]; 4]) -> Option<()> {
-    let scale = a.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+fn solve(a: &mut [[f64; 4]; 4], b: &mut [[f64; 9]; 4], least: f64) -> Option<()> {
     for k in 0..4 {
         let pivot = (k..4).fold(k, |best, i| if a[i][k].abs() > a[best][k].abs() { i } else { best });
-        if !(a[pivot][k].abs() > 1e-14 * scale) {
+        if !(a[pivot][k].abs() > least) {
             return None;
         }
         a.swap(k, pivot);
