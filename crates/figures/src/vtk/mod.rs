@@ -2,11 +2,14 @@
 
 mod blocks;
 mod contacts;
+mod mesh;
 mod particles;
 mod series;
 mod write;
 
 pub use blocks::{blocks, mechanism, role_number};
 pub use contacts::contacts;
+pub use mesh::mesh;
 pub use particles::{particle_forces, particles};
 pub use series::{moments, series};
+pub(crate) use write::{Array, Grid};

@@ -51,34 +51,80 @@ impl Layout {
     }
 }
 
+/// How fill over supports is cut into rows.
+#[derive(Debug, Clone, Copy)]
+struct Rows {
+    /// Up to the levels at which materials change.
+    to_levels: bool,
+    /// Further where the extrados is steep.
+    where_steep: bool,
+}
+
+/// Ways to cut fill into rows, the best first.
+const WAYS: [Rows; 4] = [
+    Rows { to_levels: true, where_steep: true },
+    Rows { to_levels: false, where_steep: true },
+    Rows { to_levels: true, where_steep: false },
+    Rows { to_levels: false, where_steep: false },
+];
+
+/// A way whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
+const FAIR: f64 = 0.15;
+
 /// Makes the mesh.
 pub fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
     let arches = arches(bridge)?;
     room_on_piers(&arches, options.size)?;
     let (surface, ballast_pressure) = surface(bridge, &arches)?;
+    let mut best: Option<Meshed> = None;
+    for way in WAYS {
+        let meshed = build_by(bridge, &arches, options, way, surface, ballast_pressure)?;
+        let value = meshed.quality.scaled_jacobian;
+        if value >= FAIR {
+            return Ok(meshed);
+        }
+        if best.as_ref().is_none_or(|known| value > known.quality.scaled_jacobian) {
+            best = Some(meshed);
+        }
+    }
+    match best {
+        Some(meshed) if meshed.quality.scaled_jacobian >= LEAST_JACOBIAN => Ok(meshed),
+        Some(meshed) => Err(folded(&meshed)),
+        None => Err(MeshError::NoFill),
+    }
+}
+
+fn build_by(
+    bridge: &Bridge,
+    arches: &[Arch<'_>],
+    options: MeshOptions,
+    way: Rows,
+    surface: f64,
+    ballast_pressure: f64,
+) -> Result<Meshed, MeshError> {
     let size = options.size;
-    let levels = levels(bridge);
-    let backs = backs(bridge, &arches);
+    let levels = if way.to_levels { levels(bridge) } else { Vec::new() };
+    let backs = backs(bridge, arches);
     let layers: Vec<Layers> = (0..=arches.len())
         .map(|i| {
-            let [left, right] = sides(&arches, backs, i);
-            saddle::layers(&left, &right, &levels, size)
+            let [left, right] = sides(arches, backs, i);
+            saddle::layers(&left, &right, &levels, way.where_steep, size)
         })
         .collect();
     let stations: Vec<Stations> =
-        stations::count(&arches, &layers, size).iter().map(stations::Breaks::stations).collect();
-    let layout = layout(bridge, &arches, &stations, options, surface, backs);
-    refuse_too_fine(&arches, &stations, &layout, options)?;
+        stations::count(arches, &layers, size).iter().map(stations::Breaks::stations).collect();
+    let layout = layout(bridge, arches, &stations, options, surface, backs);
+    refuse_too_fine(bridge, arches, &stations, &layout, options)?;
 
     let mut build = Build::new(bridge, options, layout);
     for (i, arch) in arches.iter().enumerate() {
         build.rings(i, arch, &stations[i]);
     }
     for i in 0..=arches.len() {
-        build.support(i, &arches, &stations);
+        build.support(i, arches, &stations);
     }
     build.columns();
-    build.finish(surface, ballast_pressure)
+    Ok(build.finish(surface, ballast_pressure))
 }
 
 /// The rings of all spans where they stand: springings at level zero, the left one of the first span at x = 0.
@@ -201,6 +247,7 @@ fn layout(
 
 /// Refuses before memory is asked for.
 fn refuse_too_fine(
+    bridge: &Bridge,
     arches: &[Arch<'_>],
     stations: &[Stations],
     layout: &Layout,
@@ -216,7 +263,15 @@ fn refuse_too_fine(
         .sum();
     let along: usize = stations.iter().map(|s| s.shares.len()).sum();
     let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
-    let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1));
+    // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
+    let wide =
+        bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
+    let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
+    let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
+    let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
+    let behind = layout.behind.iter().map(|d| d.len() as f64).fold(0.0, f64::max) * tall / options.size;
+    let others = below / (options.size * options.size) + 2.0 * behind;
+    let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1)).saturating_add(others as usize);
     if nodes > MOST_NODES { Err(MeshError::TooFine { nodes, most: MOST_NODES }) } else { Ok(()) }
 }
 
@@ -537,7 +592,8 @@ impl<'a> Build<'a> {
             let facing = skewback[from..from + own.len()].to_vec();
             from += own.len() - 1;
             let joints = &self.sets.spans[span].joints[ring];
-            let joint = if end == 0 { 0 } else { joints.len() + 1 };
+            // The left springing comes before the right one.
+            let joint = if end == 0 { 0 } else { joints.len() };
             let seam = Seam::Joint { span, ring, joint };
             // Side `one` is to the right: the ring at its left springing, the support at its right one.
             let (one, two) = if end == 0 { (own, facing) } else { (facing, own) };
@@ -643,7 +699,7 @@ impl<'a> Build<'a> {
         self.sets.right.extend(grid[1..].iter().map(|row| row[feet.len() - 1]));
     }
 
-    fn finish(mut self, surface: f64, ballast_pressure: f64) -> Result<Meshed, MeshError> {
+    fn finish(mut self, surface: f64, ballast_pressure: f64) -> Meshed {
         let mut mesh = Mesh {
             nodes: self.nodes,
             interfaces: self.interfaces,
@@ -668,10 +724,7 @@ impl<'a> Build<'a> {
             }
         }
         let quality = quality::quality(&mesh, self.sets.held());
-        if !(quality.scaled_jacobian >= LEAST_JACOBIAN) {
-            return Err(folded(&mesh, &roles, &quality));
-        }
-        Ok(Meshed {
+        Meshed {
             mesh,
             roles,
             seams: self.seams,
@@ -680,12 +733,13 @@ impl<'a> Build<'a> {
             quality,
             surface,
             ballast_pressure,
-        })
+        }
     }
 }
 
 /// Where an element is folded, and what helps.
-fn folded(mesh: &Mesh, roles: &Table<ZoneId, Role>, quality: &quality::Quality) -> MeshError {
+fn folded(meshed: &Meshed) -> MeshError {
+    let Meshed { mesh, roles, quality, .. } = meshed;
     let at = quality.worst;
     let value = |q: QuadId| quality::scaled_jacobian(quality::corners(mesh, q));
     let worst = mesh.quads.ids().find(|q| !(value(*q) > quality.scaled_jacobian));

@@ -62,9 +62,12 @@ impl Side<'_> {
     }
 }
 
+/// Rows that would meet an extrados with a smaller sine do not follow a level.
+const POOR: f64 = 0.25;
+
 /// The layers over a support. `levels` [m] are those at which materials change, from below; `size` [m] is the least
-/// height of a layer.
-pub fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], size: f64) -> Layers {
+/// height of a layer. `steep` says whether rows reach further where the extrados is steep.
+pub fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, size: f64) -> Layers {
     let mut found = Layers::default();
     let mut from = [0.0, 0.0];
     let mut foot = left.at(0.0, f64::NEG_INFINITY).y.max(right.at(0.0, f64::NEG_INFINITY).y);
@@ -74,14 +77,15 @@ pub fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], size: f64) -> L
         }
         let next = [left.reach(level), right.reach(level)];
         let climbs = |side: &Side<'_>, k: usize| !side.is_arch() || next[k] > from[k] + 1e-6;
-        if climbs(left, 0) && climbs(right, 1) {
+        if climbs(left, 0) && climbs(right, 1) && rows(left, right, from, next) > POOR {
             found.left.push(next[0]);
             found.right.push(next[1]);
             (from, foot) = (next, level);
         }
     }
     let without = lean(left, right, from);
-    if without < GOOD
+    if steep
+        && without < GOOD
         && let Some((best, top)) = highest(left, right, from)
         && best > without + 0.05
     {
@@ -121,8 +125,13 @@ fn highest(left: &Side<'_>, right: &Side<'_>, from: [f64; 2]) -> Option<(f64, [f
 
 /// The least sine of the angles in a layer of rows and in the columns on it.
 fn angles(left: &Side<'_>, right: &Side<'_>, from: [f64; 2], to: [f64; 2]) -> f64 {
+    lean(left, right, to).min(rows(left, right, from, to))
+}
+
+/// The least sine of the angles in a layer of rows.
+fn rows(left: &Side<'_>, right: &Side<'_>, from: [f64; 2], to: [f64; 2]) -> f64 {
     const ROWS: usize = 6;
-    let mut least = lean(left, right, to);
+    let mut least = 1.0f64;
     for k in 0..=ROWS {
         let t = k as f64 / ROWS as f64;
         let (l, r) = (from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);

@@ -91,11 +91,6 @@ impl Breaks {
         Breaks { breaks, joints, crown, layers, lengths }
     }
 
-    /// Number of elements along the span.
-    pub fn elements(&self) -> usize {
-        self.breaks.iter().map(|b| b.parts).sum()
-    }
-
     /// The intervals of a layer at an end.
     fn intervals(&self, end: End, layer: usize) -> std::ops::Range<usize> {
         let tops = &self.layers[usize::from(end == End::Right)];
