@@ -120,6 +120,16 @@ cards! {
     NOT_DRAWN = "A123", "too many particles to be drawn",
         "Drawings hold at most 200 000 particles; above that no viewer of drawings would open them. The figures show blocks, \
          supports and loads only, and those that need particles are left out. ParaView files and tables hold every particle.";
+    /// A passage broke off.
+    BROKEN_PASSAGE = "A130", "the passage broke off",
+        "A load step found no equilibrium within its iterations, however small it was cut. The records end at the last position \
+         that was solved, and the message says where that is. Steps that do not converge have a reason: fill that fails under an \
+         axle (look at cohesion and friction of [fill]), a ring near its collapse load (try extrados collapse), or a tolerance below \
+         what rounding allows.";
+    /// The solver's numbers are not what was asked for.
+    LOOSE_PASSAGE = "A131", "the passage was solved with a loose tolerance",
+        "Peaks of channels depend on the out-of-balance force that is left. With a thousandth, the railway paper's setting, they \
+         differ by up to a percent from those with 1e-6; sensitivities and updating need 1e-8.";
 }
 
 impl Warning {

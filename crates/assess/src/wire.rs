@@ -4,6 +4,7 @@
 mod calibration;
 mod collapse;
 mod particles;
+mod passage;
 mod sweep;
 mod tables;
 mod vary;
@@ -11,6 +12,7 @@ mod vary;
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
 pub use collapse::CollapseObject;
 pub use particles::{particle_contacts, particles};
+pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 pub use vary::{VaryObject, collapse_numbers, run_from_record, run_record, vary_table};

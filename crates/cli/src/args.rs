@@ -32,6 +32,8 @@ pub enum Command {
     Convert(Convert),
     /// Repeat an analysis over ranges of the file's quantities: table, tornado chart, curves
     Vary(Box<Vary>),
+    /// Displacements, strains and stresses as a train passes
+    Respond(Respond),
     /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
     CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
@@ -164,6 +166,46 @@ pub struct Vary {
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
+}
+
+/// `extrados respond`.
+#[derive(Debug, Args)]
+pub struct Respond {
+    /// The bridge file (TOML), with [train], [track] and [passage]
+    pub file: PathBuf,
+    /// Folder for results [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Speed of the train, in place of the file's, such as "65 km/h"
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    pub speed: Option<String>,
+    /// Whether masses take part, in place of what the file says
+    #[arg(long)]
+    pub analysis: Option<PassageAnalysis>,
+    /// How positions are solved, in place of what the file says
+    #[arg(long)]
+    pub path: Option<PassagePath>,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// Whether masses take part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PassageAnalysis {
+    /// Every position at rest
+    Static,
+    /// With inertia and damping
+    Transient,
+}
+
+/// How positions are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PassagePath {
+    /// Linear zones condensed to what iterates
+    Condensed,
+    /// All degrees of freedom at every position
+    Plain,
 }
 
 /// `extrados calibrate-fill`.
@@ -385,6 +427,7 @@ impl Command {
             Command::Collapse(collapse) => &collapse.speech,
             Command::Convert(convert) => &convert.speech,
             Command::Vary(vary) => &vary.speech,
+            Command::Respond(respond) => &respond.speech,
             Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
@@ -401,6 +444,7 @@ impl Command {
             Command::Collapse(_) => "collapse",
             Command::Convert(_) => "convert",
             Command::Vary(_) => "vary",
+            Command::Respond(_) => "respond",
             Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",

@@ -150,6 +150,13 @@ pub const CARDS: &[Card] = &[
                radius_m, then a row per particle; lines that begin with # are remarks. The message names each line that cannot be \
                read. Every run writes its packing as packing.csv into its folder of results.",
     },
+    Card {
+        code: "F121",
+        title: "a train cannot be used",
+        text: "`file` in [train] names the vehicles beside the bridge file: TOML with [[vehicle]] tables as they may stand in the bridge \
+               file as [[train.vehicle]], or a table (.csv) headed axle_load_t,distance_m or axle_force_kn,distance_m with a row per \
+               axle, its distance counted from the first axle back. The message names each line that cannot be read.",
+    },
 ];
 
 impl Failure {

@@ -26,6 +26,20 @@ pub fn stress(option: &str, text: &str) -> Result<f64, Failure> {
     positive(option, text, read(option, text, &[Dimension::Stress], example)?.si(), example)
 }
 
+/// A speed [m/s].
+pub fn speed(option: &str, text: &str) -> Result<f64, Failure> {
+    let example = "45 km/h";
+    let speed = positive(option, text, read(option, text, &[Dimension::Speed], example)?.si(), example)?;
+    if (LEAST_SPEED..=Dimension::Speed.most()).contains(&speed) {
+        return Ok(speed);
+    }
+    let message = format!("{option} \"{text}\" is no speed of a train");
+    Err(Failure::input("F107", message, format!("write {option} \"{example}\"")))
+}
+
+/// The least speed [m/s], as in files.
+const LEAST_SPEED: f64 = 0.01;
+
 fn read(option: &str, text: &str, wanted: &[Dimension], example: &str) -> Result<quantity::Quantity, Failure> {
     let help = format!("write {option} \"{example}\"");
     let names = || wanted.iter().map(|dimension| dimension.name()).collect::<Vec<_>>().join(" or ");

@@ -1,7 +1,9 @@
 //! The answer of a collapse analysis in an engineer's words.
 
+mod passage;
 mod vary;
 
+pub use passage::passage;
 pub use vary::vary;
 
 use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};

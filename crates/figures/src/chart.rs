@@ -46,13 +46,28 @@ pub struct Axes {
 impl Axes {
     /// Draws frame, grid, ticks and names below `top`. Returns the axes and the y below their name.
     pub fn draw(sheet: &mut Sheet, top: f64, height: f64, x: &Axis, y: &Axis) -> (Axes, f64) {
+        let widest = Axes::widest(y);
+        Axes::panel(sheet, top, height, x, y, Some(widest), true)
+    }
+
+    /// Width of the widest word along an axis.
+    pub fn widest(y: &Axis) -> f64 {
+        let wide = |v: &f64| font::width(&y.ticks.words(*v), SMALL, Style::default().weight);
+        y.ticks.values.iter().map(wide).fold(0.0, f64::max)
+    }
+
+    /// The same for one of several panels, whose words to the left take `widest`; words along x only where it is the lowest.
+    pub fn panel(
+        sheet: &mut Sheet,
+        top: f64,
+        height: f64,
+        x: &Axis,
+        y: &Axis,
+        widest: Option<f64>,
+        lowest: bool,
+    ) -> (Axes, f64) {
         let small = Style { size: SMALL, ..Style::default() };
-        let widest = y
-            .ticks
-            .values
-            .iter()
-            .map(|&v| font::width(&y.ticks.words(v), small.size, small.weight))
-            .fold(0.0, f64::max);
+        let widest = widest.unwrap_or_else(|| Axes::widest(y));
         let area = Area {
             left: MARGIN + 24.0 + widest + 8.0,
             right: WIDTH - MARGIN - 16.0,
@@ -65,7 +80,9 @@ impl Axes {
             let [at, _] = axes.spot(v, axes.y[0]);
             sheet.line([at, area.top], [at, area.bottom], Pen::line("#d8d8d8", HAIR));
             sheet.line([at, area.bottom], [at, area.bottom + 5.0], Pen::line(INK, 0.9));
-            sheet.text([at, area.bottom + 19.0], &x.ticks.words(v), small.anchored(Anchor::Middle));
+            if lowest {
+                sheet.text([at, area.bottom + 19.0], &x.ticks.words(v), small.anchored(Anchor::Middle));
+            }
         }
         for &v in &y.ticks.values {
             let [_, at] = axes.spot(axes.x[0], v);
@@ -75,10 +92,12 @@ impl Axes {
         }
         sheet.rectangle(area, Pen::line(INK, 0.9));
         let name = Style::default().anchored(Anchor::Middle);
-        sheet.text([0.5 * (area.left + area.right), area.bottom + 40.0], x.name, name);
+        if lowest {
+            sheet.text([0.5 * (area.left + area.right), area.bottom + 40.0], x.name, name);
+        }
         sheet.text_upwards([MARGIN + 12.0, 0.5 * (area.top + area.bottom)], y.name, name);
         sheet.close();
-        (axes, area.bottom + 50.0)
+        (axes, area.bottom + if lowest { 50.0 } else { 8.0 })
     }
     /// Where a value is drawn.
     pub fn spot(&self, x: f64, y: f64) -> Spot {

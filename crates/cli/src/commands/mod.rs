@@ -8,6 +8,7 @@ mod convert;
 mod explain;
 mod model;
 mod new;
+mod respond;
 mod schema;
 mod vary;
 mod verify;
@@ -89,6 +90,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
+        Command::Respond(arguments) => respond::run(desk, arguments).map(Answer::from),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
@@ -162,6 +164,9 @@ impl Source {
         if let Some(particles) = read.bridge.as_mut().and_then(|bridge| bridge.particles.as_mut()) {
             take_packing(particles, path)?;
         }
+        if let Some(passage) = read.bridge.as_mut().and_then(|bridge| bridge.passage.as_mut()) {
+            take_train(&mut passage.train, path)?;
+        }
         let name = path.display().to_string();
         let any_error = read.bridge.is_none();
         if any_error || !desk.screen.quiet {
@@ -187,6 +192,26 @@ fn take_packing(particles: &mut bridge::Particles, beside: &Path) -> Result<(), 
         let message = format!("cannot use the packing {}: {error}", path.display());
         Failure::input("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
     })?;
+    Ok(())
+}
+
+/// Reads the vehicles that the bridge file names; their path is relative to the bridge file.
+fn take_train(train: &mut bridge::train::Train, beside: &Path) -> Result<(), Failure> {
+    let Some(name) = &train.file else { return Ok(()) };
+    let path = beside.parent().unwrap_or(Path::new("")).join(name);
+    let text = read_file(&path)?;
+    let unusable = |why: String| {
+        let message = format!("cannot use the train {}: {why}", path.display());
+        Failure::input("F121", message, "write [[vehicle]] tables (.toml), or axle_load_t,distance_m (.csv)")
+    };
+    let table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+    train.vehicles = if table {
+        bridge::train::read_csv(&String::from_utf8_lossy(&text)).map_err(|wrong| unusable(wrong.join("; ")))?
+    } else {
+        let read = bridge::train::read_toml(&text);
+        let said = render::findings(&path.display().to_string(), &text, &read.diagnostics, &Paint::new(false));
+        read.vehicles.ok_or_else(|| unusable(format!("\n{said}")))?
+    };
     Ok(())
 }
 

@@ -43,4 +43,18 @@ impl Sheet {
             let _ = writeln!(self.body, "<path d=\"{path}\" stroke-width=\"{}\"/>", number(width));
         }
     }
+    /// Quadrilaterals of one colour as one path; a hair of the same colour closes the seams between neighbours.
+    pub fn areas(&mut self, quads: &[[Spot; 4]], colour: &str) {
+        let mut path = String::new();
+        for quad in quads.iter().filter(|q| q.iter().flatten().all(|c| c.is_finite())) {
+            for (k, spot) in quad.iter().enumerate() {
+                let _ = write!(path, "{}{} {}", if k == 0 { "M" } else { "L" }, number(spot[0]), number(spot[1]));
+            }
+            path.push('Z');
+        }
+        if !path.is_empty() {
+            let _ =
+                writeln!(self.body, "<path d=\"{path}\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.3\"/>");
+        }
+    }
 }

@@ -12,3 +12,4 @@ pub use contacts::contacts;
 pub use mesh::mesh;
 pub use particles::{particle_forces, particles};
 pub use series::{moments, series};
+pub(crate) use write::{Array, Grid};

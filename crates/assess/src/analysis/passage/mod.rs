@@ -7,11 +7,12 @@ pub mod sensors;
 mod setup;
 mod solve;
 
-pub use outcome::{Channel, Moment, Passage, PassageStatus, Quantity};
+pub use outcome::{Channel, Influence, Moment, Passage, PassageStatus, Quantity};
 pub use setup::{Setup, setup};
 pub use solve::{Solution, solve};
 
 use super::AnalysisError;
+use crate::warning::{self, Warning};
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use mechanics::watch::Watch;
@@ -55,6 +56,9 @@ pub enum PassageError {
     NoSolver,
 }
 
+/// A tolerance above this is worth a word: peaks then differ in their third digit.
+const LOOSE: f64 = 1e-4;
+
 /// The passage that the file describes.
 pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, AnalysisError> {
     let setup = setup(bridge)?;
@@ -65,6 +69,17 @@ pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, Analys
 /// The solution in an engineer's words.
 pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let plan = &setup.plan;
+    let mut warnings = solution.warnings;
+    if let (PassageStatus::NotConverged, Some(reason)) = (solution.status, &solution.reason) {
+        warnings.push(Warning::new(warning::BROKEN_PASSAGE, reason.clone()));
+    }
+    if plan.tolerance > LOOSE {
+        let message = format!(
+            "a step counts as converged at an out-of-balance force of {:.1e} of the applied forces",
+            plan.tolerance
+        );
+        warnings.push(Warning::new(warning::LOOSE_PASSAGE, message));
+    }
     let solved = solution.values.first().map_or(0, Vec::len);
     let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| Channel {
         name: sensor.name.clone(),
@@ -93,10 +108,11 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         effective_width: setup.effective_width,
         tolerance: plan.tolerance,
         assumptions: setup.assumptions.iter().cloned().chain(solution.assumptions).collect(),
-        warnings: solution.warnings,
+        warnings,
         log: solution.log,
         mesh: setup.picture(),
         moments: solution.moments,
+        influence: solution.influence,
     }
 }
 

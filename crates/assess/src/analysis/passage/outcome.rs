@@ -142,6 +142,17 @@ pub enum PairState {
     Sliding,
 }
 
+impl PairState {
+    /// The word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            PairState::Closed => "closed",
+            PairState::Open => "open",
+            PairState::Sliding => "sliding",
+        }
+    }
+}
+
 /// A pair of facing points of a joint or a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
@@ -218,6 +229,19 @@ pub struct MeshPicture {
     pub zone_names: Vec<String>,
     /// Top of the fill, from left to right [m].
     pub surface: Vec<Point>,
+    /// Left and right springing of each span, at the intrados [m].
+    pub springings: Vec<[Point; 2]>,
+}
+
+/// What one axle does that is moved over the bridge.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Influence {
+    /// Its force [N], on the effective width.
+    pub force: f64,
+    /// Its places [m].
+    pub positions: Vec<f64>,
+    /// Value of each channel at each place, self-weight taken off [SI].
+    pub values: Vec<Vec<f64>>,
 }
 
 /// The passage of a train over a bridge.
@@ -269,6 +293,8 @@ pub struct Passage {
     pub mesh: MeshPicture,
     /// The bridge at chosen moments; the first is under self-weight alone.
     pub moments: Vec<Moment>,
+    /// Influence lines, where they were computed.
+    pub influence: Option<Influence>,
 }
 
 impl Moment {

@@ -24,12 +24,16 @@ pub struct Rail {
 /// Characteristic lengths after which a deflection has died away: exp(-36) is less than a double's last digit.
 const LENGTHS: f64 = 36.0;
 
+/// On stiff springs a limp rail's moments fall by 2 - sqrt(3) from one sleeper to the next: 28 times is less than a double's
+/// last digit.
+const LEAST_REACH: usize = 28;
+
 impl Rail {
     /// The rail of a track.
     pub fn new(track: &Track) -> Rail {
         let spacing = track.sleeper_spacing;
         let characteristic = (4.0 * track.rail_bending_stiffness / track.track_modulus).sqrt().sqrt();
-        let reach = ((LENGTHS * characteristic / spacing).ceil() as usize).clamp(4, 20_000);
+        let reach = ((LENGTHS * characteristic / spacing).ceil() as usize).clamp(LEAST_REACH, 20_000);
         // Everything divided by the spring's stiffness, rotations multiplied by the spacing.
         let beam = track.rail_bending_stiffness / (spacing.powi(3) * track.track_modulus * spacing);
         let stiffness = factored(2 * reach + 1, beam);

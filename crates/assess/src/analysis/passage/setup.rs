@@ -149,6 +149,7 @@ impl Setup {
             zones: mesh.quads.iter().map(|quad| quad.zone.index()).collect(),
             zone_names: mesh.zones.iter().cloned().collect(),
             surface: self.meshed.sets.surface.iter().map(|node| at(mesh, *node)).collect(),
+            springings: self.meshed.sets.spans.iter().map(|span| span.springings_at.map(|p| [p.x, p.y])).collect(),
         }
     }
 }

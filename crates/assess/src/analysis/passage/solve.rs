@@ -1,6 +1,6 @@
 //! Solves the positions: the one function between the set-up of a passage and its report.
 
-use super::outcome::{Moment, PassageStatus, StepLog};
+use super::outcome::{Influence, Moment, PassageStatus, StepLog};
 use super::{PassageError, Setup};
 use crate::analysis::AnalysisError;
 use crate::warning::Warning;
@@ -26,6 +26,8 @@ pub struct Solution {
     pub log: Vec<StepLog>,
     /// The bridge at chosen moments, self-weight first.
     pub moments: Vec<Moment>,
+    /// Influence lines, where they were computed.
+    pub influence: Option<Influence>,
     /// What the solver assumed, in words.
     pub assumptions: Vec<String>,
     /// Warnings.

@@ -85,6 +85,7 @@ fn a_report_ends_where_the_solution_ends() {
         condensed_degrees_of_freedom: None,
         log: vec![step(3, 1), step(4, 5), step(2, 0)],
         moments: Vec::new(),
+        influence: None,
         assumptions: vec!["also".into()],
         warnings: Vec::new(),
     };

@@ -1,0 +1,79 @@
+//! `extrados respond`: displacements, strains and stresses as a train passes.
+
+use super::{Desk, Source};
+use crate::args::{PassageAnalysis, PassagePath, Respond as Arguments};
+use crate::failure::Failure;
+use crate::folder::{self, Folder};
+use crate::report::{self, Report};
+use crate::results;
+use crate::status::Status;
+use crate::watcher::Watcher;
+use crate::{quantities, summary};
+use assess::analysis::passage::{self, Passage, PassageStatus};
+use assess::wire;
+use bridge::Bridge;
+use serde_json::json;
+
+/// Reads the file, lets the train cross, writes the records.
+pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    let source = Source::open(desk, &arguments.file)?;
+    let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
+    plan(&mut bridge, arguments)?;
+    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
+    let found = passage::passage(&bridge, &mut watcher);
+    watcher.finish();
+    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let mut report = source.report(Status::named(found.status.word()).unwrap_or(Status::NotConverged));
+    if found.status == PassageStatus::Cancelled {
+        return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
+    }
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
+    report.fields = report::fields_of(wire::PassageObject::new(&found));
+    report.summary = summary::passage(&found, &folder.path().display().to_string());
+    write(desk, &found, report, &folder)
+}
+
+/// Sets what the command line says in place of the file.
+fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
+    let Some(passage) = &mut bridge.passage else { return Ok(()) };
+    let plan = &mut passage.plan;
+    if let Some(text) = &arguments.speed {
+        plan.speed = quantities::speed("--speed", text)?;
+    }
+    plan.analysis = match arguments.analysis {
+        Some(PassageAnalysis::Static) => bridge::passage::PassageAnalysis::Static,
+        Some(PassageAnalysis::Transient) => bridge::passage::PassageAnalysis::Transient,
+        None => plan.analysis,
+    };
+    plan.path = match arguments.path {
+        Some(PassagePath::Condensed) => bridge::passage::PassagePath::Condensed,
+        Some(PassagePath::Plain) => bridge::passage::PassagePath::Plain,
+        None => plan.path,
+    };
+    Ok(())
+}
+
+fn write(desk: &Desk, found: &Passage, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+    let mut files = figures::passage(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
+    let tables = [
+        ("influence", wire::influence_table(found)),
+        ("channels", wire::channels_table(found)),
+        ("log", wire::passage_log(found)),
+        ("joints", wire::joint_states(found)),
+        ("thrust-lines", wire::thrust_lines(found)),
+    ];
+    let filled = tables.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
+    files.extend(filled.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }));
+    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
+    folder.fill(
+        |staging| results::write(staging, &files),
+        |names| {
+            report.fields.insert("files".to_owned(), json!(names));
+            report::text_of(&report.object(&desk.schema, desk.clock))
+        },
+    )?;
+    Ok(report)
+}

@@ -1,0 +1,38 @@
+//! Figures of a train's passage: records, influence lines, the bridge at chosen moments, and ParaView files.
+
+mod field;
+mod records;
+mod ring;
+mod scene;
+mod vtu;
+
+use crate::all::{File, both};
+use crate::raster::RasterError;
+use assess::analysis::passage::Passage;
+
+/// Most moments that are drawn; ParaView files have all.
+const MOST_DRAWN: usize = 8;
+
+/// All drawings that the passage has material for: name without extension, and SVG.
+pub fn passage_drawings(passage: &Passage) -> Vec<(String, String)> {
+    let mut drawings: Vec<(String, String)> = Vec::new();
+    let mut put = |name: String, svg: Option<String>| drawings.extend(svg.map(|svg| (name, svg)));
+    put("records".into(), records::records(passage));
+    put("influence-lines".into(), records::influence_lines(passage));
+    for k in 0..passage.moments.len().min(MOST_DRAWN) {
+        put(format!("moment-{k}-displacement"), field::displacement(passage, k));
+        put(format!("moment-{k}-stress"), field::stress(passage, k));
+        put(format!("moment-{k}-ring"), ring::ring(passage, k));
+    }
+    drawings
+}
+
+/// Every figure and ParaView file of a passage.
+pub fn passage(passage: &Passage) -> Result<Vec<File>, RasterError> {
+    let mut files = Vec::new();
+    for (name, svg) in passage_drawings(passage) {
+        files.extend(both(&name, &svg)?);
+    }
+    files.extend(vtu::files(passage));
+    Ok(files)
+}
