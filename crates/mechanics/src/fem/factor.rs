@@ -15,6 +15,9 @@ use thiserror::Error;
 /// Residual of a solution over its right-hand side beyond which it counts as none.
 const LARGEST_RESIDUAL: f64 = 1e-6;
 
+/// Right-hand sides that are solved for at a time.
+const BLOCK: usize = 32;
+
 /// Why there is no factorisation or no solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum FactorError {
@@ -144,6 +147,39 @@ impl Solver {
                 LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack)
             }
         }
+    }
+
+    /// The inverse of the factorised symmetric part times each of many vectors, a block of them at a time.
+    pub(super) fn apply_many(&mut self, vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let mut done = Vec::with_capacity(vectors.len());
+        for block in vectors.chunks(BLOCK) {
+            let rows = block[0].len();
+            let mut all = block.concat();
+            let need = self.symbolic.solve_in_place_scratch::<f64>(block.len(), Par::Seq);
+            let Ok(mut memory) = MemBuffer::try_new(need) else {
+                done.extend(block.iter().map(|x| {
+                    let mut x = x.clone();
+                    self.apply(&mut x);
+                    x
+                }));
+                continue;
+            };
+            let right = MatMut::from_column_major_slice_mut(&mut all, rows, block.len());
+            let stack = MemStack::new(&mut memory);
+            match self.kind {
+                Kind::Nothing => {}
+                Kind::Definite => {
+                    let factor = LltRef::new(&self.symbolic, &self.values);
+                    factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, stack);
+                }
+                Kind::Indefinite => {
+                    let factor = LdltRef::new(&self.symbolic, &self.values);
+                    factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, stack);
+                }
+            }
+            done.extend(all.chunks(rows).map(<[f64]>::to_vec));
+        }
+        done
     }
 
     /// Solves with the tangent that was factorised last, whose values these are. `accuracy` is the residual over the right-hand side

@@ -47,6 +47,16 @@ impl Spring {
         self.nodes.iter().map(|(node, _, _)| *node)
     }
 
+    /// Normal and tangential opening at small displacements: components and weights.
+    pub(super) fn openings(&self) -> [Vec<(usize, f64)>; 2] {
+        let (x, y) = (self.direction.x, self.direction.y);
+        let along = |cx: f64, cy: f64| {
+            let terms = self.nodes.iter().filter(|(_, weight, _)| *weight != 0.0);
+            terms.flat_map(|&(node, w, _)| [(2 * node.index(), w * cx), (2 * node.index() + 1, w * cy)]).collect()
+        };
+        [along(-y, x), along(x, y)]
+    }
+
     /// Forces at displacements `u` of all nodes; `None` where its direction has no length.
     pub(super) fn respond(&self, law: &JointLaw, mesh: &Mesh, u: &[f64], large: bool, old: &Bond) -> Option<Pull> {
         let m = 2 * self.nodes.len();

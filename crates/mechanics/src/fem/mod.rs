@@ -6,6 +6,7 @@
 //! Equations are numbered in `docs/theory/finite-elements.md`.
 
 mod assemble;
+pub mod condensed;
 mod dofs;
 mod element;
 mod factor;

@@ -119,6 +119,11 @@ impl Workspace {
         self.fresh = true;
     }
 
+    /// Solves with the positive definite tangent factorised last for many right-hand sides.
+    pub(super) fn solve_many(&mut self, right: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        self.solver.apply_many(right)
+    }
+
     /// What is out of balance at the free components: loads less internal forces [N/m].
     pub(super) fn unbalanced(&self, model: &Model, forces: &[f64]) -> Vec<f64> {
         let free = model.dofs().free().iter();

@@ -1,0 +1,230 @@
+//! Many positions of a load: the condensed path against the whole system, position by position.
+
+use mechanics::fem::condensed::{Condensed, Functional, Reached};
+use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar};
+use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
+use mechanics::fem::{
+    Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, Section, Settings, State, Status, Support, Target,
+    Workspace, advance,
+};
+use mechanics::ids::{Id, NodeId};
+use mechanics::plane::vec2;
+use mechanics::watch::Unwatched;
+
+const STONES: usize = 8;
+const ALONG: usize = 4;
+const DEPTH: usize = 6;
+const FILL: usize = 6;
+
+/// A flat arch of stones between held ends, under fill: joints without tension, contact with friction.
+struct Vault {
+    model: Model,
+    surface: Vec<NodeId>,
+    crown: NodeId,
+}
+
+fn vault(fill: Material, kinematics: Kinematics) -> Vault {
+    let (stone, thick, high) = (0.4, 0.5, 0.8);
+    let mut mesh = Mesh::default();
+    let (stones, soil) = (mesh.zones.push("stones".into()), mesh.zones.push("fill".into()));
+    mesh.kinds = vec!["mortar joint".into(), "fill contact".into()];
+    let mut held = Vec::new();
+    // Rise of a flat arch, so that thrust keeps the joints shut.
+    let whole = STONES as f64 * stone;
+    let lift = |x: f64| 0.25 * (1.0 - (2.0 * x / whole - 1.0).powi(2));
+    let mut faces: Vec<[Vec<NodeId>; 2]> = Vec::new();
+    let mut backs = Vec::new();
+    for s in 0..STONES {
+        let at = |mesh: &mut Mesh, i: usize, j: usize| {
+            let x = (s as f64 + i as f64 / ALONG as f64) * stone;
+            mesh.nodes.push(vec2(x, lift(x) + thick * j as f64 / DEPTH as f64))
+        };
+        let nodes: Vec<Vec<NodeId>> = (0..=ALONG).map(|i| (0..=DEPTH).map(|j| at(&mut mesh, i, j)).collect()).collect();
+        for i in 0..ALONG {
+            for j in 0..DEPTH {
+                mesh.quads.push(Quad {
+                    nodes: [nodes[i][j], nodes[i + 1][j], nodes[i + 1][j + 1], nodes[i][j + 1]],
+                    zone: stones,
+                });
+            }
+        }
+        faces.push([nodes[0].clone(), nodes[ALONG].clone()]);
+        backs.push(nodes.iter().map(|column| column[DEPTH]).collect::<Vec<_>>());
+    }
+    // Walking up a face, side one lies on the right and side two on the left.
+    for s in 1..STONES {
+        mesh.interfaces.push(Interface {
+            one: faces[s][0].clone(),
+            two: faces[s - 1][1].clone(),
+            kind: 0,
+            quadrature: Quadrature::EqualSprings,
+        });
+    }
+    let mut posts = [Vec::new(), Vec::new()];
+    for (side, face) in [(0, &faces[0][0]), (1, &faces[STONES - 1][1])] {
+        for node in face {
+            let place = mesh.nodes[*node];
+            let post = mesh.nodes.push(place);
+            held.push(Support { node: post, held: [true, true] });
+            posts[side].push(post);
+        }
+    }
+    mesh.interfaces.push(Interface {
+        one: faces[0][0].clone(),
+        two: posts[0].clone(),
+        kind: 0,
+        quadrature: Quadrature::EqualSprings,
+    });
+    mesh.interfaces.push(Interface {
+        one: posts[1].clone(),
+        two: faces[STONES - 1][1].clone(),
+        kind: 0,
+        quadrature: Quadrature::EqualSprings,
+    });
+    let columns = STONES * ALONG;
+    let grid: Vec<Vec<NodeId>> = (0..=columns)
+        .map(|i| {
+            let x = whole * i as f64 / columns as f64;
+            let (low, top) = (lift(x) + thick, 0.25 + thick + high);
+            (0..=FILL).map(|j| mesh.nodes.push(vec2(x, low + (top - low) * j as f64 / FILL as f64))).collect()
+        })
+        .collect();
+    for i in 0..columns {
+        for j in 0..FILL {
+            mesh.quads
+                .push(Quad { nodes: [grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]], zone: soil });
+        }
+    }
+    for (s, back) in backs.iter().enumerate() {
+        // Walking from right to left the stones lie on the left.
+        let above: Vec<NodeId> = (0..=ALONG).map(|i| grid[s * ALONG + i][0]).collect();
+        mesh.interfaces.push(Interface { one: back.clone(), two: above, kind: 1, quadrature: Quadrature::Nodal });
+    }
+    for column in [&grid[0], &grid[columns]] {
+        held.extend(column.iter().map(|node| Support { node: *node, held: [true, false] }));
+    }
+    let surface = grid.iter().map(|column| column[FILL]).collect();
+    let crown = faces[STONES / 2][0][0];
+    let section =
+        |material, density| Section { solid: Solid { material, plane: Plane::Strain }, element: Element::QM6, density };
+    let sections = [section(Material::Elastic(Elastic { modulus: 16e9, ratio: 0.19 }), 2200.0), section(fill, 1800.0)]
+        .into_iter()
+        .collect();
+    let joint = Mortar {
+        normal: 100e9,
+        tangential: 40e9,
+        lift_off: LiftOff::Force(1e3),
+        compressive_strength: None,
+        shear_strength: 1e6,
+        shear_when_open: false,
+    };
+    let contact = Contact { normal: 10e9, tangential: 4e9, friction: 0.4, cohesion: 0.0, separation: false };
+    let model =
+        Model::new(mesh, sections, vec![JointLaw::Mortar(joint), JointLaw::Contact(contact)], &held, kinematics)
+            .unwrap();
+    Vault { model, surface, crown }
+}
+
+fn settings() -> Settings {
+    Settings { tolerance: 1e-11, load_steps: 1, iteration_limit: 100, cut_limit: 8, line_search: true }
+}
+
+/// Two axles that cross, spread over a few nodes each: amplitudes of unit forces on the surface's nodes.
+fn amplitudes(vault: &Vault, index: usize, force: f64) -> Vec<f64> {
+    let places: Vec<f64> = vault.surface.iter().map(|node| vault.model.mesh.nodes[*node].x).collect();
+    let mut all = vec![0.0; places.len()];
+    for axle in [0.0, 1.2] {
+        let x = -1.0 + 0.1 * index as f64 + axle;
+        let weights: Vec<f64> = places.iter().map(|p| (1.0 - (p - x).abs() / 0.3).max(0.0)).collect();
+        let sum: f64 = weights.iter().sum();
+        if sum > 0.0 {
+            let here = (sum / 3.0).min(1.0);
+            all.iter_mut().zip(&weights).for_each(|(a, w)| *a += force * here * w / sum);
+        }
+    }
+    all
+}
+
+/// Largest difference of the observed values between the two paths over the largest value, over all positions.
+fn compare(fill: Material, force: f64) -> (f64, usize, usize, usize) {
+    let vault = vault(fill, Kinematics::Small);
+    let model = &vault.model;
+    let weight = model.weight(vec2(0.0, -9.81));
+    let mut state = State::new(model);
+    let mut work = Workspace::new(model).unwrap();
+    let first = advance(
+        model,
+        &mut state,
+        &mut work,
+        &Target { forces: weight.clone(), imposed: vec![] },
+        &Settings { load_steps: 10, ..settings() },
+        &mut Unwatched,
+    );
+    assert_eq!(first.status, Status::Completed, "{first:?}");
+    let patterns: Vec<Vec<f64>> = vault
+        .surface
+        .iter()
+        .map(|node| {
+            let mut force = vec![0.0; 2 * model.mesh.nodes.len()];
+            force[2 * node.index() + 1] = -1.0;
+            force
+        })
+        .collect();
+    let observed: Vec<Functional> = (0..2)
+        .map(|axis| Functional(vec![(2 * vault.crown.index() + axis, 1.0)]))
+        .chain([Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)])])
+        .collect();
+    let mut condensed = Condensed::new(model, state.clone(), &patterns, &observed).unwrap();
+    let count = 50;
+    let passage = condensed.pass(count, &|i| amplitudes(&vault, i, force), &mut Unwatched, &mut |_, _| Ok(())).unwrap();
+    assert_eq!((passage.visited.len(), passage.stopped_at), (count, None));
+    let (mut worst, mut size) = (0.0_f64, 0.0_f64);
+    let (mut open, mut sliding, mut yielding) = (0, 0, 0);
+    for (index, visited) in passage.visited.iter().enumerate() {
+        assert_eq!(visited.position.reached, Reached::Balanced);
+        let mut forces = weight.clone();
+        for (pattern, a) in patterns.iter().zip(amplitudes(&vault, index, force)) {
+            forces.iter_mut().zip(pattern).for_each(|(f, p)| *f += a * p);
+        }
+        let outcome =
+            advance(model, &mut state, &mut work, &Target { forces, imposed: vec![] }, &settings(), &mut Unwatched);
+        assert_eq!(outcome.status, Status::Completed, "position {index}: {outcome:?}");
+        for (functional, value) in observed.iter().zip(&visited.observed) {
+            let plain: f64 = functional.0.iter().map(|&(c, w)| w * state.displacements[c]).sum();
+            worst = worst.max((plain - value).abs());
+            size = size.max(plain.abs());
+        }
+        let last = outcome.steps.last().unwrap();
+        if std::env::var("SHOW").is_ok() {
+            println!("{index}: {worst:e} {size:e} steps {} it {} cond {:?} {:?} plain {} {} {}", outcome.steps.len(), outcome.iterations, visited.position, visited.counts, last.open, last.sliding, last.yielding);
+        }
+        assert_eq!([last.open, last.yielding], [visited.counts.open, visited.counts.yielding], "position {index}");
+        (open, sliding, yielding) = (open.max(last.open), sliding.max(last.sliding), yielding.max(last.yielding));
+    }
+    // The whole state is that of the whole system, too.
+    let whole = condensed.state().unwrap();
+    let stress = |s: &State| s.points.iter().flat_map(|p| p.stress).collect::<Vec<f64>>();
+    let largest = stress(&state).iter().fold(0.0_f64, |m, s| m.max(s.abs()));
+    let apart = stress(&whole).iter().zip(stress(&state)).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    assert!(apart <= 1e-6 * largest, "stress differs by {apart} of {largest}");
+    (worst / size, open, sliding, yielding)
+}
+
+#[test]
+fn joints_that_open_and_slide_give_the_plain_path_to_1e_8() {
+    let (worst, open, sliding, _) = compare(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), 60e3);
+    println!("{worst:e}, {open} open, {sliding} sliding");
+    assert!(open > 0 && sliding > 0, "{open} open, {sliding} sliding: nothing to compare");
+    assert!(worst <= 1e-8, "{worst:e}");
+}
+
+#[test]
+fn fill_that_flows_gives_the_plain_path_to_1e_6() {
+    let soil = Elastic { modulus: 110e6, ratio: 0.19 };
+    let angle = 30f64.to_radians();
+    let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, angle, 0.0);
+    let (worst, open, sliding, yielding) = compare(Material::DruckerPrager(fill), 60e3);
+    println!("{worst:e}, {open} open, {sliding} sliding, {yielding} yielding");
+    assert!(yielding > 20, "{yielding} points flow: nothing to compare");
+    assert!(worst <= 1e-6, "{worst:e}");
+}
