@@ -47,6 +47,11 @@ impl Spring {
         self.nodes.iter().map(|(node, _, _)| *node)
     }
 
+    /// Nodes of side two, and their parts in the opening: where the spring stands.
+    pub fn shares(&self) -> Vec<(NodeId, f64)> {
+        self.nodes.iter().filter(|(_, weight, _)| *weight > 0.0).map(|&(node, weight, _)| (node, weight)).collect()
+    }
+
     /// Normal and tangential opening at small displacements: components and weights.
     pub(super) fn openings(&self) -> [Vec<(usize, f64)>; 2] {
         let (x, y) = (self.direction.x, self.direction.y);

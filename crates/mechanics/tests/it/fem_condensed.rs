@@ -176,7 +176,7 @@ fn compare(fill: Material, force: f64) -> (f64, usize, usize, usize) {
         .collect();
     let mut condensed = Condensed::new(model, state.clone(), &patterns, &observed).unwrap();
     let count = 50;
-    let passage = condensed.pass(count, &|i| amplitudes(&vault, i, force), &mut Unwatched, &mut |_, _| Ok(())).unwrap();
+    let passage = condensed.pass(count, &|i| amplitudes(&vault, i, force), &mut Unwatched).unwrap();
     assert_eq!((passage.visited.len(), passage.stopped_at), (count, None));
     let (mut worst, mut size) = (0.0_f64, 0.0_f64);
     let (mut open, mut sliding, mut yielding) = (0, 0, 0);
@@ -196,7 +196,16 @@ fn compare(fill: Material, force: f64) -> (f64, usize, usize, usize) {
         }
         let last = outcome.steps.last().unwrap();
         if std::env::var("SHOW").is_ok() {
-            println!("{index}: {worst:e} {size:e} steps {} it {} cond {:?} {:?} plain {} {} {}", outcome.steps.len(), outcome.iterations, visited.position, visited.counts, last.open, last.sliding, last.yielding);
+            println!(
+                "{index}: {worst:e} {size:e} steps {} it {} cond {:?} {:?} plain {} {} {}",
+                outcome.steps.len(),
+                outcome.iterations,
+                visited.position,
+                visited.counts,
+                last.open,
+                last.sliding,
+                last.yielding
+            );
         }
         assert_eq!([last.open, last.yielding], [visited.counts.open, visited.counts.yielding], "position {index}");
         (open, sliding, yielding) = (open.max(last.open), sliding.max(last.sliding), yielding.max(last.yielding));

@@ -77,21 +77,62 @@ fn probe() {
                 let t = Instant::now();
                 let clay = Material::VonMises(VonMises { elastic: SOIL, strength: 100e3 });
                 let (p, outcome, first) = ground.push(clay, element, 0.06, 20);
-                println!("{under} {growth} {element:?} first {first:.4}: Nc {:.4} {:?} {} it {} {:?}", p / 100e3, outcome.status, outcome.reached, outcome.iterations, t.elapsed());
+                println!(
+                    "{under} {growth} {element:?} first {first:.4}: Nc {:.4} {:?} {} it {} {:?}",
+                    p / 100e3,
+                    outcome.status,
+                    outcome.reached,
+                    outcome.iterations,
+                    t.elapsed()
+                );
             }
         }
     }
     for under in [6, 10] {
         for element in [Element::Q4, Element::QM6] {
             for (name, material) in [
-                ("dp", Material::DruckerPrager(DruckerPrager::matching(SOIL, Cone::PlaneStrain, 10e3, 30f64.to_radians(), 30f64.to_radians()))),
-                ("dp0", Material::DruckerPrager(DruckerPrager::matching(SOIL, Cone::PlaneStrain, 10e3, 30f64.to_radians(), 0.0))),
-                ("mc", Material::MohrCoulomb(MohrCoulomb { elastic: SOIL, cohesion: 10e3, friction_angle: 30f64.to_radians(), dilatancy_angle: 30f64.to_radians(), tension_cutoff: None })),
+                (
+                    "dp",
+                    Material::DruckerPrager(DruckerPrager::matching(
+                        SOIL,
+                        Cone::PlaneStrain,
+                        10e3,
+                        30f64.to_radians(),
+                        30f64.to_radians(),
+                    )),
+                ),
+                (
+                    "dp0",
+                    Material::DruckerPrager(DruckerPrager::matching(
+                        SOIL,
+                        Cone::PlaneStrain,
+                        10e3,
+                        30f64.to_radians(),
+                        0.0,
+                    )),
+                ),
+                (
+                    "mc",
+                    Material::MohrCoulomb(MohrCoulomb {
+                        elastic: SOIL,
+                        cohesion: 10e3,
+                        friction_angle: 30f64.to_radians(),
+                        dilatancy_angle: 30f64.to_radians(),
+                        tension_cutoff: None,
+                    }),
+                ),
             ] {
                 let ground = Ground { width: 14.0, depth: 6.0, under, growth: 1.2 };
                 let t = Instant::now();
                 let (p, outcome, first) = ground.push(material, element, 0.06, 20);
-                println!("{under} {name} {element:?} first {first:.4}: Nc {:.4} {:?} {} it {} {:?}", p / 10e3, outcome.status, outcome.reached, outcome.iterations, t.elapsed());
+                println!(
+                    "{under} {name} {element:?} first {first:.4}: Nc {:.4} {:?} {} it {} {:?}",
+                    p / 10e3,
+                    outcome.status,
+                    outcome.reached,
+                    outcome.iterations,
+                    t.elapsed()
+                );
             }
         }
     }

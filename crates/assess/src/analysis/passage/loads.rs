@@ -77,6 +77,13 @@ impl TrackLoads {
         self.axles.iter().map(place).filter(|(x, _)| (from..=to).contains(x)).collect()
     }
 
+    /// The heaviest axle by itself on the same track, and its force [N].
+    pub fn heaviest_alone(&self) -> Option<(TrackLoads, f64)> {
+        let heaviest = self.axles.iter().max_by(|a, b| a.force.total_cmp(&b.force))?;
+        let alone = Axle { offset: 0.0, ..heaviest.clone() };
+        Some((TrackLoads { axles: vec![alone.clone()], ..self.clone() }, alone.force))
+    }
+
     /// Distance from the first axle to the last [m].
     pub fn wheelbase(&self) -> f64 {
         self.axles.last().map_or(0.0, |axle| axle.offset)

@@ -1,6 +1,7 @@
 //! A train crosses the bridge: mesh, loads and sensors are set up here, the positions are solved in `solve.rs`.
 
 pub mod loads;
+mod model;
 pub mod outcome;
 pub mod rail;
 pub mod sensors;
@@ -51,9 +52,18 @@ pub enum PassageError {
     /// The bridge has no mesh.
     #[error(transparent)]
     Mesh(#[from] crate::discretise::mesh::MeshError),
-    /// No solver.
-    #[error("this build cannot solve passages")]
-    NoSolver,
+    /// Values that the finite element model needs.
+    #[error("the finite element model needs {0}")]
+    Missing(String),
+    /// The mesh and its materials make no model.
+    #[error(transparent)]
+    Model(mechanics::fem::ModelError),
+    /// The stiffness of the untouched bridge has no inverse.
+    #[error(transparent)]
+    Factor(#[from] mechanics::fem::FactorError),
+    /// The condensed path.
+    #[error(transparent)]
+    Condensed(mechanics::fem::condensed::CondensedError),
 }
 
 /// A tolerance above this is worth a word: peaks then differ in their third digit.

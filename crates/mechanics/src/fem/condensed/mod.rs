@@ -441,6 +441,15 @@ impl<'a> Condensed<'a> {
         }
     }
 
+    /// Goes back to the state in which the run began; what was found of the system stays.
+    pub fn restart(&mut self) {
+        self.amplitudes.fill(0.0);
+        self.forces.fill(0.0);
+        for part in &mut self.parts {
+            part.restart(&self.start);
+        }
+    }
+
     /// Displacements of all components [m] in the last position: one solution of the whole system.
     pub fn displacements(&mut self) -> Vec<f64> {
         let equations = self.model.equations();

@@ -159,6 +159,18 @@ impl Part {
         most > ROUNDING * scale * displaced
     }
 
+    /// Remembers what a state remembers.
+    pub fn restart(&mut self, state: &State) {
+        match self.kind {
+            Kind::Spring(index) => self.old.bond = state.bonds[index],
+            Kind::Quad(id) => {
+                let first = 4 * id.index();
+                self.old.points.copy_from_slice(&state.points[first..first + 4]);
+                self.old.modes = state.modes[id.index()];
+            }
+        }
+    }
+
     /// Keeps what it answered last.
     pub fn keep(&mut self) {
         self.old = self.new;

@@ -34,13 +34,12 @@ pub struct Passage {
 }
 
 impl Condensed<'_> {
-    /// Goes through `count` positions with the amplitudes of each. `each` is shown every position that stands.
+    /// Goes through `count` positions with the amplitudes of each.
     pub fn pass(
         &mut self,
         count: usize,
         amplitudes: &dyn Fn(usize) -> Vec<f64>,
         watch: &mut dyn Watch,
-        each: &mut dyn FnMut(usize, &mut Self) -> Result<(), CondensedError>,
     ) -> Result<Passage, CondensedError> {
         let mut passage = Passage::default();
         let mut at = 0;
@@ -71,9 +70,7 @@ impl Condensed<'_> {
                 self.back_to(&mark);
                 continue;
             }
-            // Gone through once more for those who look on: the parts are known now, so that nothing else happens.
             passage.visited.extend(seen);
-            each(passage.visited.len(), self)?;
             if failed {
                 passage.stopped_at = Some(passage.visited.len());
                 return Ok(passage);
@@ -84,7 +81,7 @@ impl Condensed<'_> {
     }
 
     /// Goes to a position, in parts of the way where the whole is too far.
-    fn reach(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
+    pub fn reach(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
         let from = self.amplitudes.clone();
         let mix = |share: f64| -> Vec<f64> { from.iter().zip(to).map(|(a, b)| a + share * (b - a)).collect() };
         let (mut reached, mut step, mut total) = (0.0, 1.0, 0);

@@ -1,0 +1,137 @@
+//! What the zones and interfaces of a mesh are made of: the finite element model of a bridge.
+
+use super::PassageError;
+use crate::discretise::mesh::{Meshed, Role, Substance};
+use bridge::{Bridge, Cone as FileCone, Soil, SoilLaw};
+use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar};
+use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane, Solid};
+use mechanics::fem::{Element, Kinematics, Model, Section, Support};
+use mechanics::ids::NodeId;
+
+/// Stiffness of the contact of fill with masonry over that of an element of fill next to it.
+const PENALTY: f64 = 20.0;
+
+/// The model of a meshed bridge.
+pub fn model(bridge: &Bridge, meshed: &Meshed, kinematics: Kinematics) -> Result<Model, PassageError> {
+    let missing = bridge.service.missing(&bridge.masonry, bridge.cover.backing.as_ref());
+    if !missing.is_empty() {
+        let keys: Vec<String> = missing.iter().map(|m| format!("`{}` in [{}]", m.key, m.table)).collect();
+        return Err(PassageError::Missing(keys.join(", ")));
+    }
+    let sections = meshed.roles.iter().map(|role| section(bridge, *role)).collect();
+    let joints = vec![mortar(bridge), mortar(bridge), contact(bridge, meshed)];
+    Model::new(meshed.mesh.clone(), sections, joints, &supports(meshed), kinematics).map_err(PassageError::Model)
+}
+
+/// The base is fixed, the sides are held horizontally.
+fn supports(meshed: &Meshed) -> Vec<Support> {
+    let held = |held: [bool; 2]| move |node: &NodeId| Support { node: *node, held };
+    let base = meshed.sets.base.iter().map(held([true, true]));
+    let sides = meshed.sets.left.iter().chain(&meshed.sets.right).map(held([true, false]));
+    base.chain(sides).collect()
+}
+
+fn section(bridge: &Bridge, role: Role) -> Section {
+    let elastic = |modulus: Option<f64>, ratio: Option<f64>| Elastic {
+        modulus: modulus.unwrap_or_default(),
+        ratio: ratio.unwrap_or_default(),
+    };
+    let (material, density) = match role.substance(bridge) {
+        Substance::Masonry(masonry) => {
+            (Material::Elastic(elastic(masonry.elastic_modulus, masonry.poisson_ratio)), masonry.density)
+        }
+        Substance::Backing(backing) => {
+            (Material::Elastic(elastic(backing.elastic_modulus, backing.poisson_ratio)), backing.density)
+        }
+        Substance::Soil(soil) => {
+            let soil = whole(soil, &bridge.service.fill);
+            (soil_law(&soil, elastic(soil.elastic_modulus, soil.poisson_ratio)), soil.density.unwrap_or_default())
+        }
+    };
+    Section { solid: Solid { material, plane: Plane::Strain }, element: Element::QM6, density }
+}
+
+/// A soil with what it leaves out taken from the fill.
+fn whole(soil: &Soil, fill: &Soil) -> Soil {
+    Soil {
+        elastic_modulus: soil.elastic_modulus.or(fill.elastic_modulus),
+        poisson_ratio: soil.poisson_ratio.or(fill.poisson_ratio),
+        density: soil.density.or(fill.density),
+        friction_angle: soil.friction_angle.or(fill.friction_angle),
+        cohesion: soil.cohesion.or(fill.cohesion),
+        ..*soil
+    }
+}
+
+fn soil_law(soil: &Soil, elastic: Elastic) -> Material {
+    let (friction, cohesion) = (soil.friction_angle.unwrap_or_default(), soil.cohesion.unwrap_or_default());
+    match soil.law {
+        SoilLaw::Elastic => Material::Elastic(elastic),
+        SoilLaw::DruckerPrager => {
+            let cone = match soil.cone {
+                FileCone::Compression => Cone::Compression,
+                FileCone::Extension => Cone::Extension,
+                FileCone::PlaneStrain => Cone::PlaneStrain,
+                FileCone::Inner => Cone::Inner,
+            };
+            let law = DruckerPrager::matching(elastic, cone, cohesion, friction, soil.dilatancy_angle);
+            Material::DruckerPrager(DruckerPrager { tension_cutoff: soil.tension_cutoff, ..law })
+        }
+        SoilLaw::MohrCoulomb => Material::MohrCoulomb(MohrCoulomb {
+            elastic,
+            cohesion,
+            friction_angle: friction,
+            dilatancy_angle: soil.dilatancy_angle,
+            tension_cutoff: soil.tension_cutoff,
+        }),
+    }
+}
+
+/// Springs of the mortar's modulus over its thickness (railway paper, equation 1), beside shear panels of the stone's modulus.
+fn mortar(bridge: &Bridge) -> JointLaw {
+    let bed = &bridge.service.mortar;
+    let (modulus, thickness) = (bed.elastic_modulus.unwrap_or_default(), bed.thickness.unwrap_or(1.0));
+    let stone = bridge.masonry.elastic_modulus.unwrap_or(modulus);
+    let ratio = bridge.masonry.poisson_ratio.unwrap_or_default();
+    JointLaw::Mortar(Mortar {
+        normal: modulus / thickness,
+        tangential: stone / (2.0 * (1.0 + ratio)) / thickness,
+        lift_off: LiftOff::Force(bed.lift_off),
+        compressive_strength: None,
+        shear_strength: bed.shear_strength.unwrap_or(f64::MAX),
+        shear_when_open: false,
+    })
+}
+
+/// Friction behind a penalty of many times the stiffness of the fill's own elements.
+fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
+    let (contact, fill) = (&bridge.service.fill_contact, &bridge.service.fill);
+    let own = PENALTY * fill.elastic_modulus.unwrap_or_default() / meshed.options.size;
+    let normal = contact.stiffness.unwrap_or(own);
+    JointLaw::Contact(Contact {
+        normal,
+        tangential: normal / (2.0 * (1.0 + fill.poisson_ratio.unwrap_or_default())),
+        friction: contact.friction_coefficient.unwrap_or_default(),
+        cohesion: 0.0,
+        separation: contact.separation,
+    })
+}
+
+/// What the model assumes, in words.
+pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
+    let JointLaw::Contact(contact) = contact(bridge, meshed) else { return Vec::new() };
+    vec![
+        "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear elastic.".into(),
+        "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, beside panels that \
+         shear like stone; stones reach to the middle of the joints."
+            .into(),
+        format!(
+            "Fill touches masonry through {:.1} GPa/m, friction {:.2}, and {}.",
+            contact.normal / 1e9,
+            contact.friction,
+            if contact.separation { "parts from it without tension" } else { "slides along it but never parts from it" }
+        ),
+        "The base of piers, abutments and the fill behind them is fixed; the side boundaries hold the fill horizontally.".into(),
+        "Self-weight is carried by the finished bridge, without the centring's stages, and taken off the records.".into(),
+    ]
+}

@@ -1,0 +1,146 @@
+//! The passage by the condensed path.
+
+use super::moment::moment;
+use super::{AtRest, Solution, functional};
+use crate::analysis::AnalysisError;
+use crate::analysis::passage::PassageError;
+use crate::analysis::passage::loads::TrackLoads;
+use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
+use mechanics::fem::condensed::{Condensed, Functional, Reached};
+use mechanics::ids::Id;
+use mechanics::watch::Watch;
+
+/// Sleepers' patterns as forces on all components.
+pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
+    let surface = &rest.setup.meshed.sets.surface;
+    let whole = |pattern: &Vec<(usize, f64)>| {
+        let mut forces = vec![0.0; rest.weight.len()];
+        for &(node, share) in pattern {
+            forces[2 * surface[node].index() + 1] -= share;
+        }
+        forces
+    };
+    rest.setup.loads.patterns.iter().map(whole).collect()
+}
+
+pub fn pass(rest: AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) -> Result<(), AnalysisError> {
+    let setup = rest.setup;
+    let observed: Vec<Functional> =
+        setup.sensors.iter().filter_map(|sensor| functional(rest.model, &sensor.reading)).collect();
+    let patterns = patterns(&rest);
+    let failed = |error| AnalysisError::from(PassageError::Condensed(error));
+    let mut condensed = Condensed::new(rest.model, rest.state, &patterns, &observed).map_err(failed)?;
+    let reactions = |k: usize| setup.loads.reactions(setup.positions[k]);
+    let passage = condensed.pass(setup.positions.len(), &reactions, watch).map_err(failed)?;
+    for (k, visited) in passage.visited.iter().enumerate() {
+        for ((values, value), own) in solution.values.iter_mut().zip(&visited.observed).zip(&solution.self_weight) {
+            values.push(value - own);
+        }
+        solution.log.push(StepLog {
+            stage: "passage".into(),
+            time: setup.times[k],
+            position: setup.positions[k],
+            iterations: visited.position.iterations as usize,
+            unbalanced: visited.position.left,
+            cuts: 0,
+            plastic_points: visited.counts.yielding,
+            open_joints: visited.counts.open,
+            sliding_pairs: visited.counts.sliding,
+        });
+    }
+    let counts = condensed.counts();
+    solution.condensed_degrees_of_freedom = Some(counts.active_rows);
+    if passage.cancelled {
+        solution.status = PassageStatus::Cancelled;
+        return Ok(());
+    }
+    if let Some(k) = passage.stopped_at {
+        solution.status = PassageStatus::NotConverged;
+        solution.reason = Some(format!(
+            "with the first axle at {:.3} m no balance was found, however small the step: the bridge may be at its limit",
+            setup.positions[k]
+        ));
+    }
+    moments(&mut condensed, setup, rest.model, solution).map_err(failed)?;
+    solution.influence = influence(&mut condensed, setup, &solution.self_weight).map_err(failed)?;
+    Ok(())
+}
+
+/// Goes through the positions once more and keeps the bridge at those that are to be shown.
+fn moments(
+    condensed: &mut Condensed<'_>,
+    setup: &crate::analysis::passage::Setup,
+    model: &mechanics::fem::Model,
+    solution: &mut Solution,
+) -> Result<(), mechanics::fem::condensed::CondensedError> {
+    let wanted = wanted(setup, solution);
+    condensed.restart();
+    for k in 0..=wanted.iter().map(|(k, _)| *k).max().unwrap_or(0) {
+        if wanted.is_empty()
+            || condensed.reach(&setup.loads.reactions(setup.positions[k]))?.reached != Reached::Balanced
+        {
+            break;
+        }
+        for (_, name) in wanted.iter().filter(|(at, _)| *at == k) {
+            let state = condensed.state()?;
+            let at = Some((setup.times[k], setup.positions[k]));
+            solution.moments.push(moment(setup, model, &state, name, at));
+        }
+    }
+    Ok(())
+}
+
+/// Positions of which pictures are made, and why: those of the file, or the peaks of the channels.
+pub fn wanted(setup: &crate::analysis::passage::Setup, solution: &Solution) -> Vec<(usize, String)> {
+    let solved = solution.values.first().map_or(0, Vec::len);
+    let mut wanted: Vec<(usize, String)> = Vec::new();
+    if solved == 0 {
+        return wanted;
+    }
+    if setup.plan.pictures.is_empty() {
+        for (sensor, values) in setup.sensors.iter().zip(&solution.values) {
+            let peak = (0..solved).fold(0, |best, k| if values[k].abs() > values[best].abs() { k } else { best });
+            match wanted.iter_mut().find(|(k, _)| *k == peak) {
+                Some((_, name)) => *name = format!("{name}, {}", sensor.name),
+                None => wanted.push((peak, format!("peak of {}", sensor.name))),
+            }
+        }
+    }
+    for x in &setup.plan.pictures {
+        let near = |k: &usize| (setup.positions[*k] - x).abs();
+        let k = (0..solved).min_by(|a, b| near(a).total_cmp(&near(b))).unwrap_or(0);
+        wanted.push((k, format!("first axle at {x:.2} m")));
+    }
+    wanted.sort_by_key(|(k, _)| *k);
+    wanted
+}
+
+/// Distance between the places of an influence line [m].
+const INFLUENCE_STEP: f64 = 0.25;
+
+/// What the heaviest axle of the train does when it crosses alone.
+fn influence(
+    condensed: &mut Condensed<'_>,
+    setup: &crate::analysis::passage::Setup,
+    own: &[f64],
+) -> Result<Option<Influence>, mechanics::fem::condensed::CondensedError> {
+    let Some(alone) = setup.loads.heaviest_alone() else { return Ok(None) };
+    let (loads, force): (TrackLoads, f64) = alone;
+    let (Some(first), Some(last)) = (setup.loads.sleepers.first(), setup.loads.sleepers.last()) else {
+        return Ok(None);
+    };
+    let count = ((last - first) / INFLUENCE_STEP) as usize;
+    let mut influence = Influence { force, positions: Vec::new(), values: vec![Vec::new(); own.len()] };
+    condensed.restart();
+    for k in 0..=count {
+        let x = first + INFLUENCE_STEP * k as f64;
+        if condensed.reach(&loads.reactions(x))?.reached != Reached::Balanced {
+            return Ok(None);
+        }
+        influence.positions.push(x);
+        for ((values, value), own) in influence.values.iter_mut().zip(condensed.observed()).zip(own) {
+            values.push(value - own);
+        }
+    }
+    Ok(Some(influence))
+}
