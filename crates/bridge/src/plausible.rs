@@ -56,6 +56,13 @@ const USUAL: &[Usual] = &[
     usual("P005", "ring_joint", "cohesion", 0.0, 2e6, "masonry joints usually have less than 2 MPa"),
     usual("P006", "cover", "density", 1000.0, 2700.0, "layers above an arch usually weigh 1000 to 2700 kg/m^3"),
     usual("P006", "backing", "density", 1000.0, 3000.0, "backing usually weighs 1000 to 3000 kg/m^3"),
+    usual("P006", "fill", "density", 1000.0, 2700.0, "fill usually weighs 1000 to 2700 kg/m^3"),
+    usual("P006", "haunch_fill", "density", 1000.0, 3000.0, "fill of haunches usually weighs 1000 to 3000 kg/m^3"),
+    usual("P006", "abutment_fill", "density", 1000.0, 2700.0, "fill usually weighs 1000 to 2700 kg/m^3"),
+    usual("P023", "fill", "elastic_modulus", 2e6, 2e9, "granular fills usually have 20 to 200 MPa"),
+    usual("P023", "abutment_fill", "elastic_modulus", 2e6, 2e9, "granular fills usually have 20 to 850 MPa"),
+    usual("P024", "mortar", "elastic_modulus", 10e6, 30e9, "mortars usually have 0.1 to 10 GPa"),
+    usual("P024", "mortar", "thickness", 0.5e-3, 0.1, "joints are usually 3 to 25 mm thick"),
     usual("P007", "bridge", "gravity", 9.7, 9.9, "gravity on the ground is 9.76 to 9.83 m/s^2"),
     usual("P008", "bridge", "width", 1.0, 40.0, "bridges are usually 1 to 40 m wide"),
     usual("P052", "track", "track_modulus", 5e6, 200e6, "track moduli are usually 5 to 200 MPa for one rail"),
@@ -153,10 +160,12 @@ fn strength(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings
 fn fill(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings) {
     let Some(modulus) = masonry.and_then(|masonry| masonry.elastic_modulus) else { return };
     let masonry_place = every(file, "masonry").first().map_or(file.range, |table| table.place("elastic_modulus"));
-    for table in every(file, "cover") {
+    let soils = ["fill", "haunch_fill", "abutment_fill"].into_iter().flat_map(|key| every(file, key));
+    for table in every(file, "cover").into_iter().chain(soils) {
         if !value(&table, "elastic_modulus").is_some_and(|layer| layer > modulus) {
             continue;
         }
+        let what = if table.section.path == "cover" { "a layer of the cover" } else { "the fill" };
         let help =
             table.entry("elastic_modulus").and_then(|(_, raw)| other_unit(raw, 5e6, 1e9_f64.min(0.999 * modulus)));
         let note = format!("ring masonry is {} GPa (line {})", modulus / 1e9, findings.line(masonry_place));
@@ -164,7 +173,7 @@ fn fill(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings) {
             .warning(
                 "P012",
                 table.place("elastic_modulus"),
-                "a layer of the cover is stiffer than the masonry on which it lies",
+                format!("{what} is stiffer than the masonry on which it lies"),
                 "granular fills are usually 20 to 200 MPa",
                 help.unwrap_or_else(|| "check number and unit".to_owned()),
             )

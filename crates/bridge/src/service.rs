@@ -1,6 +1,8 @@
 //! What the finite element model needs beyond what collapse asks for: mesh, soils, mortar and the contact of fill with masonry.
 //! What a file leaves out stays `None` here; whoever computes says what is missing.
 
+use crate::model::{Backing, Cover, Masonry};
+
 /// The part of a bridge file that only the finite element model reads.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Service {
@@ -16,6 +18,61 @@ pub struct Service {
     pub mortar: Mortar,
     /// Contact of fill with masonry.
     pub fill_contact: FillContact,
+}
+
+/// A value that the finite element model needs and the file does not give.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MissingValue {
+    /// Table of the file.
+    pub table: &'static str,
+    /// Key in it.
+    pub key: &'static str,
+}
+
+impl Service {
+    /// What a file with this cover means that says nothing of the finite element model.
+    pub fn of_cover(cover: &Cover) -> Service {
+        let lowest = cover.layers.first().map(|layer| layer.density).filter(|density| *density > 0.0);
+        let fill = Soil { density: lowest, ..Soil::default() };
+        Service { fill, abutment_fill: AbutmentFill { extent: None, soil: fill }, ..Service::default() }
+    }
+
+    /// What the finite element model of a bridge of this masonry and backing still needs, in the order of the file's reference.
+    pub fn missing(&self, masonry: &Masonry, backing: Option<&Backing>) -> Vec<MissingValue> {
+        let mut missing = Vec::new();
+        let mut need = |table, key, there: bool| {
+            if !there {
+                missing.push(MissingValue { table, key });
+            }
+        };
+        need("masonry", "elastic_modulus", masonry.elastic_modulus.is_some());
+        need("masonry", "poisson_ratio", masonry.poisson_ratio.is_some());
+        if let Some(backing) = backing {
+            need("backing", "elastic_modulus", backing.elastic_modulus.is_some());
+            need("backing", "poisson_ratio", backing.poisson_ratio.is_some());
+        }
+        let mut soils = vec![("fill", &self.fill)];
+        soils.extend(self.haunch_fill.as_ref().map(|haunch| ("haunch_fill", &haunch.soil)));
+        soils.push(("abutment_fill", &self.abutment_fill.soil));
+        let fill = self.fill;
+        for (table, soil) in soils {
+            // What the fill lacks is asked for once: there.
+            let own = |there: bool, of_fill: bool| there || (table != "fill" && !of_fill);
+            let yields = soil.law != SoilLaw::Elastic;
+            let fill_yields = fill.law != SoilLaw::Elastic;
+            need(table, "elastic_modulus", own(soil.elastic_modulus.is_some(), fill.elastic_modulus.is_some()));
+            need(table, "poisson_ratio", own(soil.poisson_ratio.is_some(), fill.poisson_ratio.is_some()));
+            need(table, "density", own(soil.density.is_some(), fill.density.is_some()));
+            let friction = fill.friction_angle.is_some() || !fill_yields;
+            let cohesion = fill.cohesion.is_some() || !fill_yields;
+            need(table, "friction_angle", !yields || own(soil.friction_angle.is_some(), friction));
+            need(table, "cohesion", !yields || own(soil.cohesion.is_some(), cohesion));
+        }
+        need("mortar", "elastic_modulus", self.mortar.elastic_modulus.is_some());
+        need("mortar", "thickness", self.mortar.thickness.is_some());
+        need("fill_contact", "friction_coefficient", self.fill_contact.friction_coefficient.is_some());
+        missing
+    }
 }
 
 /// How fine the mesh is and how far it reaches.

@@ -47,6 +47,12 @@ pub const ALL: &[Example] = &[
         files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "calibration.toml", "parabola.toml", "vary.toml"),
     },
     Example {
+        name: "railway-arch",
+        about: "a monitored railway arch of four spans, and the train that crosses it",
+        main: "passage.toml",
+        files: files!("railway-arch": "passage.toml"),
+    },
+    Example {
         name: "tiny",
         about: "a small bridge in as few lines as will do",
         main: "bridge.toml",

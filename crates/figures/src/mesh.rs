@@ -25,7 +25,7 @@ const LINES: [(&str, &str, &str); 3] = [
 ];
 
 /// Elements narrower than this on the sheet are drawn without their sides.
-const LEAST: f64 = 1.6;
+const LEAST: f64 = 0.9;
 
 fn colour(made_of: &str) -> &'static str {
     COLOURS.iter().find(|(name, _)| *name == made_of).map_or("#eeeeee", |(_, colour)| colour)

@@ -9,8 +9,7 @@ use crate::tree::Table;
 /// Everything; a file that says nothing of it has the defaults.
 pub(super) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Service> {
     let mesh = part(file, "mesh", MeshPlan::default(), mesh, findings);
-    let lowest = cover.and_then(|cover| cover.layers.first()).map(|layer| layer.density).filter(|d| *d > 0.0);
-    let start = Soil { density: lowest, ..Soil::default() };
+    let start = cover.map_or_else(Soil::default, |cover| Service::of_cover(cover).fill);
     let fill = part(file, "fill", start, |table, findings| soil(table, start, findings), findings);
     // What another table leaves out is as the fill is; what is wrong with the fill has been said.
     let usual = fill.unwrap_or(start);

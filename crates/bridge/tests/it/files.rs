@@ -27,9 +27,12 @@ pub const TRAIN: &str = include_str!("files/train.toml");
 /// A train from a file.
 pub const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 
+/// Everything that only the finite element model reads.
+pub const SERVICE: &str = include_str!("files/service.toml");
+
 /// All of them.
-pub const GOOD: [&str; 11] =
-    [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, PASSAGE, TRAIN, TRAIN_FILE];
+pub const GOOD: [&str; 12] =
+    [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, SERVICE, PASSAGE, TRAIN, TRAIN_FILE];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

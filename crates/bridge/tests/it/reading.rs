@@ -127,3 +127,37 @@ fn a_calibration() {
     let codes: Vec<&str> = read(wrong.as_bytes()).diagnostics.iter().map(|finding| finding.code).collect();
     assert_eq!(codes, ["B107", "B107"]);
 }
+
+/// What the finite element model reads, and what it would still need: nothing of it is asked of a file for collapse.
+#[test]
+fn service_tables() {
+    use bridge::{Cone, SoilLaw, Springs};
+    let b = good(crate::files::SERVICE);
+    let s = &b.service;
+    assert_eq!((s.mesh.size, s.mesh.ring_nodes, s.mesh.side_distance), (Some(0.2), 9, Some(12.0)));
+    assert_eq!(
+        (s.fill.elastic_modulus, s.fill.cone, s.fill.law),
+        (Some(110e6), Cone::PlaneStrain, SoilLaw::DruckerPrager)
+    );
+    let haunch = s.haunch_fill.unwrap();
+    assert_eq!((haunch.height, haunch.soil.law, haunch.soil.density), (1.1, SoilLaw::Elastic, Some(2100.0)));
+    assert_eq!((s.abutment_fill.extent, s.abutment_fill.soil.law), (Some(5.0), SoilLaw::MohrCoulomb));
+    assert_eq!((s.mortar.lift_off, s.mortar.springs), (1e3, Springs::Interface));
+    assert!(!s.fill_contact.separation);
+    assert_eq!(s.missing(&b.masonry, b.cover.backing.as_ref()), []);
+
+    let plain = good(crate::files::TINY);
+    assert_eq!(plain.service.mesh, bridge::MeshPlan::default());
+    let missing = plain.service.missing(&plain.masonry, None);
+    assert!(missing.iter().any(|m| (m.table, m.key) == ("mortar", "thickness")), "{missing:?}");
+    assert!(missing.iter().all(|m| m.table != "abutment_fill"), "{missing:?}");
+}
+
+/// Fill of haunches and behind abutments is as [fill] where it says nothing else.
+#[test]
+fn soils_are_as_the_fill() {
+    let short = crate::files::SERVICE.replace("poisson_ratio = 0.22\n", "");
+    assert_eq!(good(&short).service.abutment_fill.soil.poisson_ratio, Some(0.19));
+    let without = crate::files::SERVICE.replace("density = \"1850 kg/m^3\"\n", "");
+    assert_eq!(good(&without).service.fill.density, Some(1800.0), "that of the lowest layer");
+}

@@ -7,6 +7,7 @@ use crate::folder::{self, Folder};
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
+use assess::discretise::mesh::{MeshError, Meshed};
 use bridge::{Bridge, Strip};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -21,7 +22,14 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
     let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
-    let files = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?;
+    let mut files: Vec<figures::File> = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?.into();
+    let meshed = mesh(bridge);
+    if let Some(Ok(meshed)) = &meshed {
+        let picture = meshed.picture();
+        let drawing = figures::both("mesh", &figures::mesh(&bridge.name, &picture));
+        files.extend(drawing.map_err(|error| results::not_drawn(folder.path(), &error))?);
+        files.push(figures::File { name: "mesh.vtu".into(), bytes: figures::vtk::mesh(&picture).into_bytes() });
+    }
     for file in &files {
         folder.put(&file.name, &file.bytes)?;
     }
@@ -45,8 +53,31 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
         )
         .with("out", shown.as_str())
         .with("files", names)
-        .saying(summary(bridge, picture.shapes.len(), &shown));
-    Ok(report)
+        .saying(summary(bridge, picture.shapes.len(), meshed.as_ref(), &shown));
+    Ok(match &meshed {
+        Some(Ok(meshed)) => report.with("mesh", quality(meshed)),
+        _ => report,
+    })
+}
+
+/// The finite element mesh of a file that describes what only that model reads.
+fn mesh(bridge: &Bridge) -> Option<Result<Meshed, MeshError>> {
+    (bridge.service != bridge::Service::of_cover(&bridge.cover)).then(|| assess::discretise::mesh::mesh(bridge))
+}
+
+fn quality(meshed: &Meshed) -> Value {
+    let q = &meshed.quality;
+    json!({
+        "nodes": q.nodes,
+        "elements": q.quads,
+        "degrees_of_freedom": q.degrees_of_freedom,
+        "facing_pairs": q.pairs,
+        "least_scaled_jacobian": q.scaled_jacobian,
+        "mean_scaled_jacobian": q.mean_scaled_jacobian,
+        "largest_aspect_ratio": q.aspect_ratio,
+        "shortest_side_m": q.sides[0],
+        "longest_side_m": q.sides[1],
+    })
 }
 
 fn span(span: &bridge::Span) -> Value {
@@ -78,7 +109,7 @@ fn profile(span: &bridge::Span) -> &'static str {
     }
 }
 
-fn summary(bridge: &Bridge, blocks: usize, out: &str) -> String {
+fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshError>>, out: &str) -> String {
     let mut page = format!("{}, {:.2} m wide, {blocks} blocks\n\n", bridge.name, bridge.width);
     let _ = writeln!(page, "  span  profile        span [m]  rise [m]  span/rise  ring at crown [m]  voussoirs");
     for (index, one) in bridge.spans.iter().enumerate() {
@@ -128,6 +159,15 @@ fn summary(bridge: &Bridge, blocks: usize, out: &str) -> String {
     }
     for load in &bridge.loads {
         let _ = writeln!(page, "  load: {} at {:.3} m from the left springing", load.name, load.position);
+    }
+    match meshed {
+        Some(Ok(meshed)) => {
+            let _ = writeln!(page, "  finite element mesh: {}", meshed.quality.words());
+        }
+        Some(Err(error)) => {
+            let _ = writeln!(page, "  no finite element mesh: {error}");
+        }
+        None => {}
     }
     let _ = writeln!(page, "\nThe file can be used. The bridge is drawn in {out}");
     page

@@ -23,7 +23,7 @@ pub use arch::End;
 pub use options::MeshOptions;
 pub use picture::{MeshPicture, ZonePicture};
 pub use quality::{Quality, corners, quality, scaled_jacobian};
-pub use sets::{NodeSets, Role, Seam, SpanSets, Voussoir};
+pub use sets::{NodeSets, Role, Seam, SpanSets, Substance, Voussoir};
 
 use bridge::Bridge;
 use bridge::ring::Misfit;

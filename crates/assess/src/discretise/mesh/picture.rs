@@ -49,7 +49,6 @@ impl Meshed {
             quads: mesh.quads.iter().filter(|quad| quad.zone == zone).count(),
         });
         let index = |nodes: &[mechanics::ids::NodeId]| nodes.iter().map(|n| n.index()).collect::<Vec<usize>>();
-        let q = &self.quality;
         MeshPicture {
             points: mesh.nodes.iter().map(|p| [p.x, p.y]).collect(),
             quads: mesh.quads.iter().map(|quad| quad.nodes.map(|n| n.index())).collect(),
@@ -63,17 +62,7 @@ impl Meshed {
                 .collect(),
             surface: index(&self.sets.surface),
             base: index(&self.sets.base),
-            remark: format!(
-                "{} elements, {} nodes, {} free displacements, {} pairs of facing nodes; least scaled Jacobian {:.2}, mean {:.2}; \
-                 largest aspect ratio {:.0}",
-                q.quads,
-                q.nodes,
-                q.degrees_of_freedom,
-                q.pairs,
-                q.scaled_jacobian,
-                q.mean_scaled_jacobian,
-                q.aspect_ratio
-            ),
+            remark: self.quality.words(),
         }
     }
 }

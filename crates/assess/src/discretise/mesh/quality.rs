@@ -27,6 +27,23 @@ pub struct Quality {
     pub sides: [f64; 2],
 }
 
+impl Quality {
+    /// It in a line.
+    pub fn words(&self) -> String {
+        format!(
+            "{} elements, {} nodes, {} free displacements, {} pairs of facing nodes; least scaled Jacobian {:.2}, mean {:.2}; \
+             largest aspect ratio {:.0}",
+            self.quads,
+            self.nodes,
+            self.degrees_of_freedom,
+            self.pairs,
+            self.scaled_jacobian,
+            self.mean_scaled_jacobian,
+            self.aspect_ratio
+        )
+    }
+}
+
 /// The scaled Jacobian of a quadrilateral: the least sine of its four corners, negative where one is not convex.
 pub fn scaled_jacobian(corners: [Vec2; 4]) -> f64 {
     (0..4)

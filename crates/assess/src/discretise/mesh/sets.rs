@@ -1,5 +1,6 @@
 //! Nodes by what they are on a bridge.
 
+use bridge::{Backing, Bridge, Masonry, Soil};
 use mechanics::ids::{InterfaceId, NodeId, QuadId};
 use mechanics::plane::Vec2;
 
@@ -49,6 +50,32 @@ impl Role {
             Role::Backing => "backing".into(),
             Role::AbutmentFill(End::Left) => "abutment fill left".into(),
             Role::AbutmentFill(End::Right) => "abutment fill right".into(),
+        }
+    }
+}
+
+/// What a zone is made of, as the file describes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Substance<'a> {
+    /// Masonry of rings, piers and abutments.
+    Masonry(&'a Masonry),
+    /// Solid backing.
+    Backing(&'a Backing),
+    /// Fill.
+    Soil(&'a Soil),
+}
+
+impl Role {
+    /// What it is made of in a bridge.
+    pub fn substance(self, bridge: &Bridge) -> Substance<'_> {
+        let service = &bridge.service;
+        let fill = Substance::Soil(&service.fill);
+        match self {
+            Role::Voussoirs(_) | Role::Pier(_) | Role::Abutment(_) => Substance::Masonry(&bridge.masonry),
+            Role::Fill => fill,
+            Role::HaunchFill => service.haunch_fill.as_ref().map_or(fill, |haunch| Substance::Soil(&haunch.soil)),
+            Role::Backing => bridge.cover.backing.as_ref().map_or(fill, Substance::Backing),
+            Role::AbutmentFill(_) => Substance::Soil(&service.abutment_fill.soil),
         }
     }
 }

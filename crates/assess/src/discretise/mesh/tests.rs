@@ -145,9 +145,8 @@ fn railway_bridge() {
     // The haunch fill's upper face is level.
     let zone = m.roles.pairs().find(|(_, role)| **role == Role::HaunchFill).unwrap().0;
     let top = m.mesh.quads.iter().filter(|q| q.zone == zone).flat_map(|q| q.nodes).map(|n| m.mesh.nodes[n].y);
-    assert!((top.fold(f64::NEG_INFINITY, f64::max) - 1.0).abs() < 0.05);
+    assert!((top.fold(f64::NEG_INFINITY, f64::max) - 1.0).abs() < 0.05, "within a quarter of a voussoir");
     assert!(m.quality.scaled_jacobian > 0.4, "{:?}", m.quality);
-    eprintln!("{:?}", m.quality);
 }
 
 #[test]
@@ -244,7 +243,7 @@ fn random_bridge(dice: &mut Dice) -> Bridge {
 fn random_bridges_have_sound_meshes() {
     let mut dice = Dice(7);
     let (mut least, mut aspect, mut refused, mut poor) = (f64::INFINITY, 0.0f64, Vec::new(), Vec::new());
-    for k in 0..400 {
+    for k in 0..150 {
         let bridge = random_bridge(&mut dice);
         let profiles: Vec<String> = bridge
             .spans
@@ -267,8 +266,21 @@ fn random_bridges_have_sound_meshes() {
                 .push(format!("{k}: {profiles:?} haunch {:?}: {error}", bridge.service.haunch_fill.map(|h| h.height))),
         }
     }
-    eprintln!("{} poor:\n{}", poor.len(), poor.join("\n"));
-    eprintln!("least scaled Jacobian {least}, largest aspect ratio {aspect}");
+    // Poor elements come where a flat ring and a steep one spring from one narrow pier, which is seldom built: the fill there
+    // ends in a wedge.
+    assert!(
+        poor.len() <= 12,
+        "{} poor:
+{}",
+        poor.len(),
+        poor.join(
+            "
+"
+        )
+    );
+    assert!(least >= LEAST_JACOBIAN);
+    // Where rings all but meet on a pier, or many nodes stand across a thin ring.
+    assert!(aspect < 1000.0, "{aspect}");
     assert!(refused.is_empty(), "{} refused:\n{}", refused.len(), refused.join("\n"));
 }
 
@@ -294,4 +306,49 @@ fn scaled_jacobians_of_known_quadrilaterals() {
     assert!((scaled_jacobian(rhombus) - 0.75f64.sqrt()).abs() < 1e-12);
     let dart = [vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.2, 0.2), vec2(0.0, 1.0)];
     assert!(scaled_jacobian(dart) < 0.0);
+}
+
+#[test]
+fn any_size_and_any_number_of_nodes_across() {
+    for (size, nodes) in [(0.05, 2), (0.1, 15), (1.0, 7), (5.0, 3)] {
+        let mut bridge = railway();
+        bridge.service.mesh.size = Some(size);
+        bridge.service.mesh.ring_nodes = nodes;
+        let m = mesh(&bridge).unwrap();
+        is_sound(&bridge, &m);
+        assert!(m.quality.scaled_jacobian > 0.3, "{size}: {:?}", m.quality);
+        // A sleeper's length along the rail is met by at least two elements where the mesh is fine.
+        let longest = |m: &Meshed| {
+            let span = &m.sets.spans;
+            let (a, b) = (span[0].springings_at[0].x, span[3].springings_at[1].x);
+            let xs: Vec<f64> =
+                m.sets.surface.iter().map(|n| m.mesh.nodes[*n].x).filter(|x| (a..=b).contains(x)).collect();
+            xs.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max)
+        };
+        assert!(longest(&m) <= 1.5 * size + 1e-9, "{size}: {}", longest(&m));
+    }
+}
+
+/// Ballast on top is a pressure, and no part of the mesh.
+#[test]
+fn ballast_lies_on_the_surface() {
+    let mut bridge = railway();
+    let layer = |name, thickness| Layer {
+        name,
+        thickness,
+        density: 1800.0,
+        weighs: true,
+        particles: false,
+        slabs: None,
+        friction_angle: None,
+        cohesion: None,
+        elastic_modulus: None,
+    };
+    bridge.cover.layers = vec![layer(LayerKind::Fill, 0.28), layer(LayerKind::Ballast, 0.20)];
+    let m = mesh(&bridge).unwrap();
+    assert!((m.surface - (1.5 + 0.54 + 0.28)).abs() < 1e-9);
+    assert!((m.ballast_pressure - 0.2 * 1800.0 * 9.81).abs() < 1e-9);
+    bridge.cover.layers.remove(0);
+    bridge.cover.depth = 0.20;
+    assert_eq!(mesh(&bridge), Err(MeshError::NoFill));
 }
