@@ -32,6 +32,15 @@ impl File {
     }
 }
 
+impl Example {
+    /// The command to start with: a bridge that a train crosses responds, every other one is brought to collapse.
+    pub fn command(&self) -> &'static str {
+        let main = self.files.iter().find(|file| file.name == self.main);
+        let crossed = main.is_some_and(|file| file.text.lines().any(|line| line.starts_with("[passage]")));
+        if crossed { "respond" } else { "collapse" }
+    }
+}
+
 macro_rules! files {
     ($example:literal: $($name:literal),+) => {
         &[$(File { name: $name, text: include_str!(concat!("../../../examples/", $example, "/", $name)) }),+]
