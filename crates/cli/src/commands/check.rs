@@ -160,6 +160,20 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
     for load in &bridge.loads {
         let _ = writeln!(page, "  load: {} at {:.3} m from the left springing", load.name, load.position);
     }
+    if let Some(passage) = &bridge.passage {
+        let axles = passage.train.axles(bridge.gravity);
+        let weight: f64 = axles.iter().map(|axle| axle.force).sum();
+        let _ = writeln!(
+            page,
+            "  train: {}, {} axles over {:.1} m, {:.0} kN, at {:.1} km/h; {} sensors",
+            passage.train.name,
+            axles.len(),
+            passage.train.wheelbase(),
+            weight / 1e3,
+            3.6 * passage.plan.speed,
+            if passage.sensors.is_empty() { 6 } else { passage.sensors.len() }
+        );
+    }
     match meshed {
         Some(Ok(meshed)) => {
             let _ = writeln!(page, "  finite element mesh: {}", meshed.quality.words());

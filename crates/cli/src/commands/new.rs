@@ -21,7 +21,7 @@ pub fn run(arguments: &New) -> Result<Report, Failure> {
     for file in example.files {
         let _ = writeln!(summary, "  {:<16} {}", file.name, file.about());
     }
-    let _ = writeln!(summary, "next: extrados collapse {}", first.display());
+    let _ = writeln!(summary, "next: extrados {} {}", example.command(), first.display());
     Ok(Report::new(Status::Completed)
         .with("example", example.name)
         .with("folder", arguments.dir.display().to_string())

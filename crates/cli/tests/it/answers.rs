@@ -202,16 +202,16 @@ fn check_draws_and_computes_nothing() {
 #[test]
 fn check_draws_the_mesh_where_the_file_describes_one() {
     let stage = Stage::with_example("answers-mesh", "railway-arch");
-    let (answer, ending) = stage.object(&["check", "bridge/bridge-part.toml"]);
+    let (answer, ending) = stage.object(&["check", "bridge/passage.toml"]);
     assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{}", ending.stderr);
     assert_eq!(
-        stage.names("out/bridge-part"),
+        stage.names("out/passage"),
         ["bridge.png", "bridge.svg", "mesh.png", "mesh.svg", "mesh.vtu"],
         "a bridge and its mesh"
     );
     assert!(number(&answer["mesh"], "least_scaled_jacobian") > 0.5, "{}", answer["mesh"]);
     assert!(number(&answer["mesh"], "degrees_of_freedom") > 10_000.0, "{}", answer["mesh"]);
-    let drawing = stage.read("out/bridge-part/mesh.svg");
+    let drawing = stage.read("out/passage/mesh.svg");
     for zone in ["voussoirs (", "pier (", "abutment (", "haunch fill (", "abutment fill (", "mortar joint"] {
         assert!(drawing.contains(zone), "the key names {zone}");
     }

@@ -9,6 +9,7 @@ mod interruption;
 mod messages;
 mod misuse;
 mod particles;
+mod respond;
 mod stage;
 mod vary;
 mod walls;

@@ -91,7 +91,7 @@ fn drawn(
     let y = draw::scale_bar(&mut sheet, &view, window.bottom + 6.0) + 6.0;
     let y = scale.draw(&mut sheet, MARGIN, 0.6 * WIDTH, y);
     let yielding = moment.yielding.iter().filter(|yields| **yields).count();
-    let mut caption = format!("Displacements are drawn {} times as large.", words::times(times));
+    let mut caption = format!("Displacements are drawn {} as large.", words::times(times));
     if yielding > 0 {
         caption += &format!(" {yielding} of {} elements yield.", mesh.quads.len());
     }

@@ -29,7 +29,7 @@ pub fn records(passage: &Passage) -> Option<String> {
     let top = sheet.title(&passage.bridge, &second);
     let x = Axis::exact("time since the first axle stood at the start [s]", 0.0, end.max(1e-6), 8);
     let curves: Vec<Curve> = passage.channels.iter().map(|channel| Curve::of(channel, &channel.values)).collect();
-    let bottom = stacked(&mut sheet, top, &x, &passage.times, &curves, |time| format!("at {time:.3} s"))?;
+    let bottom = stacked(&mut sheet, top, &x, &passage.times, &curves, &[], |time| format!("at {time:.3} s"))?;
     let left_out = passage.channels.len().saturating_sub(MOST);
     let bottom = match left_out {
         0 => bottom,
@@ -53,7 +53,10 @@ pub fn influence_lines(passage: &Passage) -> Option<String> {
     let pairs = passage.channels.iter().zip(&influence.values);
     let curves: Vec<Curve> = pairs.map(|(channel, values)| Curve::of(channel, values)).collect();
     let place = |x: f64| format!("at {x:.2} m").replace('-', "−");
-    let bottom = stacked(&mut sheet, top, &x, &influence.positions, &curves, place)?;
+    let springings: Vec<f64> = passage.mesh.springings.iter().flatten().map(|point| point[0]).collect();
+    let bottom = stacked(&mut sheet, top, &x, &influence.positions, &curves, &springings, place)?;
+    let bottom =
+        if springings.is_empty() { bottom } else { sheet.caption(bottom, "Dashed: the springings of the spans.") };
     Some(sheet.finish(bottom))
 }
 
@@ -71,6 +74,7 @@ impl<'a> Curve<'a> {
         Curve { name: &channel.name, unit: channel.quantity.unit(), values }
     }
 
+    /// Index of the value of largest size.
     fn peak(&self) -> Option<usize> {
         let size = |k: &usize| self.values[*k].abs();
         (0..self.values.len()).reduce(|best, k| if size(&k) > size(&best) { k } else { best })
@@ -95,6 +99,7 @@ fn stacked(
     x: &Axis,
     places: &[f64],
     curves: &[Curve],
+    marks: &[f64],
     at: impl Fn(f64) -> String,
 ) -> Option<f64> {
     let shown = &curves[..curves.len().min(MOST)];
@@ -115,6 +120,10 @@ fn stacked(
         let spots: Vec<Spot> = places.iter().zip(&curve.values).map(|(x, value)| axes.spot(*x, *value)).collect();
         let spots = thinned(&spots);
         zero(sheet, &axes, x);
+        for mark in marks.iter().filter(|mark| (x.range[0]..=x.range[1]).contains(*mark)) {
+            let at = axes.spot(*mark, 0.0)[0];
+            sheet.line([at, axes.area.top], [at, axes.area.bottom], Pen::line("#8a8a8a", HAIR).dashed("4 3"));
+        }
         sheet.open_clipped("record", &format!("panel-{k}"), axes.area);
         sheet.polyline(&spots, Pen::line(CURVE, 1.1).class("curve"));
         sheet.close();

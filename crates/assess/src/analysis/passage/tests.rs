@@ -95,3 +95,41 @@ fn a_report_ends_where_the_solution_ends() {
     assert_eq!(report.channels[0].peak_value(), -3.0);
     assert_eq!(report.assumptions.last().unwrap(), "also");
 }
+
+/// The names that scripts rely on, in the units that they say.
+#[test]
+fn the_object_has_the_fields_that_scripts_read() {
+    let bridge = railway();
+    let setup = setup(&bridge).unwrap();
+    let solution = Solution {
+        status: PassageStatus::Completed,
+        reason: None,
+        self_weight: vec![-1e-3; 6],
+        values: vec![vec![0.0, 2e-4, -3e-4, 1e-4]; 6],
+        degrees_of_freedom: 7,
+        condensed_degrees_of_freedom: None,
+        log: vec![StepLog { stage: "passage".into(), iterations: 3, plastic_points: 4, ..StepLog::default() }],
+        moments: Vec::new(),
+        influence: None,
+        assumptions: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let passage = report(&bridge, &setup, solution);
+    let object = serde_json::to_value(crate::wire::PassageObject::new(&passage)).unwrap();
+    let near = |value: &serde_json::Value, wanted: f64| (value.as_f64().unwrap() - wanted).abs() < 1e-9 * wanted.abs();
+    let crown = &object["channels"][0];
+    assert_eq!((crown["quantity"].as_str(), crown["unit"].as_str()), (Some("displacement"), Some("mm")));
+    assert!(near(&crown["peak"], -0.3) && near(&crown["minimum"], -0.3) && near(&crown["maximum"], 0.2), "{crown}");
+    assert!(near(&crown["self_weight"], -1.0) && near(&crown["time_of_peak_s"], 0.01), "{crown}");
+    let strain = &object["channels"][3];
+    assert_eq!((strain["quantity"].as_str(), strain["unit"].as_str()), (Some("strain"), Some("microstrain")));
+    assert!(near(&strain["peak"], -300.0), "{strain}");
+    let counts = ["degrees_of_freedom", "load_positions", "iterations_total", "open_joints", "plastic_points"];
+    assert_eq!(counts.map(|key| object[key].as_u64()), [Some(7), Some(4), Some(3), Some(0), Some(4)]);
+    let table = crate::wire::channels_table(&passage);
+    let lines: Vec<&str> = table.lines().collect();
+    assert!(lines[0].starts_with("time_s,crown_displacement_mm,pier_springing_displacement_mm,"), "{}", lines[0]);
+    assert!(lines[2].starts_with("0.005,0.2"), "{}", lines[2]);
+    assert_eq!(lines.len(), 5);
+    assert_eq!(crate::wire::passage_log(&passage).lines().count(), 2);
+}

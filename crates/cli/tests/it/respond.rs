@@ -1,0 +1,44 @@
+//! A train's passage as its users meet it: the file, the trains, the refusals.
+
+use crate::stage::Stage;
+
+fn arch(name: &str) -> Stage {
+    Stage::with_example(name, "railway-arch")
+}
+
+#[test]
+fn a_train_from_a_file_is_checked_line_by_line() {
+    let stage = arch("respond-train");
+    let text = stage.read("bridge/passage.toml").replace("name = \"paper-short\" ", "file = \"train.csv\" ");
+    stage.write("bridge/other.toml", text);
+    let (answer, ending) = stage.object(&["check", "bridge/other.toml"]);
+    assert_eq!(ending.code, Some(2), "{answer}");
+    stage.write("bridge/train.csv", "axle_load_t,distance_m\n20.5,0\n20.5\n");
+    let (answer, ending) = stage.object(&["check", "bridge/other.toml"]);
+    assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F121")), "{answer}");
+    assert!(answer["errors"][0]["message"].as_str().is_some_and(|words| words.contains("line 3")), "{answer}");
+    stage.write("bridge/train.csv", "axle_load_t,distance_m\n20.5,0\n20.5,1.85\n");
+    let (answer, ending) = stage.object(&["check", "bridge/other.toml"]);
+    assert_eq!(ending.code, Some(0), "{answer}");
+    stage.write(
+        "bridge/train.toml",
+        "[[vehicle]]\naxle_loads = [\"20 t\"]\naxle_spacings = []\nfront_overhang = \"1 m\"\n",
+    );
+    stage.write("bridge/other.toml", stage.read("bridge/other.toml").replace("train.csv", "train.toml"));
+    let (answer, ending) = stage.object(&["check", "bridge/other.toml"]);
+    assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F121")), "{answer}");
+    assert!(answer["errors"][0]["message"].as_str().is_some_and(|words| words.contains("rear_overhang")), "{answer}");
+}
+
+#[test]
+fn what_cannot_pass_says_why() {
+    let stage = Stage::with_example("respond-refused", "bridgemill");
+    let (answer, ending) = stage.object(&["respond", "bridge/case-1.toml"]);
+    assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F108")), "{answer}");
+    assert!(answer["errors"][0]["message"].as_str().is_some_and(|words| words.contains("[train]")), "{answer}");
+    let stage = arch("respond-speed");
+    for wrong in ["0 km/h", "45", "45 m", "9000 km/h"] {
+        let (answer, ending) = stage.object(&["respond", "bridge/passage.toml", "--speed", wrong]);
+        assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F107")), "{wrong}: {answer}");
+    }
+}
