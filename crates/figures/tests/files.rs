@@ -216,3 +216,35 @@ fn runs_without_particles_have_none_of_their_files() {
         assert!(names.iter().any(|n| n == name), "{name}: {names:?}");
     }
 }
+
+#[test]
+fn a_mesh_reads_back_as_written() {
+    use assess::discretise::mesh::{MeshPicture, ZonePicture};
+    let zone = |name: &str, made_of| ZonePicture { name: name.into(), made_of, quads: 1 };
+    let mesh = MeshPicture {
+        points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [0.0, 0.5], [1.0, 1.0], [0.0, 1.0]],
+        quads: vec![[0, 1, 2, 3], [3, 2, 4, 5]],
+        zone_of: vec![0, 1],
+        scaled_jacobian: vec![1.0, 1.0],
+        zones: vec![zone("voussoirs span 1", "voussoirs"), zone("fill", "fill")],
+        interfaces: vec![(vec![0, 3], "mortar joint".into())],
+        surface: vec![5, 4],
+        base: vec![0, 1],
+        remark: "2 elements".into(),
+    };
+    let file = figures::vtk::mesh(&mesh);
+    let document = Document::parse(&file).unwrap();
+    assert_eq!(wholes(&document, "connectivity"), [0, 1, 2, 3, 3, 2, 4, 5]);
+    assert_eq!(wholes(&document, "offsets"), [4, 8]);
+    assert_eq!(bytes(&document, "types"), [9, 9]);
+    assert_eq!(wholes(&document, "zone"), [0, 1]);
+    assert_eq!(reals(&document, "Points")[6..9], [1.0, 0.5, 0.0]);
+    let drawing = figures::mesh("Small & square", &mesh);
+    Document::parse(&drawing).unwrap();
+    assert!(
+        drawing.contains("voussoirs (1)") && drawing.contains("Small &amp; square") && drawing.contains("2 elements.")
+    );
+    let nothing =
+        MeshPicture { points: vec![], quads: vec![], zone_of: vec![], interfaces: vec![], base: vec![], ..mesh };
+    Document::parse(&figures::mesh("Nothing", &nothing)).unwrap();
+}

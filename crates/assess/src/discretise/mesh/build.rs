@@ -26,11 +26,36 @@ struct Layout {
     extent: f64,
     /// Distances of columns behind the abutments from their backs [m].
     behind: [Vec<f64>; 2],
-    /// Level of the backing's upper face, and of the haunch fill's [m]; minus infinity where there is none.
-    backing: f64,
-    haunch: f64,
+    /// What lies over each support, from the left.
+    over: Vec<Over>,
     /// Rows of fill between the columns' feet and the surface.
     rows: usize,
+}
+
+/// The materials over a support, between the crowns on both sides of it.
+struct Over {
+    /// Up to here [m].
+    right: f64,
+    /// Levels of the upper faces of backing and haunch fill [m]; minus infinity where there is none.
+    levels: [f64; 2],
+    /// Whether a row ends at each of them: elements then belong by their row, and by their middles otherwise.
+    met: [bool; 2],
+    /// The levels that rows reach up to: the number of rows below each.
+    rows: Vec<(usize, Option<f64>)>,
+}
+
+impl Over {
+    /// What row `row` is, where it ends at a level.
+    fn role(&self, row: usize) -> Option<Role> {
+        let level = self.rows.iter().find(|(end, _)| row < *end)?.1?;
+        Some(if level <= self.levels[0] {
+            Role::Backing
+        } else if level <= self.levels[1] {
+            Role::HaunchFill
+        } else {
+            Role::Fill
+        })
+    }
 }
 
 impl Layout {
@@ -41,9 +66,11 @@ impl Layout {
             let (depth, end) = if at.x < left { (left - at.x, End::Left) } else { (at.x - right, End::Right) };
             return if depth < self.extent { Role::AbutmentFill(end) } else { Role::Fill };
         }
-        if at.y < self.backing {
+        let Some(over) = self.over.iter().find(|over| at.x <= over.right) else { return Role::Fill };
+        let below = |k: usize| !over.met[k] && at.y < over.levels[k];
+        if below(0) {
             Role::Backing
-        } else if at.y < self.haunch {
+        } else if below(1) {
             Role::HaunchFill
         } else {
             Role::Fill
@@ -113,7 +140,7 @@ fn build_by(
         .collect();
     let stations: Vec<Stations> =
         stations::count(arches, &layers, size).iter().map(stations::Breaks::stations).collect();
-    let layout = layout(bridge, arches, &stations, options, surface, backs);
+    let layout = layout(bridge, arches, &stations, &layers, options, surface, backs);
     refuse_too_fine(bridge, arches, &stations, &layout, options)?;
 
     let mut build = Build::new(bridge, options, layout);
@@ -202,6 +229,7 @@ fn layout(
     bridge: &Bridge,
     arches: &[Arch<'_>],
     stations: &[Stations],
+    layers: &[Layers],
     options: MeshOptions,
     surface: f64,
     backs: [f64; 2],
@@ -239,10 +267,28 @@ fn layout(
         backs,
         extent,
         behind: [behind(0), behind(1)],
-        backing: bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| b.height),
-        haunch: bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| h.height),
+        over: over(bridge, arches, stations, layers),
         rows,
     }
+}
+
+/// What lies over each support.
+fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Layers]) -> Vec<Over> {
+    let backing = bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| b.height);
+    let haunch = bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| h.height);
+    (0..=arches.len())
+        .map(|i| {
+            let ends = match (stations.get(i), i.checked_sub(1)) {
+                (Some(right), _) => &right.layers[0],
+                (None, Some(k)) => &stations[k].layers[1],
+                (None, None) => return Over { right: 0.0, levels: [0.0; 2], met: [false; 2], rows: Vec::new() },
+            };
+            let rows: Vec<_> = ends.iter().copied().zip(layers[i].levels.iter().copied()).collect();
+            let met = [backing, haunch].map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
+            let right = arches.get(i).map_or(f64::INFINITY, |arch| arch.intrados(0.5).x);
+            Over { right, levels: [backing, haunch], met, rows }
+        })
+        .collect()
 }
 
 /// Refuses before memory is asked for.
@@ -334,10 +380,17 @@ impl<'a> Build<'a> {
 
     /// Elements of fill, each of the zone in which its middle lies.
     fn fill(&mut self, grid: &Grid) {
-        for quad in quads_of(grid) {
-            let middle = quad.iter().fold(Vec2::ZERO, |sum, n| sum + self.nodes[*n]) * 0.25;
-            let role = self.layout.role(middle);
-            self.zone(role).push(quad);
+        self.fill_by_rows(grid, |_| None);
+    }
+
+    /// Elements of fill, each of the zone of its row, or of that in which its middle lies.
+    fn fill_by_rows(&mut self, grid: &Grid, of_row: impl Fn(usize) -> Option<Role>) {
+        for (row, pair) in grid.windows(2).enumerate() {
+            for quad in quads_of(pair) {
+                let middle = quad.iter().fold(Vec2::ZERO, |sum, n| sum + self.nodes[*n]) * 0.25;
+                let role = of_row(row).unwrap_or_else(|| self.layout.role(middle));
+                self.zone(role).push(quad);
+            }
         }
     }
 
@@ -511,7 +564,8 @@ impl<'a> Build<'a> {
         self.seam(top, foot.clone(), Seam::Contact(role));
 
         let over = self.rows_of_fill(&foot, rows, &up);
-        self.fill(&over);
+        let roles: Vec<Option<Role>> = (0..rows).map(|row| self.layout.over[i].role(row)).collect();
+        self.fill_by_rows(&over, |row| roles[row]);
         let feet = over[rows].clone();
         match (left, right) {
             (None, _) => {
@@ -764,7 +818,7 @@ fn rows_to_right(stations: &Stations) -> usize {
 }
 
 /// Elements between rows and columns, counter-clockwise, row by row.
-fn quads_of(grid: &Grid) -> Vec<[NodeId; 4]> {
+fn quads_of(grid: &[Vec<NodeId>]) -> Vec<[NodeId; 4]> {
     let mut quads = Vec::new();
     for pair in grid.windows(2) {
         for j in 0..pair[0].len().saturating_sub(1) {

@@ -23,6 +23,8 @@ pub struct Layers {
     pub left: Vec<f64>,
     /// Up the left end of the span on the right.
     pub right: Vec<f64>,
+    /// The level that each reaches up to [m]; none for the one that follows the steepness of the extrados.
+    pub levels: Vec<Option<f64>>,
 }
 
 /// One side of a support: the arch that springs there, or the line over an abutment's back at this x.
@@ -80,6 +82,7 @@ pub fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, si
         if climbs(left, 0) && climbs(right, 1) && rows(left, right, from, next) > POOR {
             found.left.push(next[0]);
             found.right.push(next[1]);
+            found.levels.push(Some(level));
             (from, foot) = (next, level);
         }
     }
@@ -91,6 +94,7 @@ pub fn layers(left: &Side<'_>, right: &Side<'_>, levels: &[f64], steep: bool, si
     {
         found.left.push(top[0]);
         found.right.push(top[1]);
+        found.levels.push(None);
     }
     found
 }
