@@ -230,7 +230,9 @@ pub(super) fn balance(
         attempt.unbalanced = norm(&right) / equations.size(work).max(f64::MIN_POSITIVE);
         // Balanced, or as near to it as numbers can come.
         let stalled = attempt.iterations > best.1 + PATIENCE;
-        if attempt.unbalanced <= settings.tolerance || (stalled && norm(&right) <= work.rounding(model)) {
+        if work.loose == 0
+            && (attempt.unbalanced <= settings.tolerance || (stalled && norm(&right) <= work.rounding(model)))
+        {
             attempt.end = End::Balanced;
             return attempt;
         }

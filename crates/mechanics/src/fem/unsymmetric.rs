@@ -70,7 +70,12 @@ impl Whole {
             self.symbolic.factorize_numeric_lu(&mut self.numeric, matrix, Par::Seq, stack, Default::default()).ok()?;
         let mut x = right.to_vec();
         let stack = MemStack::new(&mut self.memory);
-        factor.solve_in_place_with_conj(Conj::No, MatMut::from_column_major_slice_mut(&mut x, count, 1), Par::Seq, stack);
+        factor.solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(&mut x, count, 1),
+            Par::Seq,
+            stack,
+        );
         let mut rest: Vec<f64> = right.iter().map(|right| -right).collect();
         pattern.multiply(values, skew, &x, &mut rest);
         let residual = norm(&rest) / norm(right).max(f64::MIN_POSITIVE);
