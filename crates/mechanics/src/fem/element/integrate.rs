@@ -4,8 +4,9 @@ use super::shape::Sample;
 use crate::fem::law::{Four, Law, Material, Memory, Plane, Solid};
 use crate::fem::state::Point;
 
-/// Most iterations for the amplitudes of the modes, and the part of the stresses' own forces to which they are balanced.
-const LOCAL_LIMIT: usize = 30;
+/// Most iterations for the amplitudes of the modes (few need ten, but an element that yields at all points may need a hundred, and a
+/// step that is cut for the sake of one costs more), and the part of the stresses' own forces to which they are balanced.
+const LOCAL_LIMIT: usize = 300;
 const LOCAL_TOLERANCE: f64 = 1e-11;
 
 /// Forces of an element on its corners, and their derivatives.
