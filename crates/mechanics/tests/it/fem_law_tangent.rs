@@ -43,16 +43,17 @@ fn tangents_are_the_slopes_of_stress() {
                 let old = solid.respond(&dice.four(3e-4), &Memory::default()).memory;
                 let strain = dice.strain();
                 let scale = size(&std::array::from_fn(|i| strain[i] - old.plastic[i]));
-                // The step's cube, over the square of the distance to where principal values cross, against rounding over the step.
+                // The step's cube, over the square of the distance to where principal values cross, against rounding over the step, and
+                // the millionth of elasticity that tangents keep.
                 let (worst, best) = disagreement(&solid, &strain, &old, 1e-5 * scale);
-                if worst < 1e-5 {
+                if worst < 2e-5 {
                     smooth += 1;
                     yielding += i32::from(solid.respond(&strain, &old).yields);
                 } else {
                     // Where two pieces of the surface meet the tangent is that of one of them, or, at its very tip, of neither.
                     kinks += 1;
                     let tip = size(&solid.respond(&strain, &old).stress) <= 1e-9 * 50e6 * scale;
-                    assert!(best < 1e-5 || tip, "{material:?} {strain:?}: {worst:e} {best:e}");
+                    assert!(best < 2e-5 || tip, "{material:?} {strain:?}: {worst:e} {best:e}");
                 }
             }
             assert!(kinks <= 60 && smooth + kinks == 3000, "{plane:?} {material:?}: {kinks} kinks");

@@ -1,7 +1,7 @@
 //! Drucker-Prager: a cone about the hydrostatic axis.
 
 use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
-use super::{Elastic, Four, Law, Memory, Response, cone, flowed, polyhedron, principal::Principal};
+use super::{Elastic, Four, Law, Memory, Response, cone, flowed, polyhedron, principal::Principal, softened};
 
 /// Elastic, perfectly plastic on √J2 + α I1 ≤ k, with flow along √J2 + β I1; tension positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,11 +92,13 @@ impl Law for DruckerPrager {
                 let principal = Principal::of(&trial);
                 let (stress, tangent) = self.cut_off(&principal.stress, cutoff);
                 let (stress, tangent) = principal.back(&self.elastic, &stress, &tangent);
-                return flowed(&self.elastic, strain, old, stress, tangent);
+                return softened(&self.elastic, strain, old, stress, tangent);
             }
         }
         match on_cone {
             None => self.elastic.holds(trial, old),
+            // At the apex.
+            Some((stress, tangent)) if tangent[3][3] == 0.0 => softened(&self.elastic, strain, old, stress, tangent),
             Some((stress, tangent)) => flowed(&self.elastic, strain, old, stress, tangent),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::polyhedron::{Face, back, tension};
 use super::principal::Principal;
-use super::{Elastic, Four, Law, Memory, Response, flowed};
+use super::{Elastic, Four, Law, Memory, Response, softened};
 
 /// Elastic, perfectly plastic on (σ₁ − σ₃) + (σ₁ + σ₃) sin φ ≤ 2 c cos φ, tension positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +66,7 @@ impl Law for MohrCoulomb {
             None => self.elastic.holds(trial, old),
             Some(returned) => {
                 let (stress, tangent) = principal.back(&self.elastic, &returned.stress, &returned.tangent);
-                flowed(&self.elastic, strain, old, stress, tangent)
+                softened(&self.elastic, strain, old, stress, tangent)
             }
         }
     }

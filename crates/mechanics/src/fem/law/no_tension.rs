@@ -2,13 +2,13 @@
 
 use super::polyhedron::{back, tension};
 use super::principal::Principal;
-use super::{Elastic, Four, Law, Memory, Response, flowed};
+use super::{Elastic, Four, Law, Memory, Response, softened};
 
 /// Elastic under compression; no principal stress is in tension (Del Piero 1989).
 ///
 /// Cracking strain is whatever of the strain is not elastic, and closes again: stress follows from the strain alone, by the
 /// closest point in energy, so that it has a potential and no memory. The memory it gives holds the cracking strain, for
-/// those who show cracks. Where all three directions are cracked the tangent is nought.
+/// those who show cracks. Where all three directions are cracked the tangent is next to nought.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NoTension {
     /// Elasticity.
@@ -24,7 +24,7 @@ impl Law for NoTension {
             None => self.elastic.holds(trial, &fresh),
             Some(returned) => {
                 let (stress, tangent) = principal.back(&self.elastic, &returned.stress, &returned.tangent);
-                flowed(&self.elastic, strain, &fresh, stress, tangent)
+                softened(&self.elastic, strain, &fresh, stress, tangent)
             }
         }
     }

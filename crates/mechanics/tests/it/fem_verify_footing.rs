@@ -1,0 +1,127 @@
+//! Strip footings on weightless ground against Prandtl's mechanism, which is exact whatever the flow.
+
+use crate::fem_tools::{carried, grid, held, model, node, of};
+use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane, VonMises};
+use mechanics::fem::{Element, Kinematics, Outcome, Settings, Target, reactions};
+use mechanics::ids::Id;
+use mechanics::plane::vec2;
+
+/// Half the ground [m], half the footing's width [m], and how the mesh is laid.
+struct Ground {
+    width: f64,
+    depth: f64,
+    /// Elements under half the footing; they shrink towards its edge, and grow from there at the same rate.
+    under: usize,
+    growth: f64,
+}
+
+const HALF: f64 = 1.0;
+
+impl Ground {
+    /// Distances from the edge outwards: the first `first`, each next one `growth` times as long, the last cut to fit.
+    fn away(&self, first: f64, reach: f64) -> Vec<f64> {
+        let mut ways = vec![0.0];
+        let mut step = first;
+        loop {
+            let last = ways[ways.len() - 1];
+            if last + 1.5 * step >= reach {
+                ways.push(reach);
+                return ways;
+            }
+            ways.push(last + step);
+            step *= self.growth;
+        }
+    }
+
+    /// Mean pressure at the end, and the run.
+    fn push(&self, material: Material, element: Element, settle: f64, steps: u32) -> (f64, Outcome, f64) {
+        // Under the footing: as many as asked for, shrinking towards the edge.
+        let sum: f64 = (0..self.under).map(|i| self.growth.powi(i as i32)).sum();
+        let first = HALF / sum;
+        let mut x: Vec<f64> = (0..=self.under)
+            .rev()
+            .map(|i| HALF - first * (0..i).map(|k| self.growth.powi(k as i32)).sum::<f64>())
+            .collect();
+        x[0] = 0.0;
+        x.extend(self.away(first, self.width - HALF).iter().skip(1).map(|way| HALF + way));
+        let mut y: Vec<f64> = self.away(first, self.depth).iter().map(|way| -way).collect();
+        y.reverse();
+        let (nx, ny) = (x.len() - 1, y.len() - 1);
+        let mesh = grid(nx, ny, |s, t| vec2(x[(s * nx as f64).round() as usize], y[(t * ny as f64).round() as usize]));
+        let mut supports: Vec<_> = (0..=nx).map(|i| held(node(nx, i, 0), true, true)).collect();
+        supports.extend((1..=ny).flat_map(|j| [0, nx].map(|i| held(node(nx, i, j), true, false))));
+        let foot: Vec<_> = (0..=self.under).map(|i| node(nx, i, ny)).collect();
+        supports.extend(foot.iter().map(|at| held(*at, true, true)));
+        let model = model(mesh, of(material, Plane::Strain, element), &supports, Kinematics::Small);
+        let target = Target {
+            forces: vec![0.0; 2 * model.mesh.nodes.len()],
+            imposed: foot.iter().map(|at| (*at, 1, -settle)).collect(),
+        };
+        let settings = Settings { tolerance: 1e-6, load_steps: steps, ..Settings::default() };
+        let (state, mut work, outcome) = carried(&model, &target, &settings);
+        let pushes = reactions(&model, &mut work, &state);
+        let force: f64 = foot.iter().map(|at| pushes[2 * at.index() + 1]).sum();
+        (-force / HALF, outcome, first)
+    }
+}
+
+const SOIL: Elastic = Elastic { modulus: 170e6, ratio: 0.19 };
+
+#[test]
+fn probe() {
+    use std::time::Instant;
+    for (under, growth) in [(10, 1.2)] {
+        let ground = Ground { width: 5.0, depth: 2.5, under, growth };
+        let t = Instant::now();
+        let clay = Material::VonMises(VonMises { elastic: SOIL, strength: 100e3 });
+        let (p, outcome, first) = ground.push(clay, Element::QM6, 0.06, 20);
+        println!(
+            "{under} {growth} first {first:.4}: Nc {:.4} {:?} {} it {} {:?}",
+            p / 100e3,
+            outcome.status,
+            outcome.reached,
+            outcome.iterations,
+            t.elapsed()
+        );
+        println!("{:?}", &outcome.steps[outcome.steps.len() - 3..]);
+    }
+}
+#[test]
+fn probe2() {
+    use std::time::Instant;
+    for (name, material) in [
+        (
+            "dp",
+            Material::DruckerPrager(DruckerPrager::matching(
+                SOIL,
+                Cone::PlaneStrain,
+                10e3,
+                30f64.to_radians(),
+                30f64.to_radians(),
+            )),
+        ),
+        (
+            "mc",
+            Material::MohrCoulomb(MohrCoulomb {
+                elastic: SOIL,
+                cohesion: 10e3,
+                friction_angle: 30f64.to_radians(),
+                dilatancy_angle: 30f64.to_radians(),
+                tension_cutoff: None,
+            }),
+        ),
+    ] {
+        let ground = Ground { width: 14.0, depth: 6.0, under: 6, growth: 1.2 };
+        let t = Instant::now();
+        let (p, outcome, first) = ground.push(material, Element::QM6, 0.06, 20);
+        println!(
+            "{name} first {first:.4}: Nc {:.4} {:?} {} it {} {:?}",
+            p / 10e3,
+            outcome.status,
+            outcome.reached,
+            outcome.iterations,
+            t.elapsed()
+        );
+        println!("{:?}", &outcome.steps[outcome.steps.len() - 3..]);
+    }
+}
