@@ -151,3 +151,46 @@ impl Footing {
         Ok(Pushed { outcome, mean_pressure: -force / HALF_WIDTH, yielding: state.yielding() })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechanics::fem::Status;
+    use mechanics::watch::Unwatched;
+
+    fn pushed(columns: usize, ground: Ground, element: Element) -> Pushed {
+        footing(columns, ground, element).unwrap().push(&settings(1e-6), &mut Unwatched).unwrap()
+    }
+
+    /// Three programs agree on 392.4 kPa, printed to four digits.
+    #[test]
+    fn clay_carries_what_three_programs_found() {
+        let pushed = pushed(142, Ground::VonMises, Element::Q4);
+        assert_eq!(pushed.outcome.status, Status::Completed);
+        assert!((pushed.mean_pressure / 1e3 - 392.4).abs() < 0.05, "{}", pushed.mean_pressure);
+    }
+
+    /// Frictional soil with associated flow ends above Prandtl's limit by an error of the mesh that shrinks with it.
+    #[test]
+    fn friction_nears_the_limit_of_prandtl_from_above() {
+        let limit = prandtl(Ground::DruckerPrager).unwrap();
+        assert!((limit / 10e3 - 30.1396).abs() < 1e-4, "Nc {}", limit / 10e3);
+        let excess = [40, 80, 160].map(|columns| {
+            let pushed = pushed(columns, Ground::DruckerPrager, Element::Q4);
+            assert_eq!(pushed.outcome.status, Status::Completed, "{columns}");
+            pushed.mean_pressure / limit - 1.0
+        });
+        assert!(excess[0] > excess[1] && excess[1] > excess[2] && excess[2] > 0.0, "{excess:?}");
+        assert!(excess[2] < 0.06, "{excess:?}");
+    }
+
+    /// Flow without dilation has an unsymmetric tangent: the run ends in an answer or in a name, and what it carries is of the order of
+    /// the limit and no more.
+    #[test]
+    fn flow_that_is_not_associated_ends() {
+        let pushed = pushed(30, Ground::NonAssociated, Element::Q4);
+        assert!(pushed.outcome.status != Status::Cancelled, "{:?}", pushed.outcome);
+        let share = pushed.mean_pressure / prandtl(Ground::NonAssociated).unwrap();
+        assert!((0.2..1.5).contains(&share), "{share}");
+    }
+}

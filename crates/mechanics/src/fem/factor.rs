@@ -2,6 +2,7 @@
 
 use super::gmres::{self, Refined};
 use super::pattern::Pattern;
+use super::unsymmetric::Whole;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -38,12 +39,15 @@ enum Kind {
 
 /// Factorises the symmetric part of the tangent, and solves with it.
 ///
-/// A tangent that is not symmetric is solved for by GMRES with that factor as preconditioner (see `gmres.rs`).
+/// A tangent that is not symmetric is solved for by GMRES with that factor as preconditioner (see `gmres.rs`), and where that does not
+/// get there, or the symmetric part is not positive definite, by factorising the whole.
 pub(super) struct Solver {
     symbolic: SymbolicCholesky<u32>,
     values: Vec<f64>,
     memory: MemBuffer,
     kind: Kind,
+    /// Made when it is needed first.
+    whole: Option<Box<Whole>>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -69,7 +73,7 @@ impl Solver {
         let mut values = Vec::new();
         values.try_reserve_exact(symbolic.len_val()).map_err(|_| FactorError::Memory(count))?;
         values.resize(symbolic.len_val(), 0.0);
-        Ok(Solver { symbolic, values, memory, kind: Kind::Nothing })
+        Ok(Solver { symbolic, values, memory, kind: Kind::Nothing, whole: None })
     }
 
     /// Entries of the factor.
@@ -158,11 +162,26 @@ impl Solver {
         if self.kind == Kind::Definite && skew.is_empty() {
             return self.direct(pattern, values, right);
         }
-        let goal = if skew.is_empty() { 1e-10 } else { accuracy };
-        let Refined { x, residual } =
-            gmres::solve(|x, out| pattern.multiply(values, skew, x, out), |x| self.apply(x), right, goal);
-        let worst = LARGEST_RESIDUAL.max(10.0 * accuracy);
-        if residual <= worst && x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(FactorError::Singular) }
+        let sound = |x: &[f64]| x.iter().all(|x| x.is_finite());
+        if self.kind == Kind::Definite || skew.is_empty() {
+            let goal = if skew.is_empty() { 1e-10 } else { accuracy };
+            let matrix = |x: &[f64], out: &mut [f64]| pattern.multiply(values, skew, x, out);
+            let Refined { x, residual } = gmres::solve(matrix, |x| self.apply(x), right, goal);
+            if residual <= LARGEST_RESIDUAL.max(goal) && sound(&x) {
+                return Ok(x);
+            }
+        }
+        if skew.is_empty() {
+            return Err(FactorError::Singular);
+        }
+        if self.whole.is_none() {
+            self.whole = Whole::new(pattern).map(Box::new);
+        }
+        let whole = self.whole.as_mut().ok_or(FactorError::Memory(right.len()))?;
+        match whole.solve(pattern, (values, skew), right) {
+            Some((x, residual)) if residual <= LARGEST_RESIDUAL && sound(&x) => Ok(x),
+            _ => Err(FactorError::Singular),
+        }
     }
 }
 

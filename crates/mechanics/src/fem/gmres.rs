@@ -3,8 +3,8 @@
 //! Frictional flow and sliding make tangents unsymmetric. Their symmetric part is factorised like any other tangent; what is skew
 //! disturbs few eigenvalues, so that a few dozen vectors suffice where the unsymmetric factorisation costs eighteen times as much.
 
-/// Most vectors.
-const LIMIT: usize = 120;
+/// Most vectors: each costs about a quarter of a factorisation.
+const LIMIT: usize = 40;
 
 /// A solution.
 pub(super) struct Refined {

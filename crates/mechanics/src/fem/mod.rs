@@ -22,6 +22,7 @@ mod pattern;
 mod recover;
 mod settings;
 mod state;
+mod unsymmetric;
 mod workspace;
 
 pub use element::{Element, Section};

@@ -210,12 +210,16 @@ pub(super) fn balance(
             }
         };
         let start = dot(&right, &direction);
+        let skewed = work.skewed;
         if first {
             equations.impose(work);
         }
         let whole = equations.go(work, &direction, 1.0);
-        let poor = |now: &Option<Vec<f64>>| now.as_ref().is_none_or(|now| poor(start, dot(now, &direction)));
-        let found = if settings.line_search && !(first && imposes) && poor(&whole) {
+        let found = if !settings.line_search || (first && imposes) {
+            whole
+        } else if skewed {
+            equations.shorten(work, &direction, norm(&right), whole, &mut attempt.line_searches)
+        } else if whole.as_ref().is_none_or(|now| poor(start, dot(now, &direction))) {
             attempt.line_searches += 1;
             equations.search(work, &direction, start, whole)
         } else {
@@ -226,7 +230,9 @@ pub(super) fn balance(
         attempt.unbalanced = norm(&right) / equations.size(work).max(f64::MIN_POSITIVE);
         // Balanced, or as near to it as numbers can come.
         let stalled = attempt.iterations > best.1 + PATIENCE;
-        if attempt.unbalanced <= settings.tolerance || (stalled && norm(&right) <= work.rounding(model)) {
+        if work.loose == 0
+            && (attempt.unbalanced <= settings.tolerance || (stalled && norm(&right) <= work.rounding(model)))
+        {
             attempt.end = End::Balanced;
             return attempt;
         }
@@ -329,6 +335,30 @@ impl Equations<'_> {
                 applied.max(norm(&internal))
             }
         }
+    }
+
+    /// Halves the step until the out-of-balance force falls: where tangents are not symmetric there is no energy to go by. If it
+    /// never does, the shortest step is taken, so that the next direction is another.
+    fn shorten(
+        &self,
+        work: &mut Workspace,
+        direction: &[f64],
+        start: f64,
+        whole: Option<Vec<f64>>,
+        searches: &mut u32,
+    ) -> Option<Vec<f64>> {
+        const TRIES: usize = 4;
+        let falls = |found: &Option<Vec<f64>>| found.as_ref().is_some_and(|found| norm(found) < start);
+        let (mut found, mut share) = (whole, 1.0);
+        for tries in 0..TRIES {
+            if falls(&found) {
+                break;
+            }
+            *searches += u32::from(tries == 0);
+            found = self.go(work, direction, -0.5 * share);
+            share *= 0.5;
+        }
+        found
     }
 
     /// Searches the part of the step at which the force along it vanishes, by false position within [0.05, 1]; `whole` was found at 1.

@@ -19,6 +19,8 @@ pub struct Workspace {
     pub(super) skew: Vec<f64>,
     /// Whether anything in `skew` differs from zero.
     pub(super) skewed: bool,
+    /// Elements whose modes are not balanced yet.
+    pub(super) loose: usize,
     /// Internal forces on all components.
     pub(super) internal: Vec<f64>,
     /// What the state would be if it were kept.
@@ -50,6 +52,7 @@ impl Workspace {
             values: vec![0.0; pattern.places()],
             skew: if model.symmetric() { Vec::new() } else { vec![0.0; pattern.places()] },
             skewed: false,
+            loose: 0,
             internal: vec![0.0; model.dofs().count()],
             trial: Trial {
                 displacements: state.displacements,

@@ -4,9 +4,9 @@ use super::shape::Sample;
 use crate::fem::law::{Four, Law, Material, Memory, Plane, Solid};
 use crate::fem::state::Point;
 
-/// Most iterations for the amplitudes of the modes (few need ten, but an element that yields at all points may need a hundred, and a
-/// step that is cut for the sake of one costs more), and the part of the stresses' own forces to which they are balanced.
-const LOCAL_LIMIT: usize = 300;
+/// Iterations for the amplitudes of the modes before the rest is left to the next iteration of the whole (few need ten, an element
+/// that yields at all points may need a hundred), and the part of the stresses' own forces to which they are balanced.
+const LOCAL_LIMIT: usize = 20;
 const LOCAL_TOLERANCE: f64 = 1e-11;
 
 /// Forces of an element on its corners, and their derivatives.
@@ -16,6 +16,8 @@ pub(in crate::fem) struct Answer {
     pub force: [f64; 8],
     /// `d force[i] / d displacement[j]` [Pa].
     pub tangent: [[f64; 8]; 8],
+    /// Whether the modes are not balanced yet: what is out of balance is in the forces, but the search has to go on.
+    pub loose: bool,
 }
 
 /// What an element would remember.
@@ -26,7 +28,7 @@ pub(in crate::fem) struct Kept<'a> {
     pub modes: &'a mut [f64; 4],
 }
 
-/// The answer of an element to displacements `u` of its corners; `None` where its modes find no balance.
+/// The answer of an element to displacements `u` of its corners; `None` where nothing resists its modes.
 pub(in crate::fem) fn respond(
     solid: &Solid,
     incompatible: bool,
@@ -37,7 +39,7 @@ pub(in crate::fem) fn respond(
 ) -> Option<Answer> {
     if !incompatible {
         let (force, tangent, _) = integrate::<8>(solid, samples, u, old, kept.points);
-        return Some(Answer { force, tangent });
+        return Some(Answer { force, tangent, loose: false });
     }
     let mut all = [0.0; 12];
     all[..8].copy_from_slice(u);
@@ -45,17 +47,18 @@ pub(in crate::fem) fn respond(
     let stiffness = modes_stiffness(solid, samples);
     let mut now = integrate::<12>(solid, samples, &all, old, kept.points);
     let mut last = f64::INFINITY;
-    for _ in 0..LOCAL_LIMIT {
+    for tries in 0.. {
         let (force, tangent, size) = &now;
         let left = force[8..].iter().fold(0.0, |most: f64, f| most.max(f.abs()));
         let (answer, step) = condense(force, tangent, stiffness)?;
         // Linear laws are balanced but for rounding; a stall next to the tolerance is rounding too.
-        if left <= LOCAL_TOLERANCE * size || (left >= last && left <= 1e3 * LOCAL_TOLERANCE * size) {
+        let balanced = left <= LOCAL_TOLERANCE * size || (left >= last && left <= 1e3 * LOCAL_TOLERANCE * size);
+        if balanced || tries == LOCAL_LIMIT {
             kept.modes.copy_from_slice(&all[8..]);
-            return Some(answer);
+            return Some(Answer { loose: !balanced, ..answer });
         }
         last = left;
-        now = step_modes(&mut all, &step, &now.0, |all| integrate::<12>(solid, samples, all, old, &mut *kept.points))?;
+        now = step_modes(&mut all, &step, &now.0, |all| integrate::<12>(solid, samples, all, old, &mut *kept.points));
     }
     None
 }
@@ -70,27 +73,28 @@ fn step_modes(
     step: &[f64; 4],
     force: &[f64; 12],
     mut at: impl FnMut(&[f64; 12]) -> Whole,
-) -> Option<Whole> {
+) -> Whole {
     const TRIES: usize = 12;
     const LEFT: f64 = 0.9;
     let from = *all;
     let along = |force: &[f64; 12]| force[8..].iter().zip(step).map(|(force, step)| force * step).sum::<f64>();
     let start = along(force);
     let mut share = 1.0;
-    for _ in 0..TRIES {
+    let mut tries = 0;
+    loop {
         for i in 0..4 {
             all[8 + i] = from[8 + i] - share * step[i];
         }
         let now = at(all);
         let end = along(&now.0);
+        tries += 1;
         // Short of balance along the step is as good as close to it: what resists grows with the amplitudes.
-        if end.abs() <= LEFT * start.abs() || end * start >= 0.0 {
-            return Some(now);
+        if end.abs() <= LEFT * start.abs() || end * start >= 0.0 || tries == TRIES {
+            return now;
         }
         let part = if end.is_finite() { start.abs() / (start.abs() + end.abs()) } else { 0.5 };
         share *= part.clamp(0.1, 0.9);
     }
-    None
 }
 
 /// A measure of what the modes resist while nothing flows [Pa].
@@ -174,7 +178,7 @@ fn condensed(force: &[f64; 12], tangent: &[[f64; 12]; 12], stiffness: f64, trace
         a[i][i] += trace * stiffness;
     }
     solve(&mut a, &mut b, 1e-12 * stiffness)?;
-    let mut answer = Answer { force: [0.0; 8], tangent: [[0.0; 8]; 8] };
+    let mut answer = Answer { force: [0.0; 8], tangent: [[0.0; 8]; 8], loose: false };
     for i in 0..8 {
         let mut row = [0.0; 9];
         row[..8].copy_from_slice(&tangent[i][..8]);
