@@ -3,9 +3,7 @@
 use crate::fem_tools::{carried, elastic, forces, grid, held, model, node, of, tight, with_joints};
 use mechanics::fem::joint::{Contact, JointLaw, Mortar, PairState};
 use mechanics::fem::law::{Elastic, Material, NoTension, Plane};
-use mechanics::fem::{
-    Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, Settings, Status, Target, reactions,
-};
+use mechanics::fem::{Element, Interface, Kinematics, Mesh, Model, Quadrature, Settings, Status, Target, reactions};
 use mechanics::ids::{Id, NodeId};
 use mechanics::plane::{Vec2, vec2};
 
@@ -67,9 +65,10 @@ fn an_eccentric_force_opens_a_bed_of_mortar() {
         // The bench's 1e-6.
         let [found, place] = errors(4000, Quadrature::Gauss);
         assert!(found < 1e-6 && place < 1e-6, "{share}: {found:e} {place:e}");
-        // The paper's seven springs, an equal share each, the outer ones at the very edges: a section stiffer in turning than the bed.
-        let [found, place] = errors(6, Quadrature::EqualSprings);
-        println!("seven springs, e/d {share}: force off by {found:.3}, its place by {place:.3}");
+        // The paper's seven springs, an equal share each, the outer ones at the very edges, feel a force a tenth to a quarter
+        // further out than it is: stiffer in turning than the bed they stand for, and too coarse to find where contact ends.
+        let [_, place] = errors(6, Quadrature::EqualSprings);
+        assert!(place > 0.1 && place < 0.3, "{share}: {place}");
     }
 }
 
@@ -77,20 +76,27 @@ fn an_eccentric_force_opens_a_bed_of_mortar() {
 #[test]
 fn an_eccentric_force_opens_a_column_without_tension() {
     let (depth, height, modulus, force) = (0.6, 0.3, 5e9, 300e3);
-    let errors = |n: usize, share: f64| {
+    let errors = |n: usize, share: f64, element: Element| {
         let contact = 3.0 * depth * (0.5 - share);
         // Curvature 2N/(9 E (d/2 - e)²).
         let turn = 2.0 * force / (9.0 * modulus * (depth * (0.5 - share)).powi(2)) * height;
         let rows = n / 2;
         let mesh = grid(n, rows, |s, t| vec2(depth * s, height * t));
         let elastic = Elastic { modulus, ratio: 0.0 };
-        let masonry = of(Material::NoTension(NoTension { elastic }), Plane::Stress, Element::QM6);
-        let mut supports: Vec<_> = (0..=n).map(|i| held(node(n, i, 0), i == n, true)).collect();
-        supports.extend((0..=n).map(|i| held(node(n, i, rows), i == n, true)));
+        let masonry = of(Material::NoTension(NoTension { elastic }), Plane::Stress, element);
+        let mut supports: Vec<_> = (0..=n).map(|i| held(node(n, i, 0), false, true)).collect();
+        supports.extend((0..=n).map(|i| held(node(n, i, rows), false, true)));
+        supports.push(held(node(n, n, rows / 2), true, false));
         let model = model(mesh, masonry, &supports, Kinematics::Small);
         let place = |i: usize| depth * i as f64 / n as f64;
         let imposed = (0..=n).map(|i| (node(n, i, rows), 1, -turn * (place(i) - depth + contact))).collect();
-        let target = Target { forces: vec![0.0; 2 * model.mesh.nodes.len()], imposed };
+        // Pressed lightly from both sides: with nothing there, any width would do, and balance would not be one state but many.
+        let mut list = Vec::new();
+        for j in 0..=rows {
+            let share = if j == 0 || j == rows { 0.5 } else { 1.0 } * height / rows as f64;
+            list.extend([(node(n, 0, j), 50e3 * share, 0.0), (node(n, n, j), -50e3 * share, 0.0)]);
+        }
+        let target = Target { forces: forces(&model, &list), imposed };
         let settings = Settings { tolerance: 1e-8, load_steps: 4, ..Settings::default() };
         let (state, mut work, outcome) = carried(&model, &target, &settings);
         assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
@@ -99,9 +105,12 @@ fn an_eccentric_force_opens_a_column_without_tension() {
         [(found / force - 1.0).abs(), (moment / found / (share * depth) - 1.0).abs()]
     };
     for share in [0.2, 0.3] {
-        let [coarse, fine] = [10, 40].map(|n| errors(n, share));
-        println!("{share}: {coarse:?} {fine:?}");
-        assert!(fine.iter().all(|error| *error < 3e-3), "{share}: {coarse:?} {fine:?}");
+        // Q4 has to bend by shearing, which costs the square of the mesh size.
+        let [coarse, fine] = [10, 40].map(|n| errors(n, share, Element::Q4));
+        assert!((0..2).all(|i| fine[i] < 5e-4 && fine[i] < 0.08 * coarse[i]), "{share}: {coarse:?} {fine:?}");
+        // QM6 bends as the closed form does, and the crack ends between elements here: exact.
+        let exact = errors(10, share, Element::QM6);
+        assert!(exact.iter().all(|error| *error < 1e-9), "{share}: {exact:?}");
     }
 }
 
@@ -233,7 +242,7 @@ fn two_cylinders_meet_as_hertz_has_it() {
     };
     for fine in [15, 30] {
         let errors = hertz(fine);
-        println!("{fine}: {errors:?}");
-        assert!(errors.iter().all(|error| error.abs() < 0.03), "{fine}: {errors:?}");
+        // The bench allows 3 %; a body of 0.5 m for a cylinder is worth (a/size)², the penalty 0.1 % of the approach.
+        assert!(errors.iter().all(|error| error.abs() < 5e-3), "{fine}: {errors:?}");
     }
 }
