@@ -78,6 +78,12 @@ const ITERATIONS: u32 = 60;
 /// Iterations without a smaller change after which a position is given up.
 const IDLE: u32 = 15;
 
+/// Change left in a row over the largest value of a row above which all parts are looked at in every iteration.
+const FAR: f64 = 1e-3;
+
+/// Farthest that a row moves in an iteration, over the most that the loads move one of the linear system.
+const FARTHEST: f64 = 2.0;
+
 /// A quadrilateral is watched if it would flow at this multiple of what the loads do to it.
 const FORESIGHT: f64 = 2.0;
 
@@ -105,6 +111,8 @@ pub struct Condensed<'a> {
     amplitudes: Vec<f64>,
     /// Forces on the columns' rows.
     forces: Vec<f64>,
+    /// Most that loads have moved a row of the linear system so far [m].
+    most_moved: f64,
     /// Value of each row of an active part under those forces.
     values: Vec<f64>,
 }
@@ -139,6 +147,7 @@ impl<'a> Condensed<'a> {
             system: System::default(),
             amplitudes: vec![0.0; patterns.len()],
             forces: Vec::new(),
+            most_moved: 0.0,
             values: Vec::new(),
             solved: Solved { loads, columns: Vec::new() },
             model,
@@ -258,7 +267,7 @@ impl<'a> Condensed<'a> {
 
     /// Newton's method on the forces of the active rows (equation 5); `false` where it finds no end.
     fn iterate(&mut self, position: &mut Position) -> bool {
-        let linear = self.linear();
+        let mut linear = self.linear();
         let Some(mut right) = self.unbalanced(&linear) else { return false };
         let (mut best, mut idle) = (f64::INFINITY, 0);
         while position.iterations < ITERATIONS {
@@ -268,6 +277,16 @@ impl<'a> Condensed<'a> {
             if position.left <= TOLERANCE {
                 self.forces.iter_mut().zip(&right).for_each(|(force, right)| *force += right);
                 return true;
+            }
+            if std::env::var("DBG").is_ok() {
+                eprintln!(
+                    "it {} left {:.3e} rows {} active {} size {:.3e}",
+                    position.iterations,
+                    position.left,
+                    self.system.rows().len(),
+                    self.active.len(),
+                    size
+                );
             }
             idle = if position.left < 0.9 * best { 0 } else { idle + 1 };
             best = best.min(position.left);
@@ -280,6 +299,19 @@ impl<'a> Condensed<'a> {
             let direction = self.system.solve(slopes, |row| &all_rows[row].columns, &right);
             let Some(next) = self.step(&linear, &direction, &right) else { return false };
             right = next;
+            // Far from balance, parts that join late would lead the others astray.
+            if position.left > FAR {
+                let Some(changed) = self.changed() else { return false };
+                if !changed.is_empty() {
+                    self.activate(&changed);
+                    if self.watch_around(&changed).is_err() {
+                        return false;
+                    }
+                    linear = self.linear();
+                    let Some(next) = self.unbalanced(&linear) else { return false };
+                    right = next;
+                }
+            }
         }
         false
     }
@@ -311,11 +343,17 @@ impl<'a> Condensed<'a> {
             let found = this.unbalanced(linear);
             (found.as_ref().map_or(f64::INFINITY, |right| rows::dot(right, &way)), found)
         };
-        let (mut work, mut found) = at(self, 1.0);
-        let (mut low, mut high) = ((0.0, start), (1.0, work));
-        let (mut share, mut best) = (1.0, (1.0, work.abs()));
+        // Where the tangent is all but singular, no step goes farther than a multiple of what the loads do to the linear system.
+        let reach = linear.iter().zip(self.system.rows()).map(|(value, &row)| (value - self.rows[row].start).abs());
+        self.most_moved = reach.fold(self.most_moved, f64::max);
+        let reach = FARTHEST * self.most_moved;
+        let longest = way.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+        let whole = if longest > reach && reach > 0.0 { reach / longest } else { 1.0 };
+        let (mut work, mut found) = at(self, whole);
+        let (mut low, mut high) = ((0.0, start), (whole, work));
+        let (mut share, mut best) = (whole, (whole, work.abs()));
         for _ in 0..TRIES {
-            if work.abs() <= LEFT * start.abs() {
+            if work.abs() <= LEFT * start.abs() || (whole < 1.0 && share == whole && work * start > 0.0) {
                 return found;
             }
             let crosses = high.1.is_finite() && low.1 * high.1 < 0.0;
