@@ -170,6 +170,9 @@ impl Attempt {
 /// Iterations without a new least residual after which what is left may be rounding.
 const PATIENCE: u32 = 3;
 
+/// Residual over applied force above which nothing passes for rounding.
+const ROUNDED: f64 = 1e-4;
+
 /// Those after which an attempt is given up.
 const STALL: u32 = 20;
 
@@ -230,9 +233,8 @@ pub(super) fn balance(
         attempt.unbalanced = norm(&right) / equations.size(work).max(f64::MIN_POSITIVE);
         // Balanced, or as near to it as numbers can come.
         let stalled = attempt.iterations > best.1 + PATIENCE;
-        if work.loose == 0
-            && (attempt.unbalanced <= settings.tolerance || (stalled && norm(&right) <= work.rounding(model)))
-        {
+        let rounded = stalled && attempt.unbalanced <= ROUNDED && norm(&right) <= work.rounding(model);
+        if work.loose == 0 && (attempt.unbalanced <= settings.tolerance || rounded) {
             attempt.end = End::Balanced;
             return attempt;
         }

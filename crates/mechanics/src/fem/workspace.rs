@@ -147,8 +147,12 @@ impl Workspace {
     pub(super) fn applied(&self, model: &Model, forces: &[f64]) -> f64 {
         let dofs = model.dofs();
         let loads: Vec<f64> = dofs.free().iter().map(|component| forces[*component as usize]).collect();
-        let held = (0..dofs.count()).filter(|component| dofs.held(*component));
-        let reactions: Vec<f64> = held.map(|component| self.internal[component] - forces[component]).collect();
+        let held = || (0..dofs.count()).filter(|component| dofs.held(*component));
+        // Supports that stay where they are answer the loads; only where they are moved do their reactions load the body.
+        if held().all(|component| self.trial.displacements[component] == 0.0) {
+            return norm(&loads);
+        }
+        let reactions: Vec<f64> = held().map(|component| self.internal[component] - forces[component]).collect();
         norm(&loads).max(norm(&reactions))
     }
 }
