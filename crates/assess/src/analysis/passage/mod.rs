@@ -76,6 +76,11 @@ pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, Analys
     Ok(report(bridge, &setup, solution))
 }
 
+/// Steps that were balanced.
+fn kept(log: &[outcome::StepLog]) -> impl Iterator<Item = &outcome::StepLog> {
+    log.iter().filter(|step| step.cuts == 0 || step.stage == "passage")
+}
+
 /// The solution in an engineer's words.
 pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     let plan = &setup.plan;
@@ -90,6 +95,8 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         );
         warnings.push(Warning::new(warning::LOOSE_PASSAGE, message));
     }
+    let open_joints = kept(&solution.log).map(|step| step.open_joints).max().unwrap_or(0);
+    let plastic_points = kept(&solution.log).map(|step| step.plastic_points).max().unwrap_or(0);
     let solved = solution.values.first().map_or(0, Vec::len);
     let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| Channel {
         name: sensor.name.clone(),
@@ -113,8 +120,8 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         degrees_of_freedom: solution.degrees_of_freedom,
         condensed_degrees_of_freedom: solution.condensed_degrees_of_freedom,
         iterations_total: solution.log.iter().map(|step| step.iterations as u64).sum(),
-        open_joints: solution.log.iter().map(|step| step.open_joints).max().unwrap_or(0),
-        plastic_points: solution.log.iter().map(|step| step.plastic_points).max().unwrap_or(0),
+        open_joints,
+        plastic_points,
         effective_width: setup.effective_width,
         tolerance: plan.tolerance,
         assumptions: setup.assumptions.iter().cloned().chain(solution.assumptions).collect(),

@@ -278,16 +278,6 @@ impl<'a> Condensed<'a> {
                 self.forces.iter_mut().zip(&right).for_each(|(force, right)| *force += right);
                 return true;
             }
-            if std::env::var("DBG").is_ok() {
-                eprintln!(
-                    "it {} left {:.3e} rows {} active {} size {:.3e}",
-                    position.iterations,
-                    position.left,
-                    self.system.rows().len(),
-                    self.active.len(),
-                    size
-                );
-            }
             idle = if position.left < 0.9 * best { 0 } else { idle + 1 };
             best = best.min(position.left);
             if !position.left.is_finite() || idle > IDLE {
@@ -517,28 +507,34 @@ impl<'a> Condensed<'a> {
             if self.part_of[id.index()].is_some() || solid.material.linear() {
                 continue;
             }
-            let (then, at) = (self.strain(id, &self.start.displacements), self.strain(id, &now));
-            let memory = &self.start.points[4 * id.index()].memory;
-            let ahead: Four = std::array::from_fn(|i| then[i] + FORESIGHT * (at[i] - then[i]));
-            if solid.respond(&ahead, memory).yields {
-                missed |= solid.respond(&at, memory).yields;
+            let (then, at) = (self.strains(id, &self.start.displacements), self.strains(id, &now));
+            let flows = |share: f64| {
+                let points = self.start.points[4 * id.index()..4 * id.index() + 4].iter();
+                points.zip(then.iter().zip(&at)).any(|(point, (then, at))| {
+                    let strain: Four = std::array::from_fn(|i| then[i] + share * (at[i] - then[i]));
+                    solid.respond(&strain, &point.memory).yields
+                })
+            };
+            if flows(FORESIGHT) {
+                missed |= flows(1.0);
                 self.watch_quad(id)?;
             }
         }
         Ok(missed)
     }
 
-    /// Strain at the centre of a quadrilateral, where incompatible modes have none.
-    fn strain(&self, id: QuadId, displacements: &[f64]) -> Four {
+    /// Strains at the points of a quadrilateral, incompatible modes left out.
+    fn strains(&self, id: QuadId, displacements: &[f64]) -> [Four; 4] {
         let u = assemble::moved(displacements, &self.model.mesh.quads[id].nodes);
-        let at = element::centre(&self.model.corners(id));
-        let mut strain = [0.0; 4];
-        for a in 0..4 {
-            strain[0] += at.dx[a] * u[2 * a];
-            strain[1] += at.dy[a] * u[2 * a + 1];
-            strain[3] += at.dy[a] * u[2 * a] + at.dx[a] * u[2 * a + 1];
-        }
-        strain
+        element::sample(&self.model.corners(id)).map(|at| {
+            let mut strain = [0.0; 4];
+            for a in 0..4 {
+                strain[0] += at.dx[a] * u[2 * a];
+                strain[1] += at.dy[a] * u[2 * a + 1];
+                strain[3] += at.dy[a] * u[2 * a] + at.dx[a] * u[2 * a + 1];
+            }
+            strain
+        })
     }
 }
 
