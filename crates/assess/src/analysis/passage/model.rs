@@ -48,7 +48,9 @@ fn section(bridge: &Bridge, role: Role) -> Section {
             (soil_law(&soil, elastic(soil.elastic_modulus, soil.poisson_ratio)), soil.density.unwrap_or_default())
         }
     };
-    Section { solid: Solid { material, plane: Plane::Strain }, element: Element::QM6, density }
+    // Incompatible modes bend stones as they should; in soil that flows without dilating they find no balance of their own.
+    let element = if material.linear() { Element::QM6 } else { Element::Q4 };
+    Section { solid: Solid { material, plane: Plane::Strain }, element, density }
 }
 
 /// A soil with what it leaves out taken from the fill.
@@ -121,7 +123,9 @@ fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
 pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
     let JointLaw::Contact(contact) = contact(bridge, meshed) else { return Vec::new() };
     vec![
-        "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear elastic.".into(),
+        "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear elastic, of \
+         elements with incompatible modes; soil that yields is of plain four-node elements."
+            .into(),
         "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, beside panels that \
          shear like stone; stones reach to the middle of the joints."
             .into(),
