@@ -118,7 +118,8 @@ fn vault(fill: Material, kinematics: Kinematics) -> Vault {
         shear_strength: 1e6,
         shear_when_open: false,
     };
-    let contact = Contact { normal: 10e9, tangential: 4e9, friction: 0.4, cohesion: 0.0, separation: false };
+    let contact =
+        Contact { normal: 10e9, tangential: 4e9, friction: 0.4, cohesion: 0.0, separation: false, rounding: 500.0 };
     let model =
         Model::new(mesh, sections, vec![JointLaw::Mortar(joint), JointLaw::Contact(contact)], &held, kinematics)
             .unwrap();

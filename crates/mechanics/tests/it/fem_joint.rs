@@ -10,7 +10,7 @@ fn mortar() -> Mortar {
 }
 
 fn contact(separation: bool) -> Contact {
-    Contact { normal: 10e9, tangential: 4e9, friction: 0.4, cohesion: 0.0, separation }
+    Contact { normal: 10e9, tangential: 4e9, friction: 0.4, cohesion: 0.0, separation, rounding: 0.0 }
 }
 
 fn all() -> Vec<JointLaw> {
@@ -144,5 +144,25 @@ fn tangents_are_the_slopes_of_traction() {
         if !matches!(law, JointLaw::Elastic(_)) {
             assert!(seen.iter().filter(|count| **count > 100).count() >= 2, "{law:?}: {seen:?}");
         }
+    }
+}
+
+/// The rounded corner: half the friction of the rounding at no pressure, next to nothing far from it, and a tangent that is the slope.
+#[test]
+fn the_corner_of_friction_is_rounded() {
+    let round = Contact { rounding: 500.0, ..contact(false) };
+    let shear =
+        |law: &Contact, normal: f64| law.respond([normal / law.normal, 1.0], 1.0, &PairMemory::default()).traction[1];
+    assert!((shear(&round, 0.0) - 0.4 * 250.0).abs() < 1e-9);
+    for pressure in [50e3, 200e3] {
+        let sharp = shear(&contact(false), -pressure);
+        assert!((shear(&round, -pressure) - sharp).abs() < 0.4 * 500.0 * 500.0 / (4.0 * pressure) * 1.001);
+    }
+    for normal in [-2e3, -100.0, 0.0, 100.0, 2e3] {
+        let step = 1.0;
+        let slope = (shear(&round, normal + step) - shear(&round, normal - step)) / (2.0 * step);
+        let tangent =
+            round.respond([normal / round.normal, 1.0], 1.0, &PairMemory::default()).tangent[1][0] / round.normal;
+        assert!((slope - tangent).abs() < 1e-5, "{normal}: {slope} {tangent}");
     }
 }

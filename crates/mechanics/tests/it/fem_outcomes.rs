@@ -91,8 +91,14 @@ fn stacked(law: JointLaw, quadrature: Quadrature, kinematics: Kinematics) -> (Mo
 /// A block pressed on another by 1 kN slides at friction times that and not before, whatever the quadrature and the kinematics.
 #[test]
 fn a_block_slides_at_its_friction() {
-    let law =
-        JointLaw::Contact(Contact { normal: 1e10, tangential: 1e10, friction: 0.4, cohesion: 0.0, separation: true });
+    let law = JointLaw::Contact(Contact {
+        normal: 1e10,
+        tangential: 1e10,
+        friction: 0.4,
+        cohesion: 0.0,
+        separation: true,
+        rounding: 0.0,
+    });
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
         for kinematics in [Kinematics::Small, Kinematics::Large] {
             let (body, top) = stacked(law, quadrature, kinematics);

@@ -125,8 +125,14 @@ fn blocks(quadrature: Quadrature, law: JointLaw, kinematics: Kinematics, size: f
 #[test]
 fn of_interfaces() {
     let elastic = JointLaw::Elastic(ElasticJoint { normal: 2e6, tangential: 1e6 });
-    let contact =
-        JointLaw::Contact(Contact { normal: 2e6, tangential: 1e6, friction: 0.4, cohesion: 10.0, separation: true });
+    let contact = JointLaw::Contact(Contact {
+        normal: 2e6,
+        tangential: 1e6,
+        friction: 0.4,
+        cohesion: 10.0,
+        separation: true,
+        rounding: 0.0,
+    });
     for quadrature in [Quadrature::EqualSprings, Quadrature::Nodal, Quadrature::Gauss] {
         for kinematics in [Kinematics::Small, Kinematics::Large] {
             for (law, size) in [(elastic, 0.05), (contact, 0.02)] {

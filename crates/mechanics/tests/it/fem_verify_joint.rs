@@ -118,7 +118,7 @@ fn frictional(separation: bool) -> (Model, usize, f64) {
     let n = 8;
     let mesh = on_a_floor(n, 4, |s, t| vec2(2.0 * s, t), Quadrature::Nodal);
     let supports = floor(&mesh);
-    let contact = Contact { normal: 50e9, tangential: 50e9, friction: 0.4, cohesion: 0.0, separation };
+    let contact = Contact { normal: 50e9, tangential: 50e9, friction: 0.4, cohesion: 0.0, separation, rounding: 0.0 };
     let section = elastic(10e9, 0.2, Plane::Strain, Element::QM6);
     let model = with_joints(mesh, section, vec![JointLaw::Contact(contact)], &supports, Kinematics::Small);
     (model, n, 100e3)
@@ -214,7 +214,8 @@ fn two_cylinders_meet_as_hertz_has_it() {
         supports.extend((0..=n).map(|j| held(node(n, 0, j), true, false)));
         mesh.kinds.push("contact".to_owned());
         mesh.interfaces.push(Interface { one, two, kind: 0, quadrature: Quadrature::Nodal });
-        let contact = Contact { normal: 1e15, tangential: 1e9, friction: 0.0, cohesion: 0.0, separation: true };
+        let contact =
+            Contact { normal: 1e15, tangential: 1e9, friction: 0.0, cohesion: 0.0, separation: true, rounding: 0.0 };
         let section = elastic(15e9, 0.2, Plane::Strain, Element::QM6);
         let model = with_joints(mesh, section, vec![JointLaw::Contact(contact)], &supports, Kinematics::Large);
         // Half of the force on half of the body, evenly over its top.

@@ -11,6 +11,9 @@ use mechanics::ids::NodeId;
 /// Stiffness of the contact of fill with masonry over that of an element of fill next to it.
 const PENALTY: f64 = 20.0;
 
+/// Pressure over which friction sets in where fill never parts from masonry [Pa]: three centimetres of fill.
+const ROUNDING: f64 = 500.0;
+
 /// The model of a meshed bridge.
 pub fn model(bridge: &Bridge, meshed: &Meshed, kinematics: Kinematics) -> Result<Model, PassageError> {
     let missing = bridge.service.missing(&bridge.masonry, bridge.cover.backing.as_ref());
@@ -116,6 +119,7 @@ fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
         friction: contact.friction_coefficient.unwrap_or_default(),
         cohesion: 0.0,
         separation: contact.separation,
+        rounding: ROUNDING,
     })
 }
 

@@ -16,6 +16,24 @@ pub struct Contact {
     /// Whether the faces may come apart. If not, they hold together in tension, and slide as far as their friction, on
     /// compression alone, and their cohesion allow.
     pub separation: bool,
+    /// Pressure [Pa] over which friction sets in where the faces hold together: the corner of the strength at no pressure is rounded
+    /// by a hyperbola, and half the friction of this pressure remains there. Zero leaves the corner, at which Newton's method may go
+    /// to and fro for ever.
+    pub rounding: f64,
+}
+
+impl Contact {
+    /// Strength in shear [Pa] under a normal traction, and its derivative.
+    fn strength(&self, normal: f64) -> (f64, f64) {
+        let length = if self.separation { 0.0 } else { normal.hypot(self.rounding) };
+        if length > 0.0 && self.rounding > 0.0 {
+            let pressure = 0.5 * (length - normal);
+            (self.cohesion + self.friction * pressure, 0.5 * self.friction * (normal / length - 1.0))
+        } else {
+            let pressed = if normal < 0.0 { self.friction } else { 0.0 };
+            (self.cohesion - pressed * normal, -pressed)
+        }
+    }
 }
 
 impl PairLaw for Contact {
@@ -30,7 +48,7 @@ impl PairLaw for Contact {
                 state,
             };
         }
-        let strength = self.cohesion + self.friction * (-normal).max(0.0);
+        let (strength, slope) = self.strength(normal);
         let shear = self.tangential * (opening[1] - old.slip);
         if shear.abs() <= strength {
             let state = PairState::Closed;
@@ -43,7 +61,7 @@ impl PairLaw for Contact {
         }
         let way = 1.0_f64.copysign(shear);
         let shear = way * strength;
-        let by_pressure = if normal < 0.0 { -way * self.friction * self.normal } else { 0.0 };
+        let by_pressure = way * slope * self.normal;
         let state = PairState::Sliding;
         PairResponse {
             traction: [normal, shear],
