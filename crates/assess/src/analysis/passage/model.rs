@@ -104,7 +104,8 @@ fn mortar(bridge: &Bridge) -> JointLaw {
         lift_off: LiftOff::Force(bed.lift_off),
         compressive_strength: None,
         shear_strength: bed.shear_strength.unwrap_or(f64::MAX),
-        shear_when_open: false,
+        // The panels stand beside the springs: what lifts off does not let go of them.
+        shear_when_open: true,
     })
 }
 
@@ -131,7 +132,7 @@ pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
          elements with incompatible modes; soil that yields is of plain four-node elements."
             .into(),
         "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, beside panels that \
-         shear like stone; stones reach to the middle of the joints."
+         shear like stone up to their strength, where springs have lifted off too; stones reach to the middle of the joints."
             .into(),
         format!(
             "Fill touches masonry through {:.1} GPa/m, friction {:.2}, and {}.",
