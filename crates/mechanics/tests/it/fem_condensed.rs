@@ -196,18 +196,6 @@ fn compare(fill: Material, force: f64) -> (f64, usize, usize, usize) {
             size = size.max(plain.abs());
         }
         let last = outcome.steps.last().unwrap();
-        if std::env::var("SHOW").is_ok() {
-            println!(
-                "{index}: {worst:e} {size:e} steps {} it {} cond {:?} {:?} plain {} {} {}",
-                outcome.steps.len(),
-                outcome.iterations,
-                visited.position,
-                visited.counts,
-                last.open,
-                last.sliding,
-                last.yielding
-            );
-        }
         assert_eq!([last.open, last.yielding], [visited.counts.open, visited.counts.yielding], "position {index}");
         (open, sliding, yielding) = (open.max(last.open), sliding.max(last.sliding), yielding.max(last.yielding));
     }
