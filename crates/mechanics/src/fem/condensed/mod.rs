@@ -28,7 +28,7 @@ use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
 use parts::{Kind, Part, ROWS};
-use rows::{Row, Solved};
+use rows::Rows;
 use system::System;
 
 pub use passage::{Passage, Visited};
@@ -94,8 +94,9 @@ pub struct Condensed<'a> {
     work: Workspace,
     /// The state in which the run began.
     start: State,
-    solved: Solved,
-    rows: Vec<Row>,
+    rows: Rows,
+    /// Forces of the patterns on the equations.
+    patterns: Vec<Vec<f64>>,
     /// Row of a component, where it has one.
     row_of: Vec<Option<usize>>,
     parts: Vec<Part>,
@@ -113,7 +114,7 @@ pub struct Condensed<'a> {
     forces: Vec<f64>,
     /// Most that loads have moved a row of the linear system so far [m].
     most_moved: f64,
-    /// Value of each row of an active part under those forces.
+    /// Values of the active rows while they are sought, in their order.
     values: Vec<f64>,
 }
 
@@ -134,9 +135,10 @@ impl<'a> Condensed<'a> {
         work.factorise()?;
         let free = model.dofs().free();
         let right: Vec<Vec<f64>> = patterns.iter().map(|p| free.iter().map(|c| p[*c as usize]).collect()).collect();
-        let loads = work.solve_many(right);
+        let loads = work.solve_many(right.clone());
         let mut condensed = Condensed {
-            rows: Vec::new(),
+            rows: Rows::new(loads),
+            patterns: right,
             row_of: vec![None; model.dofs().count()],
             parts: Vec::new(),
             part_of: vec![None; model.mesh.quads.len()],
@@ -149,7 +151,6 @@ impl<'a> Condensed<'a> {
             forces: Vec::new(),
             most_moved: 0.0,
             values: Vec::new(),
-            solved: Solved { loads, columns: Vec::new() },
             model,
             work,
             start,
@@ -173,9 +174,7 @@ impl<'a> Condensed<'a> {
     }
 
     fn row(&mut self, functional: &Functional) -> usize {
-        self.rows.push(Row::new(self.model, functional, &self.start.displacements, &self.solved));
-        self.values.push(0.0);
-        self.rows.len() - 1
+        self.rows.push(self.model, functional, &self.start.displacements)
     }
 
     fn row_of(&mut self, component: usize) -> Option<usize> {
@@ -248,31 +247,25 @@ impl<'a> Condensed<'a> {
         // Rows that became active meanwhile carry nothing in the last position.
         self.forces[..before.1.len()].copy_from_slice(&before.1);
         self.forces[before.1.len()..].fill(0.0);
+        self.rows.bring(&self.amplitudes, &self.forces);
         Ok(position)
-    }
-
-    /// Values of the active rows without any force on them.
-    fn linear(&self) -> Vec<f64> {
-        let of = |&row: &usize| self.rows[row].start + rows::dot(&self.rows[row].loads, &self.amplitudes);
-        self.system.rows().iter().map(of).collect()
     }
 
     /// The forces follow the change of the loads as the last tangent has it.
     fn guess(&mut self, before: &[f64]) {
         let more: Vec<f64> = self.amplitudes.iter().zip(before).map(|(now, then)| now - then).collect();
-        let step: Vec<f64> = self.system.rows().iter().map(|&row| rows::dot(&self.rows[row].loads, &more)).collect();
+        let step: Vec<f64> = self.system.rows().iter().map(|&row| self.rows.moved(row, &more)).collect();
         let step = self.system.predict(&step);
         self.forces.iter_mut().zip(step).for_each(|(force, step)| *force += step);
     }
 
     /// Newton's method on the forces of the active rows (equation 5); `false` where it finds no end.
     fn iterate(&mut self, position: &mut Position) -> bool {
-        let mut linear = self.linear();
-        let Some(mut right) = self.unbalanced(&linear) else { return false };
+        let Some(mut right) = self.unbalanced() else { return false };
         let (mut best, mut idle) = (f64::INFINITY, 0);
         while position.iterations < ITERATIONS {
-            let change = self.moves(&right);
-            let size = self.system.rows().iter().map(|&row| self.values[row].abs()).fold(1e-9, f64::max);
+            let change = self.system.moves(&right);
+            let size = self.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             position.left = change.iter().fold(0.0_f64, |most, l| most.max(l.abs())) / size;
             if position.left <= TOLERANCE {
                 self.forces.iter_mut().zip(&right).for_each(|(force, right)| *force += right);
@@ -285,9 +278,8 @@ impl<'a> Condensed<'a> {
             }
             position.iterations += 1;
             let slopes = self.active.iter().map(|&part| (&self.parts[part].rows, &self.parts[part].slope));
-            let all_rows = &self.rows;
-            let direction = self.system.solve(slopes, |row| &all_rows[row].columns, &right);
-            let Some(next) = self.step(&linear, &direction, &right) else { return false };
+            let direction = self.system.solve(slopes, &right);
+            let Some(next) = self.step(&direction, &right) else { return false };
             right = next;
             // Far from balance, parts that join late would lead the others astray.
             if position.left > FAR {
@@ -297,8 +289,7 @@ impl<'a> Condensed<'a> {
                     if self.watch_around(&changed).is_err() {
                         return false;
                     }
-                    linear = self.linear();
-                    let Some(next) = self.unbalanced(&linear) else { return false };
+                    let Some(next) = self.unbalanced() else { return false };
                     right = next;
                 }
             }
@@ -306,36 +297,38 @@ impl<'a> Condensed<'a> {
         false
     }
 
-    /// Changes of the active rows' values by forces on them.
-    fn moves(&self, forces: &[f64]) -> Vec<f64> {
-        self.system.rows().iter().map(|&row| rows::dot(&self.rows[row].columns, forces)).collect()
+    /// Values of the active rows under loads and forces, and the excess of their parts less those forces.
+    fn unbalanced(&mut self) -> Option<Vec<f64>> {
+        let more = self.system.moves(&self.forces);
+        let rows = self.system.rows().iter().zip(more);
+        self.values = rows.map(|(&row, more)| self.rows.linear(row, &self.amplitudes) + more).collect();
+        let moved = self.system.rows().iter().map(|&row| self.rows.moved(row, &self.amplitudes).abs());
+        self.most_moved = moved.fold(self.most_moved, f64::max);
+        self.right()
     }
 
-    /// The excess of the active parts less the forces that stand for it, with the values of the rows under those forces.
-    fn unbalanced(&mut self, linear: &[f64]) -> Option<Vec<f64>> {
-        for (i, more) in self.moves(&self.forces).into_iter().enumerate() {
-            self.values[self.system.rows()[i]] = linear[i] + more;
-        }
+    /// The excess of the active parts at the values at hand, less the forces that stand for it.
+    fn right(&mut self) -> Option<Vec<f64>> {
         let excess = self.excess()?;
         Some(excess.iter().zip(&self.forces).map(|(excess, force)| excess - force).collect())
     }
 
     /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
-    fn step(&mut self, linear: &[f64], direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
+    fn step(&mut self, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
         const LEFT: f64 = 0.8;
         const TRIES: usize = 6;
-        let way = self.moves(direction);
+        let way = self.system.moves(direction);
         let start = rows::dot(right, &way);
-        let from = self.forces.clone();
+        let from = (self.forces.clone(), self.values.clone());
+        let along = |from: &[f64], way: &[f64], share: f64| from.iter().zip(way).map(|(f, d)| f + share * d).collect();
         // Where a law or an element has no answer the step was too long.
         let at = |this: &mut Self, share: f64| {
-            this.forces = from.iter().zip(direction).map(|(f, d)| f + share * d).collect();
-            let found = this.unbalanced(linear);
+            this.forces = along(&from.0, direction, share);
+            this.values = along(&from.1, &way, share);
+            let found = this.right();
             (found.as_ref().map_or(f64::INFINITY, |right| rows::dot(right, &way)), found)
         };
         // Where the tangent is all but singular, no step goes farther than a multiple of what the loads do to the linear system.
-        let reach = linear.iter().zip(self.system.rows()).map(|(value, &row)| (value - self.rows[row].start).abs());
-        self.most_moved = reach.fold(self.most_moved, f64::max);
         let reach = FARTHEST * self.most_moved;
         let longest = way.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
         let whole = if longest > reach && reach > 0.0 { reach / longest } else { 1.0 };
@@ -366,8 +359,8 @@ impl<'a> Condensed<'a> {
     fn excess(&mut self) -> Option<Vec<f64>> {
         let mut sum = vec![0.0; self.forces.len()];
         for &index in &self.active {
-            let (part, values) = (&mut self.parts[index], &self.values);
-            part.answer(self.model, |row| values[row])?;
+            let (part, values, rows) = (&mut self.parts[index], &self.values, &self.rows);
+            part.answer(self.model, |row| rows[row].column.map_or(0.0, |column| values[column]))?;
             for (row, excess) in part.rows.iter().zip(part.excess) {
                 if let Some(column) = row.and_then(|row| self.rows[row].column) {
                     sum[column] += excess;
@@ -379,10 +372,11 @@ impl<'a> Condensed<'a> {
 
     /// Parts that were linear so far and are no longer.
     fn changed(&mut self) -> Option<Vec<usize>> {
-        let (rows, amplitudes, forces) = (&self.rows, &self.amplitudes, &self.forces);
+        self.rows.bring(&self.amplitudes, &self.forces);
+        let rows = &self.rows;
         let mut changed = Vec::new();
         for (index, part) in self.parts.iter_mut().enumerate().filter(|(i, _)| !self.is_active[*i]) {
-            part.answer(self.model, |row| rows[row].value(amplitudes, forces))?;
+            part.answer(self.model, |row| rows.value(row))?;
             if part.differs() {
                 changed.push(index);
             }
@@ -396,27 +390,22 @@ impl<'a> Condensed<'a> {
         for &index in changed {
             self.is_active[index] = true;
             self.active.push(index);
-            for row in self.parts[index].rows.into_iter().flatten() {
-                if self.rows[row].column.is_none() {
-                    self.rows[row].column = Some(self.solved.columns.len() + fresh.len());
-                    fresh.push(row);
-                }
-            }
+            let rows = self.parts[index].rows.into_iter().flatten();
+            fresh.extend(rows.filter(|row| self.rows[*row].column.is_none()));
         }
         self.active.sort_unstable();
+        fresh.sort_unstable();
+        fresh.dedup();
         let equations = self.model.equations();
         let columns = self.work.solve_many(fresh.iter().map(|&row| self.rows[row].unit(equations)).collect());
-        for row in &mut self.rows {
-            row.columns.extend(columns.iter().map(|x| row.of(x)).collect::<Vec<f64>>());
-        }
-        self.forces.resize(self.forces.len() + fresh.len(), 0.0);
-        self.solved.columns.extend(columns);
-        self.system.extend(&fresh);
+        self.rows.add_columns(&fresh, columns);
+        self.forces.resize(self.rows.columns(), 0.0);
+        self.system.extend(&fresh, |column, row| self.rows.answer(column, row));
     }
 
     /// What the observed functionals are in the last position.
     pub fn observed(&self) -> Vec<f64> {
-        self.observed.iter().map(|&row| self.rows[row].value(&self.amplitudes, &self.forces)).collect()
+        self.observed.iter().map(|&row| self.rows.value(row)).collect()
     }
 
     /// Counts of the last position.
@@ -464,6 +453,7 @@ impl<'a> Condensed<'a> {
         self.amplitudes.clone_from(&mark.amplitudes);
         self.forces[..mark.forces.len()].copy_from_slice(&mark.forces);
         self.forces[mark.forces.len()..].fill(0.0);
+        self.rows.bring(&self.amplitudes, &self.forces);
         for (part, marked) in self.parts.iter_mut().zip(&mark.parts) {
             part.clone_from(marked);
         }
@@ -473,6 +463,7 @@ impl<'a> Condensed<'a> {
     pub fn restart(&mut self) {
         self.amplitudes.fill(0.0);
         self.forces.fill(0.0);
+        self.rows.restart();
         for part in &mut self.parts {
             part.restart(&self.start);
         }
@@ -480,15 +471,14 @@ impl<'a> Condensed<'a> {
 
     /// Displacements of all components [m] in the last position: one solution of the whole system.
     pub fn displacements(&mut self) -> Vec<f64> {
-        let equations = self.model.equations();
-        let mut more = vec![0.0; equations];
-        let add = |more: &mut Vec<f64>, x: &[f64], a: f64| more.iter_mut().zip(x).for_each(|(m, x)| *m += a * x);
-        for (x, a) in self.solved.loads.iter().zip(&self.amplitudes).filter(|(_, a)| **a != 0.0) {
-            add(&mut more, x, *a);
+        let mut right = vec![0.0; self.model.equations()];
+        for (pattern, a) in self.patterns.iter().zip(&self.amplitudes).filter(|(_, a)| **a != 0.0) {
+            right.iter_mut().zip(pattern).for_each(|(right, force)| *right += a * force);
         }
-        for (x, g) in self.solved.columns.iter().zip(&self.forces).filter(|(_, g)| **g != 0.0) {
-            add(&mut more, x, *g);
+        for (&row, force) in self.system.rows().iter().zip(&self.forces) {
+            self.rows[row].push(&mut right, *force);
         }
+        let more = self.work.solve_many(vec![right]).pop().unwrap_or_default();
         let mut all = self.start.displacements.clone();
         for (component, more) in self.model.dofs().free().iter().zip(&more) {
             all[*component as usize] += more;

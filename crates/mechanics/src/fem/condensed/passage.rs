@@ -4,7 +4,7 @@ use super::{Condensed, CondensedError, Counts, Position, Reached};
 use crate::watch::{Progress, Watch, Wish};
 
 /// Positions between two looks at quadrilaterals that might flow.
-const LOOK: usize = 10;
+const LOOK: usize = 5;
 
 /// How often the way from one position to the next is halved before the run gives up.
 const HALVINGS: u32 = 6;
