@@ -58,7 +58,7 @@ fn the_first_metres_of_the_example_are_solved_and_written() {
     assert_eq!(channels.len(), 6, "{answer}");
     assert!(channels.iter().all(|channel| channel["peak"].as_f64().is_some_and(f64::is_finite)), "{answer}");
     let written = stage.names("out");
-    for file in ["result.json", "records.csv", "paraview"] {
+    for file in ["result.json", "channels.csv", "paraview"] {
         assert!(written.iter().any(|name| name == file), "{file} is not in {written:?}");
     }
 }
