@@ -26,9 +26,14 @@ fn examples_give_their_numbers() {
     }
 }
 
-/// Files that take most of a minute are only read and drawn here; slow cases of `verification/` run them.
-const SLOW: &[(&str, &str)] =
-    &[("bridgemill", "case-4.toml"), ("bridgemill", "whole.toml"), ("bridgemill", "calibration.toml")];
+/// Files that take most of a minute are only read and drawn here; slow cases of `verification/` run those of Bridgemill, and
+/// `respond.rs` goes through the first metres of the passage.
+const SLOW: &[(&str, &str)] = &[
+    ("bridgemill", "case-4.toml"),
+    ("bridgemill", "whole.toml"),
+    ("bridgemill", "calibration.toml"),
+    ("railway-arch", "passage.toml"),
+];
 
 #[test]
 fn every_example_runs_to_an_answer() {

@@ -42,3 +42,23 @@ fn what_cannot_pass_says_why() {
         assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F107")), "{wrong}: {answer}");
     }
 }
+
+#[test]
+fn the_first_metres_of_the_example_are_solved_and_written() {
+    let stage = arch("respond-first-metres");
+    let text = stage.read("bridge/passage.toml");
+    let short = text.replace("time_step = \"0.005 s\"", "from = \"0 m\"\nto = \"5 m\"\ntime_step = \"0.1 s\"");
+    assert_ne!(short, text, "the example says its time step");
+    stage.write("bridge/short.toml", short);
+    let (answer, ending) = stage.object(&["respond", "bridge/short.toml", "--out", "out"]);
+    assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{answer} {}", ending.stderr);
+    // At 12.5 m/s every 1.25 m, both ends among them.
+    assert_eq!(answer["load_positions"], 5, "{answer}");
+    let channels = answer["channels"].as_array().expect("channels");
+    assert_eq!(channels.len(), 6, "{answer}");
+    assert!(channels.iter().all(|channel| channel["peak"].as_f64().is_some_and(f64::is_finite)), "{answer}");
+    let written = stage.names("out");
+    for file in ["result.json", "records.csv", "paraview"] {
+        assert!(written.iter().any(|name| name == file), "{file} is not in {written:?}");
+    }
+}

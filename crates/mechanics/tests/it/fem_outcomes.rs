@@ -17,7 +17,7 @@ const STIFF: Elastic = Elastic { modulus: 1e6, ratio: 0.25 };
 /// A body that nothing holds against sliding.
 #[test]
 fn a_body_without_support_is_singular() {
-    let mesh = grid(3, 3, |s, t| vec2(s, t));
+    let mesh = grid(3, 3, vec2);
     let supports: Vec<_> = (0..=3).map(|i| held(node(3, i, 0), false, true)).collect();
     let body = model(mesh, elastic(1e6, 0.25, Plane::Strain, Element::QM6), &supports, Kinematics::Small);
     let target = Target { forces: forces(&body, &[(node(3, 3, 3), 1.0, 0.0)]), imposed: Vec::new() };
@@ -57,7 +57,7 @@ impl Watch for Impatient {
 
 #[test]
 fn an_onlooker_stops_at_a_balanced_state() {
-    let mesh = grid(3, 3, |s, t| vec2(s, t));
+    let mesh = grid(3, 3, vec2);
     let supports: Vec<_> = (0..=3).map(|i| held(node(3, i, 0), true, true)).collect();
     let body = model(mesh, elastic(1e6, 0.25, Plane::Strain, Element::QM6), &supports, Kinematics::Small);
     let target = Target { forces: forces(&body, &[(node(3, 3, 3), 1.0, 0.0)]), imposed: Vec::new() };
@@ -148,8 +148,8 @@ fn models_that_are_none_are_named() {
     let nowhere = grid(1, 1, |s, t| vec2(s, t / 0.0));
     assert!(matches!(with(nowhere, section), Err(ModelError::Node(_))));
     let soft = elastic(-1.0, 0.25, Plane::Strain, Element::QM6);
-    assert!(matches!(with(grid(1, 1, |s, t| vec2(s, t)), soft), Err(ModelError::Material(_))));
-    let mut torn = grid(1, 1, |s, t| vec2(s, t));
+    assert!(matches!(with(grid(1, 1, vec2), soft), Err(ModelError::Material(_))));
+    let mut torn = grid(1, 1, vec2);
     torn.interfaces.push(Interface {
         one: vec![NodeId::new(0)],
         two: vec![NodeId::new(1)],
@@ -164,7 +164,7 @@ fn models_that_are_none_are_named() {
 fn runs_repeat_to_the_bit() {
     let run = || {
         let material = Material::VonMises(VonMises { elastic: STIFF, strength: 100.0 });
-        let mesh = grid(6, 6, |s, t| vec2(s, t));
+        let mesh = grid(6, 6, vec2);
         let supports: Vec<_> = (0..=6).map(|i| held(node(6, i, 0), true, true)).collect();
         let body = model(mesh, of(material, Plane::Strain, Element::QM6), &supports, Kinematics::Large);
         let target = Target { forces: forces(&body, &[(node(6, 6, 6), 12.0, -12.0)]), imposed: Vec::new() };

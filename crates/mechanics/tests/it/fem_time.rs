@@ -15,7 +15,7 @@ fn exactly() -> Settings {
 
 /// A unit square on rollers that stretches along y alone: one free mode, of stiffness E and a third of its mass.
 fn oscillator(section: Section, kinematics: Kinematics) -> (Model, f64) {
-    let mesh = grid(1, 1, |s, t| vec2(s, t));
+    let mesh = grid(1, 1, vec2);
     let supports = [
         held(node(1, 0, 0), true, true),
         held(node(1, 1, 0), true, true),

@@ -80,8 +80,8 @@ impl TrackLoads {
     /// The heaviest axle by itself on the same track, and its force [N].
     pub fn heaviest_alone(&self) -> Option<(TrackLoads, f64)> {
         let heaviest = self.axles.iter().max_by(|a, b| a.force.total_cmp(&b.force))?;
-        let alone = Axle { offset: 0.0, ..heaviest.clone() };
-        Some((TrackLoads { axles: vec![alone.clone()], ..self.clone() }, alone.force))
+        let alone = Axle { offset: 0.0, ..*heaviest };
+        Some((TrackLoads { axles: vec![alone], ..self.clone() }, alone.force))
     }
 
     /// Distance from the first axle to the last [m].
@@ -132,7 +132,7 @@ mod tests {
 
     /// A surface with uneven steps.
     fn surface() -> Vec<Point> {
-        (0..=400).map(|k| f64::from(k)).map(|k| [-20.0 + 0.1 * k + 0.03 * (1.7 * k).sin(), 3.0]).collect()
+        (0..=400).map(f64::from).map(|k| [-20.0 + 0.1 * k + 0.03 * (1.7 * k).sin(), 3.0]).collect()
     }
 
     #[test]
