@@ -76,7 +76,7 @@ pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, Analys
     Ok(report(bridge, &setup, solution))
 }
 
-/// Steps that were balanced.
+/// Steps that were balanced; those of the self-weight know of open joints at their end alone.
 fn kept(log: &[outcome::StepLog]) -> impl Iterator<Item = &outcome::StepLog> {
     log.iter().filter(|step| step.cuts == 0 || step.stage == "passage")
 }

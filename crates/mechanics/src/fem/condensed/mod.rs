@@ -23,7 +23,7 @@ use super::joint::PairState;
 use super::law::{Four, Law};
 use super::model::{Model, count};
 use super::settings::Kinematics;
-use super::state::{Point, State};
+use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
@@ -59,6 +59,8 @@ pub struct Position {
 pub struct Counts {
     /// Springs that are open.
     pub open: usize,
+    /// Interfaces that are open somewhere.
+    pub open_interfaces: usize,
     /// Springs that slide.
     pub sliding: usize,
     /// Points that flow.
@@ -414,6 +416,7 @@ impl<'a> Condensed<'a> {
         let (open, sliding) = count(bonds.map(|bond| bond.state));
         Counts {
             open,
+            open_interfaces: open_interfaces(self.model, self.parts.iter().filter_map(Part::bond)),
             sliding,
             yielding: self.parts.iter().map(Part::yielding).sum(),
             active_rows: self.system.rows().len(),
@@ -526,6 +529,15 @@ impl<'a> Condensed<'a> {
             strain
         })
     }
+}
+
+/// Interfaces with an open spring; bonds in the order of [`Model::springs`].
+pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
+    let mut open = vec![false; model.mesh.interfaces.len()];
+    for (spring, bond) in model.springs().iter().zip(bonds) {
+        open[spring.interface.index()] |= bond.state == PairState::Open;
+    }
+    open.into_iter().filter(|open| *open).count()
 }
 
 /// Quadrilaterals at each node whose law is not linear.

@@ -44,7 +44,7 @@ pub fn pass(rest: AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) ->
             unbalanced: visited.position.left,
             cuts: 0,
             plastic_points: visited.counts.yielding,
-            open_joints: visited.counts.open,
+            open_joints: visited.counts.open_interfaces,
             sliding_pairs: visited.counts.sliding,
         });
     }

@@ -12,7 +12,7 @@ use crate::analysis::AnalysisError;
 use crate::warning::Warning;
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
-use mechanics::fem::condensed::Functional;
+use mechanics::fem::condensed::{Functional, open_interfaces};
 use mechanics::fem::{Kinematics, Model, Outcome, Settings, State, Status, Step, Target, Workspace, advance};
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
@@ -79,6 +79,9 @@ pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<So
     let mut named = Named { watch, stage: "self-weight" };
     let outcome = advance(&model, &mut state, &mut work, &target, &settings, &mut named);
     solution.log.extend(outcome.steps.iter().map(of_weight));
+    if let Some(last) = solution.log.last_mut() {
+        last.open_joints = open_interfaces(&model, state.bonds.iter());
+    }
     if outcome.status != Status::Completed {
         end(&mut solution, &outcome, "under self-weight");
         return Ok(solution);
@@ -165,7 +168,6 @@ fn of_step(step: &Step) -> StepLog {
         unbalanced: step.unbalanced,
         cuts: usize::from(!step.kept),
         plastic_points: step.yielding,
-        open_joints: step.open,
         sliding_pairs: step.sliding,
         ..StepLog::default()
     }

@@ -6,6 +6,7 @@ use crate::analysis::AnalysisError;
 use crate::analysis::passage::PassageError;
 use crate::analysis::passage::outcome::StepLog;
 use bridge::passage::PassageAnalysis;
+use mechanics::fem::condensed::open_interfaces;
 use mechanics::fem::{
     Damping, Integration, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient,
 };
@@ -58,7 +59,16 @@ pub fn pass(
         if let Some(step) = outcome.steps.last() {
             let cuts = outcome.steps.iter().filter(|step| !step.kept).count();
             let iterations = outcome.iterations as usize;
-            solution.log.push(StepLog { stage: "passage".into(), time, position, cuts, iterations, ..of_step(step) });
+            let open_joints = open_interfaces(model, state.bonds.iter());
+            solution.log.push(StepLog {
+                stage: "passage".into(),
+                time,
+                position,
+                cuts,
+                iterations,
+                open_joints,
+                ..of_step(step)
+            });
         }
         if outcome.status != Status::Completed {
             end(solution, &outcome, &format!("with the first axle at {position:.3} m"));
