@@ -59,6 +59,15 @@ impl std::fmt::Debug for Solver {
     }
 }
 
+/// Solves in place with a factor.
+fn inverse(symbolic: &SymbolicCholesky<u32>, values: &[f64], kind: Kind, right: MatMut<'_, f64>, stack: &mut MemStack) {
+    match kind {
+        Kind::Nothing => {}
+        Kind::Definite => LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack),
+        Kind::Indefinite => LdltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack),
+    }
+}
+
 impl Solver {
     /// Orders the equations (AMD) and finds the pattern of the factor.
     pub(super) fn new(pattern: &Pattern) -> Result<Solver, FactorError> {
@@ -142,48 +151,23 @@ impl Solver {
         let rows = x.len();
         let right = MatMut::from_column_major_slice_mut(x, rows, 1);
         let stack = MemStack::new(&mut self.memory);
-        match self.kind {
-            Kind::Nothing => {}
-            Kind::Definite => {
-                LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack)
-            }
-            Kind::Indefinite => {
-                LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(Conj::No, right, Par::Seq, stack)
-            }
-        }
+        inverse(&self.symbolic, &self.values, self.kind, right, stack);
     }
 
-    /// The inverse of the factorised symmetric part times each of many vectors, a block of them at a time.
-    pub(super) fn apply_many(&mut self, vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        let mut done = Vec::with_capacity(vectors.len());
-        for block in vectors.chunks(BLOCK) {
-            let rows = block[0].len();
-            let mut all = block.concat();
+    /// The same for each of many vectors, a block of them at a time: the factor is read once a block.
+    pub(super) fn apply_many(&mut self, mut vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        for block in vectors.chunks_mut(BLOCK) {
             let need = self.symbolic.solve_in_place_scratch::<f64>(block.len(), Par::Seq);
             let Ok(mut memory) = MemBuffer::try_new(need) else {
-                done.extend(block.iter().map(|x| {
-                    let mut x = x.clone();
-                    self.apply(&mut x);
-                    x
-                }));
+                block.iter_mut().for_each(|x| self.apply(x));
                 continue;
             };
+            let (rows, mut all) = (block[0].len(), block.concat());
             let right = MatMut::from_column_major_slice_mut(&mut all, rows, block.len());
-            let stack = MemStack::new(&mut memory);
-            match self.kind {
-                Kind::Nothing => {}
-                Kind::Definite => {
-                    let factor = LltRef::new(&self.symbolic, &self.values);
-                    factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, stack);
-                }
-                Kind::Indefinite => {
-                    let factor = LdltRef::new(&self.symbolic, &self.values);
-                    factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, stack);
-                }
-            }
-            done.extend(all.chunks(rows).map(<[f64]>::to_vec));
+            inverse(&self.symbolic, &self.values, self.kind, right, MemStack::new(&mut memory));
+            block.iter_mut().zip(all.chunks(rows)).for_each(|(x, solved)| x.copy_from_slice(solved));
         }
-        done
+        vectors
     }
 
     /// Solves with the tangent that was factorised last, whose values these are. `accuracy` is the residual over the right-hand side

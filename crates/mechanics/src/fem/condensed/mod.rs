@@ -11,6 +11,8 @@
 //! with load patterns `l` of amplitude `a_l`. `H` costs one solution a pattern and `G` one a row whose excess ever changes; each is
 //! found when it is first needed and serves all positions. The equations are those of the whole mesh: nothing is approximated.
 
+mod foresight;
+mod newton;
 mod parts;
 mod passage;
 mod rows;
@@ -20,7 +22,6 @@ use super::dofs::{HELD, dof};
 use super::element::Kept;
 use super::factor::FactorError;
 use super::joint::PairState;
-use super::law::{Four, Law};
 use super::model::{Model, count};
 use super::settings::Kinematics;
 use super::state::{Bond, Point, State};
@@ -77,18 +78,6 @@ pub const TOLERANCE: f64 = 1e-10;
 /// Iterations allowed in one position.
 const ITERATIONS: u32 = 60;
 
-/// Iterations without a smaller change after which a position is given up.
-const IDLE: u32 = 15;
-
-/// Change left in a row over the largest value of a row above which all parts are looked at in every iteration.
-const FAR: f64 = 1e-3;
-
-/// Farthest that a row moves in an iteration, over the most that the loads move one of the linear system.
-const FARTHEST: f64 = 2.0;
-
-/// A quadrilateral is watched if it would flow at this multiple of what the loads do to it.
-const FORESIGHT: f64 = 2.0;
-
 /// A model around one state, ready for many load positions.
 #[derive(Debug)]
 pub struct Condensed<'a> {
@@ -144,7 +133,7 @@ impl<'a> Condensed<'a> {
             row_of: vec![None; model.dofs().count()],
             parts: Vec::new(),
             part_of: vec![None; model.mesh.quads.len()],
-            around: around(model),
+            around: foresight::around(model),
             active: Vec::new(),
             is_active: Vec::new(),
             observed: Vec::new(),
@@ -209,19 +198,6 @@ impl<'a> Condensed<'a> {
         self.watch(part)
     }
 
-    /// Yielding spreads to what is next to it.
-    fn watch_around(&mut self, changed: &[usize]) -> Result<(), CondensedError> {
-        for &index in changed {
-            let Kind::Quad(id) = self.parts[index].kind else { continue };
-            for node in self.model.mesh.quads[id].nodes {
-                for k in 0..self.around[node.index()].len() {
-                    self.watch_quad(self.around[node.index()][k])?;
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Balances loads of these amplitudes on top of what was there at the start, from the last position.
     pub fn go(&mut self, amplitudes: &[f64]) -> Result<Position, CondensedError> {
         let before = (self.amplitudes.clone(), self.forces.clone());
@@ -251,125 +227,6 @@ impl<'a> Condensed<'a> {
         self.forces[before.1.len()..].fill(0.0);
         self.rows.bring(&self.amplitudes, &self.forces);
         Ok(position)
-    }
-
-    /// The forces follow the change of the loads as the last tangent has it.
-    fn guess(&mut self, before: &[f64]) {
-        let more: Vec<f64> = self.amplitudes.iter().zip(before).map(|(now, then)| now - then).collect();
-        let step: Vec<f64> = self.system.rows().iter().map(|&row| self.rows.moved(row, &more)).collect();
-        let step = self.system.predict(&step);
-        self.forces.iter_mut().zip(step).for_each(|(force, step)| *force += step);
-    }
-
-    /// Newton's method on the forces of the active rows (equation 5); `false` where it finds no end.
-    fn iterate(&mut self, position: &mut Position) -> bool {
-        let Some(mut right) = self.unbalanced() else { return false };
-        let (mut best, mut idle) = (f64::INFINITY, 0);
-        while position.iterations < ITERATIONS {
-            let change = self.system.moves(&right);
-            let size = self.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
-            position.left = change.iter().fold(0.0_f64, |most, l| most.max(l.abs())) / size;
-            if position.left <= TOLERANCE {
-                self.forces.iter_mut().zip(&right).for_each(|(force, right)| *force += right);
-                return true;
-            }
-            idle = if position.left < 0.9 * best { 0 } else { idle + 1 };
-            best = best.min(position.left);
-            if !position.left.is_finite() || idle > IDLE {
-                return false;
-            }
-            position.iterations += 1;
-            let slopes = self.active.iter().map(|&part| (&self.parts[part].rows, &self.parts[part].slope));
-            let direction = self.system.solve(slopes, &right);
-            let Some(next) = self.step(&direction, &right) else { return false };
-            right = next;
-            // Far from balance, parts that join late would lead the others astray.
-            if position.left > FAR {
-                let Some(changed) = self.changed() else { return false };
-                if !changed.is_empty() {
-                    self.activate(&changed);
-                    if self.watch_around(&changed).is_err() {
-                        return false;
-                    }
-                    let Some(next) = self.unbalanced() else { return false };
-                    right = next;
-                }
-            }
-        }
-        false
-    }
-
-    /// Values of the active rows under loads and forces, and the excess of their parts less those forces.
-    fn unbalanced(&mut self) -> Option<Vec<f64>> {
-        let more = self.system.moves(&self.forces);
-        let rows = self.system.rows().iter().zip(more);
-        self.values = rows.map(|(&row, more)| self.rows.linear(row, &self.amplitudes) + more).collect();
-        let moved = self.system.rows().iter().map(|&row| self.rows.moved(row, &self.amplitudes).abs());
-        self.most_moved = moved.fold(self.most_moved, f64::max);
-        self.right()
-    }
-
-    /// The excess of the active parts at the values at hand, less the forces that stand for it.
-    fn right(&mut self) -> Option<Vec<f64>> {
-        let excess = self.excess()?;
-        Some(excess.iter().zip(&self.forces).map(|(excess, force)| excess - force).collect())
-    }
-
-    /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
-    fn step(&mut self, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
-        const LEFT: f64 = 0.8;
-        const TRIES: usize = 6;
-        let way = self.system.moves(direction);
-        let start = rows::dot(right, &way);
-        let from = (self.forces.clone(), self.values.clone());
-        let along = |from: &[f64], way: &[f64], share: f64| from.iter().zip(way).map(|(f, d)| f + share * d).collect();
-        // Where a law or an element has no answer the step was too long.
-        let at = |this: &mut Self, share: f64| {
-            this.forces = along(&from.0, direction, share);
-            this.values = along(&from.1, &way, share);
-            let found = this.right();
-            (found.as_ref().map_or(f64::INFINITY, |right| rows::dot(right, &way)), found)
-        };
-        // Where the tangent is all but singular, no step goes farther than a multiple of what the loads do to the linear system.
-        let reach = FARTHEST * self.most_moved;
-        let longest = way.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
-        let whole = if longest > reach && reach > 0.0 { reach / longest } else { 1.0 };
-        let (mut work, mut found) = at(self, whole);
-        let (mut low, mut high) = ((0.0, start), (whole, work));
-        let (mut share, mut best) = (whole, (whole, work.abs()));
-        for _ in 0..TRIES {
-            if work.abs() <= LEFT * start.abs() || (whole < 1.0 && share == whole && work * start > 0.0) {
-                return found;
-            }
-            let crosses = high.1.is_finite() && low.1 * high.1 < 0.0;
-            let part = if crosses { (low.1.abs() / (low.1.abs() + high.1.abs())).clamp(0.1, 0.9) } else { 0.5 };
-            share = low.0 + part * (high.0 - low.0);
-            (work, found) = at(self, share);
-            if work.abs() < best.1 {
-                best = (share, work.abs());
-            }
-            if work.is_finite() && work * start > 0.0 && work.abs() < start.abs() {
-                low = (share, work);
-            } else {
-                high = (share, work);
-            }
-        }
-        if best.0 == share { found } else { at(self, best.0).1 }
-    }
-
-    /// Excess of the active parts, summed on the columns.
-    fn excess(&mut self) -> Option<Vec<f64>> {
-        let mut sum = vec![0.0; self.forces.len()];
-        for &index in &self.active {
-            let (part, values, rows) = (&mut self.parts[index], &self.values, &self.rows);
-            part.answer(self.model, |row| rows[row].column.map_or(0.0, |column| values[column]))?;
-            for (row, excess) in part.rows.iter().zip(part.excess) {
-                if let Some(column) = row.and_then(|row| self.rows[row].column) {
-                    sum[column] += excess;
-                }
-            }
-        }
-        Some(sum)
     }
 
     /// Parts that were linear so far and are no longer.
@@ -424,11 +281,6 @@ impl<'a> Condensed<'a> {
         }
     }
 
-    /// State of each spring in the last position, in the order of [`Model::springs`].
-    pub fn pairs(&self) -> Vec<PairState> {
-        self.parts.iter().filter_map(Part::bond).map(|bond| bond.state).collect()
-    }
-
     /// The whole state in the last position.
     pub fn state(&mut self) -> Result<State, CondensedError> {
         let mut state = self.start.clone();
@@ -460,6 +312,9 @@ impl<'a> Condensed<'a> {
         for (part, marked) in self.parts.iter_mut().zip(&mark.parts) {
             part.clone_from(marked);
         }
+        for part in &mut self.parts[mark.parts.len()..] {
+            part.restart(&self.start);
+        }
     }
 
     /// Goes back to the state in which the run began; what was found of the system stays.
@@ -488,47 +343,6 @@ impl<'a> Condensed<'a> {
         }
         all
     }
-
-    /// Finds quadrilaterals that would flow soon and watches them from now on; `true` where one of them flows already, unwatched:
-    /// the positions since the last look have to be gone through again.
-    pub fn look_ahead(&mut self) -> Result<bool, CondensedError> {
-        let now = self.displacements();
-        let mut missed = false;
-        let ids: Vec<QuadId> = self.model.mesh.quads.pairs().map(|(id, _)| id).collect();
-        for id in ids {
-            let solid = &self.model.section(id).solid;
-            if self.part_of[id.index()].is_some() || solid.material.linear() {
-                continue;
-            }
-            let (then, at) = (self.strains(id, &self.start.displacements), self.strains(id, &now));
-            let flows = |share: f64| {
-                let points = self.start.points[4 * id.index()..4 * id.index() + 4].iter();
-                points.zip(then.iter().zip(&at)).any(|(point, (then, at))| {
-                    let strain: Four = std::array::from_fn(|i| then[i] + share * (at[i] - then[i]));
-                    solid.respond(&strain, &point.memory).yields
-                })
-            };
-            if flows(FORESIGHT) {
-                missed |= flows(1.0);
-                self.watch_quad(id)?;
-            }
-        }
-        Ok(missed)
-    }
-
-    /// Strains at the points of a quadrilateral, incompatible modes left out.
-    fn strains(&self, id: QuadId, displacements: &[f64]) -> [Four; 4] {
-        let u = assemble::moved(displacements, &self.model.mesh.quads[id].nodes);
-        element::sample(&self.model.corners(id)).map(|at| {
-            let mut strain = [0.0; 4];
-            for a in 0..4 {
-                strain[0] += at.dx[a] * u[2 * a];
-                strain[1] += at.dy[a] * u[2 * a + 1];
-                strain[3] += at.dy[a] * u[2 * a] + at.dx[a] * u[2 * a + 1];
-            }
-            strain
-        })
-    }
 }
 
 /// Interfaces with an open spring; bonds in the order of [`Model::springs`].
@@ -538,15 +352,6 @@ pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>)
         open[spring.interface.index()] |= bond.state == PairState::Open;
     }
     open.into_iter().filter(|open| *open).count()
-}
-
-/// Quadrilaterals at each node whose law is not linear.
-fn around(model: &Model) -> Vec<Vec<QuadId>> {
-    let mut around = vec![Vec::new(); model.mesh.nodes.len()];
-    for (id, quad) in model.mesh.quads.pairs().filter(|(id, _)| !model.section(*id).solid.material.linear()) {
-        quad.nodes.iter().for_each(|node| around[node.index()].push(id));
-    }
-    around
 }
 
 /// Where a run stood.

@@ -155,7 +155,7 @@ impl std::ops::Index<usize> for Rows {
     }
 }
 
-/// Four running sums, in a fixed order: as fast as memory gives the numbers.
+/// Eight running sums, in a fixed order: as fast as memory gives the numbers.
 #[inline]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
