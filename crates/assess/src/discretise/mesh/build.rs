@@ -1,82 +1,20 @@
 //! The mesh of a bridge, from the rings outwards.
 
 use super::arch::{Arch, End};
-use super::patch::{Points, growing, spaced};
-use super::saddle::{self, Layers, Side};
+use super::layout::{Layout, arches, backs, layout, levels, refuse_too_fine, room_on_piers, sides, surface};
+use super::patch::{Points, spaced};
+use super::saddle::{self, Layers};
 use super::sets::{NodeSets, Role, Seam, SpanSets, Voussoir};
 use super::stations::{self, Stations};
 use super::supports::{Flank, Support, support};
-use super::{LEAST_JACOBIAN, MOST_NODES, MeshError, MeshOptions, Meshed, quality};
-use crate::discretise::curve::Curve;
-use bridge::{Bridge, LayerKind};
+use super::{LEAST_JACOBIAN, MeshError, MeshOptions, Meshed, quality};
+use bridge::Bridge;
 use mechanics::fem::{Interface, Mesh, Quad, Quadrature};
 use mechanics::ids::{Id, InterfaceId, NodeId, QuadId, Table, ZoneId};
 use mechanics::plane::{Vec2, vec2};
 
 /// Rows of nodes from the bottom, each from left to right.
 type Grid = Vec<Vec<NodeId>>;
-
-/// Levels and places that regions share.
-struct Layout {
-    /// Surface [m].
-    surface: f64,
-    /// Backs of the abutments [m].
-    backs: [f64; 2],
-    /// How far fill behind the abutments reaches [m].
-    extent: f64,
-    /// Distances of columns behind the abutments from their backs [m].
-    behind: [Vec<f64>; 2],
-    /// What lies over each support, from the left.
-    over: Vec<Over>,
-    /// Rows of fill between the columns' feet and the surface.
-    rows: usize,
-}
-
-/// The materials over a support, between the crowns on both sides of it.
-struct Over {
-    /// Up to here [m].
-    right: f64,
-    /// Levels of the upper faces of backing and haunch fill [m]; minus infinity where there is none.
-    levels: [f64; 2],
-    /// Whether a row ends at each of them: elements then belong by their row, and by their middles otherwise.
-    met: [bool; 2],
-    /// The levels that rows reach up to: the number of rows below each.
-    rows: Vec<(usize, Option<f64>)>,
-}
-
-impl Over {
-    /// What row `row` is, where it ends at a level.
-    fn role(&self, row: usize) -> Option<Role> {
-        let level = self.rows.iter().find(|(end, _)| row < *end)?.1?;
-        Some(if level <= self.levels[0] {
-            Role::Backing
-        } else if level <= self.levels[1] {
-            Role::HaunchFill
-        } else {
-            Role::Fill
-        })
-    }
-}
-
-impl Layout {
-    /// What fill at a point is.
-    fn role(&self, at: Vec2) -> Role {
-        let [left, right] = self.backs;
-        if at.x < left || at.x > right {
-            let (depth, end) = if at.x < left { (left - at.x, End::Left) } else { (at.x - right, End::Right) };
-            return if depth < self.extent { Role::AbutmentFill(end) } else { Role::Fill };
-        }
-        let Some(over) = self.over.iter().find(|over| at.x <= over.right) else { return Role::Fill };
-        let below = |k: usize| !over.met[k] && at.y < over.levels[k];
-        if below(0) {
-            Role::Backing
-        } else if below(1) {
-            Role::HaunchFill
-        } else {
-            Role::Fill
-        }
-    }
-}
 
 /// How fill over supports is cut into rows.
 #[derive(Debug, Clone, Copy)]
@@ -152,173 +90,6 @@ fn build_by(
     }
     build.columns();
     Ok(build.finish(surface, ballast_pressure))
-}
-
-/// The rings of all spans where they stand: springings at level zero, the left one of the first span at x = 0.
-fn arches(bridge: &Bridge) -> Result<Vec<Arch<'_>>, MeshError> {
-    let mut x = 0.0;
-    let mut arches = Vec::new();
-    for (i, span) in bridge.spans.iter().enumerate() {
-        let curve = Curve::new(span, vec2(x, 0.0)).map_err(|misfit| MeshError::Intrados { span: i + 1, misfit })?;
-        arches.push(Arch { span, curve });
-        x += span.span + bridge.piers.get(i).map_or(0.0, |p| p.width);
-    }
-    Ok(arches)
-}
-
-/// Fill needs room on a pier's top: a fiftieth of an element.
-fn room_on_piers(arches: &[Arch<'_>], size: f64) -> Result<(), MeshError> {
-    let least = 0.02 * size;
-    for (i, pair) in arches.windows(2).enumerate() {
-        let gap = pair[1].extrados(0.0).x - pair[0].extrados(1.0).x;
-        if gap < least {
-            return Err(MeshError::RingsMeet { support: i + 1, gap, least, wider: least - gap });
-        }
-    }
-    Ok(())
-}
-
-/// Level of the surface [m], and the weight of the ballast on it [Pa]. Ballast on top spreads loads and is no part of the mesh.
-fn surface(bridge: &Bridge, arches: &[Arch<'_>]) -> Result<(f64, f64), MeshError> {
-    const TRIED: usize = 256;
-    let highest = |arch: &Arch<'_>| {
-        (0..=TRIED).map(|k| arch.extrados(k as f64 / TRIED as f64).y).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let crown = arches.iter().map(highest).fold(f64::NEG_INFINITY, f64::max);
-    let ballast = bridge.cover.layers.iter().rev().take_while(|layer| layer.name == LayerKind::Ballast);
-    let (mut depth, mut pressure) = (bridge.cover.depth, 0.0);
-    for layer in ballast {
-        depth -= layer.thickness;
-        pressure += layer.thickness * layer.density * bridge.gravity;
-    }
-    if depth > 1e-3 { Ok((crown + depth, pressure)) } else { Err(MeshError::NoFill) }
-}
-
-/// Levels at which the material over the haunches changes, from below [m].
-fn levels(bridge: &Bridge) -> Vec<f64> {
-    let mut levels: Vec<f64> = bridge.cover.backing.iter().map(|b| b.height).collect();
-    levels.extend(bridge.service.haunch_fill.iter().map(|h| h.height));
-    levels.sort_by(f64::total_cmp);
-    levels.dedup();
-    levels
-}
-
-/// Backs of the abutments [m].
-fn backs(bridge: &Bridge, arches: &[Arch<'_>]) -> [f64; 2] {
-    let last = &arches[arches.len() - 1];
-    [
-        arches[0].extrados(0.0).x.min(arches[0].intrados(0.0).x) - bridge.abutments[0].top_width,
-        last.extrados(1.0).x.max(last.intrados(1.0).x) + bridge.abutments[1].top_width,
-    ]
-}
-
-/// What stands on both sides of support `i`.
-fn sides<'a>(arches: &'a [Arch<'a>], backs: [f64; 2], i: usize) -> [Side<'a>; 2] {
-    let left = match i.checked_sub(1) {
-        Some(k) => Side::Arch(&arches[k], End::Right),
-        None => Side::Back(backs[0]),
-    };
-    let right = match arches.get(i) {
-        Some(arch) => Side::Arch(arch, End::Left),
-        None => Side::Back(backs[1]),
-    };
-    [left, right]
-}
-
-fn layout(
-    bridge: &Bridge,
-    arches: &[Arch<'_>],
-    stations: &[Stations],
-    layers: &[Layers],
-    options: MeshOptions,
-    surface: f64,
-    backs: [f64; 2],
-) -> Layout {
-    let size = options.size;
-    let heights = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
-    let height = heights.fold(0.0, f64::max) + surface;
-    let distance = options.side_distance.unwrap_or(2.0 * height) * options.farther;
-    let extent = bridge.service.abutment_fill.extent.unwrap_or(f64::INFINITY);
-    // Feet of the columns: the lowest, where rows end, and the highest, at the crown.
-    let mut feet = [f64::INFINITY, f64::NEG_INFINITY];
-    for (arch, s) in arches.iter().zip(stations) {
-        let last = s.shares.len() - 1;
-        let ends = [s.layers[0].last().copied().unwrap_or(0), last - s.layers[1].last().copied().unwrap_or(0)];
-        for k in [ends[0], ends[1], s.crown] {
-            let y = arch.extrados(s.shares[k]).y;
-            feet = [feet[0].min(y), feet[1].max(y)];
-        }
-    }
-    let (deep, shallow) = ((surface - feet[0]).max(0.0), (surface - feet[1]).max(0.0));
-    let rows = ((deep * shallow).sqrt() / size).max(shallow / size).ceil().max(2.0) as usize;
-    let behind = |_: usize| {
-        let most = 6.0 * size;
-        let (first, growth) = (1.2 * size, 1.12);
-        if extent >= distance {
-            return growing(distance, first, growth, most);
-        }
-        let mut near = growing(extent, first, growth, most);
-        let step = near.windows(2).map(|w| w[1] - w[0]).fold(first, f64::max);
-        near.extend(growing(distance - extent, step, growth, most.max(step)).iter().skip(1).map(|d| extent + d));
-        near
-    };
-    Layout {
-        surface,
-        backs,
-        extent,
-        behind: [behind(0), behind(1)],
-        over: over(bridge, arches, stations, layers),
-        rows,
-    }
-}
-
-/// What lies over each support.
-fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Layers]) -> Vec<Over> {
-    let backing = bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| b.height);
-    let haunch = bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| h.height);
-    (0..=arches.len())
-        .map(|i| {
-            let ends = match (stations.get(i), i.checked_sub(1)) {
-                (Some(right), _) => &right.layers[0],
-                (None, Some(k)) => &stations[k].layers[1],
-                (None, None) => return Over { right: 0.0, levels: [0.0; 2], met: [false; 2], rows: Vec::new() },
-            };
-            let rows: Vec<_> = ends.iter().copied().zip(layers[i].levels.iter().copied()).collect();
-            let met = [backing, haunch].map(|level| rows.iter().any(|(_, reached)| *reached == Some(level)));
-            let right = arches.get(i).map_or(f64::INFINITY, |arch| arch.intrados(0.5).x);
-            Over { right, levels: [backing, haunch], met, rows }
-        })
-        .collect()
-}
-
-/// Refuses before memory is asked for.
-fn refuse_too_fine(
-    bridge: &Bridge,
-    arches: &[Arch<'_>],
-    stations: &[Stations],
-    layout: &Layout,
-    options: MeshOptions,
-) -> Result<(), MeshError> {
-    let rings: usize = arches
-        .iter()
-        .zip(stations)
-        .map(|(arch, s)| {
-            let doubled = s.shares.len() + arch.span.rings.iter().map(|r| r.voussoirs).max().unwrap_or(0);
-            doubled * options.ring_nodes * arch.span.rings.len()
-        })
-        .sum();
-    let along: usize = stations.iter().map(|s| s.shares.len()).sum();
-    let columns = along + layout.behind.iter().map(Vec::len).sum::<usize>();
-    // Rows over supports, their masonry and the fill behind it: elements there are about three times as long.
-    let wide =
-        bridge.piers.iter().map(|p| p.width.max(p.base_width)).chain(bridge.abutments.iter().map(|a| a.top_width));
-    let high = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
-    let below = wide.zip(high).map(|(w, h)| w * (h + 3.0 * layout.surface) / 3.0).sum::<f64>();
-    let tall = bridge.abutments.iter().map(|a| a.height + 3.0 * layout.surface).sum::<f64>() / 6.0;
-    let behind = layout.behind.iter().map(|d| d.len() as f64).fold(0.0, f64::max) * tall / options.size;
-    let others = below / (options.size * options.size) + 2.0 * behind;
-    let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1)).saturating_add(others as usize);
-    if nodes > MOST_NODES { Err(MeshError::TooFine { nodes, most: MOST_NODES }) } else { Ok(()) }
 }
 
 struct Build<'a> {

@@ -10,6 +10,7 @@
 
 mod arch;
 mod build;
+mod layout;
 mod options;
 mod patch;
 mod picture;
