@@ -119,7 +119,7 @@ pub struct StepLog {
     pub position: f64,
     /// Iterations.
     pub iterations: usize,
-    /// Out-of-balance force over applied force.
+    /// Out-of-balance force over applied force; by the condensed path what is left of the largest displacement.
     pub unbalanced: f64,
     /// How often the step was cut back.
     pub cuts: usize,

@@ -3,12 +3,12 @@
 use super::moment::moment;
 use super::{AtRest, Solution, functional};
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::PassageError;
-use crate::analysis::passage::loads::TrackLoads;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
-use mechanics::fem::condensed::{Condensed, Functional, Reached};
+use crate::analysis::passage::{PassageError, Setup};
+use mechanics::fem::Model;
+use mechanics::fem::condensed::{Condensed, CondensedError, Functional, Reached};
 use mechanics::ids::Id;
-use mechanics::watch::Watch;
+use mechanics::watch::{Progress, Watch, Wish};
 
 /// Sleepers' patterns as forces on all components.
 pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
@@ -25,8 +25,7 @@ pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
 
 pub fn pass(rest: AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) -> Result<(), AnalysisError> {
     let setup = rest.setup;
-    let observed: Vec<Functional> =
-        setup.sensors.iter().filter_map(|sensor| functional(rest.model, &sensor.reading)).collect();
+    let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
     let patterns = patterns(&rest);
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
     let mut condensed = Condensed::new(rest.model, rest.state, &patterns, &observed).map_err(failed)?;
@@ -61,21 +60,29 @@ pub fn pass(rest: AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) ->
             setup.positions[k]
         ));
     }
-    moments(&mut condensed, setup, rest.model, solution).map_err(failed)?;
-    solution.influence = influence(&mut condensed, setup, &solution.self_weight).map_err(failed)?;
+    moments(&mut condensed, setup, rest.model, solution, watch).map_err(failed)?;
+    if solution.status != PassageStatus::Cancelled {
+        influence(&mut condensed, setup, solution, watch).map_err(failed)?;
+    }
     Ok(())
 }
 
 /// Goes through the positions once more and keeps the bridge at those that are to be shown.
 fn moments(
     condensed: &mut Condensed<'_>,
-    setup: &crate::analysis::passage::Setup,
-    model: &mechanics::fem::Model,
+    setup: &Setup,
+    model: &Model,
     solution: &mut Solution,
-) -> Result<(), mechanics::fem::condensed::CondensedError> {
+    watch: &mut dyn Watch,
+) -> Result<(), CondensedError> {
     let wanted = wanted(setup, solution);
     condensed.restart();
-    for k in 0..=wanted.iter().map(|(k, _)| *k).max().unwrap_or(0) {
+    let last = wanted.iter().map(|(k, _)| *k).max().unwrap_or(0);
+    for k in 0..=last {
+        if asked_to_stop(watch, "pictures", k, last) {
+            solution.status = PassageStatus::Cancelled;
+            return Ok(());
+        }
         if wanted.is_empty()
             || condensed.reach(&setup.loads.reactions(setup.positions[k]))?.reached != Reached::Balanced
         {
@@ -91,7 +98,7 @@ fn moments(
 }
 
 /// Positions of which pictures are made, and why: those of the file, or the peaks of the channels.
-pub fn wanted(setup: &crate::analysis::passage::Setup, solution: &Solution) -> Vec<(usize, String)> {
+pub fn wanted(setup: &Setup, solution: &Solution) -> Vec<(usize, String)> {
     let solved = solution.values.first().map_or(0, Vec::len);
     let mut wanted: Vec<(usize, String)> = Vec::new();
     if solved == 0 {
@@ -118,29 +125,45 @@ pub fn wanted(setup: &crate::analysis::passage::Setup, solution: &Solution) -> V
 /// Distance between the places of an influence line [m].
 const INFLUENCE_STEP: f64 = 0.25;
 
-/// What the heaviest axle of the train does when it crosses alone.
+/// What the heaviest axle of the train does when it crosses alone; nothing where a position finds no balance.
 fn influence(
     condensed: &mut Condensed<'_>,
-    setup: &crate::analysis::passage::Setup,
-    own: &[f64],
-) -> Result<Option<Influence>, mechanics::fem::condensed::CondensedError> {
-    let Some(alone) = setup.loads.heaviest_alone() else { return Ok(None) };
-    let (loads, force): (TrackLoads, f64) = alone;
-    let (Some(first), Some(last)) = (setup.loads.sleepers.first(), setup.loads.sleepers.last()) else {
-        return Ok(None);
+    setup: &Setup,
+    solution: &mut Solution,
+    watch: &mut dyn Watch,
+) -> Result<(), CondensedError> {
+    let sleepers = &setup.loads.sleepers;
+    let (Some((loads, force)), Some(first), Some(last)) =
+        (setup.loads.heaviest_alone(), sleepers.first(), sleepers.last())
+    else {
+        return Ok(());
     };
     let count = ((last - first) / INFLUENCE_STEP) as usize;
+    let own = &solution.self_weight;
     let mut influence = Influence { force, positions: Vec::new(), values: vec![Vec::new(); own.len()] };
     condensed.restart();
     for k in 0..=count {
+        if asked_to_stop(watch, "influence lines", k, count) {
+            solution.status = PassageStatus::Cancelled;
+            return Ok(());
+        }
         let x = first + INFLUENCE_STEP * k as f64;
         if condensed.reach(&loads.reactions(x))?.reached != Reached::Balanced {
-            return Ok(None);
+            return Ok(());
         }
         influence.positions.push(x);
         for ((values, value), own) in influence.values.iter_mut().zip(condensed.observed()).zip(own) {
             values.push(value - own);
         }
     }
-    Ok(Some(influence))
+    solution.influence = Some(influence);
+    Ok(())
+}
+
+/// Tells the onlooker how far a repetition is, every few positions.
+fn asked_to_stop(watch: &mut dyn Watch, what: &str, k: usize, last: usize) -> bool {
+    const LOOK: usize = 10;
+    let share = k as f64 / (last + 1) as f64;
+    let progress = Progress { stage: what.to_owned(), fraction: Some(share), steps: k as u64 };
+    k.is_multiple_of(LOOK) && watch.look(&progress) == Wish::Stop
 }

@@ -90,7 +90,7 @@ pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<So
     solution.moments.push(moment::moment(setup, &model, &state, "self-weight", None));
     let bridge_at_rest = AtRest { setup, model: &model, weight: &weight, state };
     let still = setup.plan.analysis == PassageAnalysis::Static;
-    let linear_sensors = setup.sensors.iter().all(|sensor| functional(&model, &sensor.reading).is_some());
+    let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
     if still && !large && setup.plan.path == PassagePath::Condensed && linear_sensors {
         condensed::pass(bridge_at_rest, &mut solution, watch)?;
     } else {
@@ -146,7 +146,7 @@ fn mean_stress(state: &State, quad: QuadId) -> [f64; 4] {
 }
 
 /// A sensor as a functional of displacements, where it is one.
-fn functional(_model: &Model, reading: &Reading) -> Option<Functional> {
+fn functional(reading: &Reading) -> Option<Functional> {
     match reading {
         Reading::Displacements(terms) => {
             let of = |(node, [x, y]): &(mechanics::ids::NodeId, [f64; 2])| {
