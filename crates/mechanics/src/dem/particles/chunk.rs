@@ -5,6 +5,7 @@ use super::disc::Disc;
 use super::laws::PairLaw;
 use super::lean::Lean;
 use super::neighbours::Blocks;
+use super::quad::{ByFours, Quad, by_fours};
 
 /// Particles of one chunk: enough work to be worth handing over, few enough to stay in a core's own cache
 /// (4,096 particles and their contacts take about 0.7 MB).
@@ -60,6 +61,19 @@ pub(in crate::dem) struct Incoming {
 /// Forces [N/m] on a particle: along x, along y, and along its rim.
 pub(in crate::dem) type Force = [f64; 3];
 
+/// The same as one vector of the processor, in one cache line; the fourth number is nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(align(32))]
+pub(in crate::dem) struct Row(pub [f64; 4]);
+
+impl Row {
+    /// The force.
+    #[inline(always)]
+    pub fn force(&self) -> Force {
+        [self.0[0], self.0[1], self.0[2]]
+    }
+}
+
 /// A stretch of particles.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::dem) struct Chunk {
@@ -73,7 +87,7 @@ pub(in crate::dem) struct Chunk {
     /// Particles of later chunks that contacts of this one act on, ascending: rows `count..` of `forces`.
     pub guests: Vec<u32>,
     /// Forces that this chunk's contacts exert.
-    pub forces: Vec<Force>,
+    pub forces: Vec<Row>,
     /// Forces of other chunks on these particles, by chunk.
     pub incoming: Vec<Incoming>,
     /// Blocks that these particles may touch, ascending, and the force [N/m] and moment [N] on each.
@@ -89,23 +103,48 @@ impl Chunk {
     pub fn resist(&mut self, discs: &[Disc], weights: &[[f64; 2]], laws: &[PairLaw], dt: f64) {
         let range = self.first as usize..(self.first + self.count) as usize;
         let (own, guests) = self.forces.split_at_mut(self.count as usize);
-        own.iter_mut().zip(&weights[range]).for_each(|(force, w)| *force = [w[0], w[1], 0.0]);
-        guests.fill([0.0; 3]);
+        own.iter_mut().zip(&weights[range]).for_each(|(force, w)| *force = Row([w[0], w[1], 0.0, 0.0]));
+        guests.fill(Row::default());
         let own = &discs[self.first as usize..(self.first + self.count) as usize];
-        let (groups, rest) = self.contacts.as_chunks_mut::<LANES>();
-        let mut dissipated = 0.0;
-        for group in groups {
-            dissipated += resist(group, own, discs, laws, dt, &mut self.forces);
-        }
-        for one in rest {
-            dissipated += resist(std::array::from_mut(one), own, discs, laws, dt, &mut self.forces);
-        }
-        self.dissipated += dissipated;
+        let (contacts, forces) = (&mut self.contacts[..], &mut self.forces[..]);
+        self.dissipated += match laws {
+            [only] => by_fours(Pairs { contacts, forces, own, discs, law: |_: &Contact| only, dt }),
+            many => by_fours(Pairs { contacts, forces, own, discs, law: |c: &Contact| &many[c.law()], dt }),
+        };
     }
 }
 
-/// Contacts worked on side by side, so that square roots and divisions, which are most of the time, come in vectors.
-const LANES: usize = 4;
+/// The pairs of a chunk.
+struct Pairs<'a, L> {
+    contacts: &'a mut [Contact],
+    forces: &'a mut [Row],
+    own: &'a [Disc],
+    discs: &'a [Disc],
+    law: L,
+    dt: f64,
+}
+
+impl<'a, L: Fn(&Contact) -> &'a PairLaw> ByFours for Pairs<'a, L> {
+    /// Forces of all pairs, four by four; returns the energy lost [J/m].
+    #[inline(always)]
+    fn work(self, quad: impl Quad) -> f64 {
+        let Pairs { contacts, forces, own, discs, law, dt } = self;
+        let (groups, rest) = contacts.as_chunks_mut::<4>();
+        let mut lost = quad.splat(0.0);
+        for group in groups {
+            lost = quad.sum(lost, resist(quad, group, 4, own, discs, &law, dt, forces));
+        }
+        let mut dissipated: f64 = quad.numbers(lost).iter().sum();
+        if let Some(&last) = rest.last() {
+            let mut group = [last; 4];
+            group[..rest.len()].copy_from_slice(rest);
+            let lost = resist(quad, &mut group, rest.len(), own, discs, &law, dt, forces);
+            dissipated += quad.numbers(lost)[..rest.len()].iter().sum::<f64>();
+            rest.copy_from_slice(&group[..rest.len()]);
+        }
+        dissipated
+    }
+}
 
 /// The larger of two numbers; one instruction, where `f64::max` takes five to be right about NaN.
 #[inline(always)]
@@ -119,59 +158,74 @@ pub(in crate::dem) fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// Forces of `N` contacts; returns the energy lost [J/m].
+/// Forces of four contacts, of which the first `count` count; returns the energies lost [J/m].
 ///
 /// A contact point lies on the line of centres where it divides the distance as the radii: both arms shrink by the same
 /// share with the overlap, so that the moments of a pair balance exactly. An open pair goes through the same arithmetic
 /// with a cap of nothing: no branch to guess wrong.
 #[inline(always)]
-fn resist<const N: usize>(
-    contacts: &mut [Contact; N],
+fn resist<'a, Q: Quad>(
+    quad: Q,
+    contacts: &mut [Contact; 4],
+    count: usize,
     own: &[Disc],
     discs: &[Disc],
-    laws: &[PairLaw],
+    law: &impl Fn(&Contact) -> &'a PairLaw,
     dt: f64,
-    forces: &mut [Force],
-) -> f64 {
-    let zero = [0.0_f64; N];
-    let (mut dx, mut dy, mut sum, mut ux, mut uy, mut rims) = (zero, zero, zero, zero, zero, zero);
-    let (mut bond, mut friction) = (zero, zero);
-    for k in 0..N {
-        let (a, b) = (&own[contacts[k].one as usize], &discs[contacts[k].other()]);
-        let law = &laws[contacts[k].law()];
-        (dx[k], dy[k], sum[k]) = (b.x - a.x, b.y - a.y, a.radius + b.radius);
-        (ux[k], uy[k], rims[k]) = (b.vx - a.vx, b.vy - a.vy, a.rim + b.rim);
-        (bond[k], friction[k]) = (law.cohesion + law.cohesion_share * sum[k], law.friction);
+    forces: &mut [Row],
+) -> Q::Row {
+    let nothing = quad.splat(0.0);
+    let (mut motion, mut size, mut memory, mut laws) = ([nothing; 4], [nothing; 4], [nothing; 4], [nothing; 4]);
+    for k in 0..4 {
+        let contact = &contacts[k];
+        let (a, b) = (&own[contact.one as usize], &discs[contact.other()]);
+        motion[k] = quad.difference(quad.row([b.x, b.y, b.vx, b.vy]), quad.row([a.x, a.y, a.vx, a.vy]));
+        size[k] = quad.sum(
+            quad.row([a.rim, a.radius, a.inverse_mass, a.rolled]),
+            quad.row([b.rim, b.radius, b.inverse_mass, b.rolled]),
+        );
+        memory[k] = quad.row([contact.shear, contact.normal_stiffness, contact.shear_stiffness, 0.0]);
+        let law = law(contact);
+        laws[k] = quad.row([law.cohesion, law.cohesion_share, law.friction, 0.0]);
     }
-    let (mut fx, mut fy, mut turn, mut lost) = (zero, zero, zero, zero);
-    for k in 0..N {
-        let distance = (dx[k] * dx[k] + dy[k] * dy[k]).sqrt();
-        // One division for both reciprocals; two centres never coincide unless something has broken.
-        let reciprocal = 1.0 / (distance * sum[k]);
-        let (unit, arm) = (reciprocal * sum[k], distance * distance * reciprocal);
-        let (nx, ny) = (dx[k] * unit, dy[k] * unit);
-        let overlap = sum[k] - distance;
-        let compression = contacts[k].normal_stiffness * larger(overlap, 0.0);
-        let glide = nx * uy[k] - ny * ux[k] - arm * rims[k];
-        let trial = contacts[k].shear - contacts[k].shear_stiffness * glide * dt;
-        let cap = if overlap > 0.0 { bond[k] + friction[k] * compression } else { 0.0 };
-        let shear = smaller(larger(trial, -cap), cap);
-        // What the spring cannot hold slides, against the mean of the old and the new force.
-        lost[k] = (contacts[k].shear + shear) * (trial - shear);
-        contacts[k].shear = shear;
-        (fx[k], fy[k], turn[k]) = (compression * nx - shear * ny, compression * ny + shear * nx, shear * arm);
+    let [dx, dy, ux, uy] = quad.transpose(motion);
+    let [rims, sum, ..] = quad.transpose(size);
+    let [old, normal_stiffness, shear_stiffness, _] = quad.transpose(memory);
+    let [bond, bond_share, friction, _] = quad.transpose(laws);
+
+    let plus = |a, b| quad.sum(a, b);
+    let minus = |a, b| quad.difference(a, b);
+    let times = |a, b| quad.product(a, b);
+    let distance = quad.root(plus(times(dx, dx), times(dy, dy)));
+    // One division for both reciprocals; two centres never coincide unless something has broken.
+    let reciprocal = quad.quotient(quad.splat(1.0), times(distance, sum));
+    let (unit, arm) = (times(reciprocal, sum), times(times(distance, distance), reciprocal));
+    let (nx, ny) = (times(dx, unit), times(dy, unit));
+    let overlap = minus(sum, distance);
+    let compression = times(normal_stiffness, quad.larger(overlap, nothing));
+    let glide = minus(minus(times(nx, uy), times(ny, ux)), times(arm, rims));
+    let trial = minus(old, times(times(shear_stiffness, glide), quad.splat(dt)));
+    let most = plus(plus(bond, times(bond_share, sum)), times(friction, compression));
+    let cap = quad.where_positive(overlap, most);
+    let shear = quad.smaller(quad.larger(trial, minus(nothing, cap)), cap);
+    // What the spring cannot hold slides, against the mean of the old and the new force.
+    let slid = times(plus(old, shear), minus(trial, shear));
+    let lost = quad.quotient(times(quad.splat(0.5), slid), quad.larger(shear_stiffness, quad.splat(f64::MIN_POSITIVE)));
+    let fx = minus(times(compression, nx), times(shear, ny));
+    let fy = plus(times(compression, ny), times(shear, nx));
+    let turn = times(shear, arm);
+    let on_one = quad.transpose([fx, fy, turn, nothing]);
+    let on_two = quad.transpose([fx, fy, minus(nothing, turn), nothing]);
+
+    let shear = quad.numbers(shear);
+    for k in 0..count {
+        contacts[k].shear = shear[k];
+        let on = &mut forces[contacts[k].one as usize].0;
+        *on = quad.numbers(quad.difference(quad.row(*on), on_one[k]));
+        let on = &mut forces[contacts[k].two as usize].0;
+        *on = quad.numbers(quad.sum(quad.row(*on), on_two[k]));
     }
-    let mut dissipated = 0.0;
-    for k in 0..N {
-        let on = &mut forces[contacts[k].one as usize];
-        *on = [on[0] - fx[k], on[1] - fy[k], on[2] - turn[k]];
-        let on = &mut forces[contacts[k].two as usize];
-        *on = [on[0] + fx[k], on[1] + fy[k], on[2] - turn[k]];
-        if lost[k] != 0.0 {
-            dissipated += 0.5 * lost[k] / contacts[k].shear_stiffness;
-        }
-    }
-    dissipated
+    lost
 }
 
 impl Chunk {
@@ -185,8 +239,8 @@ impl Chunk {
             else {
                 continue;
             };
-            let on = &mut self.forces[lean.local as usize];
-            *on = [on[0] + push.force.x, on[1] + push.force.y, on[2] + push.rim];
+            let on = &mut self.forces[lean.local as usize].0;
+            *on = [on[0] + push.force.x, on[1] + push.force.y, on[2] + push.rim, 0.0];
             let on = &mut self.on_blocks[lean.row as usize];
             *on = [on[0] - push.force.x, on[1] - push.force.y, on[2] + push.moment];
             self.dissipated += push.dissipated;
@@ -197,7 +251,8 @@ impl Chunk {
         use std::mem::size_of;
         size_of::<Contact>() * self.contacts.capacity()
             + size_of::<Lean>() * self.leans.capacity()
-            + size_of::<Force>() * (self.forces.capacity() + self.on_blocks.capacity())
+            + size_of::<Row>() * self.forces.capacity()
+            + size_of::<Force>() * self.on_blocks.capacity()
             + size_of::<Incoming>() * self.incoming.capacity()
             + 4 * (self.guests.capacity() + self.blocks.capacity())
     }

@@ -31,9 +31,9 @@ pub(in crate::dem) struct Tally {
 pub(in crate::dem) fn with_forces(chunk: &Chunk, chunks: &[Chunk], mut each: impl FnMut(usize, Force)) {
     let mut incoming = chunk.incoming.iter().peekable();
     for (k, force) in chunk.forces[..chunk.count as usize].iter().enumerate() {
-        let mut force = *force;
+        let mut force = force.force();
         while let Some(from) = incoming.next_if(|from| from.local as usize == k) {
-            let more = chunks[from.chunk as usize].forces[from.row as usize];
+            let more = chunks[from.chunk as usize].forces[from.row as usize].force();
             force = [force[0] + more[0], force[1] + more[1], force[2] + more[2]];
         }
         each(k, force);

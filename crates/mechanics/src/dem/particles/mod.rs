@@ -13,6 +13,7 @@ mod laws;
 mod lean;
 mod neighbours;
 mod order;
+mod quad;
 
 pub(super) use cells::Cells;
 pub(super) use chunk::{Chunk, Force, MOST_PARTICLES};

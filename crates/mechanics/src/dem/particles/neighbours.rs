@@ -2,7 +2,7 @@
 //! closed pair carries stays.
 
 use super::cells::Cells;
-use super::chunk::{CHUNK, Chunk, Contact, Incoming};
+use super::chunk::{CHUNK, Chunk, Contact, Incoming, Row};
 use super::disc::Disc;
 use super::laws::stiffness;
 use super::lean::{Lean, nearest};
@@ -106,7 +106,7 @@ fn number(chunk: &mut Chunk) {
         };
     }
     chunk.forces.clear();
-    chunk.forces.resize(chunk.count as usize + guests.len(), [0.0; 3]);
+    chunk.forces.resize(chunk.count as usize + guests.len(), Row::default());
     chunk.guests = guests;
 }
 

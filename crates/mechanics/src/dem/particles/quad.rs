@@ -1,0 +1,172 @@
+//! Four numbers at a time: rows of memory to columns of arithmetic and back.
+
+use super::chunk::{larger, smaller};
+
+/// Four numbers as the processor holds them. Every implementation gives the same bits.
+pub(super) trait Quad: Copy {
+    /// Four numbers.
+    type Row: Copy;
+    /// From memory.
+    fn row(self, numbers: [f64; 4]) -> Self::Row;
+    /// To memory.
+    fn numbers(self, row: Self::Row) -> [f64; 4];
+    /// `a + b`.
+    fn sum(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    /// `a - b`.
+    fn difference(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    /// `a * b`.
+    fn product(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    /// `a / b`.
+    fn quotient(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    /// Square roots.
+    fn root(self, a: Self::Row) -> Self::Row;
+    /// The larger; the second where one is no number.
+    fn larger(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    /// The smaller; the second where one is no number.
+    fn smaller(self, a: Self::Row, b: Self::Row) -> Self::Row;
+    /// `value` where `sign` is positive, nothing elsewhere.
+    fn where_positive(self, sign: Self::Row, value: Self::Row) -> Self::Row;
+    /// Four times the same.
+    #[inline(always)]
+    fn splat(self, number: f64) -> Self::Row {
+        self.row([number; 4])
+    }
+    /// Rows become columns.
+    fn transpose(self, rows: [Self::Row; 4]) -> [Self::Row; 4];
+}
+
+/// For every processor.
+#[derive(Clone, Copy)]
+pub(super) struct Plain;
+
+impl Quad for Plain {
+    type Row = [f64; 4];
+    #[inline(always)]
+    fn row(self, numbers: [f64; 4]) -> [f64; 4] {
+        numbers
+    }
+    #[inline(always)]
+    fn numbers(self, row: [f64; 4]) -> [f64; 4] {
+        row
+    }
+    #[inline(always)]
+    fn sum(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| a[k] + b[k])
+    }
+    #[inline(always)]
+    fn difference(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| a[k] - b[k])
+    }
+    #[inline(always)]
+    fn product(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| a[k] * b[k])
+    }
+    #[inline(always)]
+    fn quotient(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| a[k] / b[k])
+    }
+    #[inline(always)]
+    fn root(self, a: [f64; 4]) -> [f64; 4] {
+        a.map(f64::sqrt)
+    }
+    #[inline(always)]
+    fn larger(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| larger(a[k], b[k]))
+    }
+    #[inline(always)]
+    fn smaller(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| smaller(a[k], b[k]))
+    }
+    #[inline(always)]
+    fn where_positive(self, sign: [f64; 4], value: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|k| if sign[k] > 0.0 { value[k] } else { 0.0 })
+    }
+    #[inline(always)]
+    fn transpose(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+        std::array::from_fn(|i| std::array::from_fn(|k| rows[k][i]))
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Quad for pulp::x86::V3 {
+    type Row = pulp::f64x4;
+    #[inline(always)]
+    fn row(self, numbers: [f64; 4]) -> pulp::f64x4 {
+        pulp::cast(numbers)
+    }
+    #[inline(always)]
+    fn numbers(self, row: pulp::f64x4) -> [f64; 4] {
+        pulp::cast(row)
+    }
+    #[inline(always)]
+    fn sum(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
+        self.add_f64x4(a, b)
+    }
+    #[inline(always)]
+    fn difference(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
+        self.sub_f64x4(a, b)
+    }
+    #[inline(always)]
+    fn product(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
+        self.mul_f64x4(a, b)
+    }
+    #[inline(always)]
+    fn quotient(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
+        self.div_f64x4(a, b)
+    }
+    #[inline(always)]
+    fn root(self, a: pulp::f64x4) -> pulp::f64x4 {
+        self.sqrt_f64x4(a)
+    }
+    #[inline(always)]
+    fn larger(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
+        self.max_f64x4(a, b)
+    }
+    #[inline(always)]
+    fn smaller(self, a: pulp::f64x4, b: pulp::f64x4) -> pulp::f64x4 {
+        self.min_f64x4(a, b)
+    }
+    #[inline(always)]
+    fn where_positive(self, sign: pulp::f64x4, value: pulp::f64x4) -> pulp::f64x4 {
+        let nothing = self.splat_f64x4(0.0);
+        self.select_f64x4(self.cmp_lt_f64x4(nothing, sign), value, nothing)
+    }
+    #[inline(always)]
+    fn transpose(self, rows: [pulp::f64x4; 4]) -> [pulp::f64x4; 4] {
+        let [a, b, c, d] = rows.map(pulp::cast);
+        let avx = self.avx;
+        let (ab0, ab1) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpackhi_pd(a, b));
+        let (cd0, cd1) = (avx._mm256_unpacklo_pd(c, d), avx._mm256_unpackhi_pd(c, d));
+        [
+            avx._mm256_permute2f128_pd::<0x20>(ab0, cd0),
+            avx._mm256_permute2f128_pd::<0x20>(ab1, cd1),
+            avx._mm256_permute2f128_pd::<0x31>(ab0, cd0),
+            avx._mm256_permute2f128_pd::<0x31>(ab1, cd1),
+        ]
+        .map(pulp::cast)
+    }
+}
+
+/// Work that is written for any four numbers.
+pub(super) trait ByFours {
+    /// Does it.
+    fn work(self, quad: impl Quad) -> f64;
+}
+
+/// Does the work with the widest four numbers that this processor has.
+#[inline(always)]
+pub(super) fn by_fours(work: impl ByFours) -> f64 {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(v3) = pulp::x86::V3::try_new() {
+        struct WithV3<W>(pulp::x86::V3, W);
+        impl<W: ByFours> pulp::NullaryFnOnce for WithV3<W> {
+            type Output = f64;
+            #[inline(always)]
+            fn call(self) -> f64 {
+                self.1.work(self.0)
+            }
+        }
+        return v3.vectorize(WithV3(v3, work));
+    }
+    work.work(Plain)
+}
