@@ -354,6 +354,8 @@ pub enum BenchName {
     Factor,
     /// A rough footing pushed into yielding ground, in ten load steps
     Footing,
+    /// The railway arch on a fine mesh under two locomotives and eight wagons, quasi-static, by the condensed path
+    Passage,
 }
 
 /// Ground under the footing of `bench footing`.

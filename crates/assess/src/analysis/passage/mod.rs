@@ -10,7 +10,7 @@ mod solve;
 
 pub use outcome::{Channel, Influence, Moment, Passage, PassageStatus, Quantity};
 pub use setup::{Setup, setup};
-pub use solve::{Solution, solve};
+pub use solve::{Solution, records, solve};
 
 use super::AnalysisError;
 use crate::warning::{self, Warning};

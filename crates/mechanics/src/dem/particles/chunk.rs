@@ -66,14 +66,6 @@ pub(in crate::dem) type Force = [f64; 3];
 #[repr(align(32))]
 pub(in crate::dem) struct Row(pub [f64; 4]);
 
-impl Row {
-    /// The force.
-    #[inline(always)]
-    pub fn force(&self) -> Force {
-        [self.0[0], self.0[1], self.0[2]]
-    }
-}
-
 /// A stretch of particles.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::dem) struct Chunk {
@@ -125,9 +117,11 @@ struct Pairs<'a, L> {
 }
 
 impl<'a, L: Fn(&Contact) -> &'a PairLaw> ByFours for Pairs<'a, L> {
+    type Output = f64;
+
     /// Forces of all pairs, four by four; returns the energy lost [J/m].
     #[inline(always)]
-    fn work(self, quad: impl Quad) -> f64 {
+    fn work<Q: Quad>(self, quad: Q) -> f64 {
         let Pairs { contacts, forces, own, discs, law, dt } = self;
         let (groups, rest) = contacts.as_chunks_mut::<4>();
         let mut lost = quad.splat(0.0);

@@ -1,7 +1,8 @@
 //! Newton's law for the particles of one chunk.
 
-use super::chunk::{Chunk, Force, larger, smaller};
+use super::chunk::{Chunk, Row, larger};
 use super::disc::Disc;
+use super::quad::{ByFours, Quad, by_fours};
 
 /// What acts on all particles alike in one step.
 #[derive(Debug, Clone, Copy)]
@@ -26,15 +27,14 @@ pub(in crate::dem) struct Tally {
     pub damped: f64,
 }
 
-/// Calls `each` with every particle of a chunk and the whole force on it, its weight included.
+/// Calls `each` with every particle of a chunk and the whole force on it, its weight included (the fourth number is nothing).
 #[inline(always)]
-pub(in crate::dem) fn with_forces(chunk: &Chunk, chunks: &[Chunk], mut each: impl FnMut(usize, Force)) {
+pub(in crate::dem) fn with_forces(chunk: &Chunk, chunks: &[Chunk], mut each: impl FnMut(usize, [f64; 4])) {
     let mut incoming = chunk.incoming.iter().peekable();
-    for (k, force) in chunk.forces[..chunk.count as usize].iter().enumerate() {
-        let mut force = force.force();
+    for (k, &Row(mut force)) in chunk.forces[..chunk.count as usize].iter().enumerate() {
         while let Some(from) = incoming.next_if(|from| from.local as usize == k) {
-            let more = chunks[from.chunk as usize].forces[from.row as usize].force();
-            force = [force[0] + more[0], force[1] + more[1], force[2] + more[2]];
+            let Row(more) = chunks[from.chunk as usize].forces[from.row as usize];
+            force = std::array::from_fn(|i| force[i] + more[i]);
         }
         each(k, force);
     }
@@ -47,39 +47,62 @@ pub(in crate::dem) fn integrate<const LOCAL: bool>(
     chunks: &[Chunk],
     motion: &Motion,
 ) -> Tally {
-    let Motion { between, dt, local, viscosity } = *motion;
-    let half = 0.5 * viscosity * between;
-    let (share, slow) = (1.0 / (1.0 + half), 2.0 * half / (1.0 + half));
-    let mut tally = Tally::default();
-    with_forces(chunk, chunks, |k, force| {
-        let disc = &mut discs[k];
+    by_fours(Integration::<LOCAL> { discs, chunk, chunks, motion })
+}
+
+struct Integration<'a, const LOCAL: bool> {
+    discs: &'a mut [Disc],
+    chunk: &'a Chunk,
+    chunks: &'a [Chunk],
+    motion: &'a Motion,
+}
+
+impl<const LOCAL: bool> ByFours for Integration<'_, LOCAL> {
+    type Output = Tally;
+
+    /// The four numbers of a particle are its velocities along x, along y and of its rim, and its radius, which nothing pushes.
+    #[inline(always)]
+    fn work<Q: Quad>(self, quad: Q) -> Tally {
+        let Motion { between, dt, local, viscosity } = *self.motion;
+        let half = 0.5 * viscosity * between;
+        let (share, slow) = (quad.splat(1.0 / (1.0 + half)), quad.splat(2.0 * half / (1.0 + half)));
+        let (local, viscous, middle) = (quad.splat(local), quad.splat(viscosity * between), quad.splat(0.5));
         // A disc's moment of inertia is half of m r^2, so its rim is accelerated by twice force over mass.
-        let scale = disc.inverse_mass * between;
-        let push = [force[0] * scale, force[1] * scale, 2.0 * force[2] * scale];
-        let old = [disc.vx, disc.vy, disc.rim];
-        let mut new = [0.0; 3];
-        let mut drain = [0.0; 3];
-        for c in 0..3 {
-            let mean_free = old[c] + 0.5 * push[c];
-            if LOCAL {
-                let most = local * push[c].abs();
-                let against = smaller(larger(mean_free, -most), most);
-                new[c] = old[c] + push[c] - against;
-                drain[c] = against * 0.5 * (old[c] + new[c]);
+        let turns = quad.row([1.0, 1.0, 2.0, 0.0]);
+        let inertia = quad.row([1.0, 1.0, 0.5, 0.0]);
+        let nothing = quad.splat(0.0);
+        let plus = |a, b| quad.sum(a, b);
+        let minus = |a, b| quad.difference(a, b);
+        let times = |a, b| quad.product(a, b);
+        let mut tally = Tally::default();
+        let mut damped = nothing;
+        let discs = self.discs;
+        with_forces(self.chunk, self.chunks, |k, force| {
+            let disc = &mut discs[k];
+            let push = times(quad.row(force), times(turns, quad.splat(disc.inverse_mass * between)));
+            let old = quad.row([disc.vx, disc.vy, disc.rim, disc.radius]);
+            let (new, drain) = if LOCAL {
+                let most = times(local, quad.larger(push, minus(nothing, push)));
+                let mean_free = plus(old, times(middle, push));
+                let against = quad.smaller(quad.larger(mean_free, minus(nothing, most)), most);
+                let new = minus(plus(old, push), against);
+                (new, times(against, times(middle, plus(old, new))))
             } else {
-                new[c] = old[c] + push[c] * share - slow * old[c];
-                let mean = 0.5 * (old[c] + new[c]);
-                drain[c] = viscosity * between * mean * mean;
-            }
-        }
-        tally.damped += (drain[0] + drain[1] + 0.5 * drain[2]) / disc.inverse_mass;
-        [disc.vx, disc.vy, disc.rim] = new;
-        disc.x += new[0] * dt;
-        disc.y += new[1] * dt;
-        disc.rolled += new[2] * dt;
-        let square = new[0] * new[0] + new[1] * new[1];
-        tally.fastest = larger(square, tally.fastest);
-        tally.check += square + new[2] * new[2];
-    });
-    tally
+                let new = minus(plus(old, times(push, share)), times(slow, old));
+                let mean = times(middle, plus(old, new));
+                (new, times(viscous, times(mean, mean)))
+            };
+            damped = plus(damped, quad.quotient(times(inertia, drain), quad.splat(disc.inverse_mass)));
+            let [vx, vy, rim, _] = quad.numbers(new);
+            (disc.vx, disc.vy, disc.rim) = (vx, vy, rim);
+            disc.x += vx * dt;
+            disc.y += vy * dt;
+            disc.rolled += rim * dt;
+            let square = vx * vx + vy * vy;
+            tally.fastest = larger(square, tally.fastest);
+            tally.check += square + rim * rim;
+        });
+        tally.damped = quad.numbers(damped)[..3].iter().sum();
+        tally
+    }
 }

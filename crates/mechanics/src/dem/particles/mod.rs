@@ -262,7 +262,7 @@ impl Particles {
                     + disc.vy * (force[1] - before[1])
                     + disc.rim * (force[2] - before[2]);
                 kinetic += 2.0 * disc.kinetic_energy();
-                *before = force;
+                *before = [force[0], force[1], force[2]];
             });
             (stiff, kinetic)
         };

@@ -149,20 +149,22 @@ impl Quad for pulp::x86::V3 {
 
 /// Work that is written for any four numbers.
 pub(super) trait ByFours {
+    /// What comes of it.
+    type Output;
     /// Does it.
-    fn work(self, quad: impl Quad) -> f64;
+    fn work<Q: Quad>(self, quad: Q) -> Self::Output;
 }
 
 /// Does the work with the widest four numbers that this processor has.
 #[inline(always)]
-pub(super) fn by_fours(work: impl ByFours) -> f64 {
+pub(super) fn by_fours<W: ByFours>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     if let Some(v3) = pulp::x86::V3::try_new() {
         struct WithV3<W>(pulp::x86::V3, W);
         impl<W: ByFours> pulp::NullaryFnOnce for WithV3<W> {
-            type Output = f64;
+            type Output = W::Output;
             #[inline(always)]
-            fn call(self) -> f64 {
+            fn call(self) -> W::Output {
                 self.1.work(self.0)
             }
         }

@@ -12,6 +12,7 @@
 //! found when it is first needed and serves all positions. The equations are those of the whole mesh: nothing is approximated.
 
 mod foresight;
+mod loads;
 mod newton;
 mod parts;
 mod passage;
@@ -28,7 +29,8 @@ use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
-use parts::{Kind, Part, ROWS};
+use loads::Load;
+use parts::{Kind, Part, ROWS, Remembered};
 use rows::Rows;
 use system::System;
 
@@ -100,13 +102,17 @@ pub struct Condensed<'a> {
     is_active: Vec<bool>,
     observed: Vec<usize>,
     system: System,
-    amplitudes: Vec<f64>,
-    /// Forces on the columns' rows.
+    /// Loads of the last position.
+    load: Load,
+    /// Forces on the columns' rows, and the excess that was found last.
     forces: Vec<f64>,
+    excess: Vec<f64>,
     /// Most that loads have moved a row of the linear system so far [m].
     most_moved: f64,
     /// Values of the active rows while they are sought, in their order.
     values: Vec<f64>,
+    /// Multiple of what the loads do to it at which a quadrilateral that would flow is watched.
+    foresight: f64,
 }
 
 impl<'a> Condensed<'a> {
@@ -138,10 +144,12 @@ impl<'a> Condensed<'a> {
             is_active: Vec::new(),
             observed: Vec::new(),
             system: System::default(),
-            amplitudes: vec![0.0; patterns.len()],
+            load: Load::none(patterns.len(), 0),
             forces: Vec::new(),
+            excess: Vec::new(),
             most_moved: 0.0,
             values: Vec::new(),
+            foresight: foresight::FORESIGHT,
             model,
             work,
             start,
@@ -164,8 +172,18 @@ impl<'a> Condensed<'a> {
         Ok(condensed)
     }
 
+    /// Watches quadrilaterals that would flow at another multiple of what the loads do to them than two. The results are the same:
+    /// one that was missed is found by the next look, and the way is gone again.
+    #[must_use]
+    pub fn with_foresight(mut self, multiple: f64) -> Condensed<'a> {
+        self.foresight = multiple;
+        self
+    }
+
     fn row(&mut self, functional: &Functional) -> usize {
-        self.rows.push(self.model, functional, &self.start.displacements)
+        let row = self.rows.push(self.model, functional, &self.start.displacements);
+        self.load.complete(&self.rows);
+        row
     }
 
     fn row_of(&mut self, component: usize) -> Option<usize> {
@@ -198,10 +216,9 @@ impl<'a> Condensed<'a> {
         self.watch(part)
     }
 
-    /// Balances loads of these amplitudes on top of what was there at the start, from the last position.
-    pub fn go(&mut self, amplitudes: &[f64]) -> Result<Position, CondensedError> {
-        let before = (self.amplitudes.clone(), self.forces.clone());
-        self.amplitudes.copy_from_slice(amplitudes);
+    /// Balances loads on top of what was there at the start, from the last position.
+    fn go(&mut self, load: Load) -> Result<Position, CondensedError> {
+        let before = (std::mem::replace(&mut self.load, load), self.forces.clone());
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
         self.guess(&before.0);
         while position.iterations < ITERATIONS {
@@ -221,21 +238,31 @@ impl<'a> Condensed<'a> {
                 break;
             }
         }
-        self.amplitudes = before.0;
-        // Rows that became active meanwhile carry nothing in the last position.
-        self.forces[..before.1.len()].copy_from_slice(&before.1);
-        self.forces[before.1.len()..].fill(0.0);
-        self.rows.bring(&self.amplitudes, &self.forces);
+        self.load = before.0;
+        self.take_forces(&before.1);
         Ok(position)
+    }
+
+    /// Takes forces of an earlier position; rows that became active meanwhile carried nothing there.
+    fn take_forces(&mut self, forces: &[f64]) {
+        self.forces[..forces.len()].copy_from_slice(forces);
+        self.forces[forces.len()..].fill(0.0);
+        self.load.complete(&self.rows);
+        self.rows.bring(&self.forces);
+    }
+
+    /// Value of a row under the loads and the forces to which rows were brought last.
+    fn value(&self, row: usize) -> f64 {
+        self.rows.carried(row) + self.load.moved(row)
     }
 
     /// Parts that were linear so far and are no longer.
     fn changed(&mut self) -> Option<Vec<usize>> {
-        self.rows.bring(&self.amplitudes, &self.forces);
-        let rows = &self.rows;
+        self.rows.bring(&self.forces);
+        let (rows, load) = (&self.rows, &self.load);
         let mut changed = Vec::new();
         for (index, part) in self.parts.iter_mut().enumerate().filter(|(i, _)| !self.is_active[*i]) {
-            part.answer(self.model, |row| rows.value(row))?;
+            part.answer(self.model, |row| rows.carried(row) + load.moved(row))?;
             if part.differs() {
                 changed.push(index);
             }
@@ -264,7 +291,7 @@ impl<'a> Condensed<'a> {
 
     /// What the observed functionals are in the last position.
     pub fn observed(&self) -> Vec<f64> {
-        self.observed.iter().map(|&row| self.rows.value(row)).collect()
+        self.observed.iter().map(|&row| self.value(row)).collect()
     }
 
     /// Counts of the last position.
@@ -300,17 +327,16 @@ impl<'a> Condensed<'a> {
 
     /// What has to be kept to come back to the last position.
     fn mark(&self) -> Mark {
-        Mark { amplitudes: self.amplitudes.clone(), forces: self.forces.clone(), parts: self.parts.clone() }
+        let parts = self.parts.iter().map(Part::remembered).collect();
+        Mark { load: self.load.clone(), forces: self.forces.clone(), parts }
     }
 
     /// Goes back to a mark. Parts and rows that came later stay; they carried nothing there.
     fn back_to(&mut self, mark: &Mark) {
-        self.amplitudes.clone_from(&mark.amplitudes);
-        self.forces[..mark.forces.len()].copy_from_slice(&mark.forces);
-        self.forces[mark.forces.len()..].fill(0.0);
-        self.rows.bring(&self.amplitudes, &self.forces);
-        for (part, marked) in self.parts.iter_mut().zip(&mark.parts) {
-            part.clone_from(marked);
+        self.load.clone_from(&mark.load);
+        self.take_forces(&mark.forces);
+        for (part, remembered) in self.parts.iter_mut().zip(&mark.parts) {
+            part.recall(remembered);
         }
         for part in &mut self.parts[mark.parts.len()..] {
             part.restart(&self.start);
@@ -319,7 +345,7 @@ impl<'a> Condensed<'a> {
 
     /// Goes back to the state in which the run began; what was found of the system stays.
     pub fn restart(&mut self) {
-        self.amplitudes.fill(0.0);
+        self.load = Load::none(self.patterns.len(), self.rows.len());
         self.forces.fill(0.0);
         self.rows.restart();
         for part in &mut self.parts {
@@ -330,7 +356,7 @@ impl<'a> Condensed<'a> {
     /// Displacements of all components [m] in the last position: one solution of the whole system.
     pub fn displacements(&mut self) -> Vec<f64> {
         let mut right = vec![0.0; self.model.equations()];
-        for (pattern, a) in self.patterns.iter().zip(&self.amplitudes).filter(|(_, a)| **a != 0.0) {
+        for (pattern, a) in self.patterns.iter().zip(&self.load.amplitudes).filter(|(_, a)| **a != 0.0) {
             right.iter_mut().zip(pattern).for_each(|(right, force)| *right += a * force);
         }
         for (&row, force) in self.system.rows().iter().zip(&self.forces) {
@@ -357,9 +383,9 @@ pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>)
 /// Where a run stood.
 #[derive(Debug, Clone)]
 struct Mark {
-    amplitudes: Vec<f64>,
+    load: Load,
     forces: Vec<f64>,
-    parts: Vec<Part>,
+    parts: Vec<Remembered>,
 }
 
 /// Why there is no condensed system.

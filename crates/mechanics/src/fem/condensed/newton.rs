@@ -1,5 +1,6 @@
 //! Newton's method on the forces of the active rows.
 
+use super::loads::Load;
 use super::rows::dot;
 use super::{Condensed, ITERATIONS, Position, TOLERANCE};
 
@@ -14,10 +15,10 @@ const FARTHEST: f64 = 2.0;
 
 impl Condensed<'_> {
     /// The forces follow the change of the loads as the last tangent has it.
-    pub(super) fn guess(&mut self, before: &[f64]) {
-        let more: Vec<f64> = self.amplitudes.iter().zip(before).map(|(now, then)| now - then).collect();
-        let step: Vec<f64> = self.system.rows().iter().map(|&row| self.rows.moved(row, &more)).collect();
-        let step = self.system.predict(&step);
+    pub(super) fn guess(&mut self, before: &Load) {
+        self.load.complete(&self.rows);
+        let change = |&row: &usize| self.load.moved(row) - before.moved(row);
+        let step = self.system.predict(&self.system.rows().iter().map(change).collect::<Vec<f64>>());
         self.forces.iter_mut().zip(step).for_each(|(force, step)| *force += step);
     }
 
@@ -30,7 +31,7 @@ impl Condensed<'_> {
             let size = self.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             position.left = change.iter().fold(0.0_f64, |most, l| most.max(l.abs())) / size;
             if position.left <= TOLERANCE {
-                self.forces.iter_mut().zip(&right).for_each(|(force, right)| *force += right);
+                self.forces.copy_from_slice(&self.excess);
                 return true;
             }
             idle = if position.left < 0.9 * best { 0 } else { idle + 1 };
@@ -39,7 +40,8 @@ impl Condensed<'_> {
                 return false;
             }
             position.iterations += 1;
-            let slopes = self.active.iter().map(|&part| (&self.parts[part].rows, &self.parts[part].slope));
+            let moving = self.active.iter().map(|&part| &self.parts[part]).filter(|part| !part.still);
+            let slopes = moving.map(|part| (&part.rows, &part.slope));
             let direction = self.system.solve(slopes, &right);
             let Some(next) = self.step(&direction, &right) else { return false };
             right = next;
@@ -61,18 +63,17 @@ impl Condensed<'_> {
 
     /// Values of the active rows under loads and forces, and the excess of their parts less those forces.
     fn unbalanced(&mut self) -> Option<Vec<f64>> {
-        let more = self.system.moves(&self.forces);
-        let rows = self.system.rows().iter().zip(more);
-        self.values = rows.map(|(&row, more)| self.rows.linear(row, &self.amplitudes) + more).collect();
-        let moved = self.system.rows().iter().map(|&row| self.rows.moved(row, &self.amplitudes).abs());
+        self.rows.bring(&self.forces);
+        self.values = self.system.rows().iter().map(|&row| self.value(row)).collect();
+        let moved = self.system.rows().iter().map(|&row| self.load.moved(row).abs());
         self.most_moved = moved.fold(self.most_moved, f64::max);
         self.right()
     }
 
     /// The excess of the active parts at the values at hand, less the forces that stand for it.
     fn right(&mut self) -> Option<Vec<f64>> {
-        let excess = self.excess()?;
-        Some(excess.iter().zip(&self.forces).map(|(excess, force)| excess - force).collect())
+        self.find_excess()?;
+        Some(self.excess.iter().zip(&self.forces).map(|(excess, force)| excess - force).collect())
     }
 
     /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
@@ -118,17 +119,18 @@ impl Condensed<'_> {
     }
 
     /// Excess of the active parts, summed on the columns.
-    fn excess(&mut self) -> Option<Vec<f64>> {
-        let mut sum = vec![0.0; self.forces.len()];
+    fn find_excess(&mut self) -> Option<()> {
+        self.excess.clear();
+        self.excess.resize(self.forces.len(), 0.0);
         for &index in &self.active {
             let (part, values, rows) = (&mut self.parts[index], &self.values, &self.rows);
             part.answer(self.model, |row| rows[row].column.map_or(0.0, |column| values[column]))?;
             for (row, excess) in part.rows.iter().zip(part.excess) {
                 if let Some(column) = row.and_then(|row| self.rows[row].column) {
-                    sum[column] += excess;
+                    self.excess[column] += excess;
                 }
             }
         }
-        Some(sum)
+        Some(())
     }
 }

@@ -33,11 +33,21 @@ pub(super) struct Part {
     samples: Option<[Sample; 4]>,
     old: Kept4,
     new: Kept4,
-    /// What the linear system carried too much when the run began, and what it does now [N/m].
+    /// What the linear system carried too much when the run began, when the part was last kept, and what it does now [N/m].
     start: [f64; ROWS],
+    kept: [f64; ROWS],
     pub excess: [f64; ROWS],
-    /// Derivatives of `excess` by the rows.
+    /// Derivatives of `excess` by the rows, while the part is not still.
     pub slope: [[f64; ROWS]; ROWS],
+    /// Whether it answers linearly from what it remembers: its excess is then the one that was kept, to the bit.
+    pub still: bool,
+}
+
+/// What a part was when it was last kept.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Remembered {
+    old: Kept4,
+    kept: [f64; ROWS],
 }
 
 /// What a part remembers.
@@ -92,15 +102,18 @@ impl Part {
             old: Kept4::default(),
             new: Kept4::default(),
             start: [0.0; ROWS],
+            kept: [0.0; ROWS],
             excess: [0.0; ROWS],
             slope: [[0.0; ROWS]; ROWS],
+            still: true,
         }
     }
 
     /// Takes what it answers at these values of the rows as what was there when the run began.
     pub fn begin(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
+        let at = self.at(value);
         self.start = [0.0; ROWS];
-        self.answer(model, value)?;
+        self.answer_in_full(model, &at)?;
         self.start = self.excess;
         self.excess = [0.0; ROWS];
         Some(())
@@ -108,8 +121,37 @@ impl Part {
 
     /// What the linear system carries too much at these values of the rows, beyond what it did when the run began.
     pub fn answer(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
-        let at: [f64; ROWS] = std::array::from_fn(|i| self.rows[i].map_or(self.held[i], &value));
-        let (force, tangent) = self.carries(model, &at)?;
+        let at = self.at(value);
+        self.still = self.is_still(model, &at);
+        if self.still {
+            self.excess = self.kept;
+            return Some(());
+        }
+        self.answer_in_full(model, &at)
+    }
+
+    fn at(&self, value: impl Fn(usize) -> f64) -> [f64; ROWS] {
+        std::array::from_fn(|i| self.rows[i].map_or(self.held[i], &value))
+    }
+
+    /// Looks whether the part remembers nothing new and resists as the linear system does; keeps stress and traction if so.
+    fn is_still(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
+        match (self.kind, &self.samples) {
+            (Kind::Quad(id), Some(samples)) => {
+                let solid = &model.section(id).solid;
+                !model.incompatible(id) && element::still(solid, samples, at, &self.old.points, &mut self.new.points)
+            }
+            (Kind::Spring(index), _) => {
+                let tangent = self.pull(model, index, [at[0], at[1]]);
+                let linear = (0..2).all(|i| (0..2).all(|j| tangent[i][j] == self.stiffness[i][j]));
+                linear && self.new.bond.memory == self.old.bond.memory
+            }
+            (Kind::Quad(_), None) => false,
+        }
+    }
+
+    fn answer_in_full(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
+        let (force, tangent) = self.carries(model, at)?;
         for i in 0..ROWS {
             let mut linear = 0.0;
             for j in 0..ROWS {
@@ -118,7 +160,16 @@ impl Part {
             }
             self.excess[i] = linear - force[i] - self.start[i];
         }
+        self.still = false;
         Some(())
+    }
+
+    /// Opens a spring; gives its tangent.
+    fn pull(&mut self, model: &Model, index: usize, opening: [f64; 2]) -> [[f64; 2]; 2] {
+        let spring = &model.springs()[index];
+        let answer = model.joints[spring.kind].respond(opening, spring.area, &self.old.bond.memory);
+        self.new.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
+        answer.tangent.map(|row| row.map(|entry| spring.area * entry))
     }
 
     fn carries(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<([f64; ROWS], [[f64; ROWS]; ROWS])> {
@@ -131,16 +182,11 @@ impl Part {
                 Some((answer.force, answer.tangent))
             }
             (Kind::Spring(index), _) => {
-                let spring = &model.springs()[index];
-                let opening = [at[0], at[1]];
-                let answer = model.joints[spring.kind].respond(opening, spring.area, &self.old.bond.memory);
-                self.new.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
+                let pulled = self.pull(model, index, [at[0], at[1]]);
                 let (mut force, mut tangent) = ([0.0; ROWS], [[0.0; ROWS]; ROWS]);
                 for i in 0..2 {
-                    force[i] = spring.area * answer.traction[i];
-                    for j in 0..2 {
-                        tangent[i][j] = spring.area * answer.tangent[i][j];
-                    }
+                    force[i] = model.springs()[index].area * self.new.bond.traction[i];
+                    tangent[i][..2].copy_from_slice(&pulled[i]);
                 }
                 Some((force, tangent))
             }
@@ -159,8 +205,9 @@ impl Part {
         most > ROUNDING * scale * displaced
     }
 
-    /// Remembers what a state remembers.
+    /// Remembers what the state remembers in which the run began.
     pub fn restart(&mut self, state: &State) {
+        self.kept = [0.0; ROWS];
         match self.kind {
             Kind::Spring(index) => self.old.bond = state.bonds[index],
             Kind::Quad(id) => {
@@ -174,6 +221,17 @@ impl Part {
     /// Keeps what it answered last.
     pub fn keep(&mut self) {
         self.old = self.new;
+        self.kept = self.excess;
+    }
+
+    /// What it would take to come back.
+    pub fn remembered(&self) -> Remembered {
+        Remembered { old: self.old, kept: self.kept }
+    }
+
+    /// Comes back.
+    pub fn recall(&mut self, remembered: &Remembered) {
+        (self.old, self.kept) = (remembered.old, remembered.kept);
     }
 
     /// Writes what it remembers into a state.

@@ -1,10 +1,12 @@
 //! A run of positions, looked over every few of them.
 
+use super::loads::{Load, loads};
 use super::{Condensed, CondensedError, Counts, Position, Reached};
 use crate::watch::{Progress, Watch, Wish};
 
-/// Positions between two looks at quadrilaterals that might flow.
-const LOOK: usize = 5;
+/// Positions between two looks at quadrilaterals that might flow: fewest, after a look that has missed one, and most. Each look
+/// solves the whole system once.
+const LOOK: (usize, usize) = (5, 20);
 
 /// How often the way from one position to the next is halved before the run gives up.
 const HALVINGS: u32 = 6;
@@ -42,7 +44,8 @@ impl Condensed<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Passage, CondensedError> {
         let mut passage = Passage::default();
-        let mut at = 0;
+        self.scan(count, amplitudes)?;
+        let (mut at, mut stretch) = (0, LOOK.0);
         while at < count {
             let progress = Progress {
                 stage: format!("position {} of {count}", at + 1),
@@ -55,10 +58,10 @@ impl Condensed<'_> {
             }
             let mark = self.mark();
             // The first position brings the loads on: it is looked over by itself.
-            let end = if at == 0 { 1.min(count) } else { (at + LOOK).min(count) };
-            let mut seen = Vec::with_capacity(LOOK);
-            for index in at..end {
-                let position = self.reach(&amplitudes(index))?;
+            let end = if at == 0 { 1.min(count) } else { (at + stretch).min(count) };
+            let mut seen = Vec::with_capacity(end - at);
+            for load in loads(&self.rows, (at..end).map(amplitudes).collect()) {
+                let position = self.reach_load(load)?;
                 if position.reached != Reached::Balanced {
                     break;
                 }
@@ -68,8 +71,10 @@ impl Condensed<'_> {
             if self.look_ahead()? {
                 passage.repeated += 1;
                 self.back_to(&mark);
+                stretch = LOOK.0;
                 continue;
             }
+            stretch = (2 * stretch).min(LOOK.1);
             passage.visited.extend(seen);
             if failed {
                 passage.stopped_at = Some(passage.visited.len());
@@ -82,12 +87,19 @@ impl Condensed<'_> {
 
     /// Goes to a position, in parts of the way where the whole is too far.
     pub fn reach(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
-        let from = self.amplitudes.clone();
-        let mix = |share: f64| -> Vec<f64> { from.iter().zip(to).map(|(a, b)| a + share * (b - a)).collect() };
+        let load = loads(&self.rows, vec![to.to_vec()]).pop().unwrap_or_default();
+        self.reach_load(load)
+    }
+
+    fn reach_load(&mut self, mut to: Load) -> Result<Position, CondensedError> {
+        let mut from = self.load.clone();
         let (mut reached, mut step, mut total) = (0.0, 1.0, 0);
         loop {
             let next = if reached + step > 1.0 - 1e-9 { 1.0 } else { reached + step };
-            let mut position = if next == 1.0 { self.go(to)? } else { self.go(&mix(next))? };
+            // Rows may have joined on the way.
+            from.complete(&self.rows);
+            to.complete(&self.rows);
+            let mut position = self.go(if next == 1.0 { to.clone() } else { from.mix(&to, next) })?;
             total += position.iterations;
             position.iterations = total;
             if position.reached == Reached::Balanced {

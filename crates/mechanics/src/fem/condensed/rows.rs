@@ -2,6 +2,8 @@
 
 use crate::fem::dofs::HELD;
 use crate::fem::model::Model;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par};
 
 /// A sum of displacement components.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -50,9 +52,9 @@ pub(super) struct Rows {
     solved: [Vec<Vec<f64>>; 2],
     /// For each load and each column: change of every row.
     answers: [Vec<Vec<f64>>; 2],
-    /// Values of all rows under the amplitudes and forces to which they were brought last.
-    values: Vec<f64>,
-    stand: [Vec<f64>; 2],
+    /// Changes of all rows under the forces to which they were brought last, and those forces.
+    carried: Vec<f64>,
+    stand: Vec<f64>,
 }
 
 /// Loads, and columns.
@@ -63,12 +65,11 @@ impl Rows {
     /// No rows yet; solutions for the loads.
     pub fn new(loads: Vec<Vec<f64>>) -> Rows {
         let count = loads.len();
-        Rows {
-            solved: [loads, Vec::new()],
-            answers: [vec![Vec::new(); count], Vec::new()],
-            stand: [vec![0.0; count], Vec::new()],
-            ..Rows::default()
-        }
+        Rows { solved: [loads, Vec::new()], answers: [vec![Vec::new(); count], Vec::new()], ..Rows::default() }
+    }
+
+    pub fn len(&self) -> usize {
+        self.list.len()
     }
 
     pub fn columns(&self) -> usize {
@@ -82,15 +83,14 @@ impl Rows {
             functional.0.iter().map(|&(c, w)| (dofs.equation(c), w)).filter(|(e, _)| *e != HELD).collect();
         let start = functional.0.iter().map(|&(c, w)| w * displacements[c]).sum();
         let row = Row { terms, start, column: None };
-        let mut value = start;
         for kind in [LOADS, COLUMNS] {
-            for k in 0..self.solved[kind].len() {
-                let answer = row.of(&self.solved[kind][k]);
-                self.answers[kind][k].push(answer);
-                value += answer * self.stand[kind][k];
+            for (answers, solution) in self.answers[kind].iter_mut().zip(&self.solved[kind]) {
+                answers.push(row.of(solution));
             }
         }
-        self.values.push(value);
+        let carried =
+            self.answers[COLUMNS].iter().zip(&self.stand).map(|(answers, force)| answers[self.list.len()] * force);
+        self.carried.push(carried.sum());
         self.list.push(row);
         self.list.len() - 1
     }
@@ -102,7 +102,7 @@ impl Rows {
             let answers = self.list.iter().map(|row| row.of(&solution)).collect();
             self.answers[COLUMNS].push(answers);
             self.solved[COLUMNS].push(solution);
-            self.stand[COLUMNS].push(0.0);
+            self.stand.push(0.0);
         }
     }
 
@@ -112,9 +112,14 @@ impl Rows {
         self.answers[COLUMNS][column][row]
     }
 
-    /// Value of a row under loads alone.
-    pub fn linear(&self, row: usize, amplitudes: &[f64]) -> f64 {
-        self.list[row].start + self.moved(row, amplitudes)
+    /// Displacements of all equations by loads alone: a column for each set of amplitudes.
+    pub fn displacements(&self, amplitudes: &[Vec<f64>]) -> Mat<f64> {
+        product(&self.solved[LOADS], amplitudes)
+    }
+
+    /// Changes of all rows by loads alone: a column for each set of amplitudes.
+    pub fn all_moved(&self, amplitudes: &[Vec<f64>]) -> Mat<f64> {
+        product(&self.answers[LOADS], amplitudes)
     }
 
     /// Change of a row by loads.
@@ -122,29 +127,27 @@ impl Rows {
         self.answers[LOADS].iter().zip(amplitudes).filter(|(_, a)| **a != 0.0).map(|(answer, a)| answer[row] * a).sum()
     }
 
-    /// Brings the values of all rows to these amplitudes and forces: only what has changed is added.
-    pub fn bring(&mut self, amplitudes: &[f64], forces: &[f64]) {
-        for (kind, now) in [(LOADS, amplitudes), (COLUMNS, forces)] {
-            for ((answer, stand), now) in self.answers[kind].iter().zip(&mut self.stand[kind]).zip(now) {
-                let more = now - *stand;
-                if more != 0.0 {
-                    self.values.iter_mut().zip(answer).for_each(|(value, answer)| *value += more * answer);
-                    *stand = *now;
-                }
+    /// Brings all rows to these forces: only what has changed is added.
+    pub fn bring(&mut self, forces: &[f64]) {
+        for ((answer, stand), now) in self.answers[COLUMNS].iter().zip(&mut self.stand).zip(forces) {
+            let more = now - *stand;
+            if more != 0.0 {
+                self.carried.iter_mut().zip(answer).for_each(|(value, answer)| *value += more * answer);
+                *stand = *now;
             }
         }
     }
 
-    /// Brings all values back to those of the start, without what rounding has left.
+    /// Brings all rows to no forces, without what rounding has left.
     pub fn restart(&mut self) {
-        self.values.iter_mut().zip(&self.list).for_each(|(value, row)| *value = row.start);
-        self.stand.iter_mut().for_each(|stand| stand.fill(0.0));
+        self.carried.fill(0.0);
+        self.stand.fill(0.0);
     }
 
-    /// Value of a row as it was brought last.
+    /// Value of a row when the run began, and what the forces to which it was brought last have added.
     #[inline]
-    pub fn value(&self, row: usize) -> f64 {
-        self.values[row]
+    pub fn carried(&self, row: usize) -> f64 {
+        self.list[row].start + self.carried[row]
     }
 }
 
@@ -153,6 +156,19 @@ impl std::ops::Index<usize> for Rows {
     fn index(&self, row: usize) -> &Row {
         &self.list[row]
     }
+}
+
+/// Sums of the columns by amplitudes, many at a time: what is not zero is read once for all of them.
+fn product(columns: &[Vec<f64>], amplitudes: &[Vec<f64>]) -> Mat<f64> {
+    let used: Vec<usize> = (0..columns.len()).filter(|&l| amplitudes.iter().any(|a| a[l] != 0.0)).collect();
+    let rows = columns.first().map_or(0, Vec::len);
+    let mut read = Vec::with_capacity(rows * used.len());
+    used.iter().for_each(|&l| read.extend_from_slice(&columns[l]));
+    let read = MatRef::from_column_major_slice(&read, rows, used.len());
+    let shares = Mat::<f64>::from_fn(used.len(), amplitudes.len(), |k, p| amplitudes[p][used[k]]);
+    let mut sums = Mat::<f64>::zeros(rows, amplitudes.len());
+    matmul(sums.as_mut(), Accum::Replace, read, shares.as_ref(), 1.0, Par::Seq);
+    sums
 }
 
 /// Eight running sums, in a fixed order: as fast as memory gives the numbers.

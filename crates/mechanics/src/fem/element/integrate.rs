@@ -28,6 +28,34 @@ pub(in crate::fem) struct Kept<'a> {
     pub modes: &'a mut [f64; 4],
 }
 
+/// Whether an element without modes, displaced by `u`, flows nowhere and remembers nothing new, so that it answers linearly from
+/// what it remembers; its points are written if so.
+pub(in crate::fem) fn still(
+    solid: &Solid,
+    samples: &[Sample; 4],
+    u: &[f64; 8],
+    old: &[Point],
+    new: &mut [Point],
+) -> bool {
+    samples.iter().zip(old).zip(new).all(|((sample, old), new)| {
+        let answer = answer(solid, &strain(sample, u), &old.memory);
+        *new = Point { memory: answer.memory, stress: answer.stress, yields: answer.yields };
+        !answer.yields && answer.memory == old.memory
+    })
+}
+
+/// Strain of `M / 2` functions of two components.
+#[inline(always)]
+fn strain<const M: usize>(sample: &Sample, u: &[f64; M]) -> Four {
+    let mut strain = [0.0; 4];
+    for a in 0..M / 2 {
+        strain[0] += sample.dx[a] * u[2 * a];
+        strain[1] += sample.dy[a] * u[2 * a + 1];
+        strain[3] += sample.dy[a] * u[2 * a] + sample.dx[a] * u[2 * a + 1];
+    }
+    strain
+}
+
 /// The answer of an element to displacements `u` of its corners; `None` where nothing resists its modes.
 pub(in crate::fem) fn respond(
     solid: &Solid,
@@ -115,12 +143,7 @@ fn integrate<const M: usize>(
     let mut tangent = [[0.0; M]; M];
     let mut size = 0.0;
     for ((sample, old), new) in samples.iter().zip(old).zip(new) {
-        let mut strain = [0.0; 4];
-        for a in 0..M / 2 {
-            strain[0] += sample.dx[a] * u[2 * a];
-            strain[1] += sample.dy[a] * u[2 * a + 1];
-            strain[3] += sample.dy[a] * u[2 * a] + sample.dx[a] * u[2 * a + 1];
-        }
+        let strain = strain(sample, u);
         let answer = answer(solid, &strain, &old.memory);
         *new = Point { memory: answer.memory, stress: answer.stress, yields: answer.yields };
         let d = &answer.tangent;

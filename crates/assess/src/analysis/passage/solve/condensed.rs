@@ -1,7 +1,7 @@
 //! The passage by the condensed path.
 
 use super::moment::moment;
-use super::{AtRest, Solution, functional};
+use super::{AtRest, Solution, Wanted, functional};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
@@ -23,7 +23,12 @@ pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
     rest.setup.loads.patterns.iter().map(whole).collect()
 }
 
-pub fn pass(rest: AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) -> Result<(), AnalysisError> {
+pub fn pass(
+    rest: AtRest<'_>,
+    solution: &mut Solution,
+    wanted: Wanted,
+    watch: &mut dyn Watch,
+) -> Result<(), AnalysisError> {
     let setup = rest.setup;
     let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
     let patterns = patterns(&rest);
@@ -60,6 +65,9 @@ pub fn pass(rest: AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) ->
             setup.positions[k]
         ));
     }
+    if wanted == Wanted::Records {
+        return Ok(());
+    }
     moments(&mut condensed, setup, rest.model, solution, watch).map_err(failed)?;
     if solution.status != PassageStatus::Cancelled {
         influence(&mut condensed, setup, solution, watch).map_err(failed)?;
@@ -75,7 +83,7 @@ fn moments(
     solution: &mut Solution,
     watch: &mut dyn Watch,
 ) -> Result<(), CondensedError> {
-    let wanted = wanted(setup, solution);
+    let wanted = places(setup, solution);
     condensed.restart();
     let last = wanted.iter().map(|(k, _)| *k).max().unwrap_or(0);
     for k in 0..=last {
@@ -98,7 +106,7 @@ fn moments(
 }
 
 /// Positions of which pictures are made, and why: those of the file, or the peaks of the channels.
-pub fn wanted(setup: &Setup, solution: &Solution) -> Vec<(usize, String)> {
+pub fn places(setup: &Setup, solution: &Solution) -> Vec<(usize, String)> {
     let solved = solution.values.first().map_or(0, Vec::len);
     let mut wanted: Vec<(usize, String)> = Vec::new();
     if solved == 0 {

@@ -48,8 +48,24 @@ pub struct Solution {
 /// Out-of-balance force over applied force of the self-weight, from which everything else starts.
 const WEIGHT_TOLERANCE: f64 = 1e-9;
 
-/// Self-weight first, then position after position.
+/// Self-weight first, then position after position, then what is to be shown of it.
 pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
+    solve_for(bridge, setup, Wanted::Everything, watch)
+}
+
+/// Self-weight and positions alone: the values of the sensors, without pictures and influence lines.
+pub fn records(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
+    solve_for(bridge, setup, Wanted::Records, watch)
+}
+
+/// What is wanted of a passage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    Records,
+    Everything,
+}
+
+fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
     let large = setup.plan.kinematics == PassageKinematics::Large;
     let kinematics = if large { Kinematics::Large } else { Kinematics::Small };
     let model = model(bridge, &setup.meshed, kinematics)?;
@@ -92,7 +108,7 @@ pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<So
     let still = setup.plan.analysis == PassageAnalysis::Static;
     let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
     if still && !large && setup.plan.path == PassagePath::Condensed && linear_sensors {
-        condensed::pass(bridge_at_rest, &mut solution, watch)?;
+        condensed::pass(bridge_at_rest, &mut solution, wanted, watch)?;
     } else {
         plain::pass(bridge_at_rest, work, &mut solution, watch)?;
     }

@@ -1,0 +1,159 @@
+//! `extrados bench passage`: a train over the railway arch on a fine mesh, from the bridge to the last position.
+
+use crate::args::Bench;
+use crate::clock::Clock;
+use crate::commands::Desk;
+use crate::examples;
+use crate::failure::Failure;
+use crate::report::Report;
+use crate::results;
+use crate::status::Status;
+use crate::watcher::{Spectator, asked_to_stop};
+use assess::analysis::passage::{PassageStatus, Setup, Solution, records, setup};
+use bridge::Bridge;
+use bridge::passage::PassagePath;
+use mechanics::watch::{Progress, Watch, Wish};
+
+/// Length of an element near the rings [m] where `--count` does not say: 60,000 unknowns and more.
+const SIZE: f64 = 0.07;
+
+/// Positions at which the whole system is solved beside the condensed one.
+const COMPARED: usize = 50;
+
+/// Repeats the passage, then compares it with the plain path at some of its positions.
+pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+    let mut bridge = railway_arch()?;
+    // A count is one of elements along a metre.
+    bridge.service.mesh.size = Some(arguments.count.map_or(SIZE, |count| 1.0 / f64::from(count)));
+    let quiet = desk.screen.quiet || desk.screen.json;
+    let set_up = || setup(&bridge).map_err(|error| results::not_set_up(&error));
+    let (mut runs, mut last) = (Vec::new(), None);
+    for _ in 0..arguments.repeats {
+        let mut onlooker = Timed::new(quiet);
+        let clock = Clock::start();
+        let setup = set_up()?;
+        let seconds_mesh = clock.seconds();
+        let found = records(&bridge, &setup, &mut onlooker).map_err(|error| results::not_set_up(&error))?;
+        runs.push([clock.seconds(), seconds_mesh, onlooker.until_positions.unwrap_or_default()]);
+        onlooker.spectator.finish();
+        last = Some((setup, found));
+        if asked_to_stop() {
+            break;
+        }
+    }
+    runs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let ([seconds, mesh, rest], middle) = (runs[0], runs[runs.len() / 2][0]);
+    let Some((setup, found)) = last else { return Ok(Report::new(Status::Undetermined)) };
+    let compared = compare(&bridge, &setup, quiet)?;
+    let status = match found.status {
+        PassageStatus::Completed => Status::Completed,
+        PassageStatus::NotConverged => Status::Undetermined,
+        PassageStatus::Cancelled => Status::Cancelled,
+    };
+    let (positions, iterations) = (found.values.first().map_or(0, Vec::len), iterations(&found));
+    let plastic = found.log.iter().map(|step| step.plastic_points).max().unwrap_or(0);
+    let opened = found.log.iter().map(|step| step.open_joints).max().unwrap_or(0);
+    let active = found.condensed_degrees_of_freedom;
+    Ok(Report::new(status)
+        .with("name", "passage")
+        .with("size", found.degrees_of_freedom)
+        .with("repeats", runs.len())
+        .with("seconds", seconds)
+        .with("seconds_median", middle)
+        .with("seconds_mesh", mesh)
+        .with("seconds_self_weight_and_condensing", rest)
+        .with("seconds_positions", seconds - mesh - rest)
+        .with("load_positions", positions)
+        .with("degrees_of_freedom", found.degrees_of_freedom)
+        .with("condensed_degrees_of_freedom", active)
+        .with("ring_nodes", bridge.service.mesh.ring_nodes)
+        .with("iterations_total", iterations)
+        .with("plastic_points", plastic)
+        .with("open_joints", opened)
+        .with("compared_positions", compared.positions)
+        .with("largest_difference", compared.difference)
+        .with("seconds_plain_per_position", compared.seconds)
+        .saying(format!(
+            "passage: {seconds:.2} s (median {middle:.2} s of {}) for {positions} positions of {} over {} spans, {} degrees of freedom, one \
+             core\nmesh {mesh:.2} s, self-weight and condensing {rest:.2} s, positions {:.2} s; {iterations} iterations on {} active rows, at \
+             most {plastic} points flow and {opened} joints are open\nplain path at {} positions: {:.2} s each; records differ by at most \
+             {:.1e} of a channel's largest value\n",
+            runs.len(),
+            setup.train,
+            bridge.spans.len(),
+            found.degrees_of_freedom,
+            seconds - mesh - rest,
+            active.unwrap_or(0),
+            compared.positions,
+            compared.seconds,
+            compared.difference,
+        )))
+}
+
+fn iterations(found: &Solution) -> usize {
+    found.log.iter().filter(|step| step.stage == "passage").map(|step| step.iterations).sum()
+}
+
+/// The plain path beside the condensed one.
+struct Compared {
+    positions: usize,
+    /// Largest difference of a record over the channel's largest value.
+    difference: f64,
+    /// Of the plain path, each position [s].
+    seconds: f64,
+}
+
+/// Both paths go through the same few positions, for what has yielded and slid depends on the way.
+fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Failure> {
+    let every = setup.positions.len().div_ceil(COMPARED);
+    let thinned = |all: &[f64]| all.iter().skip(every / 2).step_by(every).copied().collect::<Vec<f64>>();
+    let mut few = Setup { times: thinned(&setup.times), positions: thinned(&setup.positions), ..setup.clone() };
+    let go = |few: &Setup| -> Result<(Solution, f64), Failure> {
+        let mut onlooker = Timed::new(quiet);
+        let clock = Clock::start();
+        let found = records(bridge, few, &mut onlooker).map_err(|error| results::not_set_up(&error))?;
+        onlooker.spectator.finish();
+        Ok((found, clock.seconds() - onlooker.until_positions.unwrap_or_default()))
+    };
+    let (condensed, _) = go(&few)?;
+    few.plan.path = PassagePath::Plain;
+    // As close to balance as the condensed path comes.
+    few.plan.tolerance = few.plan.tolerance.min(1e-9);
+    let (plain, seconds) = go(&few)?;
+    let positions = plain.values.first().map_or(0, Vec::len);
+    let difference = condensed.values.iter().zip(&plain.values).map(|(condensed, plain)| {
+        let largest = plain.iter().fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+        let differ = condensed.iter().zip(plain).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        differ / largest
+    });
+    Ok(Compared { positions, difference: difference.fold(0.0, f64::max), seconds: seconds / positions.max(1) as f64 })
+}
+
+/// An onlooker that notes when the positions begin.
+struct Timed {
+    spectator: Spectator,
+    clock: Clock,
+    until_positions: Option<f64>,
+}
+
+impl Timed {
+    fn new(quiet: bool) -> Timed {
+        Timed { spectator: Spectator::new(quiet), clock: Clock::start(), until_positions: None }
+    }
+}
+
+impl Watch for Timed {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        if progress.stage.starts_with("position") {
+            self.until_positions.get_or_insert(self.clock.seconds());
+        }
+        self.spectator.look(progress)
+    }
+}
+
+fn railway_arch() -> Result<Bridge, Failure> {
+    let example = examples::named("railway-arch");
+    let text = example.and_then(|example| example.files.iter().find(|file| file.name == example.main));
+    let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
+    read.ok_or_else(|| Failure::input("F104", "the example railway-arch cannot be read", "report this"))
+}
