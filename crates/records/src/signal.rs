@@ -43,17 +43,19 @@ pub(crate) fn bridged(values: &[f64]) -> Option<Vec<f64>> {
     Some(bridged)
 }
 
-/// The median of each sample and its three neighbours on either side: what is shorter than four samples is gone.
+/// The median of each sample and its three neighbours on either side, at the ends of the seven outermost: what is shorter than
+/// four samples is gone.
 pub(crate) fn smoothed(values: &[f64]) -> Vec<f64> {
     let n = values.len();
+    let width = 7.min(n);
     (0..n)
         .map(|k| {
-            let half = 3.min(k).min(n - 1 - k);
+            let from = k.saturating_sub(3).min(n - width);
             let mut near = [0.0; 7];
-            let near = &mut near[..2 * half + 1];
-            near.copy_from_slice(&values[k - half..=k + half]);
+            let near = &mut near[..width];
+            near.copy_from_slice(&values[from..from + width]);
             near.sort_unstable_by(f64::total_cmp);
-            near[half]
+            near[width / 2]
         })
         .collect()
 }
@@ -137,9 +139,31 @@ pub(crate) fn loaded(run: &Run, smooth: &[Option<Vec<f64>>]) -> Loaded {
         (Some(first), Some(last)) if first <= last => [first, last],
         _ => [0, n.saturating_sub(1)],
     };
-    let quiet = on[0] / 2;
-    let end = n.saturating_sub(1 + on[1]) / 2;
-    Loaded { quiet: if quiet >= QUIET { quiet } else { 0 }, on, after: if end >= QUIET { n - end } else { n } }
+    let start = on[0] / 2;
+    let end = n - n.saturating_sub(1 + on[1]) / 2;
+    let silent = |from: usize, to: usize| to >= from + QUIET && silent(run, smooth, from, to);
+    Loaded { quiet: if silent(0, start) { start } else { 0 }, on, after: if silent(end, n) { end } else { n } }
+}
+
+/// Whether at least half of the channels hardly move over some samples: by noise, by rounding, or by three hundredths of their
+/// range. A record that begins under the train has a first level too, but moves.
+fn silent(run: &Run, smooth: &[Option<Vec<f64>>], from: usize, to: usize) -> bool {
+    let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
+    let (mut still, mut all) = (0, 0);
+    for values in used.filter_map(|(_, values)| values.as_ref()) {
+        let allowed = (0.03 * range(values)).max(3.0 * least_count(values)).max(8.0 * noise(values));
+        all += 1;
+        still += usize::from(range(&values[from..to]) <= allowed);
+    }
+    all > 0 && 2 * still >= all
+}
+
+impl Loaded {
+    /// Level of a channel while nothing loads the span: at the quiet start, else at the quiet end, else zero as recorded.
+    pub fn level(&self, values: &[f64]) -> f64 {
+        let quiet = if self.quiet > 0 { &values[..self.quiet] } else { &values[self.after.min(values.len())..] };
+        median(&mut quiet.to_vec())
+    }
 }
 
 #[cfg(test)]

@@ -23,14 +23,16 @@ pub(super) fn examine(run: &mut Run, judge: &mut Judge) {
         return;
     }
     let shown = run.time_step_shown;
-    for (at, before, after) in changes(&run.times, &steps, shown) {
+    let changes = changes(&run.times, &steps, shown);
+    let one_clock = changes.is_empty();
+    for (at, before, after) in changes {
         let message = format!(
             "the clock changes its step from {before:.6} s to {after:.6} s: two clocks, of which one may be wrong"
         );
         let help = "split the file where the clock changes, or accept R032 and say why both steps are right";
         judge.fault_all(run, "R032", Spot::at(at), &message, help);
     }
-    gaps(run, &steps, judge);
+    gaps(run, &steps, one_clock, judge);
 }
 
 /// Takes out rows with repeated times and single times out of order. False where the clock goes back.
@@ -139,16 +141,30 @@ fn changes(times: &[f64], steps: &[f64], shown: f64) -> Vec<(usize, f64, f64)> {
     found.into_iter().map(|(at, before, after, _)| (at, before, after)).collect()
 }
 
+/// Step of a clock: the middle one of the means of fifty steps, which rounding does not move and gaps hardly reach.
+fn usual_step(times: &[f64]) -> f64 {
+    let width = 50.min(times.len() - 1);
+    let mean = |k: usize| (times[k + width] - times[k]) / width as f64;
+    median(&mut (0..times.len() - width).step_by(width).map(mean).collect::<Vec<f64>>())
+}
+
 /// Rows that are missing between two times.
-fn gaps(run: &mut Run, steps: &[f64], judge: &mut Judge) {
-    let usual = median(&mut steps.to_vec());
+fn gaps(run: &mut Run, steps: &[f64], one_clock: bool, judge: &mut Judge) {
+    let usual = usual_step(&run.times);
     let longest = judge.scrutiny.limits.longest_gap;
+    let shown = run.time_step_shown;
+    // Printed times are rounded only where the step is no multiple of what they can show.
+    let counts = usual / shown;
+    let rounded = if shown > 0.0 && (counts - counts.round()).abs() > 1e-3 { shown } else { 0.0 };
     let width = 12;
     let mut long: Option<(Spot, String)> = None;
-    for (k, &step) in steps.iter().enumerate().filter(|(_, step)| **step > 1.2 * usual) {
-        let near = &steps[k.saturating_sub(width)..(k + width + 1).min(steps.len())];
-        let local = middle_mean(near);
-        if step <= GAP * local + run.time_step_shown {
+    for (k, &step) in steps.iter().enumerate() {
+        let local = if one_clock {
+            usual
+        } else {
+            middle_mean(&steps[k.saturating_sub(width)..(k + width + 1).min(steps.len())])
+        };
+        if step <= GAP * local + rounded {
             continue;
         }
         let missing = (step / local).round() as usize - 1;

@@ -2,11 +2,11 @@
 
 use super::judge::{Judge, Spot};
 use crate::Run;
-use crate::signal::{Loaded, least_count, median, range};
+use crate::signal::{Loaded, least_count, range};
 
 /// Samples that are held at least.
 const SAMPLES: usize = 20;
-/// What another channel moves meanwhile, as a share of its range: more than between two axles of a bogie.
+/// What at least half of the other channels move meanwhile, as a share of their ranges: an axle passes.
 const OTHERS: f64 = 0.6;
 /// A channel with fewer least counts than these in its range holds values by rounding.
 const COUNTS: f64 = 10.0;
@@ -21,7 +21,7 @@ pub(super) fn examine(run: &mut Run, channel: usize, smooth: &[Option<Vec<f64>>]
     if whole <= COUNTS * count {
         return;
     }
-    let level = median(&mut own[..loaded.quiet.max(1)].to_vec());
+    let level = loaded.level(own);
     let Some([first, last]) = longest(values, loaded) else { return };
     if last - first + 1 < SAMPLES {
         return;
@@ -30,9 +30,9 @@ pub(super) fn examine(run: &mut Run, channel: usize, smooth: &[Option<Vec<f64>>]
     let jumps = (first > 0 && jump(first - 1, first)) || (last + 1 < values.len() && jump(last, last + 1));
     let away = (values[first] - level).abs() > AWAY * whole;
     let others = smooth.iter().enumerate().filter(|(k, _)| *k != channel && run.channels[*k].used());
-    let moving = others.filter_map(|(_, other)| other.as_ref());
-    let moved = moving.filter(|other| range(&other[first..=last]) > OTHERS * range(other)).count();
-    if (away || jumps) && moved > 0 {
+    let others: Vec<&Vec<f64>> = others.filter_map(|(_, other)| other.as_ref()).collect();
+    let moved = others.iter().filter(|other| range(&other[first..=last]) > OTHERS * range(other)).count();
+    if (away || jumps) && moved > 0 && 2 * moved >= others.len() {
         let unit = run.channels[channel].unit;
         let message = format!(
             "it holds {} over {} samples to {:.4} s while others answer the train",

@@ -47,22 +47,24 @@ fn channels(run: &mut Run, judge: &mut Judge) {
     }
     let smooth = smooth(run);
     let loaded = loaded(run, &smooth);
-    for (channel, values) in smooth.iter().enumerate() {
-        let Some(values) = values else { continue };
-        let looks: [&dyn Fn(&mut Run, &mut Judge); 4] = [
-            &|run, judge| flat::examine(run, channel, values, loaded, judge),
-            &|run, judge| spike::examine(run, channel, values, loaded, judge),
-            &|run, judge| held::examine(run, channel, &smooth, loaded, judge),
-            &|run, judge| drift::examine(run, channel, values, loaded, judge),
-        ];
-        // One reason to leave a channel out is enough.
-        for look in looks {
-            if run.channels[channel].used() {
-                look(run, judge);
+    // One reason to leave a channel out is enough; dead ones go first, for others are compared with those that move.
+    let looks: [&Look; 4] = [
+        &|run, channel, values, judge| flat::examine(run, channel, values, loaded, judge),
+        &|run, channel, values, judge| spike::examine(run, channel, values, loaded, judge),
+        &|run, channel, _, judge| held::examine(run, channel, &smooth, loaded, judge),
+        &|run, channel, values, judge| drift::examine(run, channel, values, loaded, judge),
+    ];
+    for look in looks {
+        for (channel, values) in smooth.iter().enumerate() {
+            if let Some(values) = values.as_ref().filter(|_| run.channels[channel].used()) {
+                look(run, channel, values, judge);
             }
         }
     }
 }
+
+/// A look at one channel, with its history without spikes.
+type Look<'a> = dyn Fn(&mut Run, usize, &[f64], &mut Judge) + 'a;
 
 /// The channels of a run without what is shorter than four samples; None where nothing was measured.
 pub(crate) fn smooth(run: &Run) -> Vec<Option<Vec<f64>>> {

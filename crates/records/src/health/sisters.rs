@@ -42,7 +42,7 @@ fn sisters(runs: &[Run]) -> Vec<Sister> {
         let loaded = loaded(run, &smooth);
         for (c, values) in smooth.iter().enumerate().filter(|(c, _)| run.channels[*c].used()) {
             let Some(values) = values.as_ref().filter(|values| !values.is_empty()) else { continue };
-            let level = median(&mut values[..loaded.quiet.clamp(1, values.len())].to_vec());
+            let level = loaded.level(values);
             let side = |sign: f64| values.iter().map(|value| sign * (value - level)).fold(0.0, f64::max);
             let (up, down) = (side(1.0), side(-1.0));
             let peak = if up > down { up } else { -down };

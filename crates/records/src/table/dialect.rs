@@ -22,7 +22,9 @@ pub(super) struct Written {
 /// Sees from some lines how they are written. A semicolon or a tab in at least half of the lines separates, otherwise a comma;
 /// decimals stand after a comma where more cells can be read so.
 pub(super) fn seen(sample: &[&str], known: Dialect) -> Written {
-    let in_half = |mark: char| 2 * sample.iter().filter(|line| line.contains(mark)).count() >= sample.len().max(1);
+    // What stands within quotation marks separates nothing.
+    let has = |line: &str, mark: char| line.split('"').step_by(2).any(|outside| outside.contains(mark));
+    let in_half = |mark: char| 2 * sample.iter().filter(|line| has(line, mark)).count() >= sample.len().max(1);
     let separator = known
         .separator
         .filter(char::is_ascii)

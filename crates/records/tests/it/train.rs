@@ -13,8 +13,10 @@ const CHANNELS: [(&str, Quantity, f64, f64, f64, f64); 4] = [
 ];
 /// Distances of the axles behind the first [m].
 pub const AXLES: [f64; 6] = [0.0, 1.8, 3.7, 11.0, 12.9, 14.7];
-/// Time at which the first axle stands at the springing [s].
-pub const ARRIVAL: f64 = 1.5;
+/// Time at which the first axle stands at the springing [s]: the record starts when it is 12 m away, and 1.5 s before.
+pub fn arrival(speed: f64) -> f64 {
+    1.5_f64.max(12.0 / speed)
+}
 
 fn influence(x: f64, width: f64, lobe: f64) -> f64 {
     let bell = |u: f64| (-0.5 * u * u).exp();
@@ -25,7 +27,7 @@ fn influence(x: f64, width: f64, lobe: f64) -> f64 {
 fn values(index: usize, speed: f64, times: &[f64]) -> Vec<f64> {
     let (_, quantity, peak, place, width, lobe) = CHANNELS[index];
     let at = |time: &f64| -> f64 {
-        let first = speed * (time - ARRIVAL);
+        let first = speed * (time - arrival(speed));
         AXLES.iter().map(|axle| influence(first - axle - place, width, lobe)).sum()
     };
     let raw: Vec<f64> = times.iter().map(at).collect();
@@ -36,7 +38,7 @@ fn values(index: usize, speed: f64, times: &[f64]) -> Vec<f64> {
 
 /// Exact times: until the locomotive has left and the start's quiet has come back.
 pub fn times(speed: f64, rate: f64) -> Vec<f64> {
-    let end = 2.0 * ARRIVAL + 24.0 / speed;
+    let end = 2.0 * arrival(speed) + 24.0 / speed;
     (0..=(end * rate) as usize).map(|k| k as f64 / rate).collect()
 }
 
