@@ -141,8 +141,24 @@ pub(crate) fn loaded(run: &Run, smooth: &[Option<Vec<f64>>]) -> Loaded {
     };
     let start = on[0] / 2;
     let end = n - n.saturating_sub(1 + on[1]) / 2;
-    let silent = |from: usize, to: usize| to >= from + QUIET && silent(run, smooth, from, to);
-    Loaded { quiet: if silent(0, start) { start } else { 0 }, on, after: if silent(end, n) { end } else { n } }
+    let [mut starts, mut ends] = [(0, start), (end, n)].map(|(a, b)| b >= a + QUIET && silent(run, smooth, a, b));
+    if starts && ends && apart(run, smooth, start, end) {
+        // Not every channel drifts at once: one of the two stands under the train, and the shorter one is it.
+        (starts, ends) = (start > n - end, start <= n - end);
+    }
+    Loaded { quiet: if starts { start } else { 0 }, on, after: if ends { end } else { n } }
+}
+
+/// Whether at least half of the channels have other levels at the start than at the end.
+fn apart(run: &Run, smooth: &[Option<Vec<f64>>], start: usize, end: usize) -> bool {
+    let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
+    let (mut apart, mut all) = (0, 0);
+    for values in used.filter_map(|(_, values)| values.as_ref()) {
+        let levels = [median(&mut values[..start].to_vec()), median(&mut values[end..].to_vec())];
+        all += 1;
+        apart += usize::from((levels[1] - levels[0]).abs() > ANSWERS * range(values));
+    }
+    all > 1 && 2 * apart >= all
 }
 
 /// Whether at least half of the channels hardly move over some samples: by noise, by rounding, or by three hundredths of their
