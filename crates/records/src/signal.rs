@@ -108,7 +108,7 @@ pub(crate) struct Loaded {
     pub after: usize,
 }
 
-/// A channel answers where it leaves its first level by this share of its range.
+/// A channel answers from where it leaves its first level by this share of its range to where it comes as near to its last.
 const ANSWERS: f64 = 0.2;
 /// A quiet stretch has at least so many samples: the level of fewer is not known to a third of their scatter.
 const QUIET: usize = 10;
@@ -121,16 +121,14 @@ pub(crate) fn loaded(run: &Run, smooth: &[Option<Vec<f64>>]) -> Loaded {
     for (channel, values) in run.channels.iter().zip(smooth) {
         let Some(values) = values.as_ref().filter(|_| channel.used()) else { continue };
         let start = (n / 20).clamp(1.min(n), 200);
-        let level = median(&mut values[..start].to_vec());
+        let [first, last] = [&values[..start], &values[n - start..]].map(|part| median(&mut part.to_vec()));
         let threshold = ANSWERS * range(values);
         if threshold <= 0.0 {
             continue;
         }
-        let answers = |value: &f64| (value - level).abs() > threshold;
-        if let (Some(first), Some(last)) = (values.iter().position(answers), values.iter().rposition(answers)) {
-            arrivals.push(first);
-            departures.push(last);
-        }
+        let leaves = |level: f64| move |value: &f64| (value - level).abs() > threshold;
+        arrivals.extend(values.iter().position(leaves(first)));
+        departures.extend(values.iter().rposition(leaves(last)));
     }
     arrivals.sort_unstable();
     departures.sort_unstable();

@@ -6,7 +6,7 @@ use crate::signal::median;
 
 /// More repeated times than this share of the rows, and the clock is too coarse or stands still.
 const REPEATED: f64 = 0.05;
-/// More single times out of order than these, and there are two clocks.
+/// More times out of order or repeated than these are no accident.
 const OUT_OF_ORDER: usize = 3;
 /// Ratio of steps from which a clock is another one; loggers are set to 50, 100, 200, 250 Hz, of which no two are nearer.
 const OTHER_CLOCK: f64 = 1.2;
@@ -73,20 +73,20 @@ fn in_order(run: &mut Run, judge: &mut Judge) -> bool {
         judge.fault_all(run, "R031", Spot::at(at), &message, "give each clock a file of its own");
         return false;
     }
-    if repeated.len() as f64 > REPEATED * n as f64 {
+    if repeated.len() > OUT_OF_ORDER && repeated.len() as f64 > REPEATED * n as f64 {
         let message = format!("{} of {n} rows repeat the time above them", repeated.len());
         let help = "write times with as many decimals as the sampling rate needs";
         judge.fault_all(run, "R033", Spot::at(repeated[0]), &message, help);
-    } else {
-        for &at in &repeated {
-            let same = run.channels.iter().all(|channel| {
-                let pair = [channel.values[at - 1], channel.values[at]];
-                pair[0] == pair[1] || (pair[0].is_nan() && pair[1].is_nan())
-            });
-            let values = if same { "the same values" } else { "other values" };
-            let message = format!("the time {:.4} s is repeated with {values}; the row is left out", run.times[at]);
-            judge.warn(run, None, "R033", Spot::at(at), &message, "see whether the logger wrote a row twice");
-        }
+        return false;
+    }
+    for &at in &repeated {
+        let same = run.channels.iter().all(|channel| {
+            let pair = [channel.values[at - 1], channel.values[at]];
+            pair[0] == pair[1] || (pair[0].is_nan() && pair[1].is_nan())
+        });
+        let values = if same { "the same values" } else { "other values" };
+        let message = format!("the time {:.4} s is repeated with {values}; the row is left out", run.times[at]);
+        judge.warn(run, None, "R033", Spot::at(at), &message, "see whether the logger wrote a row twice");
     }
     for &at in &strays {
         let message = format!("the time {:.4} s stands out of order; the row is left out", run.times[at]);

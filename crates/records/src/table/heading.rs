@@ -31,7 +31,8 @@ impl Heading {
     /// Whether it heads the clock.
     pub fn is_clock(&self) -> bool {
         let name = self.name.to_lowercase();
-        CLOCKS.contains(&name.as_str())
+        self.line.is_empty()
+            && CLOCKS.contains(&name.as_str())
             && self
                 .symbol
                 .as_deref()

@@ -137,8 +137,11 @@ fn head<'a>(
     // Some loggers write the units on a line of their own.
     let below = sample.get(at + 1).map(|(line, text)| (*line, cells(text)));
     if let Some((units_line, units)) = below {
+        // A hyphen is a unit, but also a word for nothing.
         let is_unit = |symbol: &String| Unit::named(symbol).is_some();
-        if units.iter().any(is_unit) && units.iter().all(|symbol| symbol.is_empty() || is_unit(symbol)) {
+        let wanted = headings.iter().any(|heading| heading.symbol.is_none()) && units.len() == headings.len();
+        let sure = units.iter().any(|symbol| symbol != "-" && is_unit(symbol));
+        if wanted && sure && units.iter().all(|symbol| symbol.is_empty() || is_unit(symbol)) {
             for (heading, symbol) in headings.iter_mut().zip(units) {
                 if heading.symbol.is_none() && !symbol.is_empty() {
                     heading.symbol = Some(symbol);
