@@ -54,6 +54,7 @@ pub const CARDS: &[Card] = &[
     card("R043", "value held while others answer", CHANNEL),
     card("R044", "unit slipped by 1000", CHANNEL),
     card("R045", "swapped sign", CHANNEL),
+    card("R046", "level after the train differs from that before", "used, and named"),
     card("R050", "left out by hand", CHANNEL),
     card("R051", "left out or accepted without a reason", "not done"),
     card("R052", "left out by hand, but not there", "not done"),

@@ -32,11 +32,16 @@ pub(super) fn examine(run: &mut Run, channel: usize, smooth: &[f64], loaded: Loa
     if limit <= 0.0 {
         return;
     }
-    // The first and last sample have no neighbour on one side: they are compared with the next but one.
+    // The outermost three have too few neighbours on one side: they must leave the next sample inwards and the straight line
+    // through the next two, so that a record that is cut on a slope ends in no spike.
     let n = values.len();
+    let inwards = |k: usize, a: usize, b: usize| {
+        let line = 2.0 * values[a] - values[b];
+        (values[k] - values[a]).abs().min((values[k] - line).abs())
+    };
     let far = |k: usize| match k {
-        0 => (values[0] - values[1]).abs().min((values[0] - values[2]).abs()),
-        _ if k == n - 1 => (values[k] - values[k - 1]).abs().min((values[k] - values[k - 2]).abs()),
+        0..3 => inwards(k, k + 1, k + 2),
+        _ if k + 3 >= n => inwards(k, k - 1, k - 2),
         _ => off(k),
     };
     let spikes: Vec<usize> = (0..n).filter(|k| record.values[*k].is_finite() && far(*k) > limit).collect();

@@ -61,7 +61,7 @@ impl Faults {
         let count = self.closed.iter_mut().filter(alike).count();
         if count < MOST {
             self.closed.push(stretch);
-        } else if let Some(last) = self.closed.iter_mut().filter(alike).next_back() {
+        } else if let Some(last) = self.closed.iter_mut().rfind(alike) {
             last.lines[1] = stretch.lines[1];
             last.count += stretch.count;
         }

@@ -169,6 +169,27 @@ fn drift() {
 }
 
 #[test]
+fn a_level_that_changes_under_the_train_alone_is_named_and_used() {
+    let mut slid = train::good();
+    let from = slid.times.partition_point(|time| *time < 4.0);
+    slid.channels[STRAIN - 1].values[from..].iter_mut().for_each(|value| *value += 4e-6);
+    let series = judged(vec![slid]);
+    assert_eq!(the(&series.findings, "R046").severity, Severity::Warning);
+    assert!(series.left_out().is_empty());
+}
+
+#[test]
+fn a_record_cut_on_a_slope_ends_in_no_spike() {
+    for n in 200..560 {
+        let mut cut = train::run("fast", 65.0, &[""], 1, |_, _| 1.0);
+        cut.times.truncate(n);
+        cut.channels.iter_mut().for_each(|channel| channel.values.truncate(n));
+        let series = judged(vec![cut]);
+        assert!(series.findings.iter().all(|finding| finding.code != "R042"), "{n}: {:?}", series.findings);
+    }
+}
+
+#[test]
 fn wrong_sign() {
     let (series, findings) = findings_of("wrong-sign.csv");
     let finding = the(&findings, "R045");

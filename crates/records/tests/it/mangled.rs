@@ -78,11 +78,11 @@ fn nothing_is_silent(bytes: &[u8], read: &Read) -> Result<(), TestCaseError> {
     // The line of the headings is known where something was said of it; otherwise it is the good file's.
     let said =
         |codes: &str| read.findings.iter().find(|finding| finding.code.starts_with(codes)).and_then(|f| f.place.lines);
-    let is_head = |line: &&str| {
+    let is_head = |line: &str| {
         let folded = line.to_lowercase();
         !folded.trim_start().starts_with(['#', '%']) && (folded.contains("time") || folded.starts_with('t'))
     };
-    let plain = lines.iter().position(|line| is_head(&line)).unwrap_or(0);
+    let plain = lines.iter().position(|line| is_head(line)).unwrap_or(0);
     let head = said("R004").map(|[_, last]| last).or(said("R01").map(|[line, _]| line - 1)).unwrap_or(plain);
     let mut kept = 0;
     for (k, line) in lines.iter().enumerate().skip(head + 1) {

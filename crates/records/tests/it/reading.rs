@@ -16,6 +16,8 @@ fn close(a: &[f64], b: &[f64]) -> bool {
 
 #[test]
 fn one_table_in_many_spellings() {
+    let utf16: Vec<u8> =
+        "\u{feff}time_s,c_mm\n0.1,-0.3\n0.2,0.25\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
     let spellings: [&[u8]; 11] = [
         b"time [s],crown [mm]\n0.1,-0.3\n0.2,0.25\n",
         b"time [s];crown [mm]\r\n0,1;-0,3\r\n0,2;0,25\r\n",
@@ -27,7 +29,7 @@ fn one_table_in_many_spellings() {
         b"Logger 7\nStation,12\ntime [s],crown [mm]\n0.1,-0.3\n0.2,0.25",
         b" time [s] , crown [ mm ] \n 0.1 , -0.3 \n 0.2 , 0.25 \n",
         b"time [s],crown [mm],\n0.1,-0.3,\n0.2,0.25,\n",
-        b"\xff\xfet\0i\0m\0e\0_\0s\0,\0c\0_\0m\0m\0\n\0.\01\0,\0-\0.\03\0\n\0.\02\0,\0.\02\05\0\n\0",
+        &utf16,
     ];
     for spelling in spellings {
         let text = String::from_utf8_lossy(spelling).into_owned();

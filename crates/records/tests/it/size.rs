@@ -31,5 +31,4 @@ fn a_million_rows_of_ten_channels() {
     // A second or two on one core of a desk; ten times that on a busy one is still no defect.
     let megabytes = text.len() as f64 / 1e6;
     assert!(reading < 10.0 && judging < 20.0, "{megabytes:.0} MB: {reading:.2} s to read, {judging:.2} s to judge");
-    eprintln!("{megabytes:.0} MB: {reading:.2} s to read, {judging:.2} s to judge");
 }
