@@ -48,6 +48,7 @@ pub const CARDS: &[Card] = &[
     card("R034", "single time out of order", ROW),
     card("R035", "rows missing", "bridged where short, otherwise the run is left out"),
     card("R036", "values missing in a row", CHANNEL),
+    card("R037", "two runs of one name", "the later one gets a number"),
     card("R040", "dead or flat channel", CHANNEL),
     card("R041", "drift", CHANNEL),
     card("R042", "spike", "the sample is taken out; the channel, where there are many"),

@@ -23,6 +23,7 @@ const FEWEST: usize = 20;
 pub fn examine(runs: Vec<Run>, scrutiny: &Scrutiny) -> Series {
     let mut judge = Judge::new(scrutiny);
     let mut runs = runs;
+    distinct_names(&mut runs, &mut judge);
     judge.sort_out_by_hand(&mut runs);
     for run in &mut runs {
         if run.times.len() < FEWEST {
@@ -69,6 +70,28 @@ type Look<'a> = dyn Fn(&mut Run, usize, &[f64], &mut Judge) + 'a;
 /// The channels of a run without what is shorter than four samples; None where nothing was measured.
 pub(crate) fn smooth(run: &Run) -> Vec<Option<Vec<f64>>> {
     run.channels.iter().map(|channel| bridged(&channel.values).map(|values| smoothed(&values))).collect()
+}
+
+/// Runs of one name would be taken for lines of one run: the later ones get a number.
+fn distinct_names(runs: &mut [Run], judge: &mut Judge) {
+    for k in 1..runs.len() {
+        let name = runs[k].name.clone();
+        let taken = |name: &str| runs[..k].iter().any(|run| run.name == name);
+        if !taken(&name) {
+            continue;
+        }
+        let fresh = (2..).map(|number| format!("{name} ({number})")).find(|name| !taken(name)).unwrap_or_default();
+        let message = format!("another run has the same name; this one is called `{fresh}`");
+        judge.warn(
+            &runs[k],
+            None,
+            "R037",
+            Spot::default(),
+            &message,
+            "give each run a name of its own: `# run: slow 2`",
+        );
+        runs[k].name = fresh;
+    }
 }
 
 /// A run that the caller made may have channels longer or shorter than its clock; what is missing is missing.

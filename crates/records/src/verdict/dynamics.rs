@@ -56,6 +56,14 @@ pub fn dynamics(table: &PeakTable, testing: &Testing) -> Dynamics {
     let channels: Vec<ChannelTest> = grouped.iter().map(|one| channel(one, tested, testing)).collect();
     let (common, factors) = common(&grouped, speeds.len(), testing).map_or((None, Vec::new()), |(t, f)| (Some(t), f));
     let (answer, words) = overall(&speeds, common, &factors, &channels, testing);
+    let mut unknown: Vec<&str> =
+        table.peaks.iter().filter(|peak| peak.speed.is_none()).map(|p| p.run.as_str()).collect();
+    unknown.sort_unstable();
+    unknown.dedup();
+    let words = match unknown.len() {
+        0 => words,
+        count => format!("{words}; runs without a speed are not counted ({count}): {}", unknown.join(", ")),
+    };
     Dynamics { answer, speeds, factors, common, channels, words }
 }
 

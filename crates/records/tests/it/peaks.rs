@@ -1,6 +1,6 @@
 //! Peaks of runs at several speeds and on several lines, as in the railway paper's Table 1 and Fig. 2.
 
-use crate::{judged, train};
+use crate::{judged, the, train};
 use records::{
     Answer, Dynamics, PeakTable, PlaneStrain, Preparation, Run, Testing, dynamics, peaks, plane_strain, prepare,
 };
@@ -83,4 +83,16 @@ fn few_runs_that_scatter_cannot_tell() {
         wild[(repeat + speed * channel.len()) % 3] * if channel.starts_with("crown") { wild[speed] } else { 1.0 }
     });
     assert_ne!(dynamics.answer, Answer::NotSeen, "{}", dynamics.words);
+}
+
+#[test]
+fn runs_of_one_name_stay_two_and_runs_without_speed_are_said_not_to_count() {
+    let mut unknown = train::run("slow", 20.0, &[""], 4, |_, _| 1.0);
+    unknown.speed = None;
+    let series = judged(vec![train::good(), unknown]);
+    assert!(the(&series.findings, "R037").message.contains("`slow (2)`"));
+    let table = peaks(&series);
+    assert_eq!(table.peaks.len(), 8);
+    let words = dynamics(&table, &Testing::default()).words;
+    assert!(words.contains("without a speed are not counted (1): slow (2)"), "{words}");
 }

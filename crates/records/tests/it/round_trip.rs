@@ -2,6 +2,7 @@
 
 use crate::{read_text, run_of, train};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use records::{Channel, Exact, Noise, Quantity, Run, UNITS, Unit, synthesise, write};
 
 /// Bits of every number of a run.
@@ -69,6 +70,7 @@ fn value() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { cases: 2_000, rng_seed: RngSeed::Fixed(1934), failure_persistence: None, ..ProptestConfig::default() })]
     #[test]
     fn any_run_comes_back(
         cells in prop::collection::vec((value(), value()), 1..40),
