@@ -75,14 +75,15 @@ fn leaves_know_nothing_of_one_another_and_only_assess_joins_them() {
         let end = text[start..].find("\n[").map_or(text.len(), |length| start + length);
         text[start..end].to_owned()
     };
-    let crates = ["bridge", "drawing", "mechanics", "assess", "figures", "cli"];
+    let crates = ["bridge", "drawing", "records", "mechanics", "assess", "figures", "cli"];
     let allowed = [
         ("bridge", ""),
         ("drawing", ""),
+        ("records", ""),
         ("mechanics", ""),
-        ("assess", "bridge drawing mechanics"),
-        ("figures", "assess drawing"),
-        ("cli", "bridge drawing mechanics assess figures"),
+        ("assess", "bridge drawing records mechanics"),
+        ("figures", "assess drawing records"),
+        ("cli", "bridge drawing records mechanics assess figures"),
     ];
     for (name, may) in allowed {
         let text = dependencies(name);
@@ -136,7 +137,7 @@ fn mechanics_has_no_file_clock_thread_print_or_format_and_no_bridge_words() {
 
 #[test]
 fn reading_computes_nothing_and_touches_no_file() {
-    for path in sources("crates/bridge/src").into_iter().chain(sources("crates/drawing/src")) {
+    for path in ["bridge", "drawing", "records"].iter().flat_map(|name| sources(&format!("crates/{name}/src"))) {
         let text = code(&path);
         for word in ["std::fs", "std::net", "std::env", "std::time", "std::process", "println!", "eprintln!", "HashMap"]
         {
@@ -147,7 +148,7 @@ fn reading_computes_nothing_and_touches_no_file() {
 
 #[test]
 fn only_the_wire_and_verification_serialise() {
-    for folder in ["bridge", "drawing", "mechanics", "figures", "cli"] {
+    for folder in ["bridge", "drawing", "records", "mechanics", "figures", "cli"] {
         for path in sources(&format!("crates/{folder}/src")) {
             let text = code(&path);
             let derives = text.lines().any(|line| line.contains("derive(") && line.contains("erialize"));

@@ -1,0 +1,187 @@
+//! Clocks: times that repeat, go back, or change their step; rows that are missing.
+
+use super::judge::{Judge, Spot};
+use crate::Run;
+use crate::signal::median;
+
+/// More repeated times than this share of the rows, and the clock is too coarse or stands still.
+const REPEATED: f64 = 0.05;
+/// More times out of order or repeated than these are no accident.
+const OUT_OF_ORDER: usize = 3;
+/// Ratio of steps from which a clock is another one; loggers are set to 50, 100, 200, 250 Hz, of which no two are nearer.
+const OTHER_CLOCK: f64 = 1.2;
+/// A step longer than this multiple of its neighbours has a gap in it.
+const GAP: f64 = 1.5;
+
+/// Judges the clock of a run and takes out rows that repeat a time.
+pub(super) fn examine(run: &mut Run, judge: &mut Judge) {
+    if !in_order(run, judge) {
+        return;
+    }
+    let steps: Vec<f64> = run.times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    if steps.is_empty() {
+        return;
+    }
+    let shown = run.time_step_shown;
+    let changes = changes(&run.times, &steps, shown);
+    let one_clock = changes.is_empty();
+    for (at, before, after) in changes {
+        let message = format!(
+            "the clock changes its step from {before:.6} s to {after:.6} s: two clocks, of which one may be wrong"
+        );
+        let help = "split the file where the clock changes, or accept R032 and say why both steps are right";
+        judge.fault_all(run, "R032", Spot::at(at), &message, help);
+    }
+    gaps(run, &steps, one_clock, judge);
+}
+
+/// Takes out rows with repeated times and single times out of order. False where the clock goes back.
+fn in_order(run: &mut Run, judge: &mut Judge) -> bool {
+    let times = &run.times;
+    let n = times.len();
+    let mut kept: Vec<usize> = Vec::with_capacity(n);
+    let (mut repeated, mut strays) = (Vec::new(), Vec::new());
+    let mut back = None;
+    for k in 0..n {
+        let Some(&last) = kept.last() else {
+            kept.push(k);
+            continue;
+        };
+        if times[k] > times[last] {
+            kept.push(k);
+        } else if times[k] == times[last] {
+            repeated.push(k);
+        } else if times.get(k + 1).is_some_and(|next| *next > times[last]) {
+            strays.push(k);
+        } else if kept.len() >= 2
+            && times[k] > times[kept[kept.len() - 2]]
+            && times.get(k + 1).is_none_or(|t| *t > times[k])
+        {
+            strays.push(last);
+            kept.pop();
+            kept.push(k);
+        } else {
+            back = Some((k, times[last]));
+            break;
+        }
+    }
+    if back.is_none() && strays.len() > OUT_OF_ORDER {
+        back = Some((strays[0], times[strays[0].saturating_sub(1)]));
+    }
+    if let Some((at, last)) = back {
+        let message = format!("the time goes back from {last:.4} s to {:.4} s: two clocks", times[at]);
+        judge.fault_all(run, "R031", Spot::at(at), &message, "give each clock a file of its own");
+        return false;
+    }
+    if repeated.len() > OUT_OF_ORDER && repeated.len() as f64 > REPEATED * n as f64 {
+        let message = format!("{} of {n} rows repeat the time above them", repeated.len());
+        let help = "write times with as many decimals as the sampling rate needs";
+        judge.fault_all(run, "R033", Spot::at(repeated[0]), &message, help);
+        return false;
+    }
+    for &at in &repeated {
+        let same = run.channels.iter().all(|channel| {
+            let pair = [channel.values[at - 1], channel.values[at]];
+            pair[0] == pair[1] || (pair[0].is_nan() && pair[1].is_nan())
+        });
+        let values = if same { "the same values" } else { "other values" };
+        let message = format!("the time {:.4} s is repeated with {values}; the row is left out", run.times[at]);
+        judge.warn(run, None, "R033", Spot::at(at), &message, "see whether the logger wrote a row twice");
+    }
+    for &at in &strays {
+        let message = format!("the time {:.4} s stands out of order; the row is left out", run.times[at]);
+        judge.warn(run, None, "R034", Spot::at(at), &message, "correct the time of the row");
+    }
+    if kept.len() < n {
+        run.times = kept.iter().map(|k| run.times[*k]).collect();
+        run.lines = kept.iter().map(|k| run.lines[*k]).collect();
+        for channel in &mut run.channels {
+            channel.values = kept.iter().map(|k| channel.values[*k]).collect();
+        }
+    }
+    true
+}
+
+/// Mean of the middle half: neither a few gaps nor the rounding of printed times moves it much.
+fn middle_mean(steps: &[f64]) -> f64 {
+    let mut sorted = steps.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let quarter = sorted.len() / 4;
+    let middle = &sorted[quarter..sorted.len() - quarter];
+    middle.iter().sum::<f64>() / middle.len() as f64
+}
+
+/// Samples at which the step of the clock changes, with the steps before and after.
+fn changes(times: &[f64], steps: &[f64], shown: f64) -> Vec<(usize, f64, f64)> {
+    let n = times.len();
+    let width = (n / 6).clamp(8, 25);
+    let mut found: Vec<(usize, f64, f64, f64)> = Vec::new();
+    for k in width..n.saturating_sub(width) {
+        let (a, b) = (times[k] - times[k - width], times[k + width] - times[k]);
+        if a.max(b) < 1.1 * a.min(b) {
+            continue;
+        }
+        let (before, after) = (middle_mean(&steps[k - width..k]), middle_mean(&steps[k..k + width]));
+        let ratio = (after / before).max(before / after);
+        // Of printed times, half the steps may be rounded up and half down.
+        if ratio < OTHER_CLOCK || (after - before).abs() < 2.0 * shown / width as f64 {
+            continue;
+        }
+        match found.last_mut() {
+            Some(last) if k - last.0 <= width => {
+                // The ratio is the same over some samples; the change lies where the plain means differ most.
+                let sharpness = (b / a).max(a / b);
+                if sharpness > last.3 {
+                    *last = (k, before, after, sharpness);
+                }
+            }
+            _ => found.push((k, before, after, (b / a).max(a / b))),
+        }
+    }
+    found.into_iter().map(|(at, before, after, _)| (at, before, after)).collect()
+}
+
+/// Step of a clock: the middle one of the means of fifty steps, which rounding does not move and gaps hardly reach.
+fn usual_step(times: &[f64]) -> f64 {
+    let width = 50.min(times.len() - 1);
+    let mean = |k: usize| (times[k + width] - times[k]) / width as f64;
+    median(&mut (0..times.len() - width).step_by(width).map(mean).collect::<Vec<f64>>())
+}
+
+/// Rows that are missing between two times.
+fn gaps(run: &mut Run, steps: &[f64], one_clock: bool, judge: &mut Judge) {
+    let usual = usual_step(&run.times);
+    let longest = judge.scrutiny.limits.longest_gap;
+    let shown = run.time_step_shown;
+    // Printed times are rounded only where the step is no multiple of what they can show.
+    let counts = usual / shown;
+    let rounded = if shown > 0.0 && (counts - counts.round()).abs() > 1e-3 { shown } else { 0.0 };
+    let width = 12;
+    let mut long: Option<(Spot, String)> = None;
+    for (k, &step) in steps.iter().enumerate() {
+        let local = if one_clock {
+            usual
+        } else {
+            middle_mean(&steps[k.saturating_sub(width)..(k + width + 1).min(steps.len())])
+        };
+        if step <= GAP * local + rounded {
+            continue;
+        }
+        let missing = (step / local).round() as usize - 1;
+        let spot = Spot::over(k, k + 1);
+        let times = format!("{:.4} s to {:.4} s", run.times[k], run.times[k + 1]);
+        let message = format!("{missing} samples are missing from {times}");
+        if missing <= longest {
+            judge.warn(run, None, "R035", spot, &format!("{message}; bridged by straight lines"), "");
+        } else if long.is_none() {
+            long = Some((spot, message));
+        } else {
+            judge.warn(run, None, "R035", spot, &message, "see the first gap of the run");
+        }
+    }
+    if let Some((spot, message)) = long {
+        let message = format!("{message}, more than {longest}");
+        let help = "cut the file so that the passage has no gap, or accept R035 and say why the gap does not matter";
+        judge.fault_all(run, "R035", spot, &message, help);
+    }
+}

@@ -1,0 +1,56 @@
+//! Samples that are missing in one channel.
+
+use super::judge::{Judge, Spot};
+use crate::signal::bridged;
+use crate::{Done, Run};
+
+/// First and last sample of every stretch without values.
+fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
+    let mut stretches: Vec<[usize; 2]> = Vec::new();
+    for k in (0..values.len()).filter(|k| !values[*k].is_finite()) {
+        match stretches.last_mut() {
+            Some(last) if last[1] + 1 == k => last[1] = k,
+            _ => stretches.push([k, k]),
+        }
+    }
+    stretches
+}
+
+/// Leaves a channel out whose longest stretch without values is too long to bridge.
+pub(super) fn examine(run: &mut Run, channel: usize, judge: &mut Judge) {
+    let stretches = stretches(&run.channels[channel].values);
+    let longest = judge.scrutiny.limits.longest_gap;
+    let n = run.times.len();
+    let Some(worst) = stretches.iter().copied().max_by_key(|[first, last]| last - first) else { return };
+    let count: usize = stretches.iter().map(|[first, last]| last - first + 1).sum();
+    let length = worst[1] - worst[0] + 1;
+    if count == n {
+        let message = "it has no value at all";
+        judge.fault(run, channel, "R040", Spot::over(0, n - 1), message, "see whether the sensor was connected");
+    } else if length > longest {
+        let message = format!(
+            "{length} samples in a row are missing ({count} of {n} in all), more than {longest} that may be bridged"
+        );
+        let help = "cut the file, mend the cells, or accept R036 and say why the gap does not matter";
+        judge.fault(run, channel, "R036", Spot::over(worst[0], worst[1]), &message, help);
+    }
+}
+
+/// Bridges what is missing in the channels that are used.
+pub(super) fn bridge(run: &mut Run, judge: &mut Judge) {
+    for channel in run.channels.iter_mut().filter(|channel| channel.used()) {
+        let stretches = stretches(&channel.values);
+        let count: usize = stretches.iter().map(|[first, last]| last - first + 1).sum();
+        if count == 0 {
+            continue;
+        }
+        let Some(values) = bridged(&channel.values) else { continue };
+        channel.values = values;
+        let first = stretches.first().map_or(0.0, |[first, _]| run.times[*first]);
+        let what = format!(
+            "{count} missing samples in {} places bridged by straight lines, first at {first:.4} s",
+            stretches.len()
+        );
+        judge.done.push(Done::new(&run.name, channel.title(), what));
+    }
+}

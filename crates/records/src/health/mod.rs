@@ -1,0 +1,102 @@
+//! What can be trusted: clocks and channels judged, bad ones left out with their reason.
+
+mod clock;
+mod drift;
+mod flat;
+mod held;
+mod judge;
+mod missing;
+mod sisters;
+mod spike;
+
+pub use judge::{Accept, Expected, LeaveOut, Limits, Scrutiny};
+
+use crate::signal::{bridged, loaded, smoothed};
+use crate::{Run, Series};
+use judge::{Judge, Spot};
+
+/// Fewer samples than these are no record of a passage.
+const FEWEST: usize = 20;
+
+/// Judges runs. Channels that cannot be trusted are left out and say why; short gaps are bridged and spikes taken out, and the
+/// list of what was done says so. Runs as they come out can be used.
+pub fn examine(runs: Vec<Run>, scrutiny: &Scrutiny) -> Series {
+    let mut judge = Judge::new(scrutiny);
+    let mut runs = runs;
+    distinct_names(&mut runs, &mut judge);
+    judge.sort_out_by_hand(&mut runs);
+    for run in &mut runs {
+        if run.times.len() < FEWEST {
+            let message = format!("the run has {} samples, too few to judge", run.times.len());
+            judge.fault_all(run, "R030", Spot::default(), &message, "see why the file is so short");
+        }
+        equal_lengths(run);
+        clock::examine(run, &mut judge);
+        channels(run, &mut judge);
+    }
+    sisters::examine(&mut runs, &mut judge);
+    for run in &mut runs {
+        missing::bridge(run, &mut judge);
+    }
+    judge.finish(runs)
+}
+
+/// Every channel by itself, and beside those of its run.
+fn channels(run: &mut Run, judge: &mut Judge) {
+    for channel in 0..run.channels.len() {
+        missing::examine(run, channel, judge);
+    }
+    let smooth = smooth(run);
+    let loaded = loaded(run, &smooth);
+    // One reason to leave a channel out is enough; dead ones go first, for others are compared with those that move.
+    let looks: [&Look; 4] = [
+        &|run, channel, values, judge| flat::examine(run, channel, values, loaded, judge),
+        &|run, channel, values, judge| spike::examine(run, channel, values, loaded, judge),
+        &|run, channel, _, judge| held::examine(run, channel, &smooth, loaded, judge),
+        &|run, channel, values, judge| drift::examine(run, channel, values, loaded, judge),
+    ];
+    for look in looks {
+        for (channel, values) in smooth.iter().enumerate() {
+            if let Some(values) = values.as_ref().filter(|_| run.channels[channel].used()) {
+                look(run, channel, values, judge);
+            }
+        }
+    }
+}
+
+/// A look at one channel, with its history without spikes.
+type Look<'a> = dyn Fn(&mut Run, usize, &[f64], &mut Judge) + 'a;
+
+/// The channels of a run without what is shorter than four samples; None where nothing was measured.
+pub(crate) fn smooth(run: &Run) -> Vec<Option<Vec<f64>>> {
+    run.channels.iter().map(|channel| bridged(&channel.values).map(|values| smoothed(&values))).collect()
+}
+
+/// Runs of one name would be taken for lines of one run: the later ones get a number.
+fn distinct_names(runs: &mut [Run], judge: &mut Judge) {
+    for k in 1..runs.len() {
+        let name = runs[k].name.clone();
+        let taken = |name: &str| runs[..k].iter().any(|run| run.name == name);
+        if !taken(&name) {
+            continue;
+        }
+        let fresh = (2..).map(|number| format!("{name} ({number})")).find(|name| !taken(name)).unwrap_or_default();
+        let message = format!("another run has the same name; this one is called `{fresh}`");
+        judge.warn(
+            &runs[k],
+            None,
+            "R037",
+            Spot::default(),
+            &message,
+            "give each run a name of its own: `# run: slow 2`",
+        );
+        runs[k].name = fresh;
+    }
+}
+
+/// A run that the caller made may have channels longer or shorter than its clock; what is missing is missing.
+fn equal_lengths(run: &mut Run) {
+    let n = run.times.len();
+    run.lines.resize(n, 0);
+    run.channels.iter_mut().for_each(|channel| channel.values.resize(n, f64::NAN));
+}

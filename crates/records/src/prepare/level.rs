@@ -1,0 +1,109 @@
+//! What is zero, and drift taken off.
+
+use super::Log;
+use crate::Run;
+use crate::health::smooth;
+use crate::signal::{Loaded, line, loaded, median};
+
+/// What is taken as zero.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Zero {
+    /// The median of the quiet start, before the first axle is felt.
+    #[default]
+    QuietStart,
+    /// The median between two times [s].
+    Between([f64; 2]),
+    /// Records are taken as they are.
+    AsRecorded,
+}
+
+/// Which drift is taken off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Detrend {
+    /// None.
+    #[default]
+    None,
+    /// The straight line from the quiet start to the quiet end, which the train does not tilt.
+    QuietEnds,
+    /// The straight line of least squares through the whole record; the train's own answer tilts it a little.
+    LeastSquares,
+}
+
+fn state(run: &Run) -> Loaded {
+    loaded(run, &smooth(run))
+}
+
+pub(super) fn zero(run: &mut Run, zero: Zero, log: &mut Log) {
+    let samples = match zero {
+        Zero::AsRecorded => return,
+        Zero::QuietStart => 0..state(run).quiet,
+        Zero::Between([from, to]) => {
+            let first = run.times.partition_point(|time| *time < from);
+            first..run.times.partition_point(|time| *time <= to).max(first)
+        }
+    };
+    if samples.is_empty() {
+        let message = "there is no quiet start to take as zero; the level is as recorded".to_owned();
+        log.could_not(
+            run,
+            "R060",
+            message,
+            "name times between which nothing loads the span, or cut the file less closely",
+        );
+        return;
+    }
+    let span = [run.times[samples.start], run.times[samples.end - 1]];
+    let mut words = Vec::new();
+    for channel in run.channels.iter_mut().filter(|channel| channel.used()) {
+        let level = median(&mut channel.values[samples.clone()].to_vec());
+        channel.values.iter_mut().for_each(|value| *value -= level);
+        words.push((channel.title(), channel.unit.words(level)));
+    }
+    for (title, level) in words {
+        let what = format!(
+            "set to zero: {level} taken off, the median of {} samples from {:.3} s to {:.3} s",
+            samples.len(),
+            span[0],
+            span[1]
+        );
+        log.did(run, &title, what);
+    }
+}
+
+pub(super) fn detrend(run: &mut Run, detrend: Detrend, log: &mut Log) {
+    if detrend == Detrend::None {
+        return;
+    }
+    let n = run.times.len();
+    let ends = state(run);
+    if detrend == Detrend::QuietEnds && (ends.quiet == 0 || ends.after >= n) {
+        let message = "there is no quiet start and end to draw a line between; no drift was taken off".to_owned();
+        log.could_not(run, "R061", message, "record longer, or ask for a line of least squares");
+        return;
+    }
+    let times = run.times.clone();
+    let mean = |from: usize, to: usize| times[from..to].iter().sum::<f64>() / (to - from) as f64;
+    let mut words = Vec::new();
+    for channel in run.channels.iter_mut().filter(|channel| channel.used()) {
+        let [time, value, slope] = if detrend == Detrend::QuietEnds {
+            let start = median(&mut channel.values[..ends.quiet].to_vec());
+            let end = median(&mut channel.values[ends.after..].to_vec());
+            let [t0, t1] = [mean(0, ends.quiet), mean(ends.after, n)];
+            [t0, start, (end - start) / (t1 - t0)]
+        } else {
+            let [value, slope, _] = line(&times, &channel.values);
+            [mean(0, n), value, slope]
+        };
+        for (at, entry) in times.iter().zip(&mut channel.values) {
+            *entry -= value + slope * (at - time);
+        }
+        words.push((channel.title(), channel.unit.words(slope)));
+    }
+    let through = match detrend {
+        Detrend::QuietEnds => "through the quiet start and end",
+        _ => "of least squares through the whole record",
+    };
+    for (title, slope) in words {
+        log.did(run, &title, format!("drift taken off: a straight line {through}, {slope} in a second"));
+    }
+}

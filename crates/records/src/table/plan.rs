@@ -1,0 +1,196 @@
+//! From headings and mapping to what is done with each column.
+
+use super::heading::Heading;
+use super::mapping::{Column, Mapping, Others, Source};
+use crate::series::title;
+use crate::unit::symbols;
+use crate::{Channel, Finding, Place, Quantity, Severity, Unit};
+
+/// A column that is read.
+#[derive(Debug, Clone)]
+pub(super) struct Slot {
+    /// Its index, from 0.
+    pub index: usize,
+    /// Factor on its cells, sign and calibration.
+    pub factor: f64,
+}
+
+/// What is read of every row.
+#[derive(Debug, Clone)]
+pub(super) struct Plan {
+    /// Cells of a complete row.
+    pub width: usize,
+    pub time: Slot,
+    pub time_unit: Unit,
+    /// Columns of the channels, in the order of `channels`.
+    pub slots: Vec<Slot>,
+    pub channels: Vec<Channel>,
+}
+
+/// The line of headings, and the line of units below it where there is one.
+pub(super) struct Headings<'a> {
+    pub line: usize,
+    pub headings: &'a [Heading],
+}
+
+struct Planner<'a> {
+    run: &'a str,
+    line: usize,
+    findings: &'a mut Vec<Finding>,
+}
+
+impl Planner<'_> {
+    fn add(&mut self, severity: Severity, code: &'static str, column: Option<usize>, message: String, help: &str) {
+        let lines = (self.line > 0).then_some([self.line; 2]);
+        let place = Place { run: self.run.to_owned(), lines, column, ..Place::default() };
+        self.findings.push(Finding::new(severity, code, place, message, help));
+    }
+
+    /// The unit of a column, if one is stated and known.
+    fn unit(&mut self, index: usize, name: &str, symbol: Option<&str>) -> Option<Unit> {
+        let Some(symbol) = symbol else {
+            let message = format!("`{name}` has no unit; the column is not read");
+            self.add(
+                Severity::Error,
+                "R011",
+                Some(index + 1),
+                message,
+                "write it into the heading: \"crown displacement [mm]\"",
+            );
+            return None;
+        };
+        let unit = Unit::named(symbol);
+        if unit.is_none() {
+            let message = format!("`{name}` is in `{symbol}`, which is no known unit; the column is not read");
+            let help = format!("write one of {}", symbols());
+            self.add(Severity::Error, "R012", Some(index + 1), message, &help);
+        }
+        unit
+    }
+}
+
+/// What is read of every row, or None where there is no clock. Everything that is left out is named.
+pub(super) fn plan(head: &Headings, mapping: &Mapping, run: &str, findings: &mut Vec<Finding>) -> Option<Plan> {
+    let mut planner = Planner { run, line: head.line, findings };
+    let mapped = placed(&mut planner, head.headings, mapping);
+    let clock = clock(head.headings, mapping);
+    let Some((time_index, symbol)) = clock else {
+        let seen: Vec<&str> = head.headings.iter().map(|heading| heading.name.as_str()).take(12).collect();
+        let message = format!("no column is the clock; the headings are: {}", seen.join(", "));
+        planner.add(Severity::Error, "R010", None, message, "head it \"time [s]\", or name it in the mapping");
+        return None;
+    };
+    let time_unit = planner.unit(time_index, "time", symbol.as_deref())?;
+    if time_unit.quantity != Quantity::Time {
+        let message = format!("the clock is in {}, which is no unit of time", time_unit.symbol);
+        planner.add(
+            Severity::Error,
+            "R010",
+            Some(time_index + 1),
+            message,
+            "name the column of the clock in the mapping",
+        );
+        return None;
+    }
+    let time =
+        Slot { index: time_index, factor: mapping.time.as_ref().map_or(1.0, |column| column.sign * column.scale) };
+    if !(time.factor > 0.0 && time.factor.is_finite()) {
+        let message = "sign and scale of the clock make no positive factor".to_owned();
+        planner.add(Severity::Error, "R014", Some(time_index + 1), message, "leave them at 1");
+        return None;
+    }
+    let (slots, channels) = columns(&mut planner, head.headings, mapping, &mapped, time_index);
+    if channels.is_empty() {
+        let message = "no column is a channel that can be read".to_owned();
+        planner.add(Severity::Error, "R010", None, message, "head every channel with its name and unit");
+        return None;
+    }
+    Some(Plan { width: head.headings.len(), time, time_unit, slots, channels })
+}
+
+/// For each column the entry of the mapping that speaks of it.
+fn placed<'a>(planner: &mut Planner, headings: &[Heading], mapping: &'a Mapping) -> Vec<Option<&'a Column>> {
+    let mut mapped: Vec<Option<&Column>> = vec![None; headings.len()];
+    for column in &mapping.channels {
+        let problem = match found(headings, &column.source) {
+            _ if !(column.sign.abs() == 1.0 && column.scale.is_finite() && column.scale != 0.0) => {
+                format!("`{}` needs a sign of 1 or -1 and a scale other than 0", column.name)
+            }
+            Some(index) if mapped[index].is_none() => {
+                mapped[index] = Some(column);
+                continue;
+            }
+            Some(index) => format!("column {} is mapped twice; the first counts", index + 1),
+            None => format!("the mapping names {}, which is not in the table", words(&column.source)),
+        };
+        let names: Vec<&str> = headings.iter().map(|heading| heading.name.as_str()).take(12).collect();
+        planner.add(Severity::Error, "R014", None, problem, &format!("columns are: {}", names.join(", ")));
+    }
+    mapped
+}
+
+fn words(source: &Source) -> String {
+    match source {
+        Source::Heading(text) => format!("`{text}`"),
+        Source::Number(number) => format!("column {number}"),
+    }
+}
+
+fn found(headings: &[Heading], source: &Source) -> Option<usize> {
+    match source {
+        Source::Number(number) => number.checked_sub(1).filter(|index| *index < headings.len()),
+        Source::Heading(text) => {
+            let wanted = Heading::of(text);
+            let exact = headings.iter().position(|heading| *heading == wanted);
+            let named = || headings.iter().position(|one| one.name == wanted.name && one.line == wanted.line);
+            exact.or_else(named)
+        }
+    }
+}
+
+/// Index and unit of the clock.
+pub(super) fn clock(headings: &[Heading], mapping: &Mapping) -> Option<(usize, Option<String>)> {
+    let index = match &mapping.time {
+        Some(column) => found(headings, &column.source)?,
+        None => headings.iter().position(Heading::is_clock)?,
+    };
+    let stated = mapping.time.as_ref().and_then(|column| column.unit.clone());
+    Some((index, stated.or_else(|| headings[index].symbol.clone())))
+}
+
+fn columns(
+    planner: &mut Planner,
+    headings: &[Heading],
+    mapping: &Mapping,
+    mapped: &[Option<&Column>],
+    time: usize,
+) -> (Vec<Slot>, Vec<Channel>) {
+    let (mut slots, mut channels) = (Vec::new(), Vec::<Channel>::new());
+    for (index, heading) in headings.iter().enumerate().filter(|(index, _)| *index != time) {
+        let said = mapped[index];
+        if said.is_none() && mapping.others == Others::PassOver {
+            let message = format!("`{}` is not in the mapping and is passed over", heading.name);
+            planner.add(Severity::Note, "R015", Some(index + 1), message, "");
+            continue;
+        }
+        let name = said.map(|column| &column.name).filter(|name| !name.is_empty()).unwrap_or(&heading.name).clone();
+        let line = said.and_then(|column| column.line.clone()).unwrap_or_else(|| heading.line.clone());
+        let symbol = said.and_then(|column| column.unit.clone()).or_else(|| heading.symbol.clone());
+        let Some(unit) = planner.unit(index, &name, symbol.as_deref()) else { continue };
+        let twice = channels.iter().find(|other| other.name == name && other.line == line);
+        let left_out = twice.map(|first| format!("R013: column {} has the same name and line", first.column));
+        if left_out.is_some() {
+            let message = format!("`{}` stands above two columns; this one is left out", title(&name, &line));
+            planner.add(
+                Severity::Error,
+                "R013",
+                Some(index + 1),
+                message,
+                "give each sensor a name or line of its own",
+            );
+        }
+        slots.push(Slot { index, factor: said.map_or(1.0, |column| column.sign * column.scale) });
+        channels.push(Channel { name, line, unit, column: index + 1, values: Vec::new(), decimals: Some(0), left_out });
+    }
+    (slots, channels)
+}

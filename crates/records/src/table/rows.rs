@@ -1,0 +1,185 @@
+//! Rows of numbers: the body of the table.
+
+use super::dialect::{Written, fields_into};
+use super::faults::{Faults, Kind};
+use super::number::{Cell, cell};
+use super::plan::Plan;
+use super::text::{is_blank, is_comment, lines};
+use crate::{Finding, Place, Severity};
+use std::borrow::Cow;
+
+const TEXT: Kind = Kind {
+    code: "R020",
+    what: "text in place of a number",
+    then: "the sample is missing",
+    help: "write a number, or leave the cell empty where there was none",
+};
+const NOT_FINITE: Kind = Kind {
+    code: "R021",
+    what: "NaN or infinite",
+    then: "the sample is missing",
+    help: "see why the logger could not measure there",
+};
+const EMPTY: Kind = Kind { code: "R022", what: "empty cell", then: "the sample is missing", help: "" };
+const FEW: Kind = Kind {
+    code: "R023",
+    what: "row with too few cells",
+    then: "it cannot be said which are there, so the row is left out",
+    help: "complete the row, or take it out",
+};
+const MANY: Kind = Kind {
+    code: "R024",
+    what: "row with too many cells",
+    then: "it cannot be said which belong where, so the row is left out",
+    help: "where a comma both separates cells and marks decimals, separate cells by semicolons",
+};
+const NO_TIME: Kind = Kind {
+    code: "R025",
+    what: "row whose time is no number",
+    then: "the row is left out",
+    help: "write the time as a number in the unit of its heading",
+};
+const COMMENT: Kind = Kind { code: "R026", what: "comment amid the data", then: "it is no row", help: "" };
+
+/// The rows that could be taken.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    /// Times [s].
+    pub times: Vec<f64>,
+    /// Line of the file of each.
+    pub lines: Vec<u32>,
+    /// Values of each channel [SI]; NaN where there is none.
+    pub values: Vec<Vec<f64>>,
+    /// Most decimals of each channel; None where cells had exponents.
+    pub decimals: Vec<Option<usize>>,
+    /// The same of the clock.
+    pub time_decimals: Option<usize>,
+    /// What was found about the last line.
+    pub last: Vec<Finding>,
+}
+
+/// Decimals of one column: fewest and most.
+#[derive(Debug, Clone, Copy)]
+struct Decimals {
+    range: Option<[usize; 2]>,
+    exponents: bool,
+}
+
+impl Decimals {
+    const NONE: Decimals = Decimals { range: None, exponents: false };
+
+    fn add(&mut self, decimals: Option<usize>) {
+        match decimals {
+            Some(n) => self.range = Some(self.range.map_or([n; 2], |[low, high]| [low.min(n), high.max(n)])),
+            None => self.exponents = true,
+        }
+    }
+
+    fn most(&self) -> Option<usize> {
+        if self.exponents { None } else { Some(self.range.map_or(0, |[_, high]| high)) }
+    }
+}
+
+/// Reads every row from a line on.
+pub(super) fn read(text: &str, first_row: usize, written: Written, plan: &Plan) -> (Rows, Faults) {
+    let mut rows = Rows { values: vec![Vec::new(); plan.slots.len()], ..Rows::default() };
+    let mut faults = Faults::default();
+    let mut decimals = vec![Decimals::NONE; plan.slots.len()];
+    let mut time_decimals = Decimals::NONE;
+    let mut cells: Vec<Cow<str>> = Vec::new();
+    let last_line = lines(text).filter(|(_, line)| !is_blank(line)).last().map_or(0, |(number, _)| number);
+    let ended = text.ends_with(['\n', '\r']);
+    let body = lines(text).skip(first_row.saturating_sub(1)).filter(|(_, line)| !is_blank(line));
+    for (row, (number, line)) in body.enumerate() {
+        if is_comment(line) {
+            faults.add(COMMENT, 0, row, number, None, line.trim());
+            continue;
+        }
+        fields_into(line, written.separator, &mut cells);
+        while cells.len() > plan.width && cells.last().is_some_and(|cell| cell.trim().is_empty()) {
+            cells.pop();
+        }
+        let is_last = number == last_line;
+        if cells.len() < plan.width && is_last {
+            rows.last.push(cut(number, line, "has too few cells; it breaks off and is left out"));
+            continue;
+        }
+        if cells.len() != plan.width {
+            let kind = if cells.len() < plan.width { FEW } else { MANY };
+            faults.add(kind, 0, row, number, None, line.trim());
+            continue;
+        }
+        if is_last && !ended && shortened(&cells, plan, &decimals, written) {
+            rows.last.push(cut(
+                number,
+                line,
+                "has no end and fewer decimals than all others; it breaks off and is left out",
+            ));
+            continue;
+        }
+        let Cell::Number(time, digits) = cell(&cells[plan.time.index], written.decimal_comma) else {
+            faults.add(NO_TIME, plan.time.index + 1, row, number, None, &cells[plan.time.index]);
+            continue;
+        };
+        let time = plan.time_unit.to_si(time * plan.time.factor);
+        if !time.is_finite() {
+            faults.add(NO_TIME, plan.time.index + 1, row, number, None, &cells[plan.time.index]);
+            continue;
+        }
+        time_decimals.add(digits);
+        rows.times.push(time);
+        rows.lines.push(u32::try_from(number).unwrap_or(u32::MAX));
+        for (k, slot) in plan.slots.iter().enumerate() {
+            let text = &cells[slot.index];
+            let kind = match cell(text, written.decimal_comma) {
+                Cell::Number(value, digits) => {
+                    let value = plan.channels[k].unit.to_si(value * slot.factor);
+                    if value.is_finite() {
+                        decimals[k].add(digits);
+                        rows.values[k].push(value);
+                        continue;
+                    }
+                    NOT_FINITE
+                }
+                Cell::Empty => EMPTY,
+                Cell::NotFinite => NOT_FINITE,
+                Cell::Text => TEXT,
+            };
+            rows.values[k].push(f64::NAN);
+            faults.add(kind, slot.index + 1, row, number, Some(time), text.trim());
+        }
+        if is_last && !ended {
+            let message = "the last line has no end; it is complete as far as its cells tell, and is kept";
+            let place = Place { lines: Some([number; 2]), time: Some(time), ..Place::default() };
+            rows.last.push(Finding::new(
+                Severity::Note,
+                "R027",
+                place,
+                message,
+                "see whether its last number is whole",
+            ));
+        }
+    }
+    rows.decimals = decimals.iter().map(Decimals::most).collect();
+    rows.time_decimals = time_decimals.most();
+    (rows, faults)
+}
+
+/// Whether the last cell has fewer decimals than every other of its column, all of which have the same number.
+fn shortened(cells: &[Cow<str>], plan: &Plan, decimals: &[Decimals], written: Written) -> bool {
+    let Some(k) = plan.slots.iter().position(|slot| slot.index + 1 == plan.width) else { return false };
+    let Some(text) = cells.last() else { return false };
+    match (cell(text, written.decimal_comma), decimals[k].range) {
+        (Cell::Number(_, Some(digits)), Some([low, high])) => low == high && digits < low,
+        (Cell::Number(..), _) => false,
+        // "-" or "" at the very end is what is left of a number.
+        _ => true,
+    }
+}
+
+fn cut(number: usize, line: &str, what: &str) -> Finding {
+    let start: String = line.trim().chars().take(24).collect();
+    let place = Place { lines: Some([number; 2]), ..Place::default() };
+    let message = format!("the last line (`{start}`) {what}");
+    Finding::new(Severity::Warning, "R028", place, message, "see whether the logger stopped before the train had left")
+}

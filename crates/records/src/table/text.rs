@@ -1,0 +1,50 @@
+//! From bytes to lines.
+
+use crate::{Finding, Place, Severity};
+
+/// The text of a file, with what had to be done to read it.
+pub(super) fn decode(bytes: &[u8], run: &str, findings: &mut Vec<Finding>) -> String {
+    let mut warn = |message: String| {
+        let place = Place { run: run.to_owned(), ..Place::default() };
+        let help = "save the table as UTF-8 text";
+        findings.push(Finding::new(Severity::Warning, "R002", place, message, help));
+    };
+    if let [0xff, 0xfe, rest @ ..] = bytes {
+        warn("the file is UTF-16 text and was read as such".to_owned());
+        return utf16(rest, u16::from_le_bytes);
+    }
+    if let [0xfe, 0xff, rest @ ..] = bytes {
+        warn("the file is UTF-16 text and was read as such".to_owned());
+        return utf16(rest, u16::from_be_bytes);
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(error) => {
+            let line = 1 + bytes[..error.valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
+            warn(format!("line {line} is not UTF-8 text; the file was read as Latin-1"));
+            bytes.iter().map(|byte| char::from(*byte)).collect()
+        }
+    }
+}
+
+fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> String {
+    let words: Vec<u16> = bytes.chunks_exact(2).map(|pair| word([pair[0], pair[1]])).collect();
+    String::from_utf16_lossy(&words)
+}
+
+/// Lines with their numbers, counted from 1, without their ends: "\n", "\r\n", or "\r" in a file that has no "\n".
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    text.split(end).enumerate().map(|(k, line)| (k + 1, line.strip_suffix('\r').unwrap_or(line)))
+}
+
+/// Whether a line is a comment.
+pub(super) fn is_comment(line: &str) -> bool {
+    line.trim_start().starts_with(['#', '%'])
+}
+
+/// Whether a line holds neither data nor comment.
+pub(super) fn is_blank(line: &str) -> bool {
+    line.trim().is_empty()
+}

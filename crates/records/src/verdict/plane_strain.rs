@@ -1,0 +1,143 @@
+//! Do lines across the barrel differ, or may one line stand for the whole width?
+
+use super::anova::{Test, blocks, half_width};
+use super::{Answer, Testing};
+use crate::peaks::{Peak, PeakTable};
+use crate::{Run, Series};
+
+/// What the lines of one channel say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineTest {
+    /// Channel.
+    pub name: String,
+    /// Lines, and the mean peak on each [SI].
+    pub lines: Vec<(String, f64)>,
+    /// Runs in which every line has a peak.
+    pub runs: usize,
+    /// Greatest less least of those means, as a share of their mean [-].
+    pub difference: f64,
+    /// F test of lines in blocks of runs; None of a single run.
+    pub test: Option<Test>,
+    /// Least likeness of a line's history to the mean of all lines [-]: 1 less the root mean square of the difference over the
+    /// root mean square of the mean; None without histories.
+    pub likeness: Option<f64>,
+    /// Answer of this channel.
+    pub answer: Answer,
+    /// In words.
+    pub words: String,
+}
+
+/// Whether lines across the barrel differ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneStrain {
+    /// Answer over all channels.
+    pub answer: Answer,
+    /// Each channel that was measured on two lines at least.
+    pub channels: Vec<LineTest>,
+    /// In words.
+    pub words: String,
+}
+
+/// Judges whether lines across the barrel differ; with histories, also by their shapes.
+pub fn plane_strain(table: &PeakTable, series: Option<&Series>, testing: &Testing) -> PlaneStrain {
+    let tests: Vec<LineTest> = table.names().iter().filter_map(|name| lines(table, series, name, testing)).collect();
+    let any = |answer: Answer| tests.iter().any(|test| test.answer == answer);
+    let answer = match () {
+        () if tests.is_empty() => Answer::CannotTell,
+        () if any(Answer::Seen) => Answer::Seen,
+        () if any(Answer::CannotTell) => Answer::CannotTell,
+        () if any(Answer::SeenButSmall) => Answer::SeenButSmall,
+        () => Answer::NotSeen,
+    };
+    let matters = 100.0 * testing.matters;
+    let verdict = match answer {
+        Answer::NotSeen => {
+            format!("lines across the barrel differ by less than {matters:.0} %: plane strain may be assumed")
+        }
+        Answer::SeenButSmall => {
+            format!(
+                "lines across the barrel differ beyond their scatter, by less than {matters:.0} %: plane strain may be assumed"
+            )
+        }
+        Answer::Seen => "lines across the barrel differ: one line does not stand for the width".to_owned(),
+        Answer::CannotTell if tests.is_empty() => {
+            "no channel was measured on two lines: nothing is known of plane strain".to_owned()
+        }
+        Answer::CannotTell => "these records cannot tell whether lines across the barrel differ".to_owned(),
+    };
+    let details: Vec<&str> = tests.iter().map(|test| test.words.as_str()).collect();
+    let colon = if details.is_empty() { "" } else { "; " };
+    let words = format!("{verdict}{colon}{}", details.join("; "));
+    PlaneStrain { answer, channels: tests, words }
+}
+
+fn lines(table: &PeakTable, series: Option<&Series>, name: &str, testing: &Testing) -> Option<LineTest> {
+    let own: Vec<&Peak> = table.peaks.iter().filter(|peak| peak.name == name && peak.value.is_finite()).collect();
+    let lines = distinct(own.iter().map(|peak| peak.line.as_str()));
+    if lines.len() < 2 {
+        return None;
+    }
+    let row = |run: &str| -> Option<Vec<f64>> {
+        let of = |line: &&str| own.iter().find(|peak| peak.run == run && peak.line == **line).map(|peak| peak.value);
+        lines.iter().map(of).collect()
+    };
+    let rows: Vec<Vec<f64>> = distinct(own.iter().map(|peak| peak.run.as_str())).into_iter().filter_map(row).collect();
+    let runs = rows.len();
+    let means: Vec<f64> =
+        (0..lines.len()).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / runs.max(1) as f64).collect();
+    let size = (means.iter().sum::<f64>() / means.len() as f64).abs();
+    let [low, high] = means.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(*v), h.max(*v)]);
+    let difference = if size > 0.0 { (high - low) / size } else { 0.0 };
+    let least = own.iter().map(|peak| peak.least_count).fold(0.0, f64::max);
+    let test = blocks(&rows, least / 12.0_f64.sqrt());
+    let likeness = series.and_then(|series| likeness(&series.runs, name));
+    let (answer, how) = match test {
+        Some(test) => {
+            let error = test.scatter * (2.0 / runs as f64).sqrt();
+            let half = half_width(error, test.freedom[1], testing.level);
+            let excluded = high - low + half < testing.matters * size;
+            (Answer::of(test.p < testing.level, excluded), test.words())
+        }
+        None if runs == 0 => (Answer::CannotTell, "no run has a peak on every line".to_owned()),
+        // One run has no scatter: two least counts are what rounding may make of equal peaks.
+        None if difference < testing.matters => (Answer::NotSeen, "of a single run, without a test".to_owned()),
+        None if high - low <= 2.0 * least => (Answer::CannotTell, "no more than two least counts".to_owned()),
+        None => (Answer::CannotTell, "of a single run, whose scatter is not known".to_owned()),
+    };
+    let alike = likeness.map_or(String::new(), |likeness| format!("; histories alike to {:.1} %", 100.0 * likeness));
+    let words = format!("{name}: {} lines differ by {:.1} % ({how}){alike}", lines.len(), 100.0 * difference);
+    let lines = lines.into_iter().map(str::to_owned).zip(means).collect();
+    Some(LineTest { name: name.to_owned(), lines, runs, difference, test, likeness, answer, words })
+}
+
+fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut seen = Vec::new();
+    for name in names {
+        if !seen.contains(&name) {
+            seen.push(name);
+        }
+    }
+    seen
+}
+
+/// Least likeness of a line's history to the mean of its run's lines, over all runs.
+fn likeness(runs: &[Run], name: &str) -> Option<f64> {
+    let mut least: Option<f64> = None;
+    for run in runs {
+        let lines: Vec<&Vec<f64>> =
+            run.used().filter(|channel| channel.name == name).map(|channel| &channel.values).collect();
+        let n = run.times.len();
+        if lines.len() < 2 || n == 0 {
+            continue;
+        }
+        let mean: Vec<f64> =
+            (0..n).map(|k| lines.iter().map(|line| line[k]).sum::<f64>() / lines.len() as f64).collect();
+        let whole: f64 = mean.iter().map(|value| value * value).sum();
+        for line in lines {
+            let rest: f64 = line.iter().zip(&mean).map(|(a, b)| (a - b).powi(2)).sum();
+            let alike = if whole > 0.0 { 1.0 - (rest / whole).sqrt() } else { 0.0 };
+            least = Some(least.map_or(alike, |least| least.min(alike)));
+        }
+    }
+    least
+}
