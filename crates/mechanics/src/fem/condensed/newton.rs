@@ -63,8 +63,10 @@ impl Condensed<'_> {
 
     /// Values of the active rows under loads and forces, and the excess of their parts less those forces.
     fn unbalanced(&mut self) -> Option<Vec<f64>> {
-        self.rows.bring(&self.forces);
-        self.values = self.system.rows().iter().map(|&row| self.value(row)).collect();
+        // Rows of inactive parts wait until the position is balanced.
+        let since: Vec<f64> = self.forces.iter().zip(self.rows.brought()).map(|(now, then)| now - then).collect();
+        let more = self.system.moves(&since);
+        self.values = self.system.rows().iter().zip(more).map(|(&row, more)| self.value(row) + more).collect();
         let moved = self.system.rows().iter().map(|&row| self.load.moved(row).abs());
         self.most_moved = moved.fold(self.most_moved, f64::max);
         self.right()

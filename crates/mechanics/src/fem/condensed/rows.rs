@@ -138,6 +138,11 @@ impl Rows {
         }
     }
 
+    /// Forces to which all rows were brought last.
+    pub fn brought(&self) -> &[f64] {
+        &self.stand
+    }
+
     /// Brings all rows to no forces, without what rounding has left.
     pub fn restart(&mut self) {
         self.carried.fill(0.0);
