@@ -64,3 +64,47 @@ pub fn with_map<T>(
     let basis = Basis::at(&mut evaluator, &problem.start()).expect("the start model answers");
     act(&mut evaluator, &basis)
 }
+
+/// Places in a history.
+pub const LENGTH: usize = 60;
+/// What five channels take from each of five flexibilities: every parameter leads in one channel, as in a bridge, and acts
+/// in all.
+const SHARES: [[f64; 5]; 5] = [
+    [1.0, 0.25, 0.1, 0.2, 0.05],
+    [0.3, 1.0, 0.15, 0.1, 0.05],
+    [0.2, 0.1, 0.8, 0.25, 0.1],
+    [0.1, 0.2, 0.3, 0.9, 0.1],
+    [0.15, 0.1, 0.2, 0.3, 0.5],
+];
+const SIGNS: [f64; 5] = [-0.3, 0.24, 22.0, -25.0, -23.0];
+
+/// Five channels as a train passes: bells whose middle moves with the stiffness that leads.
+pub fn five(x: &[f64]) -> Vec<Vec<f64>> {
+    let channel = |c: usize| {
+        let size: f64 = (0..5).map(|k| SHARES[c][k] / x[k]).sum();
+        let middle = 20.0 + 4.0 * c as f64 + 3.0 * (x[c] - 1.0);
+        let bell = |t: usize| {
+            let away = (t as f64 - middle) / 8.0;
+            SIGNS[c] * size * (-away * away).exp()
+        };
+        (0..LENGTH).map(bell).collect()
+    };
+    (0..5).map(channel).collect()
+}
+
+/// The model of five channels.
+pub fn five_model() -> Function<fn(&[f64]) -> Vec<Vec<f64>>> {
+    Function { channels: 5, length: LENGTH, values: five }
+}
+
+/// Ranges from half to three halves, starts at their middle.
+pub fn five_parameters() -> Vec<Parameter> {
+    ["fill", "abutment", "haunch", "voussoir", "mortar"].map(|name| Parameter::new(name, "", 1.0, 0.5, 1.5)).to_vec()
+}
+
+/// The problem of five channels measured at a truth.
+pub fn five_problem(truth: &[f64], misfit: Misfit) -> Problem {
+    let names = ["crown", "pier", "crown strain", "pier strain", "abutment strain"];
+    let channels = names.iter().zip(five(truth)).map(|(name, history)| Channel::history(name, "", history)).collect();
+    Problem::new(five_parameters(), channels, misfit).expect("sound")
+}
