@@ -1,9 +1,11 @@
 //! How likely the records are at given parameters: noise of the measurement, and an error of the model with a scale of
 //! its own.
 //!
-//! Of a channel, the model's error is a share of the measured peak, drawn from a normal distribution and constant over
-//! blocks of its history; between blocks and channels it is independent. A block of $m$ values with differences $d$ then has
-//! the covariance $\sigma^2 \mathbf 1 + s^2\, \mathbf e \mathbf e^T$, whose inverse and determinant are known in closed form.
+//! The model's error of a channel is a gain: a share of the measured history, drawn from a normal distribution once for the
+//! channel. Where a block is given, a local part of the same scale joins it: a share of the measured peak, constant over
+//! each block of the history and independent between blocks. Channels are independent. The covariance of the differences
+//! of a channel is then that of its blocks, $\mathbf D = \sigma^2 \mathbf 1 + \ell^2\, \mathbf e \mathbf e^T$ each, with
+//! $g^2\, \mathbf v \mathbf v^T$ over all; its inverse and determinant are known in closed form.
 
 use crate::forward::Response;
 use crate::misfit::{Compare, peak_place};
@@ -26,7 +28,7 @@ pub enum ModelError {
 pub struct Likelihood {
     /// The model's error.
     pub model_error: ModelError,
-    /// Values of a history over which the model's error is constant; none for the whole history.
+    /// Values of a history over which the local part of the model's error is constant; none for a gain alone.
     pub block: Option<usize>,
 }
 
@@ -92,48 +94,68 @@ impl Likelihood {
         for (k, values) in response.values.iter().enumerate().filter(|(k, _)| problem.channels()[*k].counts()) {
             let channel = &problem.channels()[k];
             let noise = channel.uncertainty.unwrap_or(f64::NAN);
-            let model = scale * channel.measured_peak().unwrap_or(0.0);
-            let differences: Vec<f64> = match problem.misfit().compare {
-                Compare::Peaks => peak_place(problem, k, values)
-                    .zip(channel.measured_peak())
-                    .map(|(place, peak)| values[place] - peak)
-                    .into_iter()
-                    .collect(),
+            let peak = channel.measured_peak().unwrap_or(0.0);
+            let history = channel.history.as_deref().unwrap_or(&[]);
+            sum += match problem.misfit().compare {
+                Compare::Peaks => {
+                    let place = peak_place(problem, k, values);
+                    let difference = place.map_or(f64::NAN, |place| values[place] - peak);
+                    log_density(&[difference], &[scale * peak], noise, 0.0, 1)
+                }
                 Compare::Histories => {
-                    values.iter().zip(channel.history.as_deref().unwrap_or(&[])).map(|(u, v)| u - v).collect()
+                    let differences: Vec<f64> = values.iter().zip(history).map(|(u, v)| u - v).collect();
+                    let gain: Vec<f64> = history.iter().map(|v| scale * v).collect();
+                    let local = self.block.map_or(0.0, |_| scale * peak);
+                    log_density(&differences, &gain, noise, local, self.block.unwrap_or(usize::MAX))
                 }
             };
-            let block = self.block.unwrap_or(differences.len()).max(1);
-            sum += differences.chunks(block).map(|block| log_of_block(block, noise, model)).sum::<f64>();
         }
         sum
     }
 }
 
-/// Logarithm of the normal density of differences with independent noise and one common error.
-fn log_of_block(differences: &[f64], noise: f64, common: f64) -> f64 {
-    let m = differences.len() as f64;
-    let (sum, squares) = differences.iter().fold((0.0, 0.0), |(s, q), d| (s + d, q + d * d));
-    let (noise2, common2) = (noise * noise, common * common);
-    let spread = noise2 + m * common2;
-    let determinant = (m - 1.0) * noise2.ln() + spread.ln();
-    let quadratic = (squares - common2 * sum * sum / spread) / noise2;
-    -0.5 * (quadratic + determinant + m * (2.0 * std::f64::consts::PI).ln())
+/// Logarithm of the normal density of differences: independent noise, a local error constant over blocks, and one error of
+/// the shape of `gain` over all.
+fn log_density(differences: &[f64], gain: &[f64], noise: f64, local: f64, block: usize) -> f64 {
+    let (noise2, local2) = (noise * noise, local * local);
+    // Sums over blocks of d D^-1 d, v D^-1 d and v D^-1 v, and the logarithm of the determinant of D.
+    let (mut dd, mut vd, mut vv, mut determinant) = (0.0, 0.0, 0.0, 0.0);
+    for (d, v) in differences.chunks(block).zip(gain.chunks(block)) {
+        let spread = noise2 + d.len() as f64 * local2;
+        let (sum_d, sum_v) = (d.iter().sum::<f64>(), v.iter().sum::<f64>());
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let through = |product: f64, sums: f64| (product - local2 * sums / spread) / noise2;
+        dd += through(dot(d, d), sum_d * sum_d);
+        vd += through(dot(v, d), sum_v * sum_d);
+        vv += through(dot(v, v), sum_v * sum_v);
+        determinant += (d.len() as f64 - 1.0) * noise2.ln() + spread.ln();
+    }
+    let quadratic = dd - vd * vd / (1.0 + vv);
+    -0.5 * (quadratic + determinant + (1.0 + vv).ln() + differences.len() as f64 * (2.0 * std::f64::consts::PI).ln())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use faer::Mat;
+    use faer::linalg::solvers::Solve;
 
     #[test]
-    fn a_block_is_the_normal_density_by_its_matrix() {
-        // Two values: covariance [[a, c], [c, a]] with a = noise^2 + common^2 and c = common^2.
-        let (noise, common) = (0.3_f64, 0.7_f64);
-        let (a, c) = (noise * noise + common * common, common * common);
-        let d = [0.4, -0.2];
-        let determinant = a * a - c * c;
-        let quadratic = (a * d[0] * d[0] - 2.0 * c * d[0] * d[1] + a * d[1] * d[1]) / determinant;
-        let by_hand = -0.5 * (quadratic + determinant.ln()) - (2.0 * std::f64::consts::PI).ln();
-        assert!((log_of_block(&d, noise, common) - by_hand).abs() < 1e-13, "rounding");
+    fn the_density_is_that_of_the_whole_matrix() {
+        let d = [0.4, -0.2, 0.3, 0.1, -0.5];
+        let v = [0.1, 0.5, 0.9, 0.4, 0.2];
+        let (noise, local, block) = (0.3, 0.7, 2);
+        let covariance = Mat::from_fn(5, 5, |i, j| {
+            let same = if i == j { noise * noise } else { 0.0 };
+            let together = if i / block == j / block { local * local } else { 0.0 };
+            same + together + v[i] * v[j]
+        });
+        let right = Mat::from_fn(5, 1, |i, _| d[i]);
+        let factor = covariance.partial_piv_lu();
+        let solved = factor.solve(&right);
+        let quadratic: f64 = (0..5).map(|i| d[i] * solved[(i, 0)]).sum();
+        let by_matrix = -0.5 * (quadratic + covariance.determinant().ln() + 5.0 * (2.0 * std::f64::consts::PI).ln());
+        let found = log_density(&d, &v, noise, local, block);
+        assert!((found - by_matrix).abs() < 1e-12, "rounding: {found} {by_matrix}");
     }
 }
