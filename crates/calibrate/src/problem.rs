@@ -47,6 +47,17 @@ impl Problem {
         &self.misfit
     }
 
+    /// The same problem with other uncertainties of the channels, in their order; those that are not above zero stay.
+    pub fn with_uncertainties(&self, uncertainties: &[f64]) -> Self {
+        let mut problem = self.clone();
+        for (channel, uncertainty) in problem.channels.iter_mut().zip(uncertainties) {
+            if uncertainty.is_finite() && *uncertainty > 0.0 {
+                channel.uncertainty = Some(*uncertainty);
+            }
+        }
+        problem
+    }
+
     /// The start model.
     pub fn start(&self) -> Vec<f64> {
         Start::Stated.point(&self.parameters)

@@ -1,5 +1,8 @@
-//! A polynomial in the place of a slow model: every value of every channel by least squares over the shares, its degree
-//! chosen and its error stated by points that were held out.
+//! A polynomial in the place of a slow model: every value of every channel by least squares, its degree chosen and its
+//! error stated by points that were held out.
+//!
+//! Its variables are the shares of the ranges, in the logarithm of every parameter whose range lies above zero: a flexibility
+//! falls with the reciprocal of a modulus, over a decade of which a polynomial in the modulus itself follows badly.
 
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
@@ -9,9 +12,10 @@ use rand_chacha::ChaCha8Rng;
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::forward::{Evaluation, Failure, Forward, Request, Response, Samples};
-use crate::misfit::peak_place;
-use crate::parameter::{Parameter, shares, values};
+use crate::misfit::{Compare, peak_place};
+use crate::parameter::{Parameter, Scale, shares, values};
 use crate::posterior::draw::latin_hypercube;
+use crate::problem::Problem;
 
 /// What it may cost.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +62,16 @@ pub struct Surrogate {
 }
 
 impl Surrogate {
+    /// The problem with the polynomial's own error joined to the uncertainties of the channels, for a posterior by it.
+    pub fn widen(&self, problem: &Problem) -> Problem {
+        let error = |k: usize| match problem.misfit().compare {
+            Compare::Peaks => self.mean_error[k] * problem.channels()[k].measured_peak().unwrap_or(0.0).abs(),
+            Compare::Histories => self.value_error[k],
+        };
+        let joined = |k: usize| problem.channels()[k].uncertainty.map_or(f64::NAN, |noise| noise.hypot(error(k)));
+        problem.with_uncertainties(&(0..problem.channels().len()).map(joined).collect::<Vec<_>>())
+    }
+
     /// The error in words.
     pub fn words(&self) -> String {
         let worst = self.largest_error.iter().copied().fold(0.0, f64::max);
@@ -82,7 +96,8 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
     let n = problem.parameters().len();
     let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
     let drawn = [settings.training.max(2 * n + 2), settings.held_out.max(2)].map(|k| latin_hypercube(&mut rng, k, n));
-    let points: Vec<Vec<f64>> = drawn.concat().iter().map(|z| values(problem.parameters(), z)).collect();
+    let parameters: Vec<Parameter> = problem.parameters().iter().map(logarithmic).collect();
+    let points: Vec<Vec<f64>> = drawn.concat().iter().map(|z| values(&parameters, z)).collect();
     let answers = evaluator.respond(&points, &basis.request(false))?;
     let known = |range: std::ops::Range<usize>| -> Vec<(Vec<f64>, &Response)> {
         let pairs = range.filter_map(|k| answers[k].as_ref().as_ref().ok().map(|response| (k, response)));
@@ -96,14 +111,14 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
     }
     let lengths: Vec<usize> = (0..problem.channels().len()).map(|k| evaluator.length(k)).collect();
     let mut best: Option<Surrogate> = None;
-    for degree in 1..=settings.degree.max(1) {
+    for degree in 1..=settings.degree.clamp(1, 12) {
         let exponents = exponents(n, degree);
         // Two points for every coefficient: with fewer, the fit follows its points and nothing between.
         if degree > 1 && training.len() < 2 * exponents.len() {
             break;
         }
         let mut surrogate = Surrogate {
-            parameters: problem.parameters().to_vec(),
+            parameters: parameters.clone(),
             samples: basis.samples.clone(),
             lengths: lengths.clone(),
             widths: training[0].1.values.iter().map(Vec::len).collect(),
@@ -123,6 +138,11 @@ pub fn build(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> R
         }
     }
     best.ok_or_else(|| Halt::Failed(Failure::new("no-surrogate", "no polynomial could be fitted")))
+}
+
+fn logarithmic(parameter: &Parameter) -> Parameter {
+    let scale = if parameter.lower > 0.0 { Scale::Logarithmic } else { parameter.scale };
+    Parameter { scale, ..parameter.clone() }
 }
 
 /// Exponents of all monomials up to a total degree.
@@ -148,21 +168,18 @@ fn exponents(n: usize, degree: usize) -> Vec<Vec<u8>> {
 
 /// Products of Legendre polynomials over the ranges: well conditioned where plain powers are not.
 fn monomials(shares: &[f64], exponents: &[Vec<u8>]) -> Vec<f64> {
+    let top = exponents.iter().flatten().copied().max().unwrap_or(0);
     let legendre = |share: f64| {
         let x = 2.0 * share - 1.0;
         let mut values = vec![1.0, x];
-        for k in 1..u8::MAX as usize {
-            if k >= 12 {
-                break;
-            }
-            let (k, two) = (k as f64, values.len());
-            values.push(((2.0 * k + 1.0) * x * values[two - 1] - k * values[two - 2]) / (k + 1.0));
+        for k in 1..usize::from(top) {
+            let n = k as f64;
+            values.push(((2.0 * n + 1.0) * x * values[k] - n * values[k - 1]) / (n + 1.0));
         }
         values
     };
     let tables: Vec<Vec<f64>> = shares.iter().map(|share| legendre(*share)).collect();
-    let product =
-        |powers: &Vec<u8>| powers.iter().zip(&tables).map(|(power, t)| t[usize::from(*power).min(12)]).product();
+    let product = |powers: &Vec<u8>| powers.iter().zip(&tables).map(|(power, t)| t[usize::from(*power)]).product();
     exponents.iter().map(product).collect()
 }
 

@@ -1,42 +1,52 @@
-//! Whether chains have told enough: rank-normalised split R-hat and effective sample size (Vehtari, Gelman, Simpson,
-//! Carpenter and Bürkner 2021, Bayesian Analysis 16(2), 667-718).
+//! Whether chains have told enough: rank-normalised effective sample size (Vehtari, Gelman, Simpson, Carpenter and Bürkner
+//! 2021, Bayesian Analysis 16(2), 667-718) and nested R-hat (Margossian, Hoffman, Sountsov, Riou-Durand, Vehtari and Gelman
+//! 2024, Bayesian Analysis), which compares runs of many short chains as wholes.
 
 /// R-hat and effective sample size of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mixing {
-    /// Larger of the R-hats of place and of spread; 1 where all chains tell the same.
+    /// Larger of the nested R-hats of place and of spread, over the first and second halves of all runs; 1 where all tell
+    /// the same.
     pub r_hat: f64,
     /// Effective count of independent samples for means.
     pub effective_samples: f64,
 }
 
-/// Judges one quantity by its chains, all of the same length; not a number where they are shorter than four.
-pub fn mixing(chains: &[Vec<f64>]) -> Mixing {
-    let halves: Vec<&[f64]> = chains
-        .iter()
-        .flat_map(|chain| {
-            let half = chain.len() / 2;
-            [&chain[..half], &chain[chain.len() - half..]]
-        })
-        .collect();
-    if halves.first().is_none_or(|half| half.len() < 2) {
+/// Judges one quantity by runs of chains, all chains of one length; not a number where they are shorter than four.
+pub fn mixing(runs: &[Vec<Vec<f64>>]) -> Mixing {
+    let length = runs.iter().flatten().map(Vec::len).min().unwrap_or(0);
+    let half = length / 2;
+    if half < 2 {
         return Mixing { r_hat: f64::NAN, effective_samples: f64::NAN };
     }
+    // Half chains, run by run: all first halves, then all second ones.
+    let sides = [0..half, length - half..length];
+    let halves: Vec<&[f64]> = runs
+        .iter()
+        .flat_map(|run| sides.iter().flat_map(|side| run.iter().map(|chain| &chain[side.clone()])))
+        .collect();
+    let sizes: Vec<usize> = runs.iter().flat_map(|run| [run.len(), run.len()]).collect();
+    let groups = |ranked: &[Vec<f64>]| -> Vec<Vec<f64>> {
+        let mut rest = ranked.iter();
+        sizes.iter().map(|size| rest.by_ref().take(*size).flatten().copied().collect()).collect()
+    };
     let ranked = by_ranks(&halves);
-    let mut sorted: Vec<f64> = halves.concat();
-    sorted.sort_by(f64::total_cmp);
-    let median = sorted[sorted.len() / 2];
+    let mut all: Vec<f64> = halves.concat();
+    let middle = all.len() / 2;
+    let median = *all.select_nth_unstable_by(middle, f64::total_cmp).1;
     let folded: Vec<Vec<f64>> =
         halves.iter().map(|half| half.iter().map(|value| (value - median).abs()).collect()).collect();
     let folded = by_ranks(&folded.iter().map(Vec::as_slice).collect::<Vec<_>>());
-    Mixing { r_hat: r_hat(&ranked).max(r_hat(&folded)), effective_samples: effective_samples(&ranked) }
+    let r_hat = r_hat(&groups(&ranked)).max(r_hat(&groups(&folded)));
+    Mixing { r_hat, effective_samples: effective_samples(&ranked) }
 }
 
 /// Every value replaced by the normal quantile of its rank among all; equal values share their mean rank.
 fn by_ranks(chains: &[&[f64]]) -> Vec<Vec<f64>> {
     let all: Vec<f64> = chains.concat();
     let mut order: Vec<usize> = (0..all.len()).collect();
-    order.sort_by(|a, b| all[*a].total_cmp(&all[*b]));
+    // Equal values share their rank, so that their order does not matter.
+    order.sort_unstable_by(|a, b| all[*a].total_cmp(&all[*b]));
     let mut scores = vec![0.0; all.len()];
     let mut first = 0;
     while first < order.len() {
@@ -71,9 +81,11 @@ fn variances(chains: &[Vec<f64>]) -> (f64, f64) {
     (within, within * (n - 1.0) / n + between)
 }
 
-fn r_hat(chains: &[Vec<f64>]) -> f64 {
-    let (within, whole) = variances(chains);
-    if within > 0.0 { (whole / within).sqrt() } else { f64::NAN }
+/// Nested R-hat: the variance between groups beside that within them.
+fn r_hat(groups: &[Vec<f64>]) -> f64 {
+    let within = mean(&groups.iter().map(|group| variance(group)).collect::<Vec<_>>());
+    let between = variance(&groups.iter().map(|group| mean(group)).collect::<Vec<_>>());
+    if within > 0.0 { (1.0 + between / within).sqrt() } else { f64::NAN }
 }
 
 /// By the sum of the autocorrelations, broken off after Geyer's monotone positive pairs.
@@ -174,10 +186,10 @@ mod tests {
 
     #[test]
     fn effective_samples_of_a_chain_of_known_correlation() {
-        // An autoregressive chain of correlation r has n (1 - r) / (1 + r) effective samples; 10 % is three standard
+        // An autoregressive chain of correlation r has n (1 - r) / (1 + r) effective samples; 15 % is three standard
         // deviations of the estimate at this length.
         for r in [0.0, 0.5, 0.9] {
-            let mixing = mixing(&chains(r, 0.0));
+            let mixing = mixing(&chains(r, 0.0).chunks(2).map(<[Vec<f64>]>::to_vec).collect::<Vec<_>>());
             let expected = 8000.0 * (1.0 - r) / (1.0 + r);
             assert!((mixing.effective_samples / expected - 1.0).abs() < 0.15, "{r}: {mixing:?} for {expected}");
             assert!(mixing.r_hat < 1.02, "{mixing:?}");
@@ -186,7 +198,8 @@ mod tests {
 
     #[test]
     fn chains_in_different_places_are_found() {
-        assert!(mixing(&chains(0.5, 1.0)).r_hat > 1.2);
+        let apart: Vec<Vec<Vec<f64>>> = chains(0.5, 1.0).into_iter().map(|chain| vec![chain]).collect();
+        assert!(mixing(&apart).r_hat > 1.2);
     }
 
     #[test]

@@ -71,9 +71,9 @@ impl Default for Settings {
 /// How it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// The effective samples were reached and the chains agree (R-hat below 1.01).
+    /// The effective samples were reached and the runs agree (R-hat below 1.01).
     Completed,
-    /// The most steps were made first, or the chains do not agree.
+    /// The most steps were made first, or the runs do not agree.
     StepLimit,
     /// The model fails, or has no likelihood, wherever the prior looked.
     NoLikelihood,
@@ -124,7 +124,7 @@ pub struct Posterior {
     pub words: Vec<String>,
 }
 
-/// R-hat below which chains are said to agree (Vehtari et al. 2021).
+/// R-hat below which runs are said to agree (Vehtari et al. 2021).
 const AGREE: f64 = 1.01;
 
 /// Samples the posterior, or says what keeps it from being posed.
@@ -134,7 +134,8 @@ pub fn sample(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> 
         return Err(findings);
     }
     evaluator.begin(None);
-    let mut run = Run { ensembles: Vec::new(), evidences: Vec::new(), scales: Vec::new(), lost: false };
+    let mut run =
+        Run { ensembles: Vec::new(), evidences: Vec::new(), scales: Vec::new(), mixed: Vec::new(), lost: false };
     let mut target = Target::new(evaluator, basis, settings.likelihood);
     let status = match run.go(&mut target, settings) {
         Ok(status) => status,
@@ -149,6 +150,8 @@ struct Run {
     evidences: Vec<f64>,
     /// The model's error of every sample, chain by chain.
     scales: Vec<Vec<f64>>,
+    /// How the chains mixed, by number sought, when they ended.
+    mixed: Vec<Mixing>,
     lost: bool,
 }
 
@@ -179,9 +182,18 @@ impl Run {
             }
             steps += more;
             more = steps / 2;
-            let mixing: Vec<Mixing> = (0..axes).map(|axis| self.mixing(axis)).collect();
-            let enough = mixing.iter().all(|m| m.effective_samples >= settings.effective_samples && m.r_hat < AGREE);
-            if enough || steps >= settings.steps.max(50) {
+            let last = steps >= settings.steps.max(50);
+            self.mixed.clear();
+            let mut enough = true;
+            for axis in 0..axes {
+                // The first number that is not told well enough decides; the rest is looked at only at the end.
+                if enough || last {
+                    let mixing = self.mixing(axis);
+                    enough &= mixing.effective_samples >= settings.effective_samples && mixing.r_hat < AGREE;
+                    self.mixed.push(mixing);
+                }
+            }
+            if enough || last {
                 let scale = |chain: &Vec<Vec<f64>>| chain.iter().map(|place| target.scale(place)).collect();
                 self.scales = self.ensembles.iter().flat_map(|e| &e.chains).map(scale).collect();
                 return Ok(if enough { Status::Completed } else { Status::StepLimit });
@@ -194,10 +206,9 @@ impl Run {
     }
 
     fn mixing(&self, axis: usize) -> Mixing {
-        let shortest = self.chains().map(Vec::len).min().unwrap_or(0);
-        let chains: Vec<Vec<f64>> =
-            self.chains().map(|chain| chain[..shortest].iter().map(|place| place[axis]).collect()).collect();
-        diagnostics::mixing(&chains)
+        let chain = |chain: &Vec<Vec<f64>>| chain.iter().map(|place| place[axis]).collect::<Vec<f64>>();
+        let run = |ensemble: &Ensemble| ensemble.chains.iter().map(chain).collect::<Vec<_>>();
+        diagnostics::mixing(&self.ensembles.iter().map(run).collect::<Vec<_>>())
     }
 
     fn report(&self, evaluator: &Evaluator, settings: &Settings, status: Status) -> Posterior {
@@ -207,7 +218,8 @@ impl Run {
         let axes = if points.is_empty() { 0 } else { parameters.len() + settings.likelihood.extra() };
         let column = |k: usize| points.iter().map(|point| point[k]).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = (0..axes.min(parameters.len())).map(column).collect();
-        let mixing: Vec<Mixing> = (0..axes).map(|axis| self.mixing(axis)).collect();
+        let unknown = Mixing { r_hat: f64::NAN, effective_samples: f64::NAN };
+        let mixing: Vec<Mixing> = (0..axes).map(|k| self.mixed.get(k).copied().unwrap_or(unknown)).collect();
         let marginal = |k: usize| {
             let parameter = &parameters[k];
             let summary = summary::summary(&columns[k], Some([parameter.lower, parameter.upper]));

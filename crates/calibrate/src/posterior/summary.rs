@@ -23,7 +23,7 @@ pub fn summary(samples: &[f64], range: Option<[f64; 2]>) -> Summary {
     let mean = samples.iter().sum::<f64>() / n;
     let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
     let mut sorted = samples.to_vec();
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     let crowded = |range: [f64; 2]| {
         let edge = EDGE * (range[1] - range[0]);
         let at = |near: &dyn Fn(f64) -> bool| samples.iter().filter(|x| near(**x)).count() as f64 > CROWD * n;

@@ -102,7 +102,7 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &
             break;
         };
         let refreshed = basis.refreshed(evaluator, &best)?;
-        if refreshed == basis {
+        if refreshed.samples == basis.samples {
             break;
         }
         basis = refreshed;

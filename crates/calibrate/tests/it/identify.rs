@@ -95,9 +95,10 @@ fn a_surrogate_states_its_error_and_serves_a_posterior() {
     let problem = Problem::new(parameters, channels, Misfit { slices: true, ..Misfit::default() }).unwrap();
     with(&problem, &five_model(), |evaluator, basis| {
         let surrogate = build(evaluator, basis, &surrogate::Settings::default()).unwrap();
-        // Reciprocals over a range of one to three: a polynomial of degree four is off by some 1 %.
+        // Reciprocals over a range of one to three are exponentials of the logarithm: the fifth term is about 0.1 %, bells
+        // that move add as much again.
         assert_eq!(surrogate.degree, 4);
-        assert!(surrogate.mean_error.iter().all(|e| *e < 0.02), "{}", surrogate.words());
+        assert!(surrogate.mean_error.iter().all(|e| *e < 0.01), "{}", surrogate.words());
         assert!(surrogate.largest_error.iter().zip(&surrogate.mean_error).all(|(l, m)| l >= m));
         let settings = posterior::Settings {
             likelihood: Likelihood { model_error: ModelError::None, block: None },
@@ -106,8 +107,15 @@ fn a_surrogate_states_its_error_and_serves_a_posterior() {
             steps: 2000,
             ..posterior::Settings::default()
         };
+        let wider = surrogate.widen(&problem);
+        let grown = wider
+            .channels()
+            .iter()
+            .zip(problem.channels())
+            .map(|(w, p)| w.uncertainty.unwrap() / p.uncertainty.unwrap());
+        assert!(grown.into_iter().all(|ratio| (1.0..1.1).contains(&ratio)));
         let mut watch = Unwatched;
-        let mut fast = Evaluator::without_log(&problem, &surrogate, &Serial, &mut watch);
+        let mut fast = Evaluator::without_log(&wider, &surrogate, &Serial, &mut watch);
         let by_surrogate = posterior::sample(&mut fast, basis, &settings).unwrap();
         let mut watch = Unwatched;
         let model = five_model();
@@ -115,9 +123,9 @@ fn a_surrogate_states_its_error_and_serves_a_posterior() {
         let basis = Basis { ..basis.clone() };
         let by_model = posterior::sample(&mut full, &basis, &settings).unwrap();
         for (a, b) in by_surrogate.parameters.iter().zip(&by_model.parameters) {
-            // Two means of 400 effective samples differ by 0.07 deviations; an error of 1 % against a noise of 3 % adds 0.3.
+            // Two means of 400 effective samples differ by 0.07 deviations; the surrogate's error adds as much.
             let away = (a.summary.mean - b.summary.mean).abs() / b.summary.standard_deviation;
-            assert!(away < 0.5, "{}: {away}", a.name);
+            assert!(away < 0.4, "{}: {away}", a.name);
         }
     });
 }

@@ -34,8 +34,8 @@ impl Watch for File {
     }
 }
 
-/// Threads, in lots of seven.
-struct Threads;
+/// Threads, in lots of some size.
+struct Threads(usize);
 
 impl Map for Threads {
     fn map(&self, points: &[Vec<f64>], work: &(dyn Fn(&[f64]) -> Evaluation + Sync)) -> Vec<Evaluation> {
@@ -43,7 +43,7 @@ impl Map for Threads {
     }
 
     fn at_once(&self) -> usize {
-        7
+        self.0
     }
 }
 
@@ -103,7 +103,9 @@ fn every_search_gives_the_same_bits_whatever_the_map() {
             let basis = Basis::at(&mut evaluator, &problem.start()).unwrap();
             (search(&mut evaluator, &basis), evaluator.log().text())
         };
-        assert!(by(&Serial) == by(&Threads), "{name}");
+        for lot in [2, 7, 1000] {
+            assert!(by(&Serial) == by(&Threads(lot)), "{name} in lots of {lot}");
+        }
     }
 }
 
@@ -130,7 +132,7 @@ fn a_posterior_is_the_same_by_threads_and_after_a_kill() {
         (found.status, format!("{found:?}"), evaluator.computed())
     };
     let whole = by(&Serial, &mut Unwatched, Log::new("five"));
-    assert_eq!(by(&Threads, &mut Unwatched, Log::new("five")), whole);
+    assert_eq!(by(&Threads(7), &mut Unwatched, Log::new("five")), whole);
     let mut file = File { text: Log::new("five").head() + "\n", lots: whole.2 / 2 };
     let killed = by(&Serial, &mut file, Log::new("five"));
     assert_eq!(killed.0, posterior::Status::Stopped);
