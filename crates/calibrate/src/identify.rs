@@ -187,13 +187,13 @@ fn words(found: &Identifiability, names: &[String]) -> Vec<String> {
     }
     if found.rank < n {
         words.push(format!("The data see {} of {n} combinations of the parameters.", found.rank));
-    } else if let Some(all) = found.collinearities.iter().find(|set| set.parameters.len() == n && n > 2) {
-        if all.index >= COLLINEAR {
-            words.push(format!(
-                "Taken all together the parameters are collinear ({:.0}): changes of some can be made good by others.",
-                all.index
-            ));
-        }
+    }
+    let all = found.collinearities.iter().find(|set| set.parameters.len() == n && n > 2 && set.index >= COLLINEAR);
+    if let Some(all) = all.filter(|_| found.rank == n) {
+        words.push(format!(
+            "Taken all together the parameters are collinear ({:.0}): changes of some can be made good by others.",
+            all.index
+        ));
     }
     words
 }

@@ -130,10 +130,9 @@ fn check_channels(channels: &[Channel], misfit: &Misfit, findings: &mut Vec<Find
         if misfit.weights == Weights::Given && !channel.weight.is_some_and(|w| w.is_finite() && w > 0.0) {
             say(name, "it has no weight above zero", "give one, or leave the channel out");
         }
-        if misfit.scaling == Scaling::Uncertainty || channel.uncertainty.is_some() {
-            if !channel.uncertainty.is_some_and(|u| u.is_finite() && u > 0.0) {
-                say(name, "it has no uncertainty above zero", "give the standard deviation of one value");
-            }
+        let wanted = misfit.scaling == Scaling::Uncertainty || channel.uncertainty.is_some();
+        if wanted && !channel.uncertainty.is_some_and(|u| u.is_finite() && u > 0.0) {
+            say(name, "it has no uncertainty above zero", "give the standard deviation of one value");
         }
     }
 }

@@ -181,7 +181,7 @@ mod tests {
             };
             (0..2000).map(|_| step()).collect()
         };
-        (0..4).map(|k| chain(k)).collect()
+        (0..4).map(&mut chain).collect()
     }
 
     #[test]

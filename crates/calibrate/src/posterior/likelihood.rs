@@ -54,10 +54,12 @@ impl Likelihood {
                 say(&channel.name, "a posterior needs its uncertainty", help);
             }
         }
-        if let ModelError::Known(scale) | ModelError::Sought(scale) = self.model_error {
-            if !(scale.is_finite() && scale > 0.0) {
-                say("model error", "its scale is not above zero", "give a share of the peaks, as 0.1");
-            }
+        let scale = match self.model_error {
+            ModelError::None => None,
+            ModelError::Known(scale) | ModelError::Sought(scale) => Some(scale),
+        };
+        if scale.is_some_and(|scale| !(scale.is_finite() && scale > 0.0)) {
+            say("model error", "its scale is not above zero", "give a share of the peaks, as 0.1");
         }
         if self.block == Some(0) {
             say("model error", "its block has no value", "give a count of values, or none");

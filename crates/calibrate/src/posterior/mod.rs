@@ -1,7 +1,7 @@
 //! What the data leave open: a Bayesian posterior with a model-error term.
 //!
-//! Particles go from the prior to the posterior by degrees ([`tempering`]), which gives the evidence; from there walkers go
-//! on ([`ensemble`]) until the effective sample size is reached ([`diagnostics`]).
+//! Particles go from the prior to the posterior by degrees (`tempering.rs`), which gives the evidence; from there walkers go
+//! on (`ensemble.rs`) until the effective sample size is reached ([`diagnostics`]).
 
 pub mod diagnostics;
 pub mod draw;

@@ -41,7 +41,7 @@ impl<'e, 'a> Target<'e, 'a> {
     }
 
     /// Places drawn from the prior.
-    pub fn from_prior(&self, rng: &mut ChaCha8Rng, count: usize) -> Vec<Vec<f64>> {
+    pub fn prior_places(&self, rng: &mut ChaCha8Rng, count: usize) -> Vec<Vec<f64>> {
         let half_normal = |rng: &mut ChaCha8Rng| loop {
             let (sought, height) = (even(rng), even(rng));
             if height.ln() <= self.likelihood.log_prior(Some(&sought)) {

@@ -24,7 +24,7 @@ const STAGES: usize = 200;
 
 /// Brings `count` particles from the prior to the posterior, each moved `moves` times at each power.
 pub fn temper(target: &mut Target, rng: &mut ChaCha8Rng, count: usize, moves: usize) -> Result<Tempered, Stopped> {
-    let first = target.from_prior(rng, count);
+    let first = target.prior_places(rng, count);
     let mut particles = target.draws(first)?;
     let (mut power, mut log_evidence, mut stages, mut stride) = (0.0, 0.0, 0, 1.0);
     while power < 1.0 && stages < STAGES {

@@ -4,6 +4,7 @@ pub mod gradient;
 pub mod hierarchical;
 pub mod jacobian;
 pub mod modern;
+pub mod record;
 pub mod referee;
 mod replay;
 pub mod surface;

@@ -7,7 +7,6 @@
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::convert::identity;
 
 use basin::{BoxBounds, Constraints, CostFunction, DenseMatrix, Gradient, Jacobian, Residual};
 
@@ -134,7 +133,7 @@ pub fn replay<T>(
         }
     }
     count(evaluator, basis, all_used)?;
-    Ok(ends.into_iter().filter_map(identity).collect())
+    Ok(ends.into_iter().flatten().collect())
 }
 
 /// The problem in the words of the library of solvers: shares between zero and one.

@@ -92,8 +92,11 @@ pub fn five(x: &[f64]) -> Vec<Vec<f64>> {
     (0..5).map(channel).collect()
 }
 
+/// From parameters to one history a channel.
+pub type Histories = fn(&[f64]) -> Vec<Vec<f64>>;
+
 /// The model of five channels.
-pub fn five_model() -> Function<fn(&[f64]) -> Vec<Vec<f64>>> {
+pub fn five_model() -> Function<Histories> {
     Function { channels: 5, length: LENGTH, values: five }
 }
 

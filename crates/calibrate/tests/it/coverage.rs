@@ -64,7 +64,6 @@ fn of_four_hundred_intervals_of_95_per_cent_95_per_cent_hold_the_truth() {
         }
     }
     // 400 trials of 0.95: the standard deviation is 4.4, the two of a seed being correlated up to 6.2; three of those.
-    println!("{held} of 400");
     assert!((361..=399).contains(&held), "{held} of 400");
 }
 
@@ -97,7 +96,6 @@ fn a_twin_of_five_parameters_with_noise_is_covered() {
         }
     }
     // 100 trials of 0.95: 88 and fewer have a chance of 0.4 %.
-    println!("{held} of 100");
     assert!(held >= 88, "{held} of 100");
 }
 

@@ -18,14 +18,31 @@ fn a_twin_is_found_within_the_grid_from_means_and_from_bounds() {
                 let outcome = search(evaluator, basis, &Settings { start, passes: 6, ..Settings::default() });
                 let found = outcome.found.as_ref().expect("a result");
                 for (value, truth) in found.point().iter().zip(TRUTH) {
-                    // One step of the grid is a tenth.
-                    assert!((value - truth).abs() < 0.1 + 1e-9, "{:?} {:?}", found.point(), outcome.status);
+                    // The truth stands on the grid, whose values are rounded by the same formula but for one place.
+                    assert!((value - truth).abs() < 1e-12, "{:?} {:?}", found.point(), outcome.status);
                 }
-                assert!(found.norm < 0.05 && found.norm < found.initial_norm, "{}", found.norm);
+                assert!(outcome.settled && outcome.status == Status::Resolved);
+                assert!(found.norm < 1e-12 && found.norm < found.initial_norm, "{}", found.norm);
                 assert_eq!(found.wandered, Vec::<String>::new());
             }
         });
     }
+}
+
+#[test]
+fn two_passes_come_near_and_say_that_they_have_not_settled() {
+    let problem = five_problem(&TRUTH, Misfit::default());
+    with(&problem, &five_model(), |evaluator, basis| {
+        for start in [Start::Means, Start::LowerBounds, Start::UpperBounds] {
+            let outcome = search(evaluator, basis, &Settings { start, ..Settings::default() });
+            assert!(!outcome.settled && outcome.passes.len() == 2);
+            assert!(outcome.passes[1].norm <= outcome.passes[0].norm);
+            let found = outcome.found.unwrap();
+            assert!(found.norm < found.initial_norm, "{} {}", found.norm, found.initial_norm);
+            // Two steps of the grid.
+            assert!(found.point().iter().zip(TRUTH).all(|(value, truth)| (value - truth).abs() < 0.2 + 1e-9));
+        }
+    });
 }
 
 #[test]

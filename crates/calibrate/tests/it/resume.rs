@@ -51,8 +51,11 @@ fn problem() -> Problem {
     five_problem(&TRUTH, Misfit { slices: true, ..Misfit::default() })
 }
 
-/// The searches, each with everything that it reports as one text.
-fn searches() -> Vec<(&'static str, fn(&mut Evaluator, &Basis) -> String)> {
+/// A search with everything that it reports as one text.
+type Search = fn(&mut Evaluator, &Basis) -> String;
+
+/// The searches.
+fn searches() -> Vec<(&'static str, Search)> {
     fn text(outcome: impl Debug) -> String {
         format!("{outcome:?}")
     }

@@ -75,7 +75,7 @@ fn evidence_and_posterior_are_the_published_ones() {
         likelihood: Likelihood { model_error: ModelError::None, block: None },
         particles: 4000,
         moves: 4,
-        runs: 4,
+        runs: 8,
         walkers: 60,
         effective_samples: 4000.0,
         ..posterior::Settings::default()
