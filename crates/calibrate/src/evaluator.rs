@@ -24,14 +24,19 @@ pub struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    /// A door with a log, which is empty or read back from an earlier run.
+    /// A door with a log, which is empty or read back from an earlier run. Answers in a log that do not have the shape of the
+    /// problem are dropped and found anew.
     pub fn new(
         problem: &'a Problem,
         forward: &'a dyn Forward,
         map: &'a dyn Map,
         watch: &'a mut dyn Watch,
-        log: Log,
+        mut log: Log,
     ) -> Self {
+        log.keep_sound(|request, axes, evaluation| {
+            let shaped = evaluation.is_err() || sound(problem, forward, request, evaluation.clone()).is_ok();
+            axes == problem.parameters().len() && shaped
+        });
         let stage = String::new();
         Self { problem, forward, map, watch, log, keeps: true, stage, done: 0, computed: 0, planned: None }
     }

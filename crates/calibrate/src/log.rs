@@ -94,6 +94,15 @@ impl Log {
         Ok((log, broken))
     }
 
+    /// Drops what does not have the shape that is asked for; says how many.
+    pub(crate) fn keep_sound(&mut self, sound: impl Fn(&Request, usize, &Evaluation) -> bool) -> usize {
+        let before = self.len();
+        for (request, entries) in &mut self.entries {
+            entries.retain(|point, entry| sound(request, point.len(), &entry.evaluation));
+        }
+        before - self.len()
+    }
+
     /// A search begins: what it uses is counted anew.
     pub(crate) fn begin_search(&mut self) {
         self.searches += 1;

@@ -1,7 +1,8 @@
 //! Functions with known minima (benchmarks: upd.testfunctions).
 
 use crate::common::{Function, least_squares, with};
-use calibrate::search::{gradient, modern, referee};
+use calibrate::posterior::{self, Likelihood, ModelError};
+use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Parameter, Start};
 
 fn parameter(name: &str, start: f64, lower: f64, upper: f64) -> Parameter {
@@ -101,4 +102,53 @@ fn a_model_that_fails_in_places_is_searched_around_them() {
         let referee = referee::search(evaluator, basis, &referee::Settings::default()).found.unwrap();
         assert!(referee.norm < 1e-3, "{referee:?}");
     });
+}
+
+#[test]
+fn one_parameter_alone_and_more_parameters_than_channels_are_searched_too() {
+    for n in [1, 3] {
+        let parameters = (0..n).map(|k| parameter(&format!("p{k}"), 0.5, 0.0, 1.0)).collect();
+        let problem = least_squares(parameters, &[0.3 * n as f64]);
+        let model = Function { channels: 1, length: 1, values: |x: &[f64]| vec![vec![x.iter().sum()]] };
+        with(&problem, &model, |evaluator, basis| {
+            let settings = referee::Settings::default();
+            for found in [
+                modern::search(evaluator, basis, &modern::Settings::default()).found,
+                gradient::search(evaluator, basis, &Start::Stated, 100).found,
+                referee::search(evaluator, basis, &settings).found,
+                hierarchical::search(evaluator, basis, &hierarchical::Settings::default()).found,
+            ] {
+                // Sums of tenths stand on the grid; the referee's distribution ends a ten-thousandth wide.
+                assert!(found.as_ref().unwrap().norm < 1e-3, "{n}: {found:?}");
+            }
+            let settings = posterior::Settings {
+                likelihood: Likelihood { model_error: ModelError::Known(0.1), block: None },
+                particles: 50,
+                effective_samples: 300.0,
+                ..posterior::Settings::default()
+            };
+            let found = posterior::sample(evaluator, basis, &settings).unwrap();
+            assert_eq!(found.status, posterior::Status::Completed, "{n}");
+            // An uncertainty of one beside a range of one: nothing is told.
+            assert!(found.parameters.iter().all(|marginal| !marginal.identifiable) && found.words.len() >= n);
+        });
+    }
+}
+
+#[test]
+fn a_problem_says_everything_that_is_wrong_with_it() {
+    use calibrate::{Channel, Misfit, Problem};
+    let parameters = vec![
+        parameter("E", 3.0, 2.0, 1.0),
+        parameter("E", 0.0, 0.0, 1.0).logarithmic(),
+        parameter("k", f64::NAN, 0.0, f64::INFINITY),
+    ];
+    let channels = vec![
+        Channel::peak("crown", "mm", 0.0),
+        Channel::history("pier", "mm", vec![1.0, f64::NAN]),
+        Channel::default(),
+    ];
+    let findings = Problem::new(parameters, channels, Misfit::default()).unwrap_err();
+    let at = |place: &str| findings.iter().filter(|finding| finding.place == place).count();
+    assert_eq!((at("E"), at("k"), at("crown"), at("pier"), at("")), (3, 1, 2, 1, 2), "{findings:#?}");
 }

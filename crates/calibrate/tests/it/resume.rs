@@ -142,3 +142,21 @@ fn a_posterior_is_the_same_by_threads_and_after_a_kill() {
     let resumed = by(&Serial, &mut Unwatched, Log::read("five", &file.text).unwrap().0);
     assert_eq!((resumed.1, resumed.2 + killed.2), (whole.1, whole.2));
 }
+
+#[test]
+fn answers_of_another_shape_are_dropped_from_a_log() {
+    let (problem, model) = (problem(), five_model());
+    let mut watch = Unwatched;
+    let mut evaluator = Evaluator::new(&problem, &model, &Serial, &mut watch, Log::new("five"));
+    Basis::at(&mut evaluator, &problem.start()).unwrap();
+    let text = evaluator.into_log().text();
+    let fewer =
+        Problem::new(problem.parameters().to_vec(), problem.channels()[..4].to_vec(), Misfit::default()).unwrap();
+    let four =
+        crate::common::Function { channels: 4, length: 60, values: |x: &[f64]| crate::common::five(x)[..4].to_vec() };
+    let mut watch = Unwatched;
+    let (log, _) = Log::read("five", &text).unwrap();
+    let mut evaluator = Evaluator::new(&fewer, &four, &Serial, &mut watch, log);
+    Basis::at(&mut evaluator, &fewer.start()).unwrap();
+    assert_eq!((evaluator.computed(), evaluator.log().len()), (1, 1));
+}
