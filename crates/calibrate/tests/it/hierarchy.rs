@@ -82,6 +82,10 @@ fn a_truth_beyond_the_bound_is_unconverged_as_printed_and_frozen_as_practised() 
             let found = outcome.found.as_ref().unwrap();
             assert_eq!(found.parameters[1].value, 1.5, "{variant:?}");
             assert!(found.parameters[1].at_bound && !found.parameters[1].converged);
+            let stages = outcome.passes.iter().flat_map(|pass| &pass.stages);
+            for stage in stages.filter(|stage| variant == Variant::Printed && stage.surface.parameters.contains(&1)) {
+                assert_eq!(stage.carried, Some(1), "what is on its bound is carried on");
+            }
             let frozen = outcome.passes.last().unwrap().frozen[1];
             assert_eq!(frozen, variant == Variant::AsPractised);
             match variant {
