@@ -1,0 +1,102 @@
+//! What norms are computed with: weights held at the start model, and the places where peaks are looked for.
+
+use crate::evaluator::Evaluator;
+use crate::forward::{Failure, Request, Response, Samples};
+use crate::misfit::{self, Compare, Fit, Held};
+use crate::problem::Problem;
+use crate::watch::Stopped;
+
+/// Why something ended before its time.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Halt {
+    /// The onlooker wanted it.
+    Stopped,
+    /// The model failed where it must not.
+    Failed(Failure),
+}
+
+impl From<Stopped> for Halt {
+    fn from(_: Stopped) -> Self {
+        Self::Stopped
+    }
+}
+
+/// Weights and places. Norms of different searches are comparable where they share it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Basis {
+    /// Weights and shape correlation factors of the start model.
+    pub held: Held,
+    /// Which values are asked for in a search.
+    pub samples: Samples,
+    /// What a full passage of the start model amounts to.
+    pub start: Fit,
+}
+
+impl Basis {
+    /// Runs a full passage of a start model and holds its weights.
+    pub fn at(evaluator: &mut Evaluator, start: &[f64]) -> Result<Self, Halt> {
+        evaluator.stage("start model");
+        let response = full_passage(evaluator, start)?;
+        let held = misfit::hold(evaluator.problem, &response);
+        let fit = misfit::fit(evaluator.problem, &held, &response);
+        let samples = samples(evaluator, &response);
+        if !(fit.norm.is_finite()) {
+            let message = "the start model's norm is no finite number: no channel has both a weight and an error";
+            return Err(Halt::Failed(Failure::new("no-norm", message)));
+        }
+        Ok(Self { held, samples, start: fit })
+    }
+
+    /// The same weights with the peaks' places of a full passage of another model.
+    pub fn refreshed(&self, evaluator: &mut Evaluator, point: &[f64]) -> Result<Self, Halt> {
+        if !evaluator.problem.misfit().slices {
+            return Ok(self.clone());
+        }
+        let response = full_passage(evaluator, point)?;
+        Ok(Self { samples: samples(evaluator, &response), ..self.clone() })
+    }
+
+    /// The question that a search asks.
+    pub fn request(&self, sensitivities: bool) -> Request {
+        Request { samples: self.samples.clone(), sensitivities }
+    }
+
+    /// Fits at many points; none where the model failed there.
+    pub fn fits(&self, evaluator: &mut Evaluator, points: &[Vec<f64>]) -> Result<Vec<Option<Fit>>, Stopped> {
+        let answers = evaluator.respond(points, &self.request(false))?;
+        let fit = |response: &Response| misfit::fit(evaluator.problem, &self.held, response);
+        Ok(answers.iter().map(|answer| answer.as_ref().as_ref().ok().map(fit)).collect())
+    }
+}
+
+/// A full passage at one point.
+pub(crate) fn full_passage(evaluator: &mut Evaluator, point: &[f64]) -> Result<Response, Halt> {
+    let answers = evaluator.respond(&[point.to_vec()], &Request::all())?;
+    answers[0].as_ref().clone().map_err(Halt::Failed)
+}
+
+/// Places of the peaks with their neighbours, where peaks are compared and slices are wanted.
+fn samples(evaluator: &Evaluator, response: &Response) -> Samples {
+    let misfit = evaluator.problem.misfit();
+    if !misfit.slices || misfit.compare == Compare::Histories {
+        return Samples::All;
+    }
+    let neighbours = |(channel, values): (usize, &Vec<f64>)| {
+        let place = misfit::peak_place(evaluator.problem, channel, values);
+        let last = evaluator.length(channel).saturating_sub(1);
+        place.map_or_else(Vec::new, |place| (place.saturating_sub(1)..=(place + 1).min(last)).collect())
+    };
+    Samples::At(response.values.iter().enumerate().map(neighbours).collect())
+}
+
+/// Channels whose peak has reached an outer neighbour, or another place altogether, in a full passage.
+pub fn wandered(problem: &Problem, samples: &Samples, full: &Response) -> Vec<usize> {
+    let Samples::At(places) = samples else {
+        return Vec::new();
+    };
+    let strays = |channel: &usize| {
+        let place = misfit::peak_place(problem, *channel, &full.values[*channel]);
+        place.is_some_and(|place| !places[*channel].contains(&place))
+    };
+    (0..places.len()).filter(strays).collect()
+}

@@ -1,0 +1,284 @@
+//! The misfit of a model (railway paper, section 3.4): errors of peaks by eq. 3, weights from shapes by eq. 4, and the
+//! weighted root mean square norm; beside them whole histories and errors in units of the measurement.
+
+use crate::channel::shape_correlation;
+use crate::forward::Response;
+use crate::problem::Problem;
+
+/// What is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Compare {
+    /// Peaks, as the paper does.
+    #[default]
+    Peaks,
+    /// Every value of the histories, by root mean square.
+    Histories,
+}
+
+/// What a difference is divided by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Scaling {
+    /// The measured peak, as eq. 3 does.
+    #[default]
+    MeasuredPeak,
+    /// The standard deviation of one measured value.
+    Uncertainty,
+}
+
+/// Where weights come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Weights {
+    /// Squares of the shape correlation factors at the start model, held from then on.
+    #[default]
+    ShapeCorrelation,
+    /// Those of the channels.
+    Given,
+    /// All alike.
+    Equal,
+}
+
+/// Which of the model's values is its peak.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sense {
+    /// The largest in the sense in which the measured channel peaks: it does not jump where two excursions of opposite
+    /// sign are about equal.
+    #[default]
+    Measured,
+    /// The one of largest magnitude, whatever its sign.
+    Largest,
+}
+
+/// How misfit is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Misfit {
+    /// What is compared.
+    pub compare: Compare,
+    /// What differences are divided by.
+    pub scaling: Scaling,
+    /// Where weights come from.
+    pub weights: Weights,
+    /// Which of the model's values is its peak.
+    pub sense: Sense,
+    /// Whether peaks are looked for at the places of a full passage's peaks and their neighbours alone.
+    pub slices: bool,
+}
+
+impl Default for Misfit {
+    fn default() -> Self {
+        Self {
+            compare: Compare::Peaks,
+            scaling: Scaling::MeasuredPeak,
+            weights: Weights::ShapeCorrelation,
+            sense: Sense::Measured,
+            slices: false,
+        }
+    }
+}
+
+/// What is found once, at the start model, and held.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Held {
+    /// Weight by channel; zero for those left out.
+    pub weights: Vec<f64>,
+    /// Shape correlation factor by channel, where there are two shapes to compare.
+    pub shape_correlations: Vec<Option<f64>>,
+}
+
+/// What one channel says of a model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChannelError {
+    /// The model's signed peak [unit of the channel].
+    pub peak: f64,
+    /// Its error: eq. 3, or in standard deviations, or the root mean square over the history in either unit.
+    pub error: f64,
+}
+
+/// What a model's response amounts to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// Weighted root mean square norm.
+    pub norm: f64,
+    /// By channel, left-out ones included.
+    pub channels: Vec<ChannelError>,
+}
+
+/// Shape correlation factors of a full passage, by channel.
+pub fn shape_correlations(problem: &Problem, response: &Response) -> Vec<Option<f64>> {
+    let pairs = problem.channels().iter().zip(&response.values);
+    pairs.map(|(channel, values)| channel.history.as_ref().and_then(|h| shape_correlation(values, h))).collect()
+}
+
+/// Weights and factors of a full passage of the start model. A channel whose shape says nothing weighs nothing.
+pub fn hold(problem: &Problem, response: &Response) -> Held {
+    let shape_correlations = shape_correlations(problem, response);
+    let weight = |k: usize| match problem.misfit().weights {
+        _ if !problem.channels()[k].counts() => 0.0,
+        Weights::ShapeCorrelation => shape_correlations[k].map_or(0.0, |factor| factor * factor),
+        Weights::Given => problem.channels()[k].weight.unwrap_or(0.0),
+        Weights::Equal => 1.0,
+    };
+    Held { weights: (0..problem.channels().len()).map(weight).collect(), shape_correlations }
+}
+
+/// What a reader of the weights should look at, in words: the square of a factor hides its sign.
+pub fn doubts(problem: &Problem, held: &Held) -> Vec<String> {
+    let mut doubts = Vec::new();
+    for (k, channel) in problem.channels().iter().enumerate().filter(|(_, channel)| channel.counts()) {
+        let name = &channel.name;
+        match held.shape_correlations[k] {
+            Some(factor) if factor < 0.0 => doubts.push(format!(
+                "{name}: the start model moves against the record (shape correlation {factor:.3}), and the weight, its \
+                 square, hides it; look at the channel's sign."
+            )),
+            None if problem.misfit().weights == Weights::ShapeCorrelation => doubts.push(format!(
+                "{name}: the start model or the record is zero throughout, so that the channel weighs nothing."
+            )),
+            _ => {}
+        }
+    }
+    doubts
+}
+
+/// Place of the model's peak among the values of a channel; none where there is no value.
+pub fn peak_place(problem: &Problem, channel: usize, values: &[f64]) -> Option<usize> {
+    let measured = problem.channels()[channel].measured_peak().unwrap_or(0.0);
+    let size = |value: f64| match problem.misfit().sense {
+        Sense::Measured if measured > 0.0 => value,
+        Sense::Measured if measured < 0.0 => -value,
+        _ => value.abs(),
+    };
+    (0..values.len()).reduce(|best, k| if size(values[k]) > size(values[best]) { k } else { best })
+}
+
+/// What a channel's differences are divided by; negative where the measured peak is, as eq. 3 has it.
+fn divisor(problem: &Problem, channel: usize) -> f64 {
+    let channel = &problem.channels()[channel];
+    let divisor = match problem.misfit().scaling {
+        Scaling::MeasuredPeak => channel.measured_peak(),
+        Scaling::Uncertainty => channel.uncertainty,
+    };
+    divisor.filter(|d| *d != 0.0).unwrap_or(f64::NAN)
+}
+
+/// Differences of one channel that enter its error, each with the place of the model's value.
+fn differences(problem: &Problem, channel: usize, values: &[f64]) -> Vec<(usize, f64)> {
+    let measured = &problem.channels()[channel];
+    let divisor = divisor(problem, channel);
+    match problem.misfit().compare {
+        Compare::Peaks => peak_place(problem, channel, values)
+            .zip(measured.measured_peak())
+            .map(|(place, peak)| (place, (values[place] - peak) / divisor))
+            .into_iter()
+            .collect(),
+        Compare::Histories => {
+            let history = measured.history.as_deref().unwrap_or(&[]);
+            values.iter().zip(history).map(|(u, v)| (u - v) / divisor).enumerate().collect()
+        }
+    }
+}
+
+/// The norm of a response, and what each channel says.
+pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
+    let (mut sum, mut total) = (0.0, 0.0);
+    let mut channels = Vec::with_capacity(response.values.len());
+    for (k, values) in response.values.iter().enumerate() {
+        let all = differences(problem, k, values);
+        let error = match problem.misfit().compare {
+            Compare::Peaks => all.first().map_or(f64::NAN, |(_, difference)| *difference),
+            Compare::Histories => (all.iter().map(|(_, d)| d * d).sum::<f64>() / all.len() as f64).sqrt(),
+        };
+        if held.weights[k] > 0.0 {
+            sum += held.weights[k] * error * error;
+            total += held.weights[k];
+        }
+        channels.push(ChannelError { peak: peak_place(problem, k, values).map_or(f64::NAN, |p| values[p]), error });
+    }
+    Fit { norm: (sum / total).sqrt(), channels }
+}
+
+/// Residuals whose sum of squares is the square of the norm.
+pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64> {
+    let total: f64 = held.weights.iter().sum();
+    let mut residuals = Vec::new();
+    for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
+        let all = differences(problem, k, values);
+        let factor = (held.weights[k] / total / all.len() as f64).sqrt();
+        residuals.extend(all.iter().map(|(_, difference)| factor * difference));
+    }
+    residuals
+}
+
+/// How many residuals there are, from the lengths of the channels' histories.
+pub fn residual_count(problem: &Problem, held: &Held, length: impl Fn(usize) -> usize) -> usize {
+    let counting = (0..held.weights.len()).filter(|k| held.weights[*k] > 0.0);
+    match problem.misfit().compare {
+        Compare::Peaks => counting.count(),
+        Compare::Histories => {
+            let measured = |k: usize| problem.channels()[k].history.as_ref().map(Vec::len);
+            counting.map(|k| measured(k).unwrap_or_else(|| length(k))).sum()
+        }
+    }
+}
+
+/// Derivatives of the residuals with respect to each parameter, from those of the response.
+pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
+    let total: f64 = held.weights.iter().sum();
+    let by_parameter = |derivatives: &Vec<Vec<f64>>| {
+        let mut column = Vec::new();
+        for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
+            let all = differences(problem, k, values);
+            let factor = (held.weights[k] / total / all.len() as f64).sqrt() / divisor(problem, k);
+            column.extend(all.iter().map(|(place, _)| factor * derivatives[k][*place]));
+        }
+        column
+    };
+    response.derivatives.iter().map(by_parameter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::channel::Channel;
+    use crate::parameter::Parameter;
+
+    fn response(values: Vec<Vec<f64>>) -> Response {
+        Response { values, derivatives: Vec::new() }
+    }
+
+    #[test]
+    fn the_norm_is_the_definition_by_hand() {
+        let mut channels = vec![
+            Channel::history("crown", "mm", vec![0.0, -0.2, -0.1]),
+            Channel::history("pier", "mm", vec![0.0, 0.1, 0.3]),
+            Channel::history("abutment", "mm", vec![0.0, -0.04, 0.0]),
+        ];
+        channels[2].left_out = Some("close to the least count".to_owned());
+        let parameters = vec![Parameter::new("E", "GPa", 1.0, 0.0, 2.0)];
+        let problem = Problem::new(parameters, channels, Misfit::default()).unwrap();
+        let model = response(vec![vec![0.0, -0.25, -0.1], vec![0.1, 0.1, 0.24], vec![0.0, 1.0, 0.0]]);
+        let held = hold(&problem, &model);
+        let scf = |a: f64, b: f64, c: f64| a / (b.sqrt() * c.sqrt());
+        let crown = scf(0.2 * 0.25 + 0.1 * 0.1, 0.25 * 0.25 + 0.01, 0.05);
+        let pier = scf(0.01 + 0.3 * 0.24, 0.02 + 0.24 * 0.24, 0.1);
+        assert!((held.weights[0] - crown * crown).abs() < 1e-15, "rounding");
+        assert_eq!(held.weights[2], 0.0);
+        // Errors by eq. 3: (-0.25 + 0.2) / -0.2 = 0.25 and (0.24 - 0.3) / 0.3 = -0.2.
+        let by_hand = ((crown * crown * 0.0625 + pier * pier * 0.04) / (crown * crown + pier * pier)).sqrt();
+        let fit = fit(&problem, &held, &model);
+        assert!((fit.norm - by_hand).abs() < 1e-15, "{} {by_hand}", fit.norm);
+        assert!((fit.channels[1].error + 0.2).abs() < 1e-15);
+        let squares: f64 = residuals(&problem, &held, &model).iter().map(|r| r * r).sum();
+        assert!((squares.sqrt() - fit.norm).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_peak_lies_in_the_measured_sense() {
+        let channels = vec![Channel::peak("crown", "mm", -0.3)];
+        let parameters = vec![Parameter::new("E", "GPa", 1.0, 0.0, 2.0)];
+        let misfit = Misfit { weights: Weights::Equal, ..Misfit::default() };
+        let problem = Problem::new(parameters.clone(), channels.clone(), misfit).unwrap();
+        assert_eq!(peak_place(&problem, 0, &[0.5, -0.2, 0.1]), Some(1));
+        let largest = Problem::new(parameters, channels, Misfit { sense: Sense::Largest, ..misfit }).unwrap();
+        assert_eq!(peak_place(&largest, 0, &[0.5, -0.2, 0.1]), Some(0));
+    }
+}

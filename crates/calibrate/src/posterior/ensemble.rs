@@ -1,0 +1,75 @@
+//! Many walkers that learn the shape of the posterior from one another: stretch moves (Goodman and Weare 2010) and
+//! differences of two others (ter Braak 2006), of which every tenth is taken whole so that walkers cross between modes.
+//! The two halves move in turn, each from the other, so that a half is one batch of evaluations.
+
+use rand_chacha::ChaCha8Rng;
+
+use crate::posterior::draw::{even, normal, place};
+use crate::posterior::target::{Draw, Target};
+use crate::watch::Stopped;
+
+/// Walkers on their way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ensemble {
+    /// Where they are.
+    pub walkers: Vec<Draw>,
+    /// Where each was, step by step.
+    pub chains: Vec<Vec<Vec<f64>>>,
+    /// Moves accepted and tried.
+    pub accepted: (usize, usize),
+}
+
+impl Ensemble {
+    /// Walkers at their beginnings; an even number of them.
+    pub fn new(walkers: Vec<Draw>) -> Self {
+        Self { chains: vec![Vec::new(); walkers.len()], walkers, accepted: (0, 0) }
+    }
+
+    /// All walkers make so many steps.
+    pub fn walk(&mut self, target: &mut Target, rng: &mut ChaCha8Rng, steps: usize) -> Result<(), Stopped> {
+        for _ in 0..steps {
+            for half in 0..2 {
+                self.move_half(target, rng, half)?;
+            }
+            for (chain, walker) in self.chains.iter_mut().zip(&self.walkers) {
+                chain.push(walker.place.clone());
+            }
+        }
+        Ok(())
+    }
+
+    fn move_half(&mut self, target: &mut Target, rng: &mut ChaCha8Rng, half: usize) -> Result<(), Stopped> {
+        let count = self.walkers.len() / 2;
+        let (moving, other) = (half * count, (1 - half) * count);
+        let others: Vec<Vec<f64>> = self.walkers[other..other + count].iter().map(|w| w.place.clone()).collect();
+        let proposals: Vec<(Vec<f64>, f64)> =
+            (moving..moving + count).map(|k| propose(rng, &self.walkers[k].place, &others)).collect();
+        let (places, factors): (Vec<_>, Vec<_>) = proposals.into_iter().unzip();
+        let draws = target.draws(places)?;
+        for ((walker, draw), factor) in self.walkers[moving..moving + count].iter_mut().zip(draws).zip(factors) {
+            let gain = factor + draw.prior + draw.likelihood - walker.prior - walker.likelihood;
+            self.accepted.1 += 1;
+            if even(rng).ln() < gain {
+                *walker = draw;
+                self.accepted.0 += 1;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A new place, and the logarithm of the factor by which its acceptance is multiplied.
+fn propose(rng: &mut ChaCha8Rng, from: &[f64], others: &[Vec<f64>]) -> (Vec<f64>, f64) {
+    let axes = from.len();
+    let first = place(rng, others.len());
+    if even(rng) < 0.3 {
+        let stretch = (even(rng) + 1.0).powi(2) / 2.0;
+        let next = from.iter().zip(&others[first]).map(|(x, other)| other + stretch * (x - other)).collect();
+        return (next, (axes as f64 - 1.0) * stretch.ln());
+    }
+    let second = (first + 1 + place(rng, others.len() - 1)) % others.len();
+    let whole = even(rng) < 0.1;
+    let share = if whole { 1.0 } else { 2.38 / (2.0 * axes as f64).sqrt() };
+    let along = |axis: usize| share * (others[first][axis] - others[second][axis]);
+    ((0..axes).map(|axis| from[axis] + along(axis) + 1e-5 * normal(rng)).collect(), 0.0)
+}

@@ -1,0 +1,163 @@
+//! How likely the records are at given parameters: noise of the measurement, and an error of the model with a scale of
+//! its own.
+//!
+//! The model's error of a channel is a gain: a share of the measured history, drawn from a normal distribution once for the
+//! channel. Where a block is given, a local part of the same scale joins it: a share of the measured peak, constant over
+//! each block of the history and independent between blocks. Channels are independent. The covariance of the differences
+//! of a channel is then that of its blocks, $\mathbf D = \sigma^2 \mathbf 1 + \ell^2\, \mathbf e \mathbf e^T$ each, with
+//! $g^2\, \mathbf v \mathbf v^T$ over all; its inverse and determinant are known in closed form.
+
+use crate::forward::Response;
+use crate::misfit::{Compare, peak_place};
+use crate::problem::{Finding, Problem};
+
+/// The error that the model would have at its best parameters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ModelError {
+    /// The model is exact.
+    None,
+    /// Its standard deviation is this share of each measured peak.
+    Known(f64),
+    /// Its standard deviation, as a share of each measured peak, is sought too: half-normal of this scale, cut off at four
+    /// scales.
+    Sought(f64),
+}
+
+/// How likely records are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Likelihood {
+    /// The model's error.
+    pub model_error: ModelError,
+    /// Values of a history over which the local part of the model's error is constant; none for a gain alone.
+    pub block: Option<usize>,
+}
+
+impl Default for Likelihood {
+    fn default() -> Self {
+        Self { model_error: ModelError::Sought(0.1), block: None }
+    }
+}
+
+/// Scales of the half-normal at which it is cut off.
+const CUT: f64 = 4.0;
+
+impl Likelihood {
+    /// What keeps it from being computed.
+    pub(crate) fn check(&self, problem: &Problem) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let mut say = |place: &str, message: &str, help: &str| {
+            findings.push(Finding { place: place.to_owned(), message: message.to_owned(), help: help.to_owned() });
+        };
+        for channel in problem.channels().iter().filter(|channel| channel.counts()) {
+            if channel.uncertainty.is_none() {
+                let help = "give the standard deviation of one value, a least count at least";
+                say(&channel.name, "a posterior needs its uncertainty", help);
+            }
+        }
+        let scale = match self.model_error {
+            ModelError::None => None,
+            ModelError::Known(scale) | ModelError::Sought(scale) => Some(scale),
+        };
+        if scale.is_some_and(|scale| !(scale.is_finite() && scale > 0.0)) {
+            say("model error", "its scale is not above zero", "give a share of the peaks, as 0.1");
+        }
+        if self.block == Some(0) {
+            say("model error", "its block has no value", "give a count of values, or none");
+        }
+        findings
+    }
+
+    /// How many numbers are sought beside the parameters.
+    pub(crate) fn extra(&self) -> usize {
+        usize::from(matches!(self.model_error, ModelError::Sought(_)))
+    }
+
+    /// The model's error as a share of the peaks, from the number sought, 0 to 1.
+    pub(crate) fn scale(&self, sought: Option<&f64>) -> f64 {
+        match self.model_error {
+            ModelError::None => 0.0,
+            ModelError::Known(scale) => scale,
+            ModelError::Sought(scale) => CUT * scale * sought.copied().unwrap_or(0.0),
+        }
+    }
+
+    /// Logarithm of the density of the number sought, but for a constant.
+    pub(crate) fn log_prior(&self, sought: Option<&f64>) -> f64 {
+        match sought {
+            Some(sought) if (0.0..=1.0).contains(sought) => -0.5 * (CUT * sought).powi(2),
+            Some(_) => f64::NEG_INFINITY,
+            None => 0.0,
+        }
+    }
+
+    /// Logarithm of the likelihood, complete with its constants.
+    pub(crate) fn log(&self, problem: &Problem, response: &Response, scale: f64) -> f64 {
+        let mut sum = 0.0;
+        for (k, values) in response.values.iter().enumerate().filter(|(k, _)| problem.channels()[*k].counts()) {
+            let channel = &problem.channels()[k];
+            let noise = channel.uncertainty.unwrap_or(f64::NAN);
+            let peak = channel.measured_peak().unwrap_or(0.0);
+            let history = channel.history.as_deref().unwrap_or(&[]);
+            sum += match problem.misfit().compare {
+                Compare::Peaks => {
+                    let place = peak_place(problem, k, values);
+                    let difference = place.map_or(f64::NAN, |place| values[place] - peak);
+                    log_density(&[difference], &[scale * peak], noise, 0.0, 1)
+                }
+                Compare::Histories => {
+                    let differences: Vec<f64> = values.iter().zip(history).map(|(u, v)| u - v).collect();
+                    let gain: Vec<f64> = history.iter().map(|v| scale * v).collect();
+                    let local = self.block.map_or(0.0, |_| scale * peak);
+                    log_density(&differences, &gain, noise, local, self.block.unwrap_or(usize::MAX))
+                }
+            };
+        }
+        sum
+    }
+}
+
+/// Logarithm of the normal density of differences: independent noise, a local error constant over blocks, and one error of
+/// the shape of `gain` over all.
+fn log_density(differences: &[f64], gain: &[f64], noise: f64, local: f64, block: usize) -> f64 {
+    let (noise2, local2) = (noise * noise, local * local);
+    // Sums over blocks of d D^-1 d, v D^-1 d and v D^-1 v, and the logarithm of the determinant of D.
+    let (mut dd, mut vd, mut vv, mut determinant) = (0.0, 0.0, 0.0, 0.0);
+    for (d, v) in differences.chunks(block).zip(gain.chunks(block)) {
+        let spread = noise2 + d.len() as f64 * local2;
+        let (sum_d, sum_v) = (d.iter().sum::<f64>(), v.iter().sum::<f64>());
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let through = |product: f64, sums: f64| (product - local2 * sums / spread) / noise2;
+        dd += through(dot(d, d), sum_d * sum_d);
+        vd += through(dot(v, d), sum_v * sum_d);
+        vv += through(dot(v, v), sum_v * sum_v);
+        determinant += (d.len() as f64 - 1.0) * noise2.ln() + spread.ln();
+    }
+    let quadratic = dd - vd * vd / (1.0 + vv);
+    -0.5 * (quadratic + determinant + (1.0 + vv).ln() + differences.len() as f64 * (2.0 * std::f64::consts::PI).ln())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use faer::Mat;
+    use faer::linalg::solvers::Solve;
+
+    #[test]
+    fn the_density_is_that_of_the_whole_matrix() {
+        let d = [0.4, -0.2, 0.3, 0.1, -0.5];
+        let v = [0.1, 0.5, 0.9, 0.4, 0.2];
+        let (noise, local, block) = (0.3, 0.7, 2);
+        let covariance = Mat::from_fn(5, 5, |i, j| {
+            let same = if i == j { noise * noise } else { 0.0 };
+            let together = if i / block == j / block { local * local } else { 0.0 };
+            same + together + v[i] * v[j]
+        });
+        let right = Mat::from_fn(5, 1, |i, _| d[i]);
+        let factor = covariance.partial_piv_lu();
+        let solved = factor.solve(&right);
+        let quadratic: f64 = (0..5).map(|i| d[i] * solved[(i, 0)]).sum();
+        let by_matrix = -0.5 * (quadratic + covariance.determinant().ln() + 5.0 * (2.0 * std::f64::consts::PI).ln());
+        let found = log_density(&d, &v, noise, local, block);
+        assert!((found - by_matrix).abs() < 1e-12, "rounding: {found} {by_matrix}");
+    }
+}

@@ -1,0 +1,138 @@
+//! Parameters, channels and misfit as one checked whole.
+
+use crate::channel::Channel;
+use crate::misfit::{Compare, Misfit, Scaling, Weights};
+use crate::parameter::{Parameter, Scale, Start};
+
+/// Something that keeps a problem from being posed: where, what, and what to write instead.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// The parameter or channel.
+    pub place: String,
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub help: String,
+}
+
+/// What is to be fitted to what. Fixed once built.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    parameters: Vec<Parameter>,
+    channels: Vec<Channel>,
+    misfit: Misfit,
+}
+
+impl Problem {
+    /// Poses the problem, or says everything that is wrong with it.
+    pub fn new(parameters: Vec<Parameter>, channels: Vec<Channel>, misfit: Misfit) -> Result<Self, Vec<Finding>> {
+        let mut findings = Vec::new();
+        check_parameters(&parameters, &mut findings);
+        check_channels(&channels, &misfit, &mut findings);
+        if findings.is_empty() { Ok(Self { parameters, channels, misfit }) } else { Err(findings) }
+    }
+
+    /// The parameters, in order.
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    /// The channels, in order.
+    pub fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    /// How misfit is measured.
+    pub fn misfit(&self) -> &Misfit {
+        &self.misfit
+    }
+
+    /// The same problem with other uncertainties of the channels, in their order; those that are not above zero stay.
+    pub fn with_uncertainties(&self, uncertainties: &[f64]) -> Self {
+        let mut problem = self.clone();
+        for (channel, uncertainty) in problem.channels.iter_mut().zip(uncertainties) {
+            if uncertainty.is_finite() && *uncertainty > 0.0 {
+                channel.uncertainty = Some(*uncertainty);
+            }
+        }
+        problem
+    }
+
+    /// The start model.
+    pub fn start(&self) -> Vec<f64> {
+        Start::Stated.point(&self.parameters)
+    }
+}
+
+fn check_parameters(parameters: &[Parameter], findings: &mut Vec<Finding>) {
+    let mut say = |place: &str, message: String, help: &str| {
+        findings.push(Finding { place: place.to_owned(), message, help: help.to_owned() });
+    };
+    if parameters.is_empty() {
+        say("parameters", "there is none".to_owned(), "state at least one parameter with a range");
+    }
+    for (k, parameter) in parameters.iter().enumerate() {
+        let Parameter { name, start, lower, upper, .. } = parameter;
+        if parameters[..k].iter().any(|other| other.name == *name) {
+            say(name, "the name is given twice".to_owned(), "name every parameter once");
+        }
+        if !(lower.is_finite() && upper.is_finite() && lower < upper) {
+            say(name, format!("the range {lower} to {upper} is empty"), "write a lower bound below the upper one");
+        } else if !(lower <= start && start <= upper) {
+            say(name, format!("the start {start} lies outside {lower} to {upper}"), "start inside the range");
+        }
+        if parameter.scale == Scale::Logarithmic && !(*lower > 0.0) {
+            say(name, format!("a logarithmic range cannot begin at {lower}"), "raise the bound or use a linear scale");
+        }
+        if let Some(message) = parameter.prior.complaint() {
+            say(name, message, "give the prior a finite mean and a positive standard deviation");
+        }
+    }
+}
+
+fn check_channels(channels: &[Channel], misfit: &Misfit, findings: &mut Vec<Finding>) {
+    let mut say = |place: &str, message: &str, help: &str| {
+        let (place, message, help) = (place.to_owned(), message.to_owned(), help.to_owned());
+        findings.push(Finding { place, message, help });
+    };
+    if !channels.iter().any(Channel::counts) {
+        say("channels", "none takes part in the norm", "keep at least one channel");
+    }
+    for (k, channel) in channels.iter().enumerate() {
+        let name = &channel.name;
+        if channels[..k].iter().any(|other| other.name == *name) {
+            say(name, "the name is given twice", "name every channel once");
+        }
+        let values = channel.history.iter().flatten().chain(&channel.peak);
+        if values.clone().any(|value| !value.is_finite()) {
+            say(name, "a measured value is no finite number", "repair the record or leave the channel out");
+        }
+        if !channel.counts() {
+            continue;
+        }
+        match channel.measured_peak() {
+            None => say(name, "nothing was measured", "give a peak or a history, or leave the channel out"),
+            Some(peak) if peak == 0.0 && misfit.scaling == Scaling::MeasuredPeak => say(
+                name,
+                "its measured peak is zero, so that eq. (3) divides by zero",
+                "state an uncertainty and scale by it, or leave the channel out",
+            ),
+            Some(_) => {}
+        }
+        if channel.history.as_ref().is_none_or(|history| history.is_empty()) {
+            if misfit.weights == Weights::ShapeCorrelation {
+                say(name, "a shape correlation needs a history", "give weights, or weigh all channels alike");
+            }
+            if misfit.compare == Compare::Histories {
+                say(name, "it has no history to compare", "compare peaks, or leave the channel out");
+            }
+        }
+        if misfit.weights == Weights::Given && !channel.weight.is_some_and(|w| w.is_finite() && w > 0.0) {
+            say(name, "it has no weight above zero", "give one, or leave the channel out");
+        }
+        let wanted = misfit.scaling == Scaling::Uncertainty || channel.uncertainty.is_some();
+        if wanted && !channel.uncertainty.is_some_and(|u| u.is_finite() && u > 0.0) {
+            say(name, "it has no uncertainty above zero", "give the standard deviation of one value");
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What every search ends with: parameters, norm, channels, and what it cost.
+
+use crate::basis::{Basis, Halt, full_passage, wandered};
+use crate::evaluator::Evaluator;
+use crate::misfit;
+use crate::parameter::Parameter;
+
+/// One parameter at the end of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundParameter {
+    /// Its name.
+    pub name: String,
+    /// Its value [unit of the parameter].
+    pub value: f64,
+    /// Whether it stands on an end of its range.
+    pub at_bound: bool,
+    /// Whether the search calls it converged; never where it stands on a bound.
+    pub converged: bool,
+}
+
+/// One channel at the end of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundChannel {
+    /// Its name.
+    pub name: String,
+    /// Signed measured peak [unit of the channel].
+    pub measured_peak: Option<f64>,
+    /// Signed peak of the model in a full passage [unit of the channel].
+    pub model_peak: f64,
+    /// Shape correlation of that passage with the record (eq. 4).
+    pub shape_correlation: Option<f64>,
+    /// Weight that was held.
+    pub weight: f64,
+    /// Error (eq. 3, or as the misfit has it).
+    pub error: f64,
+    /// Why it took no part, if it did not.
+    pub left_out: Option<String>,
+}
+
+/// Where a search ended, verified by a full passage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// Parameters, in order.
+    pub parameters: Vec<FoundParameter>,
+    /// Weighted root mean square norm of the full passage.
+    pub norm: f64,
+    /// Norm as the search saw it, from its slices.
+    pub norm_in_search: f64,
+    /// Norm of the start model.
+    pub initial_norm: f64,
+    /// Channels, in order.
+    pub channels: Vec<FoundChannel>,
+    /// Channels whose peak lies outside the slices of the search.
+    pub wandered: Vec<String>,
+    /// Evaluations of this search, each point once.
+    pub evaluations: usize,
+}
+
+impl Found {
+    /// The values of the parameters.
+    pub fn point(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.value).collect()
+    }
+}
+
+/// Verifies a point by a full passage and says everything about it; bounds are those of `ranges`.
+pub fn verify(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    ranges: &[Parameter],
+    point: &[f64],
+    norm_in_search: f64,
+    converged: &[bool],
+) -> Result<Found, Halt> {
+    evaluator.stage("full passage of what was found");
+    let response = full_passage(evaluator, point)?;
+    let problem = evaluator.problem;
+    let fit = misfit::fit(problem, &basis.held, &response);
+    let shapes = misfit::shape_correlations(problem, &response);
+    let parameter = |(k, value): (usize, &f64)| {
+        let at_bound = ranges[k].at_bound(*value);
+        let converged = converged.get(k).copied().unwrap_or(false) && !at_bound;
+        FoundParameter { name: problem.parameters()[k].name.clone(), value: *value, at_bound, converged }
+    };
+    let channel = |k: usize| FoundChannel {
+        name: problem.channels()[k].name.clone(),
+        measured_peak: problem.channels()[k].measured_peak(),
+        model_peak: fit.channels[k].peak,
+        shape_correlation: shapes[k],
+        weight: basis.held.weights[k],
+        error: fit.channels[k].error,
+        left_out: problem.channels()[k].left_out.clone(),
+    };
+    let strays = wandered(problem, &basis.samples, &response);
+    Ok(Found {
+        parameters: point.iter().enumerate().map(parameter).collect(),
+        norm: fit.norm,
+        norm_in_search,
+        initial_norm: basis.start.norm,
+        channels: (0..problem.channels().len()).map(channel).collect(),
+        wandered: strays.into_iter().map(|k| problem.channels()[k].name.clone()).collect(),
+        evaluations: evaluator.done(),
+    })
+}

@@ -1,0 +1,194 @@
+//! Nonlinear least squares by a reflective trust region (Branch, Coleman and Li 1999), from many starts.
+
+use basin::{Executor, TerminationCode, TrustRegionReflective};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+use crate::basis::{Basis, Halt};
+use crate::evaluator::Evaluator;
+use crate::forward::Failure;
+use crate::parameter::{Start, shares, values};
+use crate::posterior::draw::latin_hypercube;
+use crate::report::{Found, verify};
+use crate::search::jacobian::STEP;
+use crate::search::replay::{Known, Missing, Sought, broken_off, replay};
+
+/// What the search may do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// The first start.
+    pub start: Start,
+    /// How many starts in all; those after the first fill the ranges evenly.
+    pub starts: usize,
+    /// Seed of their places.
+    pub seed: u64,
+    /// Most iterations of a run.
+    pub iterations: u64,
+    /// Step of differences as a share of the range, where the model offers no derivatives.
+    pub step: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { start: Start::Stated, starts: 8, seed: 1, iterations: 100, step: STEP }
+    }
+}
+
+/// How it ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Status {
+    /// The best run met its criterion.
+    Converged,
+    /// The best run ended otherwise, in the solver's words.
+    NotConverged(String),
+    /// The onlooker wanted it to end.
+    Stopped,
+    /// The model failed where it must not.
+    Failed(Failure),
+}
+
+/// One run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunEnd {
+    /// Where it began.
+    pub start: Vec<f64>,
+    /// Where it ended.
+    pub end: Vec<f64>,
+    /// Norm there; infinite where the model failed.
+    pub norm: f64,
+    /// Whether it met its criterion.
+    pub converged: bool,
+    /// How it ended, in the solver's words.
+    pub ended: String,
+}
+
+/// What the search did and where it ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// How it ended.
+    pub status: Status,
+    /// All runs, best first.
+    pub runs: Vec<RunEnd>,
+    /// Runs that ended in different places, best first: the local minima, as indices into `runs`.
+    pub minima: Vec<usize>,
+    /// The best end, verified.
+    pub found: Option<Found>,
+}
+
+/// Ends nearer than this share of every range are one minimum.
+const SAME: f64 = 1e-3;
+
+/// Searches from many starts.
+pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
+    let mut outcome = Outcome { status: Status::Stopped, runs: Vec::new(), minima: Vec::new(), found: None };
+    if let Err(halt) = run(evaluator, basis, settings, &mut outcome) {
+        outcome.status = match halt {
+            Halt::Stopped => Status::Stopped,
+            Halt::Failed(failure) => Status::Failed(failure),
+        };
+    }
+    outcome
+}
+
+fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &mut Outcome) -> Result<(), Halt> {
+    evaluator.begin(None);
+    evaluator.stage("trust region, all starts");
+    let mut basis = basis.clone();
+    let starts = starts(evaluator, settings);
+    outcome.runs = solve(evaluator, &basis, settings, &starts)?;
+    // The peaks' places are looked for anew at the end; where they have moved, the best run goes on from there.
+    for _ in 0..3 {
+        let Some(best) = outcome.runs.first().filter(|run| run.norm.is_finite()).map(|run| run.end.clone()) else {
+            break;
+        };
+        let refreshed = basis.refreshed(evaluator, &best)?;
+        if refreshed.samples == basis.samples {
+            break;
+        }
+        basis = refreshed;
+        evaluator.stage("trust region, peaks refreshed");
+        let again = solve(evaluator, &basis, settings, &[best])?;
+        let first = outcome.runs[0].start.clone();
+        outcome.runs.splice(0..1, again.into_iter().map(|run| RunEnd { start: first.clone(), ..run }));
+    }
+    let Some(best) = outcome.runs.first().filter(|run| run.norm.is_finite()).cloned() else {
+        return Err(Halt::Failed(Failure::new("no-start", "the model fails at every start")));
+    };
+    outcome.minima = minima(evaluator, &outcome.runs);
+    let converged = vec![best.converged; best.end.len()];
+    outcome.found = Some(verify(evaluator, &basis, evaluator.problem.parameters(), &best.end, best.norm, &converged)?);
+    outcome.status = if best.converged { Status::Converged } else { Status::NotConverged(best.ended) };
+    Ok(())
+}
+
+fn starts(evaluator: &Evaluator, settings: &Settings) -> Vec<Vec<f64>> {
+    let parameters = evaluator.problem.parameters();
+    let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
+    let rest = latin_hypercube(&mut rng, settings.starts.max(1) - 1, parameters.len());
+    std::iter::once(settings.start.point(parameters)).chain(rest.iter().map(|z| values(parameters, z))).collect()
+}
+
+/// Runs from all starts together; the best end first.
+fn solve(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    settings: &Settings,
+    starts: &[Vec<f64>],
+) -> Result<Vec<RunEnd>, Halt> {
+    let parameters = evaluator.problem.parameters();
+    let one = |run: usize, known: &Known| -> Result<RunEnd, Missing> {
+        let begin = shares(parameters, &starts[run]);
+        let solver = TrustRegionReflective::new()
+            .with_absolute_scaled_gradient_tolerance(1e-10)
+            .with_relative_step_tolerance::<Vec<f64>, f64>(1e-9);
+        let ended = Executor::from_start(Sought::new(known), solver, begin)
+            .max_iter(settings.iterations)
+            .run()
+            .map_err(broken_off)?;
+        let code = ended.report.code();
+        let converged = ended.report.termination.is_converged() || code == TerminationCode::NumericalNoProgress;
+        let end = values(parameters, ended.param());
+        let norm = (2.0 * ended.cost()).sqrt();
+        let norm = if norm.is_finite() { norm } else { f64::INFINITY };
+        Ok(RunEnd { start: starts[run].clone(), end, norm, converged, ended: format!("{code:?}") })
+    };
+    let mut runs = replay(evaluator, basis, settings.step, starts.len(), one)?;
+    meet_bounds(evaluator, basis, &mut runs)?;
+    runs.sort_by(|a, b| a.norm.total_cmp(&b.norm));
+    Ok(runs)
+}
+
+/// The solver stays strictly inside. An end within a thousandth of a bound is put on it where that is no worse.
+fn meet_bounds(evaluator: &mut Evaluator, basis: &Basis, runs: &mut [RunEnd]) -> Result<(), Halt> {
+    let parameters = evaluator.problem.parameters();
+    let met = |end: &Vec<f64>| -> Vec<f64> {
+        let near = |share: f64| if share < SAME { 0.0 } else { 1.0 };
+        let outer = |share: &f64| *share < SAME || *share > 1.0 - SAME;
+        let pairs = parameters.iter().zip(end).map(|(parameter, value)| (parameter, value, parameter.share(*value)));
+        pairs.map(|(p, value, share)| if outer(&share) { p.at(near(share)) } else { *value }).collect()
+    };
+    let points: Vec<Vec<f64>> = runs.iter().map(|run| met(&run.end)).collect();
+    let fits = basis.fits(evaluator, &points)?;
+    for ((run, point), fit) in runs.iter_mut().zip(points).zip(fits) {
+        // No worse: within the rounding of a norm.
+        if let Some(fit) = fit.filter(|fit| fit.norm <= run.norm * (1.0 + 1e-9) + 1e-12) {
+            (run.end, run.norm) = (point, fit.norm);
+        }
+    }
+    Ok(())
+}
+
+/// The first run of every group that ended in one place.
+fn minima(evaluator: &Evaluator, runs: &[RunEnd]) -> Vec<usize> {
+    let parameters = evaluator.problem.parameters();
+    let near = |a: &Vec<f64>, b: &Vec<f64>| {
+        shares(parameters, a).iter().zip(shares(parameters, b)).all(|(a, b)| (a - b).abs() < SAME)
+    };
+    let mut minima: Vec<usize> = Vec::new();
+    for (k, run) in runs.iter().enumerate().filter(|(_, run)| run.converged && run.norm.is_finite()) {
+        if !minima.iter().any(|first| near(&runs[*first].end, &run.end)) {
+            minima.push(k);
+        }
+    }
+    minima
+}

@@ -1,0 +1,98 @@
+//! A global search as referee: evolution of a normal distribution (CMA-ES with bounds, Hansen 2016), which asks for no
+//! derivative and no start.
+
+use std::collections::BTreeSet;
+
+use basin::{BoundedCmaEs, DenseMatrix, Executor, PopulationProgress};
+
+use crate::basis::{Basis, Halt};
+use crate::evaluator::Evaluator;
+use crate::forward::Failure;
+use crate::parameter::values;
+use crate::report::{Found, verify};
+use crate::search::jacobian::STEP;
+use crate::search::modern::Status;
+use crate::search::replay::{Costs, Known, Sought, count, missing, supply, used};
+
+/// What the search may do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Points of a generation, at least 4.
+    pub population: usize,
+    /// Most generations.
+    pub generations: u64,
+    /// Seed.
+    pub seed: u64,
+    /// Widest axis of the distribution at which it ends, as a share of the ranges.
+    pub width: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { population: 16, generations: 150, seed: 1, width: 1e-4 }
+    }
+}
+
+/// Where it ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// How it ended.
+    pub status: Status,
+    /// The best point, verified.
+    pub found: Option<Found>,
+}
+
+/// Searches the whole of the ranges.
+pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Outcome {
+    match run(evaluator, basis, settings) {
+        Ok((status, found)) => Outcome { status, found: Some(found) },
+        Err(Halt::Stopped) => Outcome { status: Status::Stopped, found: None },
+        Err(Halt::Failed(failure)) => Outcome { status: Status::Failed(failure), found: None },
+    }
+}
+
+fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<(Status, Found), Halt> {
+    let population = settings.population.max(4);
+    let width = if settings.width.is_finite() { settings.width.max(0.0) } else { 0.0 };
+    evaluator.begin(usize::try_from(settings.generations).ok().map(|g| g.saturating_mul(population + 1)));
+    evaluator.stage("evolution");
+    let parameters = evaluator.problem.parameters();
+    let costs = Costs::default();
+    let mut all_used = BTreeSet::new();
+    // The first mean is known before any generation is drawn, so that a generation is all that is ever missing.
+    let middle = vec![0.5; parameters.len()];
+    supply(evaluator, basis, vec![values(parameters, &middle)], 1)?;
+    let mut generation = 1;
+    let (best, cost, converged, ended) = loop {
+        // A generation is drawn before any of its costs is looked at: all its points are learnt of at once.
+        let known = Known::new(evaluator, basis, STEP);
+        let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(settings.seed, 0.3)
+            .with_lambda(population)
+            .with_absolute_distribution_size_tolerance(width);
+        let begin = PopulationProgress::from_point(middle.clone());
+        let sought = Sought::drawing(&known, &costs, population);
+        let ended = Executor::new(sought, solver, begin).max_iter(generation).run();
+        all_used.extend(used(&known));
+        if known.lacks() {
+            let missing = missing(&known);
+            supply(evaluator, basis, missing, population)?;
+            continue;
+        }
+        let Ok(ended) = ended else {
+            return Err(Halt::Failed(Failure::new("no-evolution", "the evolution broke off")));
+        };
+        let converged = ended.report.termination.is_converged();
+        if converged || generation >= settings.generations || ended.iter() < generation {
+            let code = format!("{:?}", ended.report.code());
+            break (values(parameters, ended.best_param()), ended.best_cost(), converged, code);
+        }
+        generation += 1;
+    };
+    evaluator.begin(None);
+    count(evaluator, basis, all_used)?;
+    if !cost.is_finite() {
+        return Err(Halt::Failed(Failure::new("no-point", "the model fails wherever the evolution looked")));
+    }
+    let found = verify(evaluator, basis, parameters, &best, cost.sqrt(), &vec![converged; best.len()])?;
+    Ok((if converged { Status::Converged } else { Status::NotConverged(ended) }, found))
+}
