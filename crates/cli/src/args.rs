@@ -376,6 +376,8 @@ pub enum Method {
     Dem,
     /// Limit analysis of rigid blocks
     Limit,
+    /// Finite elements: one ring between fixed abutments
+    Fe,
 }
 
 /// What is made to collapse.
@@ -503,6 +505,7 @@ impl Method {
         match self {
             Method::Dem => bridge::Method::Dem,
             Method::Limit => bridge::Method::Limit,
+            Method::Fe => bridge::Method::Fe,
         }
     }
 }

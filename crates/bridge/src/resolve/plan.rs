@@ -70,7 +70,11 @@ pub(super) fn plan(
     };
     let damping_share = damping_share?;
     Some(Plan {
-        method: if method? == "dem" { Method::Dem } else { Method::Limit },
+        method: match method? {
+            "dem" => Method::Dem,
+            "fe" => Method::Fe,
+            _ => Method::Limit,
+        },
         analysis: match analysis? {
             "thickness" => Analysis::Thickness,
             "support-movement" => Analysis::SupportMovement,
@@ -245,7 +249,7 @@ pub(super) fn check(
         if let Some(masonry) = masonry {
             series(file, section, joint, masonry, findings);
         }
-        if plan.method == Method::Dem {
+        if plan.method != Method::Limit {
             stiffness(file, section, joint, findings);
         }
     }
@@ -331,7 +335,7 @@ fn lack(file: &Table<'_>, section: &str, what: &str, line: &str, findings: &mut 
         .error(
             "B401",
             range,
-            format!("the discrete element method needs {what}"),
+            format!("this method needs {what}"),
             "missing here",
             format!("add a line like {line} to [{section}], or choose method = \"limit\""),
         )
