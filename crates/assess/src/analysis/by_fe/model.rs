@@ -6,7 +6,7 @@ use crate::discretise::laws;
 use crate::discretise::ring_mesh::RingMesh;
 use bridge::Bridge;
 use mechanics::blocks::Stiffness;
-use mechanics::fem::joint::{Contact, JointLaw};
+use mechanics::fem::joint::{JointLaw, LiftOff, Mortar};
 use mechanics::fem::law::{Elastic, Material, Plane, Solid};
 use mechanics::fem::{Element, Kinematics, Model, Section};
 
@@ -19,7 +19,7 @@ const RIGID: f64 = 100.0;
 pub struct Parts {
     stone: Elastic,
     density: f64,
-    joint: Contact,
+    joint: Mortar,
     /// What was assumed of them.
     pub words: String,
 }
@@ -57,8 +57,14 @@ pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
             (Elastic { modulus: RIGID * length * normal.max(tangential), ratio }, normal, tangential, words)
         }
     };
-    let joint =
-        Contact { normal, tangential, friction: law.friction, cohesion: law.cohesion, separation: true, rounding: 0.0 };
+    let joint = Mortar {
+        normal,
+        tangential,
+        lift_off: LiftOff::Stress(0.0),
+        compressive_strength: None,
+        shear_strength: f64::MAX,
+        shear_when_open: true,
+    };
     Parts { stone, density: bridge.masonry.density, joint, words }
 }
 
@@ -77,6 +83,6 @@ pub fn model(ring: &RingMesh, parts: &Parts) -> Result<Model, AnalysisError> {
     let solid = Solid { material: Material::Elastic(parts.stone), plane: Plane::Stress };
     let section = Section { solid, element: Element::QM6, density: parts.density };
     let sections = (0..ring.mesh.zones.len()).map(|_| section).collect();
-    Model::new(ring.mesh.clone(), sections, vec![JointLaw::Contact(parts.joint)], &ring.supports, Kinematics::Large)
+    Model::new(ring.mesh.clone(), sections, vec![JointLaw::Mortar(parts.joint)], &ring.supports, Kinematics::Large)
         .map_err(AnalysisError::Elements)
 }
