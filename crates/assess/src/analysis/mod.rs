@@ -122,7 +122,7 @@ pub enum AnalysisError {
     #[error("the equations of the ring cannot be set up: {0}")]
     Equations(mechanics::fem::FactorError),
     /// There is no load to increase.
-    #[error("no load of the file reaches the rings: there is nothing to increase")]
+    #[error("no load of the file reaches the rings: there is nothing to increase; describe one with [[load]]")]
     NoLoad,
     /// A number of the plan is missing that cannot be chosen from the bridge.
     #[error("the plan gives no {what}: {why}")]
