@@ -68,7 +68,11 @@ fn draw(seed: u64) -> String {
     if repeat > 1 {
         let pier = 2.0 * thickness + span * dice.usual([0.15, 0.4], [0.05, 1.5]);
         let height = span * dice.usual([0.2, 1.0], [0.02, 4.0]);
-        let _ = writeln!(page, "[[pier]]\nwidth = \"{pier:.3} m\"\nheight = \"{height:.3} m\"\ncourses = {}\n", dice.count(1, 4));
+        let _ = writeln!(
+            page,
+            "[[pier]]\nwidth = \"{pier:.3} m\"\nheight = \"{height:.3} m\"\ncourses = {}\n",
+            dice.count(1, 4)
+        );
     }
     let [top, height] = [0.3, 0.5].map(|share| span * share * dice.usual([0.5, 2.0], [0.1, 6.0]));
     let _ = writeln!(page, "[abutment]\ntop_width = \"{top:.3} m\"\nheight = \"{height:.3} m\"\n");
@@ -80,14 +84,22 @@ fn draw(seed: u64) -> String {
         dice.usual([1.0, 40.0], [1e-3, 1e3]),
         dice.between(0.0, 0.45)
     );
-    let _ = writeln!(page, "[[cover]]\nlayer = \"fill\"\nthickness = \"{:.3} m\"\ndensity = \"{:.0} kg/m^3\"\n",
-        dice.usual([0.2, 1.5], [0.05, 10.0]), dice.usual([1500.0, 2200.0], [500.0, 4000.0]));
+    let _ = writeln!(
+        page,
+        "[[cover]]\nlayer = \"fill\"\nthickness = \"{:.3} m\"\ndensity = \"{:.0} kg/m^3\"\n",
+        dice.usual([0.2, 1.5], [0.05, 10.0]),
+        dice.usual([1500.0, 2200.0], [500.0, 4000.0])
+    );
     let size = (0.25 * span).min(2.0 * thickness).max(0.02 * span);
     let _ = writeln!(page, "[mesh]\nsize = \"{size:.3} m\"\nring_nodes = {}\n", dice.count(2, 7));
     soil(dice, "fill", &mut page);
     if dice.often(0.3) {
-        let _ = writeln!(page, "[haunch_fill]\nheight = \"{:.3} m\"\nelastic_modulus = \"{:.3} MPa\"\n", 0.4 * ratio * span,
-            dice.usual([100.0, 3000.0], [0.1, 1e5]));
+        let _ = writeln!(
+            page,
+            "[haunch_fill]\nheight = \"{:.3} m\"\nelastic_modulus = \"{:.3} MPa\"\n",
+            0.4 * ratio * span,
+            dice.usual([100.0, 3000.0], [0.1, 1e5])
+        );
     }
     let _ = writeln!(
         page,
@@ -127,8 +139,10 @@ fn soil(dice: &mut Dice, table: &str, page: &mut String) {
 
 fn train(dice: &mut Dice, span: f64, page: &mut String) {
     let axles = dice.count(1, 4);
-    let loads: Vec<String> = (0..axles).map(|_| format!("\"{:.3} t\"", dice.usual([5.0, 30.0], [0.01, 1000.0]))).collect();
-    let spacings: Vec<String> = (1..axles).map(|_| format!("\"{:.3} m\"", dice.usual([1.5, 6.0], [0.3, 30.0]))).collect();
+    let loads: Vec<String> =
+        (0..axles).map(|_| format!("\"{:.3} t\"", dice.usual([5.0, 30.0], [0.01, 1000.0]))).collect();
+    let spacings: Vec<String> =
+        (1..axles).map(|_| format!("\"{:.3} m\"", dice.usual([1.5, 6.0], [0.3, 30.0]))).collect();
     let speed = dice.usual([5.0, 120.0], [0.5, 400.0]);
     // A few positions on the first span.
     let positions = dice.count(3, 6);
@@ -170,7 +184,10 @@ fn ending(seed: u64) -> Result<String, String> {
         let read = bridge::read(text.as_bytes());
         let Some(bridge) = read.bridge else {
             let errors = read.diagnostics.iter().filter(|d| d.severity == bridge::Severity::Error);
-            return Err(format!("refused: {}", errors.map(|d| format!("{} {}", d.code, d.message)).collect::<Vec<_>>().join("; ")));
+            return Err(format!(
+                "refused: {}",
+                errors.map(|d| format!("{} {}", d.code, d.message)).collect::<Vec<_>>().join("; ")
+            ));
         };
         passage(&bridge, &mut Patience(Instant::now())).map_err(|error| format!("not set up: {error}"))
     }));

@@ -22,7 +22,8 @@ fn root() -> PathBuf {
 /// Bridgemill case 1 with contacts at the very edges of the ring and joints `stiffer` times as stiff, on stones that leave all deformation
 /// to the joints, as those of discrete elements do; `springs` across a joint of finite elements.
 fn ring(stiffer: f64, springs: usize) -> Bridge {
-    let read = bridge::read(&std::fs::read(root().join("examples/bridgemill/case-1.toml")).expect("the example is there"));
+    let read =
+        bridge::read(&std::fs::read(root().join("examples/bridgemill/case-1.toml")).expect("the example is there"));
     let mut b = read.bridge.expect("the example is sound");
     b.masonry.rounding = 0.0;
     b.masonry.elastic_modulus = None;
@@ -69,7 +70,9 @@ fn heights(d: &Discretised, c: &Collapse) -> Vec<f64> {
         let (sine, cosine) = (-motion.rotation).sin_cos();
         centre + vec2(cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y)
     };
-    points.map(|(t, ([bed, top], block))| (back(block, vec2(t.point[0], t.point[1])) - bed).dot((top - bed).unit())).collect()
+    points
+        .map(|(t, ([bed, top], block))| (back(block, vec2(t.point[0], t.point[1])) - bed).dot((top - bed).unit()))
+        .collect()
 }
 
 /// Joints of hinges, with their edges, from left to right.
@@ -144,14 +147,16 @@ fn thrust_lines_agree_at_half_the_limit_load() {
     let factor = 0.5 * LIMIT / d.reference_load;
     let zone = thrust_zone(&d.model, &d.loading, factor, &settings).expect("it can be set up");
     // Joints as the zone lists them, in the order of the ring.
-    let mut reach: Vec<_> = zone.interfaces.iter().zip(&zone.reach).map(|(i, reach)| (i.first, i.second, *reach)).collect();
+    let mut reach: Vec<_> =
+        zone.interfaces.iter().zip(&zone.reach).map(|(i, reach)| (i.first, i.second, *reach)).collect();
     let place = |(first, second): (BlockId, BlockId)| {
         let x = |block: BlockId| d.model.blocks[block].outline.centroid().x;
         x(first) + x(second)
     };
     reach.sort_by(|a, b| place((a.0, a.1)).total_cmp(&place((b.0, b.1))));
     let mut worst = 0.0_f64;
-    let mut page = String::from("joint,lowest_m,highest_m,discrete_m,finite_m,limit_at_collapse_m,finite_near_collapse_m\n");
+    let mut page =
+        String::from("joint,lowest_m,highest_m,discrete_m,finite_m,limit_at_collapse_m,finite_near_collapse_m\n");
     let stiff = ring(100.0, 7);
     let collapse = [collapse_by_limit(&stiff).expect("set up"), by_fe(&stiff)].map(|c| heights(&d, &c));
     for (joint, (([bed, top], _), (_, _, reach))) in joints(&d).into_iter().zip(reach).enumerate() {

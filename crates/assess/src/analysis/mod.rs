@@ -23,7 +23,8 @@ pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use report::{
-    Collapse, Combination, Component, DemReport, FiniteReport, LimitReport, PackingReport, Status, SupportReport, ThicknessReport,
+    Collapse, Combination, Component, DemReport, FiniteReport, LimitReport, PackingReport, Status, SupportReport,
+    ThicknessReport,
 };
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;

@@ -50,7 +50,8 @@ pub fn ring_mesh(d: &Discretised, across: usize) -> Option<RingMesh> {
         let (left, right) = (pair[0].1, pair[1].1);
         (left.bed[1] - right.bed[0]).norm().max((left.back[1] - right.back[0]).norm()) <= APART
     });
-    let support = |last: bool| d.origins.iter().position(|o| matches!(o, Origin::Abutment { support } if (*support > 0) == last));
+    let support =
+        |last: bool| d.origins.iter().position(|o| matches!(o, Origin::Abutment { support } if (*support > 0) == last));
     let abutments = [BlockId::new(support(false)?), BlockId::new(support(true)?)];
     let is_ring = one_ring && joined && !voussoirs.is_empty() && d.model.particles.is_empty() && across >= 2;
     is_ring.then(|| build(&voussoirs, abutments, across))

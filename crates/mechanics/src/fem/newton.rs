@@ -388,7 +388,13 @@ impl Equations<'_> {
 
     /// Goes on doubling a damped step as long as the force along it has not turned round: out of the saddle that made the damping
     /// necessary. The last step before it turns is taken; where it turns at once, the part of it at which the force vanishes.
-    fn descend(&self, work: &mut Workspace, direction: &[f64], start: f64, whole: Option<Vec<f64>>) -> Option<Vec<f64>> {
+    fn descend(
+        &self,
+        work: &mut Workspace,
+        direction: &[f64],
+        start: f64,
+        whole: Option<Vec<f64>>,
+    ) -> Option<Vec<f64>> {
         const DOUBLINGS: usize = 20;
         let (mut found, mut share) = (whole, 1.0);
         if found.as_ref().is_none_or(|now| !(dot(now, direction) * start > 0.0)) {

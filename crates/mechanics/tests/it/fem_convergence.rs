@@ -42,7 +42,8 @@ fn body(p: Vec2) -> [f64; 2] {
 }
 
 /// Three Gauss points along a line, exact to the fifth power.
-const GAUSS: [(f64, f64); 3] = [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+const GAUSS: [(f64, f64); 3] =
+    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
 /// Weights of the corners, place and area of each of nine points of a quadrilateral.
 fn points(corners: [Vec2; 4]) -> Vec<([f64; 4], Vec2, f64)> {
@@ -51,8 +52,10 @@ fn points(corners: [Vec2; 4]) -> Vec<([f64; 4], Vec2, f64)> {
         for (eta, b) in GAUSS {
             let n = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
             let weights = n.map(|(i, j)| 0.25 * (1.0 + i * xi) * (1.0 + j * eta));
-            let sum = |part: [f64; 4]| corners.iter().zip(part).fold(Vec2::ZERO, |sum, (corner, part)| sum + *corner * part);
-            let (along, up) = (sum(n.map(|(i, j)| 0.25 * i * (1.0 + j * eta))), sum(n.map(|(i, j)| 0.25 * j * (1.0 + i * xi))));
+            let sum =
+                |part: [f64; 4]| corners.iter().zip(part).fold(Vec2::ZERO, |sum, (corner, part)| sum + *corner * part);
+            let (along, up) =
+                (sum(n.map(|(i, j)| 0.25 * i * (1.0 + j * eta))), sum(n.map(|(i, j)| 0.25 * j * (1.0 + i * xi))));
             all.push((weights, sum(weights), a * b * along.cross(up)));
         }
     }
@@ -126,7 +129,8 @@ fn compared(square: &Model, state: &State) -> [f64; 2] {
 /// meshes of squares, and on distorted ones.
 #[test]
 fn errors_fall_at_the_rates_of_theory() {
-    for (element, distorted) in [(Element::Q4, false), (Element::QM6, false), (Element::Q4, true), (Element::QM6, true)] {
+    for (element, distorted) in [(Element::Q4, false), (Element::QM6, false), (Element::Q4, true), (Element::QM6, true)]
+    {
         let sizes = [4, 8, 16, 32, 64];
         let found = sizes.map(|n| errors(element, n, distorted));
         for (n, [displacement, energy]) in sizes.iter().zip(found) {

@@ -25,7 +25,8 @@ pub struct Shown {
 /// What is to be kept of a state.
 pub fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, factor: f64) -> Shown {
     let contacts = contacts(ring, model, state);
-    let loads: Vec<_> = d.loading.permanent.iter().map(|f| (*f, 1.0)).chain(d.loading.variable.iter().map(|f| (*f, factor))).collect();
+    let loads: Vec<_> =
+        d.loading.permanent.iter().map(|f| (*f, 1.0)).chain(d.loading.variable.iter().map(|f| (*f, factor))).collect();
     let snapshot = Snapshot {
         load: d.load(factor),
         motions: motions(d, ring, model, &state.displacements),
@@ -44,7 +45,8 @@ pub fn motions(d: &Discretised, ring: &RingMesh, model: &Model, displacements: &
     let mut all = vec![Motion::default(); d.model.blocks.len()];
     for stone in &ring.stones {
         let corners = stone.corners().map(|node| (model.mesh.nodes[node], moved(node)));
-        let mean = |pick: fn(&(Vec2, Vec2)) -> Vec2| corners.iter().fold(Vec2::ZERO, |sum, corner| sum + pick(corner)) * 0.25;
+        let mean =
+            |pick: fn(&(Vec2, Vec2)) -> Vec2| corners.iter().fold(Vec2::ZERO, |sum, corner| sum + pick(corner)) * 0.25;
         let (middle, shift) = (mean(|corner| corner.0), mean(|corner| corner.1));
         let (mut sine, mut cosine) = (0.0, 0.0);
         for (place, moved) in corners {
@@ -55,7 +57,8 @@ pub fn motions(d: &Discretised, ring: &RingMesh, model: &Model, displacements: &
         let rotation = sine.atan2(cosine);
         // The centroid is not quite the middle of the corners.
         let off = d.model.blocks[stone.block].outline.centroid() - middle;
-        let turned = vec2(off.x * rotation.cos() - off.y * rotation.sin(), off.x * rotation.sin() + off.y * rotation.cos());
+        let turned =
+            vec2(off.x * rotation.cos() - off.y * rotation.sin(), off.x * rotation.sin() + off.y * rotation.cos());
         all[stone.block.index()] = Motion { translation: point(shift + turned - off), rotation };
     }
     all
@@ -76,7 +79,8 @@ fn contacts(ring: &RingMesh, model: &Model, state: &State) -> Vec<ContactForce> 
         let blocks = blocks(ring, joint);
         let nodes = &model.mesh.interfaces[spring.interface];
         let pair = nodes.two.iter().zip(&nodes.one).min_by(|a, b| {
-            let off = |node: NodeId| ((model.mesh.nodes[node] - model.mesh.nodes[nodes.two[0]]).norm() - spring.along).abs();
+            let off =
+                |node: NodeId| ((model.mesh.nodes[node] - model.mesh.nodes[nodes.two[0]]).norm() - spring.along).abs();
             off(*a.0).total_cmp(&off(*b.0))
         });
         let Some((two, one)) = pair else { continue };

@@ -42,7 +42,11 @@ pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse
     }
     let ring = ring_mesh(&d, bridge.service.mesh.ring_nodes).ok_or(AnalysisError::NotOneRing)?;
     // The same joints, anywhere in the full ring: the outermost springs stand at its edges.
-    let rigid = limit::Settings { crushing: false, contact_points: limit::ContactPoints::FullRing, ..by_limit::single(bridge, &d) };
+    let rigid = limit::Settings {
+        crushing: false,
+        contact_points: limit::ContactPoints::FullRing,
+        ..by_limit::single(bridge, &d)
+    };
     let rigid = by_limit::solve(&d, &rigid)?;
     let mut chosen = Vec::new();
     let (program, load_step) = program(&bridge.plan, &d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;
@@ -217,7 +221,8 @@ impl<'a> Run<'a> {
         c.tolerance = TOLERANCE;
         let last = self.shown.last();
         c.contacts = last.map_or(0, |shown| shown.snapshot.contacts.len());
-        c.max_compressive_stress = last.map(|shown| shown.snapshot.contacts.iter().map(|c| c.stress).fold(0.0, f64::max));
+        c.max_compressive_stress =
+            last.map(|shown| shown.snapshot.contacts.iter().map(|c| c.stress).fold(0.0, f64::max));
         c.finite = Some(FiniteReport {
             equations: self.model.equations(),
             springs_per_joint: self.ring.mesh.interfaces.iter().map(|joint| joint.one.len()).max().unwrap_or(0),

@@ -70,7 +70,8 @@ pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
 
 /// Distance between neighbouring voussoirs' centres, in the mean [m].
 fn spacing(d: &Discretised) -> f64 {
-    let free: Vec<_> = d.model.blocks.iter().filter(|block| !block.held.is_fixed()).map(|b| b.outline.centroid()).collect();
+    let free: Vec<_> =
+        d.model.blocks.iter().filter(|block| !block.held.is_fixed()).map(|b| b.outline.centroid()).collect();
     let way: f64 = free.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     match free.len() {
         0 | 1 => d.model.blocks.iter().map(|block| block.outline.area().sqrt()).fold(f64::INFINITY, f64::min),
