@@ -234,7 +234,6 @@ fn all_end(seeds: std::ops::Range<u64>) {
             Err(words) => wrong.push(words),
         }
     }
-    println!("{endings:#?}");
     assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n----\n"));
     let completed = endings.get("completed").copied().unwrap_or(0) as u64;
     // The others are stopped or refused, more of them on slow machines.

@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         &[
             ("#2c6e49", "limit analysis, 231.46 kN/m"),
             ("#d1491a", "finite elements"),
-            ("#222222", "hinges, limit analysis and discrete elements"),
+            ("#222222", "hinges of rigid blocks"),
         ],
     );
     page.push_str("</svg>\n");
@@ -101,7 +101,7 @@ impl Panel {
         }
         for joint in [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 62.0] {
             let [x, y] = self.spot([joint, 0.0]);
-            let name = if joint == 0.0 { "joint 0" } else { "" };
+            let name = if joint == 10.0 { "joint 10" } else { "" };
             let word = if name.is_empty() { joint.to_string() } else { name.to_string() };
             let _ = writeln!(page, "<text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{word}</text>", y + 16.0);
         }
