@@ -378,6 +378,8 @@ pub enum Method {
     Dem,
     /// Limit analysis of rigid blocks
     Limit,
+    /// Finite elements: one ring between fixed abutments
+    Fe,
 }
 
 /// What is made to collapse.
@@ -505,6 +507,7 @@ impl Method {
         match self {
             Method::Dem => bridge::Method::Dem,
             Method::Limit => bridge::Method::Limit,
+            Method::Fe => bridge::Method::Fe,
         }
     }
 }
