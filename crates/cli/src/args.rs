@@ -356,6 +356,8 @@ pub enum BenchName {
     Footing,
     /// The railway arch on a fine mesh under two locomotives and eight wagons, quasi-static, by the condensed path
     Passage,
+    /// The railway arch with other moduli: self-weight and six slices of its passage, again and again
+    Update,
 }
 
 /// Ground under the footing of `bench footing`.
