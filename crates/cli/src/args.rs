@@ -336,6 +336,9 @@ pub struct Bench {
     /// For `disks`: measure this many steps from the expanded packing on, settling included, and once
     #[arg(long, value_name = "N", conflicts_with_all = ["copies", "repeats"], value_parser = clap::value_parser!(u32).range(1..))]
     pub steps: Option<u32>,
+    /// For `disks --steps`: keep the state in DIR every now and then, and go on from the one that is there
+    #[arg(long, value_name = "DIR", requires = "steps")]
+    pub checkpoint: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
