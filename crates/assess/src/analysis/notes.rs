@@ -96,7 +96,7 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     common(bridge, d, c);
     let springs = c.finite.map_or(0, |finite| finite.springs_per_joint);
     c.assumptions.push(format!(
-        "Each joint is {springs} springs from edge to edge, without tension, with friction; displacements are large. {parts}"
+        "Each joint is {springs} springs from edge to edge, without tension, which shear elastically and do not slide; displacements are large. {parts}"
     ));
     c.assumptions.push(
         "collapse_load is the smallest load tried for which there is no balance; last_stable_load is the largest with one.".into(),
