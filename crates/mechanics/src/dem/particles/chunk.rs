@@ -126,13 +126,13 @@ impl<'a, L: Fn(&Contact) -> &'a PairLaw> ByFours for Pairs<'a, L> {
         let (groups, rest) = contacts.as_chunks_mut::<4>();
         let mut lost = quad.splat(0.0);
         for group in groups {
-            lost = quad.sum(lost, resist(quad, group, 4, own, discs, &law, dt, forces));
+            lost = quad.sum(lost, resist(quad, (group, 4), (own, discs), &law, dt, forces));
         }
         let mut dissipated: f64 = quad.numbers(lost).iter().sum();
         if let Some(&last) = rest.last() {
             let mut group = [last; 4];
             group[..rest.len()].copy_from_slice(rest);
-            let lost = resist(quad, &mut group, rest.len(), own, discs, &law, dt, forces);
+            let lost = resist(quad, (&mut group, rest.len()), (own, discs), &law, dt, forces);
             dissipated += quad.numbers(lost)[..rest.len()].iter().sum::<f64>();
             rest.copy_from_slice(&group[..rest.len()]);
         }
@@ -160,10 +160,8 @@ pub(in crate::dem) fn smaller(a: f64, b: f64) -> f64 {
 #[inline(always)]
 fn resist<'a, Q: Quad>(
     quad: Q,
-    contacts: &mut [Contact; 4],
-    count: usize,
-    own: &[Disc],
-    discs: &[Disc],
+    (contacts, count): (&mut [Contact; 4], usize),
+    (own, discs): (&[Disc], &[Disc]),
     law: &impl Fn(&Contact) -> &'a PairLaw,
     dt: f64,
     forces: &mut [Row],
