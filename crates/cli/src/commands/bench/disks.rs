@@ -125,10 +125,9 @@ fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) ->
         Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
     };
     let (mut state, mut work, mut searches) = (begin(&disks.model, &settings()), Workspace::default(), 0);
-    let checkpoint = match &arguments.checkpoint {
-        Some(folder) => Some(Checkpoint::of(&("disks", count, steps), &Folder::prepare(folder)?)),
-        None => None,
-    };
+    // An empty folder goes when it is let go of.
+    let folder = arguments.checkpoint.as_deref().map(Folder::prepare).transpose()?;
+    let checkpoint = folder.as_ref().map(|folder| Checkpoint::of(&("disks", count, steps), folder));
     if let Some(words) = checkpoint.as_ref().map(Checkpoint::take_up).transpose()?.flatten() {
         let foreign = || Failure::input("F110", "the checkpoint is of another box of discs", "name another folder");
         state = State::from_words(&disks.model, &words).ok_or_else(foreign)?;
