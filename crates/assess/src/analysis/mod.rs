@@ -15,6 +15,7 @@ mod report;
 mod strips;
 mod sweep;
 mod thickness;
+pub mod update;
 
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_limit::collapse_by_limit;
