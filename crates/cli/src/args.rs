@@ -188,12 +188,12 @@ pub struct Respond {
     /// Write the channels as a logger would have, labelled synthetic, to this table (CSV); never over a measured record
     #[arg(long, value_name = "FILE")]
     pub records: Option<PathBuf>,
-    /// How that record is taken.
-    #[command(flatten)]
-    pub logger: Logger,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
+    /// How that record is taken.
+    #[command(flatten)]
+    pub logger: Logger,
 }
 
 /// How a synthetic record is taken.

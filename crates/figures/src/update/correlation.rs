@@ -1,11 +1,11 @@
 //! How parameters go together in the posterior: samples of each pair below the diagonal, correlation above it.
 
 use super::marginals::bars;
-use super::{axis, pretty, second_line};
-use crate::chart::Axis;
+use super::{pretty, second_line};
 use crate::colour::either_way;
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
+use crate::words::four_digits;
 use assess::analysis::update::Update;
 use assess::calibrate::Parameter;
 use assess::calibrate::posterior::Posterior;
@@ -35,7 +35,6 @@ pub fn correlation(update: &Update) -> Option<String> {
         let (x, y) = (left + side * column as f64, top + 6.0 + side * row as f64);
         Area { left: x, right: x + side, top: y, bottom: y + side }
     };
-    let axes: Vec<Axis> = parameters.iter().map(|p| axis(p, "", [p.lower, p.upper], 2)).collect();
     for row in 0..n {
         for column in 0..n {
             let area = cell(row, column);
@@ -50,7 +49,7 @@ pub fn correlation(update: &Update) -> Option<String> {
         }
         name(&mut sheet, &parameters[row], cell(row, 0), left);
     }
-    let below = values(&mut sheet, parameters, &axes, |column| cell(n - 1, column));
+    let below = values(&mut sheet, parameters, |column| cell(n - 1, column));
     let mut words = "On the diagonal each parameter over its range; above it the correlation coefficient, red where two rise together, blue \
                      where one rises as the other falls."
         .to_owned();
@@ -89,24 +88,14 @@ fn name(sheet: &mut Sheet, parameter: &Parameter, row: Area, left: f64) {
 }
 
 /// Names and ends of the ranges below the last row; returns the y below.
-fn values(sheet: &mut Sheet, parameters: &[Parameter], axes: &[Axis], cell: impl Fn(usize) -> Area) -> f64 {
+fn values(sheet: &mut Sheet, parameters: &[Parameter], cell: impl Fn(usize) -> Area) -> f64 {
     let small = Style { size: SMALL, ..Style::default() };
     let mut below: f64 = 0.0;
-    for (column, (parameter, axis)) in parameters.iter().zip(axes).enumerate() {
+    for (column, parameter) in parameters.iter().enumerate() {
         let area = cell(column);
-        let share = |value: f64| area.left + parameter.share(value) * (area.right - area.left);
-        let mut end = area.left - 20.0;
-        for value in &axis.ticks.values {
-            let text = axis.words(*value);
-            let half = 0.5 * font::width(&text, SMALL, small.weight);
-            let at = share(*value);
-            sheet.line([at, area.bottom], [at, area.bottom + 4.0], Pen::line(INK, 0.9));
-            // Only words that stand clear of those before them and of the neighbour's.
-            if at - half > end + 4.0 && at + half < area.right + 6.0 && at - half > area.left - 6.0 {
-                sheet.text([at, area.bottom + 17.0], &text, small.anchored(Anchor::Middle));
-                end = at + half;
-            }
-        }
+        let ends = [parameter.lower, parameter.upper].map(four_digits);
+        sheet.text([area.left + 3.0, area.bottom + 15.0], &ends[0], small);
+        sheet.text([area.right - 3.0, area.bottom + 15.0], &ends[1], small.anchored(Anchor::End));
         let mut y = area.bottom + 20.0;
         for line in font::wrap(&parameter.name, SMALL, small.weight, area.right - area.left - 6.0) {
             y += 1.3 * SMALL;

@@ -1,8 +1,8 @@
 //! Measured and computed histories over one another, channel below channel (railway paper, Figs. 11 to 13).
 
-use super::{MEASURED, START, UPDATED, percent, second_line};
+use super::{HEADING_LINE, MEASURED, START, UPDATED, heading, heading_lines, percent, second_line};
 use crate::chart::{Axes, Axis, Entry, key};
-use crate::sheet::{GREY_TEXT, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, font, font::Weight};
+use crate::sheet::{HAIR, MARGIN, Pen, Sheet, Spot, WIDTH};
 use crate::thinned::thinned;
 use crate::ticks::Ticks;
 use crate::words::three_digits;
@@ -25,14 +25,14 @@ pub fn histories(update: &Update) -> Option<String> {
     let what = format!("Records and model under {}; self-weight taken off", update.train);
     let mut y = sheet.title(&update.bridge, &second_line(update, &what));
     let x = Axis::exact("time since the first axle stood at the start [s]", first, last.max(first + 1e-6), 8);
-    let ticks: Vec<Ticks> = shown.iter().map(|k| ticks(&update.channels[*k])).collect();
-    let wide = |(k, ticks): (&usize, &Ticks)| Axes::widest(&Axis::round(update.channels[*k].unit, ticks.clone()));
-    let widest = shown.iter().zip(&ticks).map(wide).fold(0.0, f64::max);
-    for (place, (k, ticks)) in shown.iter().zip(ticks).enumerate() {
+    let ups: Vec<Axis> = shown.iter().map(|k| upright(&update.channels[*k])).collect();
+    let widest = ups.iter().map(Axes::widest).fold(0.0, f64::max);
+    let (left, right) = (MARGIN + 24.0 + widest + 8.0, WIDTH - MARGIN);
+    for (place, (k, up)) in shown.iter().zip(ups).enumerate() {
         let channel = &update.channels[*k];
-        y += 16.0;
-        heading(&mut sheet, [MARGIN + 24.0 + widest + 8.0, y - 1.0], update, *k);
-        let up = Axis::round(channel.unit, ticks);
+        let about = words(update, *k);
+        y += HEADING_LINE * heading_lines(left, right, &channel.name, &about);
+        heading(&mut sheet, [left, y - 1.0], right, &channel.name, &about);
         let lowest = place + 1 == shown.len();
         let (axes, below) = Axes::panel(&mut sheet, y, HEIGHT, &x, &up, Some(widest), lowest);
         let ends = x.range.map(|x| axes.spot(x, 0.0));
@@ -76,21 +76,13 @@ fn curves(channel: &Histories) -> impl Iterator<Item = (&[f64], Pen<'static>)> {
     all.into_iter().filter(|(values, _)| values.iter().any(|value| value.is_finite())).map(|(v, pen)| (v.as_slice(), pen))
 }
 
-/// Ticks that cover all curves and zero.
-fn ticks(channel: &Histories) -> Ticks {
+/// From below all curves and zero to above them.
+fn upright(channel: &Histories) -> Axis<'static> {
     let finite = || curves(channel).flat_map(|(values, _)| values).copied().filter(|value| value.is_finite());
     let (low, high) = (finite().fold(0.0, f64::min), finite().fold(0.0, f64::max));
-    if high - low < 1e-9 { Ticks::over(-1.0, 1.0, 2) } else { Ticks::over(low, high, 3) }
-}
-
-/// The channel's name, and its peaks in words.
-fn heading(sheet: &mut Sheet, at: Spot, update: &Update, k: usize) {
-    let channel = &update.channels[k];
-    let bold = Style { weight: Weight::Bold, ..Style::default() };
-    sheet.text(at, &channel.name, bold);
-    let left = at[0] + font::width(&channel.name, bold.size, bold.weight) + 14.0;
-    let style = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
-    sheet.text([left, at[1]], &words(update, k), style);
+    let room = 0.06 * (high - low);
+    // A record of nothing is not blown up to look like one of something.
+    if room < 1e-9 { Axis::round(channel.unit, Ticks::over(-1.0, 1.0, 2)) } else { Axis::exact(channel.unit, low - room, high + room, 4) }
 }
 
 fn words(update: &Update, k: usize) -> String {
@@ -102,17 +94,10 @@ fn words(update: &Update, k: usize) -> String {
     let before = update.basis.as_ref().and_then(|basis| basis.start.channels.get(k)).map(|one| one.peak);
     let after = update.found().and_then(|found| found.channels.get(k)).map(|one| one.model_peak);
     let Some(measured) = measured else { return String::new() };
-    let against = |peak: f64| {
-        let error = (peak - measured) / measured;
-        let share = if error.is_finite() { format!(" ({})", percent(error)) } else { String::new() };
-        format!("{}{share}", three_digits(peak))
-    };
-    let mut words = format!("peaks [{}]: record {}", channel.unit, three_digits(measured));
-    if let Some(before) = before.filter(|peak| peak.is_finite()) {
-        words += &format!(", start {}", against(before));
-    }
-    if let Some(after) = after.filter(|peak| peak.is_finite()) {
-        words += &format!(", updated {}", against(after));
+    let mut words = format!("peak of the record {} {}", three_digits(measured), channel.unit);
+    for (name, peak) in [("start model", before), ("updated", after)] {
+        let error = peak.map(|peak| (peak - measured) / measured).filter(|error| error.is_finite());
+        words += &error.map_or(String::new(), |error| format!("; {name} {}", percent(error)));
     }
     words
 }

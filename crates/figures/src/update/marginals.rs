@@ -1,6 +1,6 @@
 //! What the data leave open of each parameter: its posterior over its range, beside what was believed before.
 
-use super::{UPDATED, axis, second_line, value_words, with_unit};
+use super::{UPDATED, axis, fitting, second_line, value_words};
 use crate::chart::{Axes, Axis, Entry, Mark, Words, key};
 use crate::elevation::INK;
 use crate::sheet::{Area, GREY_TEXT, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font, font::Weight};
@@ -11,7 +11,7 @@ use assess::calibrate::Parameter;
 use assess::calibrate::posterior::{Marginal, Posterior, Prior};
 
 const HEIGHT: f64 = 96.0;
-const BETWEEN: f64 = 92.0;
+const BETWEEN: f64 = 86.0;
 const GAP: f64 = 34.0;
 /// Bars over a range.
 pub const BARS: usize = 40;
@@ -63,7 +63,9 @@ fn sheet_end(mut sheet: Sheet, bottom: f64, posterior: &Posterior, surrogate: &s
         words += &format!(" Error of the model itself: {low} to {high} % of the peaks (95 %).");
     }
     if !surrogate.is_empty() {
-        words += &format!(" {}{}", surrogate.trim_end_matches('.'), ".");
+        let mut letters = surrogate.chars();
+        let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
+        words += &format!(" {first}{}.", letters.as_str().trim_end_matches('.'));
     }
     let bottom = sheet.caption(bottom, &words);
     sheet.finish(bottom)
@@ -89,11 +91,19 @@ fn panel(
     frame: Area,
 ) {
     let bold = Style { weight: Weight::Bold, ..Style::default() };
-    sheet.text([frame.left, frame.top - 20.0], &marginal.name, bold);
-    if !marginal.identifiable {
-        let at = frame.left + font::width(&marginal.name, bold.size, bold.weight) + 12.0;
-        let alarm = Style { size: SMALL, colour: "#a02020", ..Style::default() };
-        sheet.text([at, frame.top - 20.0], "hardly told by the records", alarm);
+    let alarm = if marginal.identifiable { "" } else { "hardly told by the records" };
+    let room = frame.right - frame.left - 14.0 - font::width(alarm, SMALL, Weight::Regular);
+    let lines = font::wrap(&marginal.name, bold.size, bold.weight, room);
+    let name = match &lines[..] {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first, ..] => format!("{first} …"),
+    };
+    sheet.text([frame.left, frame.top - 21.0], &name, bold);
+    let at = frame.left + font::width(&name, bold.size, bold.weight) + 12.0;
+    if !alarm.is_empty() {
+        let red = Style { size: SMALL, colour: "#a02020", ..Style::default() };
+        sheet.text([at, frame.top - 21.0], alarm, red);
     }
     let summary = &marginal.summary;
     let [from, to] = summary.interval_95;
@@ -105,8 +115,8 @@ fn panel(
         value_words(to, &parameter.unit)
     );
     sheet.text([frame.left, frame.top - 6.0], &text, Style { size: SMALL, colour: GREY_TEXT, ..Style::default() });
-    let name = with_unit(&parameter.name, &parameter.unit);
-    let x = axis(parameter, &name, [parameter.lower, parameter.upper], 5);
+    let name = fitting(&parameter.name, &parameter.unit, frame.right - frame.left);
+    let x = axis(parameter, &name, [parameter.lower, parameter.upper], 7);
     let prior = prior(parameter, bars.len());
     let most = bars.iter().chain(&prior).copied().fold(1e-9, f64::max);
     let up = Axis { name: "", range: [0.0, 1.15 * most], ticks: Ticks { values: Vec::new(), decimals: 0 }, logarithmic: false };
@@ -121,7 +131,10 @@ fn panel(
         sheet.rectangle(area, Pen::shape(BAR, "#5f8fbf", HAIR).class("bar"));
     }
     let middle = |k: usize| parameter.at((k as f64 + 0.5) / prior.len() as f64);
-    let spots: Vec<Spot> = prior.iter().enumerate().map(|(k, height)| axes.spot(middle(k), *height)).collect();
+    let mut spots: Vec<Spot> = prior.iter().enumerate().map(|(k, height)| axes.spot(middle(k), *height)).collect();
+    if let [first, .., last] = &mut spots[..] {
+        (first[0], last[0]) = (frame.left, frame.right);
+    }
     sheet.polyline(&spots, Pen::line(PRIOR, 1.2).dashed("5 3").class("prior"));
     if let Some(answer) = answer {
         sheet.line([across(answer), frame.top], [across(answer), frame.bottom], Pen::line(UPDATED, 1.8).class("answer"));

@@ -12,6 +12,7 @@ mod surface;
 use crate::all::{File, both};
 use crate::chart::Axis;
 use crate::raster::RasterError;
+use crate::sheet::{GREY_TEXT, LABEL, SMALL, Sheet, Spot, Style, font};
 use crate::words::three_digits;
 use assess::analysis::update::{PaperSearch, Update};
 use assess::calibrate::misfit::Scaling;
@@ -82,12 +83,62 @@ fn search_words(update: &Update, paper: &PaperSearch) -> String {
         0 | 1 => String::new(),
         all => format!("; of {all} such searches the one that ended best"),
     };
-    format!("rules {}, started from {start}{more}", paper.variant.replace('-', " "))
+    let rules = match paper.variant {
+        "printed" => "as printed",
+        "as-practised" => "as practised",
+        other => other,
+    };
+    format!("rules {rules}, started from {start}{more}")
 }
 
 /// A name with its unit in brackets.
 fn with_unit(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} [{}]", pretty(unit)) }
+}
+
+/// The same no wider than a limit; a long name is cut, the unit stays.
+fn fitting(name: &str, unit: &str, limit: f64) -> String {
+    let wide = |text: &str| font::width(text, LABEL, font::Weight::Regular);
+    let whole = with_unit(name, unit);
+    if wide(&whole) <= limit {
+        return whole;
+    }
+    let lengths = (1..=name.chars().count()).rev();
+    let cut = lengths.map(|length| {
+        let kept: String = name.chars().take(length).collect();
+        with_unit(&format!("{}…", kept.trim_end()), unit)
+    });
+    let mut cut = cut.skip_while(|text| wide(text) > limit);
+    cut.next().unwrap_or_else(|| pretty(unit))
+}
+
+/// A name in bold and words about it, beside it where there is room up to `right` and below it otherwise; `at` is where the last
+/// line begins.
+fn heading(sheet: &mut Sheet, at: Spot, right: f64, name: &str, words: &str) {
+    let (bold, small) = heading_styles();
+    let beside = at[0] + font::width(name, bold.size, bold.weight) + 14.0;
+    if heading_lines(at[0], right, name, words) == 1.0 {
+        sheet.text(at, name, bold);
+        sheet.text([beside, at[1]], words, small);
+    } else {
+        sheet.text([at[0], at[1] - HEADING_LINE], name, bold);
+        sheet.text(at, words, small);
+    }
+}
+
+/// Height of a line of a heading.
+const HEADING_LINE: f64 = 17.0;
+
+/// How many lines a heading needs.
+fn heading_lines(left: f64, right: f64, name: &str, words: &str) -> f64 {
+    let (bold, small) = heading_styles();
+    let wide = font::width(name, bold.size, bold.weight) + 14.0 + font::width(words, small.size, small.weight);
+    if left + wide <= right { 1.0 } else { 2.0 }
+}
+
+fn heading_styles() -> (Style, Style) {
+    let bold = Style { weight: font::Weight::Bold, ..Style::default() };
+    (bold, Style { size: SMALL, colour: GREY_TEXT, ..Style::default() })
 }
 
 /// A value with its unit, three digits.
@@ -118,6 +169,5 @@ fn errors_in(update: &Update) -> (f64, &'static str) {
 
 /// An error in per cent with its sign.
 fn percent(error: f64) -> String {
-    let digits = if error.abs() < 0.0995 { 1 } else { 0 };
-    format!("{:+.digits$} %", 100.0 * error).replace('-', "−")
+    format!("{:+.1} %", 100.0 * error).replace('-', "−")
 }

@@ -1,9 +1,9 @@
 //! How the norm and every channel's error follow each parameter alone (railway paper, Figs. 5, 6 and 10).
 
-use super::{axis, errors_in, search_words, second_line, value_words, with_unit};
+use super::{HEADING_LINE, axis, errors_in, fitting, heading, heading_lines, search_words, second_line, value_words};
 use crate::chart::{Axes, Axis, Entry, Mark, Words, key};
 use crate::elevation::INK;
-use crate::sheet::{Area, GREY_TEXT, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font, font::Weight};
+use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, WIDTH};
 use crate::ticks::Ticks;
 use crate::words::three_digits;
 use assess::analysis::update::{PaperSearch, Update};
@@ -11,8 +11,6 @@ use assess::calibrate::search::sweep::Sweep;
 
 /// Height of a panel.
 const HEIGHT: f64 = 108.0;
-/// Between the lower edge of one panel and the upper edge of the next.
-const BETWEEN: f64 = 74.0;
 const NORM: &str = "#0b5394";
 /// Colours after Okabe and Ito (2008), told apart by the colour-blind; dashes tell them apart in grey print.
 const CHANNELS: [(&str, &str); 8] = [
@@ -47,13 +45,15 @@ pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Optio
         Axis::round("norm", Ticks::over(0.0, most, 4)),
         Axis::round(&error_name, Ticks::over(factor * low, factor * high, 4)),
     ];
-    let frames = frames(&up, top);
+    let mut below = top + 2.0;
     for (place, (sweep, last)) in rows.iter().enumerate() {
-        let drop = place as f64 * (HEIGHT + BETWEEN);
-        let frames = frames.map(|f| Area { top: f.top + drop, bottom: f.bottom + drop, ..f });
-        row(&mut sheet, update, sweep, frames, &up, heading(update, sweep, place, *last));
+        let [name, about] = told(update, sweep, place, *last);
+        let (left, right) = (frames(&up, 0.0)[0].left, WIDTH - MARGIN);
+        let frames = frames(&up, below + 8.0 + HEADING_LINE * heading_lines(left, right, &name, &about));
+        heading(&mut sheet, [left, frames[0].top - 8.0], right, &name, &about);
+        row(&mut sheet, update, sweep, frames, &up);
+        below = frames[0].bottom + 50.0;
     }
-    let below = frames[0].bottom + (rows.len() as f64 - 1.0) * (HEIGHT + BETWEEN) + 50.0;
     let mut entries = vec![Entry { line: Some((NORM, "")), mark: Some((Mark::Full, NORM)), text: "norm" }];
     entries.push(Entry { line: None, mark: Some((Mark::Hollow, INK)), text: "least norm" });
     let channels = update.problem.channels();
@@ -70,27 +70,22 @@ pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Optio
     Some(sheet.finish(bottom))
 }
 
-/// Both panels of the first row.
+/// Both panels of a row below `top`.
 fn frames(up: &[Axis; 2], top: f64) -> [Area; 2] {
     let [one, two] = [Axes::widest(&up[0]), Axes::widest(&up[1])];
     let left = MARGIN + 24.0 + one + 8.0;
     // Norm and errors share what is left of the sheet evenly.
     let wide = 0.5 * (WIDTH - MARGIN - 14.0 - left - (46.0 + two));
-    let (top, bottom) = (top + 30.0, top + 30.0 + HEIGHT);
+    let bottom = top + HEIGHT;
     let second = left + wide + 46.0 + two;
     [Area { left, right: left + wide, top, bottom }, Area { left: second, right: second + wide, top, bottom }]
 }
 
-fn row(sheet: &mut Sheet, update: &Update, sweep: &Sweep, frames: [Area; 2], up: &[Axis; 2], words: [String; 2]) {
+fn row(sheet: &mut Sheet, update: &Update, sweep: &Sweep, frames: [Area; 2], up: &[Axis; 2]) {
     let parameter = &update.problem.parameters()[sweep.parameter];
-    let bold = Style { weight: Weight::Bold, ..Style::default() };
-    let at = [frames[0].left, frames[0].top - 8.0];
-    sheet.text(at, &words[0], bold);
-    let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
-    sheet.text([at[0] + font::width(&words[0], bold.size, bold.weight) + 14.0, at[1]], &words[1], grey);
     let (Some(first), Some(last)) = (sweep.values.first(), sweep.values.last()) else { return };
-    let name = with_unit(&parameter.name, &parameter.unit);
-    let x = axis(parameter, &name, [*first, *last], 5);
+    let name = fitting(&parameter.name, &parameter.unit, frames[0].right - frames[0].left);
+    let x = axis(parameter, &name, [*first, *last], 7);
     for (side, (frame, up)) in frames.into_iter().zip(up).enumerate() {
         let y_name = frame.left - 20.0 - Axes::widest(up);
         let axes = Axes::within(sheet, frame, &x, up, Words { x: true, y: true, y_name: Some(y_name) });
@@ -145,7 +140,7 @@ fn errors(update: &Update, sweep: &Sweep) -> Vec<(usize, Vec<(f64, f64)>)> {
 }
 
 /// Name with rank, and what the sweep showed.
-fn heading(update: &Update, sweep: &Sweep, place: usize, last: bool) -> [String; 2] {
+fn told(update: &Update, sweep: &Sweep, place: usize, last: bool) -> [String; 2] {
     let parameter = &update.problem.parameters()[sweep.parameter];
     let name = if last { format!("{}, last sweep", parameter.name) } else { format!("{}. {}", place + 1, parameter.name) };
     let weights = update.basis.as_ref().map_or(&[][..], |basis| &basis.held.weights);
@@ -156,7 +151,7 @@ fn heading(update: &Update, sweep: &Sweep, place: usize, last: bool) -> [String;
         let decided = if minimum.decided { "" } else { ", not decided" };
         words += &format!("; least {} at {value}{bound}{decided}", three_digits(minimum.norm));
     }
-    if !weights.is_empty() {
+    if !weights.is_empty() && !last {
         let (factor, unit) = errors_in(update);
         words += &format!("; mean range of errors {} {unit}", three_digits(factor * sweep.mean_error_range(weights)));
     }

@@ -1,21 +1,21 @@
 //! The norm over two parameters in bands, the path that the search took, and the least point (railway paper, Figs. 7 to 9).
 
 use super::bands::Grid;
-use super::{axis, search_words, second_line, value_words, with_unit};
+use super::{axis, fitting, search_words, second_line, value_words};
 use crate::chart::{Axes, Entry, Mark, Words, key};
 use crate::colour::dark_for_much;
 use crate::elevation::INK;
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH};
 use crate::ticks::Ticks;
-use crate::words::three_digits;
+use crate::words::{four_digits, three_digits};
 use assess::analysis::update::{PaperSearch, Update};
 use assess::calibrate::search::hierarchical::Stage;
 use assess::calibrate::search::surface::{Case, Surface};
 
 const HEIGHT: f64 = 400.0;
-/// About so many bands.
-const BANDS: usize = 10;
+/// Most lines between bands.
+const MOST: usize = 12;
 const PATH: &str = "#b00020";
 /// A least point, four arms long.
 const ARM: f64 = 8.0;
@@ -27,13 +27,12 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
     let surface = &stage.surface;
     let known = || surface.norms.iter().flatten().copied().filter(|norm| norm.is_finite());
     let (low, high) = (known().reduce(f64::min)?, known().reduce(f64::max)?);
-    let ticks = Ticks::over(low, high, BANDS);
-    let levels: Vec<f64> = ticks.values.iter().copied().filter(|level| *level > low && *level < high).collect();
+    let levels = levels(low, high);
 
     let mut sheet = Sheet::new(&format!("surface-{}-{}", number + 1, place + 1));
     let names = surface.parameters.map(|k| {
         let parameter = &update.problem.parameters()[k];
-        with_unit(&parameter.name, &parameter.unit)
+        fitting(&parameter.name, &parameter.unit, HEIGHT)
     });
     let what = format!(
         "Norm over two parameters, pass {}, surface {}; {}",
@@ -52,7 +51,7 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
     walk(&mut sheet, &axes, &travelled);
     least(&mut sheet, update, surface, &axes);
 
-    let bottom = legend(&mut sheet, below, &levels, &ticks, [low, high]);
+    let bottom = legend(&mut sheet, below, &levels, [low, high]);
     let mut entries = vec![Entry { line: None, mark: Some((Mark::Full, "#555555")), text: "point of the grid" }];
     if travelled.len() > 1 {
         entries.push(Entry { line: Some((PATH, "")), mark: Some((Mark::Hollow, PATH)), text: "path of the search so far" });
@@ -60,6 +59,25 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
     let bottom = key(&mut sheet, bottom, &entries);
     let bottom = sheet.caption(bottom, &words(update, stage));
     Some(sheet.finish(bottom))
+}
+
+/// Round levels between two norms. Where the norm grows manifold they stand closer below than above: troughs are what is looked
+/// for, and a range that is too wide on one side must not hide them.
+fn levels(low: f64, high: f64) -> Vec<f64> {
+    let between = |level: &f64| *level > low && *level < high;
+    if high < 3.0 * low {
+        return Ticks::over(low, high, MOST - 2).values.into_iter().filter(between).collect();
+    }
+    let series: [&[f64]; 4] =
+        [&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0], &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0]];
+    // Below a millionth of the largest norm nothing is told apart.
+    let least = low.max(1e-6 * high).max(f64::MIN_POSITIVE);
+    let powers = least.log10().floor() as i32..=high.log10().floor() as i32;
+    let made = series.iter().map(|leads| {
+        let all = powers.clone().flat_map(|power| leads.iter().map(move |lead| lead * 10f64.powi(power)));
+        all.filter(between).collect::<Vec<f64>>()
+    });
+    made.reduce(|finer, coarser| if finer.len() <= MOST { finer } else { coarser }).unwrap_or_default()
 }
 
 /// The axes over both ranges; none where a parameter has fewer than two values.
@@ -153,7 +171,10 @@ fn walk(sheet: &mut Sheet, axes: &Axes, travelled: &[[f64; 2]]) {
     for at in &spots[..spots.len() - 1] {
         Mark::Hollow.draw(sheet, *at, PATH);
     }
-    sheet.avoid_line(&spots);
+    // Words on the path hide more than words on bands do.
+    for _ in 0..4 {
+        sheet.avoid_line(&spots);
+    }
     let room = Room { area: axes.area.grown(-5.0), towards: [0.0, -1.0], clear: 9.0 };
     sheet.label(spots[0], "start", Style::on_drawing(), room);
 }
@@ -181,7 +202,7 @@ fn least(sheet: &mut Sheet, update: &Update, surface: &Surface, axes: &Axes) {
 }
 
 /// The bands in a row, a value between each two; returns the y below.
-fn legend(sheet: &mut Sheet, top: f64, levels: &[f64], ticks: &Ticks, [low, high]: [f64; 2]) -> f64 {
+fn legend(sheet: &mut Sheet, top: f64, levels: &[f64], [low, high]: [f64; 2]) -> f64 {
     let style = Style { size: SMALL, ..Style::default() };
     let text = format!("norm [-], {} to {}", three_digits(low), three_digits(high));
     let y = sheet.paragraph(MARGIN, top, WIDTH - 2.0 * MARGIN, &text, style);
@@ -196,7 +217,7 @@ fn legend(sheet: &mut Sheet, top: f64, levels: &[f64], ticks: &Ticks, [low, high
     for (k, level) in levels.iter().enumerate() {
         let at = left + wide * (k as f64 + 1.0);
         sheet.line([at, lower], [at, lower + 4.0], Pen::line(INK, 0.9));
-        sheet.text([at, lower + 17.0], &ticks.words(*level), style.anchored(Anchor::Middle));
+        sheet.text([at, lower + 17.0], &four_digits(*level), style.anchored(Anchor::Middle));
     }
     sheet.close();
     lower + 24.0
@@ -219,7 +240,7 @@ fn words(update: &Update, stage: &Stage) -> String {
     }
     let mut say = |which: &[usize], what: &str| {
         if !which.is_empty() {
-            words += &format!(" {what}: {}.", which.iter().map(name).collect::<Vec<_>>().join(", "));
+            words += &format!(" {what}: {}.", which.iter().map(name).collect::<Vec<_>>().join("; "));
         }
     };
     say(&stage.frozen, "Frozen here");
@@ -229,10 +250,26 @@ fn words(update: &Update, stage: &Stage) -> String {
     let others: Vec<String> =
         others.map(|k| format!("{} {}", name(&k), value_words(surface.model[k], &parameters[k].unit))).collect();
     if !others.is_empty() {
-        words += &format!(" All others stand at: {}.", others.join(", "));
+        words += &format!(" All others stand at: {}.", others.join("; "));
     }
     if surface.norms.iter().any(Option::is_none) {
         words += " Crosses: the model found no answer.";
     }
     words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::levels;
+
+    #[test]
+    fn levels_are_few_round_and_denser_below() {
+        assert_eq!(levels(0.19, 0.31), [0.2, 0.22, 0.24, 0.26, 0.28, 0.3].map(|l: f64| (l * 50.0).round() / 50.0));
+        let wide = levels(0.112, 3.15);
+        assert_eq!(wide.first().map(|level| (level * 100.0).round()), Some(15.0));
+        assert!(wide.len() > 5 && wide.windows(2).all(|pair| pair[0] < pair[1]), "{wide:?}");
+        for (low, high) in [(0.0, 1.0), (1e-9, 2.0), (0.5, 0.5), (0.0, 0.0), (0.09, 0.7), (1e-3, 1e3)] {
+            assert!(levels(low, high).len() <= 13, "{low} {high}");
+        }
+    }
 }
