@@ -133,8 +133,7 @@ mod tests {
         let y = [0.0, 2.0, 3.0];
         let height = |i: usize, _: usize| Some(x[i]);
         let grid = Grid { x: &x, y: &y, height: &height };
-        let areas: Vec<f64> =
-            grid.bands(&[1.0, 2.5]).iter().map(|band| band.iter().map(|p| area(p)).sum()).collect();
+        let areas: Vec<f64> = grid.bands(&[1.0, 2.5]).iter().map(|band| band.iter().map(|p| area(p)).sum()).collect();
         for (found, wanted) in areas.iter().zip([3.0, 4.5, 4.5]) {
             assert!((found - wanted).abs() < 1e-12, "{areas:?}");
         }

@@ -64,7 +64,8 @@ pub fn correlation(update: &Update) -> Option<String> {
 const WIDEST_NAME: f64 = 118.0;
 
 fn names_width(parameters: &[Parameter]) -> f64 {
-    let wide = |p: &Parameter| lines(p).iter().map(|line| font::width(line, SMALL, font::Weight::Regular)).fold(0.0, f64::max);
+    let wide =
+        |p: &Parameter| lines(p).iter().map(|line| font::width(line, SMALL, font::Weight::Regular)).fold(0.0, f64::max);
     parameters.iter().map(wide).fold(40.0, f64::max)
 }
 

@@ -16,7 +16,8 @@ const MOST: usize = 10;
 /// Every channel over time, measured, of the start model and of the updated one. None without a history.
 pub fn histories(update: &Update) -> Option<String> {
     let (first, last) = (*update.times.first()?, *update.times.last()?);
-    let drawn: Vec<usize> = (0..update.channels.len()).filter(|k| curves(&update.channels[*k]).next().is_some()).collect();
+    let drawn: Vec<usize> =
+        (0..update.channels.len()).filter(|k| curves(&update.channels[*k]).next().is_some()).collect();
     let shown = &drawn[..drawn.len().min(MOST)];
     if shown.is_empty() {
         return None;
@@ -73,7 +74,9 @@ fn curves(channel: &Histories) -> impl Iterator<Item = (&[f64], Pen<'static>)> {
         (&channel.start, Pen::line(START, 1.0).dashed(DASHES).class("start")),
         (&channel.updated, Pen::line(UPDATED, 1.1).class("updated")),
     ];
-    all.into_iter().filter(|(values, _)| values.iter().any(|value| value.is_finite())).map(|(v, pen)| (v.as_slice(), pen))
+    all.into_iter()
+        .filter(|(values, _)| values.iter().any(|value| value.is_finite()))
+        .map(|(v, pen)| (v.as_slice(), pen))
 }
 
 /// From below all curves and zero to above them.
@@ -82,7 +85,11 @@ fn upright(channel: &Histories) -> Axis<'static> {
     let (low, high) = (finite().fold(0.0, f64::min), finite().fold(0.0, f64::max));
     let room = 0.06 * (high - low);
     // A record of nothing is not blown up to look like one of something.
-    if room < 1e-9 { Axis::round(channel.unit, Ticks::over(-1.0, 1.0, 2)) } else { Axis::exact(channel.unit, low - room, high + room, 4) }
+    if room < 1e-9 {
+        Axis::round(channel.unit, Ticks::over(-1.0, 1.0, 2))
+    } else {
+        Axis::exact(channel.unit, low - room, high + room, 5)
+    }
 }
 
 fn words(update: &Update, k: usize) -> String {

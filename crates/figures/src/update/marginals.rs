@@ -119,7 +119,12 @@ fn panel(
     let x = axis(parameter, &name, [parameter.lower, parameter.upper], 7);
     let prior = prior(parameter, bars.len());
     let most = bars.iter().chain(&prior).copied().fold(1e-9, f64::max);
-    let up = Axis { name: "", range: [0.0, 1.15 * most], ticks: Ticks { values: Vec::new(), decimals: 0 }, logarithmic: false };
+    let up = Axis {
+        name: "",
+        range: [0.0, 1.15 * most],
+        ticks: Ticks { values: Vec::new(), decimals: 0 },
+        logarithmic: false,
+    };
     let axes = Axes::within(sheet, frame, &x, &up, Words { x: true, y: false, y_name: None });
     let across = |value: f64| axes.spot(value, 0.0)[0];
     let within = Area { left: across(from), right: across(to), ..frame };
@@ -136,10 +141,14 @@ fn panel(
         (first[0], last[0]) = (frame.left, frame.right);
     }
     sheet.polyline(&spots, Pen::line(PRIOR, 1.2).dashed("5 3").class("prior"));
-    if let Some(answer) = answer {
-        sheet.line([across(answer), frame.top], [across(answer), frame.bottom], Pen::line(UPDATED, 1.8).class("answer"));
-    }
     sheet.rectangle(frame, Pen::line(INK, 0.9));
+    if let Some(answer) = answer {
+        sheet.line(
+            [across(answer), frame.top],
+            [across(answer), frame.bottom],
+            Pen::line(UPDATED, 2.6).class("answer"),
+        );
+    }
     Mark::Hollow.draw(sheet, [across(summary.mean), frame.bottom], INK);
 }
 

@@ -29,9 +29,8 @@ pub fn residuals(update: &Update) -> Option<String> {
     let wide = |row: &Row| font::width(&row.name, 13.0, font::Weight::Regular);
     let left = MARGIN + rows.iter().map(wide).fold(90.0, f64::max).min(WIDEST_NAME) + 12.0;
     let area = Area { left, right: WIDTH - MARGIN, top: top + 4.0, bottom: top + 4.0 + ROW * rows.len() as f64 };
-    let x = |value: f64| {
-        area.left + (value - axis.range[0]) / (axis.range[1] - axis.range[0]) * (area.right - area.left)
-    };
+    let x =
+        |value: f64| area.left + (value - axis.range[0]) / (axis.range[1] - axis.range[0]) * (area.right - area.left);
     sheet.open("axes");
     for value in &axis.ticks.values {
         sheet.line([x(*value), area.top], [x(*value), area.bottom], Pen::line("#d8d8d8", HAIR));
@@ -57,7 +56,8 @@ pub fn residuals(update: &Update) -> Option<String> {
     }
     sheet.line([x(0.0), area.top], [x(0.0), area.bottom], Pen::line(INK, MEDIUM));
     let bottom = key(&mut sheet, area.bottom + 48.0, update);
-    let out: Vec<String> = rows.iter().filter_map(|row| Some(format!("{}: {}", row.name, row.left_out.as_ref()?))).collect();
+    let out: Vec<String> =
+        rows.iter().filter_map(|row| Some(format!("{}: {}", row.name, row.left_out.as_ref()?))).collect();
     let bottom = match out.is_empty() {
         true => bottom,
         false => sheet.caption(bottom, &format!("Hollow bars: channels that take no part. {}.", out.join("; "))),

@@ -29,7 +29,8 @@ const CHANNELS: [(&str, &str); 8] = [
 pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Option<String> {
     let pass = paper.outcome.passes.get(number)?;
     let ranked = pass.ranking.iter().filter_map(|k| pass.sweeps.iter().find(|sweep| sweep.parameter == *k));
-    let rows: Vec<(&Sweep, bool)> = ranked.map(|sweep| (sweep, false)).chain(pass.last.iter().map(|s| (s, true))).collect();
+    let rows: Vec<(&Sweep, bool)> =
+        ranked.map(|sweep| (sweep, false)).chain(pass.last.iter().map(|s| (s, true))).collect();
     let norms = || rows.iter().flat_map(|(sweep, _)| &sweep.norms).flatten().copied().filter(|norm| norm.is_finite());
     let most = norms().reduce(f64::max)?;
     let pieces: Vec<(usize, Vec<(f64, f64)>)> = rows.iter().flat_map(|(sweep, _)| errors(update, sweep)).collect();
@@ -142,7 +143,8 @@ fn errors(update: &Update, sweep: &Sweep) -> Vec<(usize, Vec<(f64, f64)>)> {
 /// Name with rank, and what the sweep showed.
 fn told(update: &Update, sweep: &Sweep, place: usize, last: bool) -> [String; 2] {
     let parameter = &update.problem.parameters()[sweep.parameter];
-    let name = if last { format!("{}, last sweep", parameter.name) } else { format!("{}. {}", place + 1, parameter.name) };
+    let name =
+        if last { format!("{}, last sweep", parameter.name) } else { format!("{}. {}", place + 1, parameter.name) };
     let weights = update.basis.as_ref().map_or(&[][..], |basis| &basis.held.weights);
     let mut words = format!("range of the norm {}", three_digits(sweep.range()));
     if let Some(minimum) = &sweep.minimum {

@@ -17,6 +17,9 @@ const HEIGHT: f64 = 400.0;
 /// Most lines between bands.
 const MOST: usize = 12;
 const PATH: &str = "#b00020";
+/// A line at so much more than the least norm shows how long a trough is.
+const NEAR: f64 = 0.05;
+const NEAR_DASHES: &str = "3 2";
 /// A least point, four arms long.
 const ARM: f64 = 8.0;
 
@@ -53,8 +56,16 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
 
     let bottom = legend(&mut sheet, below, &levels, [low, high]);
     let mut entries = vec![Entry { line: None, mark: Some((Mark::Full, "#555555")), text: "point of the grid" }];
+    let near = format!("{} % above the least norm", three_digits(100.0 * NEAR));
+    if known().any(|norm| norm > (1.0 + NEAR) * low) {
+        entries.push(Entry { line: Some((INK, NEAR_DASHES)), mark: None, text: &near });
+    }
     if travelled.len() > 1 {
-        entries.push(Entry { line: Some((PATH, "")), mark: Some((Mark::Hollow, PATH)), text: "path of the search so far" });
+        entries.push(Entry {
+            line: Some((PATH, "")),
+            mark: Some((Mark::Hollow, PATH)),
+            text: "path of the search so far",
+        });
     }
     let bottom = key(&mut sheet, bottom, &entries);
     let bottom = sheet.caption(bottom, &words(update, stage));
@@ -68,8 +79,12 @@ fn levels(low: f64, high: f64) -> Vec<f64> {
     if high < 3.0 * low {
         return Ticks::over(low, high, MOST - 2).values.into_iter().filter(between).collect();
     }
-    let series: [&[f64]; 4] =
-        [&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0], &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0]];
+    let series: [&[f64]; 4] = [
+        &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0],
+        &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0],
+        &[1.0, 2.0, 5.0],
+        &[1.0],
+    ];
     // Below a millionth of the largest norm nothing is told apart.
     let least = low.max(1e-6 * high).max(f64::MIN_POSITIVE);
     let powers = least.log10().floor() as i32..=high.log10().floor() as i32;
@@ -81,13 +96,7 @@ fn levels(low: f64, high: f64) -> Vec<f64> {
 }
 
 /// The axes over both ranges; none where a parameter has fewer than two values.
-fn frame(
-    sheet: &mut Sheet,
-    update: &Update,
-    surface: &Surface,
-    names: &[String; 2],
-    top: f64,
-) -> Option<(Axes, f64)> {
+fn frame(sheet: &mut Sheet, update: &Update, surface: &Surface, names: &[String; 2], top: f64) -> Option<(Axes, f64)> {
     let side = |side: usize, count: usize| {
         let values = &surface.values[side];
         let (first, last) = (*values.first()?, *values.last()?);
@@ -124,6 +133,9 @@ fn bands(sheet: &mut Sheet, surface: &Surface, axes: &Axes, levels: &[f64]) {
     for level in levels {
         sheet.strokes(&grid.line(*level), 0.7);
     }
+    sheet.close();
+    sheet.open_drawn("near", Pen::line(INK, HAIR).dashed(NEAR_DASHES));
+    sheet.strokes(&grid.line((1.0 + NEAR) * surface.norm()), 0.9);
     sheet.close();
 }
 

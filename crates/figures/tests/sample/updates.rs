@@ -2,13 +2,14 @@
 
 use assess::analysis::passage::Quantity;
 use assess::analysis::update::{
-    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update, UpdateStatus,
+    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update,
+    UpdateStatus,
 };
 use assess::calibrate::posterior::{self, Likelihood};
 use assess::calibrate::search::hierarchical;
 use assess::calibrate::{
-    Basis, Channel, Evaluation, Evaluator, Failure, Forward, Log, Misfit, Parameter, Problem, Request, Response, Samples,
-    Serial, Start, Unwatched, identify,
+    Basis, Channel, Evaluation, Evaluator, Failure, Forward, Log, Misfit, Parameter, Problem, Request, Response,
+    Samples, Serial, Start, Unwatched, identify,
 };
 use std::sync::LazyLock;
 
@@ -42,14 +43,16 @@ impl Formula {
             let x = (12.5 * (time - 2.0) - bogie - at) * narrow / 2.4;
             (1.0 - 0.35 * x * x) * (-0.5 * x * x).exp()
         };
-        let train: f64 = [(0.0, 1.0), (14.0, 1.0), (26.0, 0.8), (38.0, 0.95)].iter().map(|(b, load)| load * wave(*b)).sum();
+        let train: f64 =
+            [(0.0, 1.0), (14.0, 1.0), (26.0, 0.8), (38.0, 0.95)].iter().map(|(b, load)| load * wave(*b)).sum();
         size * flexibility * train
     }
 }
 
 impl Forward for Formula {
     fn evaluate(&self, point: &[f64], request: &Request) -> Evaluation {
-        let stiffness: Vec<f64> = point.iter().zip(&self.reference).map(|(value, reference)| value / reference).collect();
+        let stiffness: Vec<f64> =
+            point.iter().zip(&self.reference).map(|(value, reference)| value / reference).collect();
         if self.fails.is_some_and(|[one, three]| stiffness[0] > one && stiffness[2] < three) {
             return Err(Failure::new("not-converged", "made up"));
         }
@@ -88,10 +91,12 @@ pub fn twin() -> Update {
 /// Measured records, ranges by their logarithms, points without an answer, long names, no posterior.
 pub fn hard() -> Update {
     let mut parameters = parameters();
-    parameters[2] = Parameter::new("spandrel fill between the haunches, above the backing", "MPa", 60.0, 5.0, 700.0).logarithmic();
+    parameters[2] =
+        Parameter::new("spandrel fill between the haunches, above the backing", "MPa", 60.0, 5.0, 700.0).logarithmic();
     parameters[0].name = "voussoirs of the first and of the last span".into();
     let mut update = made(parameters, [14.4, 1.1, 39.0, 7.4, 600.0], Some([1.3, 0.15]), false);
-    update.bridge = "A bridge with a fairly long name, so that its title needs all the width there is and a little more".into();
+    update.bridge =
+        "A bridge with a fairly long name, so that its title needs all the width there is and a little more".into();
     for run in &mut update.records.runs {
         run.synthetic = None;
     }
@@ -104,7 +109,8 @@ pub fn hard() -> Update {
 fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, posterior: bool) -> Update {
     let reference = vec![12.0, 1.25, 60.0, 6.5, 530.0];
     let forward = Formula { reference, fails };
-    let exact = Formula { fails: None, reference: forward.reference.clone() }.evaluate(&truth, &Request::all()).unwrap().values;
+    let exact =
+        Formula { fails: None, reference: forward.reference.clone() }.evaluate(&truth, &Request::all()).unwrap().values;
     let channels: Vec<Channel> = (0..CHANNELS.len()).map(|k| channel(k, &exact[k])).collect();
     let misfit = Misfit { slices: true, ..Misfit::default() };
     let problem = Problem::new(parameters, channels, misfit).unwrap();
@@ -118,9 +124,11 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
     let end = found.as_ref().map(|found| found.point());
     let identifiability = end.as_ref().and_then(|end| identify::identify(&mut evaluator, &basis, end).ok());
     let posterior = posterior.then(|| {
-        let settings = posterior::Settings { effective_samples: 100.0, particles: 60, moves: 2, steps: 100, ..Default::default() };
+        let settings =
+            posterior::Settings { effective_samples: 100.0, particles: 60, moves: 2, steps: 100, ..Default::default() };
         let posterior = posterior::sample(&mut evaluator, &basis, &settings).unwrap();
-        let surrogate = "sampled from a polynomial of degree 3 through 126 points of the model; its error is 0.4 % of the peaks";
+        let surrogate =
+            "sampled from a polynomial of degree 3 through 126 points of the model; its error is 0.4 % of the peaks";
         PosteriorReport {
             posterior,
             likelihood: Likelihood::default(),
@@ -130,7 +138,8 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
         }
     });
     let evaluations = evaluator.done();
-    let full = |point: &[f64]| forward.evaluate(point, &Request::all()).map(|response| response.values).unwrap_or_default();
+    let full =
+        |point: &[f64]| forward.evaluate(point, &Request::all()).map(|response| response.values).unwrap_or_default();
     let (begun, ended) = (full(&start), end.map(|end| full(&end)).unwrap_or_default());
     let histories = (0..CHANNELS.len()).map(|k| Histories {
         name: CHANNELS[k].0.into(),
@@ -182,7 +191,8 @@ fn channel(k: usize, exact: &[f64]) -> Channel {
     let (name, unit, quantity, ..) = CHANNELS[k];
     let least_count = if quantity == Quantity::Strain { 0.05 } else { 0.01 };
     let ripple = |at: usize| least_count * ((at * at % 97) as f64 / 48.5 - 1.0);
-    let measured = exact.iter().enumerate().map(|(at, value)| ((value + ripple(at)) / least_count).round() * least_count);
+    let measured =
+        exact.iter().enumerate().map(|(at, value)| ((value + ripple(at)) / least_count).round() * least_count);
     let mut channel = Channel::history(name, unit, measured.collect());
     channel.uncertainty = Some(least_count);
     if k == 3 {

@@ -195,7 +195,11 @@ fn a_record_comes_back_as_it_was_written_and_says_that_it_is_synthetic() {
     let quiet: Vec<f64> = (0..back.times.len()).filter(rest).map(|k| back.channels[0].values[k]).collect();
     let deviation = (quiet.iter().map(|v| v * v).sum::<f64>() / quiet.len() as f64).sqrt();
     let expected = 1e-5 * (1.0 + 1.0 / 12.0_f64).sqrt();
-    assert!((deviation / expected - 1.0).abs() < 5.0 / (2.0 * quiet.len() as f64).sqrt(), "{deviation} {}", quiet.len());
+    assert!(
+        (deviation / expected - 1.0).abs() < 5.0 / (2.0 * quiet.len() as f64).sqrt(),
+        "{deviation} {}",
+        quiet.len()
+    );
     // What examines records finds nothing to leave out in it.
     let series = records::examine(vec![back], &records::Scrutiny::default());
     assert!(series.left_out().is_empty(), "{:?}", series.left_out());

@@ -3,7 +3,7 @@
 mod outcome;
 
 pub use outcome::{
-    Histories, ParameterPlace, PaperSearch, PosteriorReport, RecordsUsed, RunUsed, SearchLine, Update, UpdateStatus,
+    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, SearchLine, Update, UpdateStatus,
 };
 
 /// A search for parameters.

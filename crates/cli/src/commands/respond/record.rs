@@ -112,7 +112,11 @@ fn both(option: &str, texts: &[String]) -> Result<[Option<f64>; 2], Failure> {
         let place = usize::from(kind == Quantity::Strain);
         if sizes[place].replace(size).is_some() {
             let message = format!("{option} is given twice for {}", ["displacements", "strains"][place]);
-            return Err(Failure::input("F107", message, format!("write {option} \"0.01 mm\" {option} \"0.05 microstrain\"")));
+            return Err(Failure::input(
+                "F107",
+                message,
+                format!("write {option} \"0.01 mm\" {option} \"0.05 microstrain\""),
+            ));
         }
     }
     Ok(sizes)
