@@ -144,3 +144,18 @@ fn measured_records_are_not_written_over_and_slips_are_named() {
     }
     assert_eq!(refused(&["--seed", "3"]), "F107", "a seed of nothing");
 }
+
+/// What a logger would have written of a whole passage is used by those who judge records, with no word of doubt that leaves a
+/// channel out.
+#[test]
+fn a_whole_synthetic_record_stands_up_to_scrutiny() {
+    let stage = arch("respond-records-whole");
+    let text = stage.read("bridge/passage.toml");
+    stage.write("bridge/coarse.toml", text.replace("time_step = \"0.005 s\"", "time_step = \"0.04 s\""));
+    let (answer, ending) =
+        stage.object(&["respond", "bridge/coarse.toml", "--out", "out", "--records", "slow.csv", "--noise", "logger"]);
+    assert_eq!(ending.code, Some(0), "{answer} {}", ending.stderr);
+    let series = records::examine(vec![record(&stage, "slow.csv")], &records::Scrutiny::default());
+    assert!(series.left_out().is_empty(), "{:?}\n{:?}", series.left_out(), series.findings);
+    assert!(series.runs[0].synthetic.is_some(), "the label goes on");
+}

@@ -95,3 +95,6 @@ fn origin(passage: &Passage, made_by: &str) -> String {
         passage.bridge, passage.train, passage.analysis
     )
 }
+
+#[cfg(test)]
+mod tests;
