@@ -23,7 +23,7 @@ pub fn histories(update: &Update) -> Option<String> {
         return None;
     }
     let mut sheet = Sheet::new("histories");
-    let what = format!("Records and model under {}; self-weight taken off", update.train);
+    let what = format!("Records and model under the train {}; self-weight taken off", update.train);
     let mut y = sheet.title(&update.bridge, &second_line(update, &what));
     let x = Axis::exact("time since the first axle stood at the start [s]", first, last.max(first + 1e-6), 8);
     let ups: Vec<Axis> = shown.iter().map(|k| upright(&update.channels[*k])).collect();

@@ -65,7 +65,7 @@ pub fn sensitivity(update: &Update, paper: &PaperSearch, number: usize) -> Optio
     let bottom = key(&mut sheet, below, &entries);
     let bottom = sheet.caption(
         bottom,
-        "Dashed upright: the value at which the other parameters were varied. All panels of a column have one scale. Where a \
+        "Dashed upright: the model about which parameters were varied. All panels of a column have one scale. Where a \
          curve is broken, the model found no answer.",
     );
     Some(sheet.finish(bottom))

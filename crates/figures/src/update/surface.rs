@@ -68,7 +68,7 @@ pub fn surface(update: &Update, paper: &PaperSearch, number: usize, place: usize
         });
     }
     let bottom = key(&mut sheet, bottom, &entries);
-    let bottom = sheet.caption(bottom, &words(update, stage));
+    let bottom = sheet.caption(bottom, &words(update, stage, travelled.len() > 1));
     Some(sheet.finish(bottom))
 }
 
@@ -236,7 +236,7 @@ fn legend(sheet: &mut Sheet, top: f64, levels: &[f64], [low, high]: [f64; 2]) ->
 }
 
 /// What followed from the surface.
-fn words(update: &Update, stage: &Stage) -> String {
+fn words(update: &Update, stage: &Stage, moved: bool) -> String {
     let parameters = update.problem.parameters();
     let name = |k: &usize| parameters[*k].name.as_str();
     let surface = &stage.surface;
@@ -247,7 +247,7 @@ fn words(update: &Update, stage: &Stage) -> String {
     };
     for side in 0..2 {
         if !surface.minima[side].decided {
-            words += &format!(" {}: no decided trough.", name(&surface.parameters[side]));
+            words += &format!(" No decided trough of {}.", name(&surface.parameters[side]));
         }
     }
     let mut say = |which: &[usize], what: &str| {
@@ -262,7 +262,8 @@ fn words(update: &Update, stage: &Stage) -> String {
     let others: Vec<String> =
         others.map(|k| format!("{} {}", name(&k), value_words(surface.model[k], &parameters[k].unit))).collect();
     if !others.is_empty() {
-        words += &format!(" All others stand at: {}.", others.join("; "));
+        let before = if moved { "; earlier on the path they stood elsewhere" } else { "" };
+        words += &format!(" All others stand at: {}{before}.", others.join("; "));
     }
     if surface.norms.iter().any(Option::is_none) {
         words += " Crosses: the model found no answer.";
