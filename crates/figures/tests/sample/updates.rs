@@ -16,8 +16,10 @@ use std::sync::LazyLock;
 const SAMPLES: usize = 800;
 const STEP: f64 = 0.016;
 
+type Sensor = (&'static str, &'static str, Quantity, f64, f64, [f64; 5]);
+
 /// Name, unit, quantity, size, place [m], and what share of it each parameter's flexibility makes.
-const CHANNELS: [(&str, &str, Quantity, f64, f64, [f64; 5]); 6] = [
+const CHANNELS: [Sensor; 6] = [
     ("crown displacement", "mm", Quantity::Displacement, -0.30, 3.0, [0.35, 0.10, 0.40, 0.10, 0.05]),
     ("pier springing displacement", "mm", Quantity::Displacement, 0.12, 6.0, [0.10, 0.05, 0.35, 0.45, 0.05]),
     ("abutment springing displacement", "mm", Quantity::Displacement, -0.05, 0.0, [0.05, 0.05, 0.20, 0.05, 0.65]),
