@@ -79,6 +79,7 @@ fn the_posterior_has_a_panel_for_each_parameter_and_a_correlation_for_each_pair(
     let update = twin();
     let svg = drawing(&update, "posterior");
     assert_eq!(["interval", "prior", "answer"].map(|class| classed(&svg, class)), [5, 5, 5]);
+    assert!(texts(&svg).concat().contains("not brought to its end"), "the sample's sampling is short");
     let svg = drawing(&update, "correlation");
     assert_eq!(["correlation", "cloud"].map(|class| classed(&svg, class)), [10, 10]);
     assert!(figures::update_drawings(&hard()).iter().all(|(name, _)| name != "posterior" && name != "correlation"));

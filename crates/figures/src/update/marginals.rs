@@ -8,7 +8,7 @@ use crate::ticks::Ticks;
 use crate::words::{four_digits, three_digits};
 use assess::analysis::update::Update;
 use assess::calibrate::Parameter;
-use assess::calibrate::posterior::{Marginal, Posterior, Prior};
+use assess::calibrate::posterior::{Marginal, Posterior, Prior, Status};
 
 const HEIGHT: f64 = 96.0;
 const BETWEEN: f64 = 86.0;
@@ -58,6 +58,9 @@ fn sheet_end(mut sheet: Sheet, bottom: f64, posterior: &Posterior, surrogate: &s
         four_digits(posterior.effective_samples.round()),
         four_digits((1e3 * posterior.r_hat).round() / 1e3)
     );
+    if posterior.status != Status::Completed {
+        words += " The sampling was not brought to its end: these shapes are rough.";
+    }
     if let Some(error) = &posterior.model_error {
         let [low, high] = error.interval_95.map(|share| three_digits(100.0 * share));
         words += &format!(" Error of the model itself: {low} to {high} % of the peaks (95 %).");
