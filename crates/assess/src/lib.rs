@@ -13,5 +13,10 @@ pub mod verify;
 pub mod warning;
 pub mod wire;
 
+/// Parameters from channels: the plain data of searches and posteriors, which outcomes hold.
+pub use calibrate;
+/// Records: findings and what was done, which outcomes hold.
+pub use records;
+
 #[cfg(test)]
 mod samples;

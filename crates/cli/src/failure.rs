@@ -141,7 +141,8 @@ pub const CARDS: &[Card] = &[
         code: "F119",
         title: "the file to be written exists",
         text: "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
-               drawing that this one names.",
+               drawing that this one names. `extrados respond --records FILE` replaces a record that is labelled synthetic, and never another \
+               file: measured records cannot be made again.",
     },
     Card {
         code: "F120",

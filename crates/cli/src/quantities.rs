@@ -37,6 +37,42 @@ pub fn speed(option: &str, text: &str) -> Result<f64, Failure> {
     Err(Failure::input("F107", message, format!("write {option} \"{example}\"")))
 }
 
+/// A sampling rate [Hz].
+pub fn frequency(option: &str, text: &str) -> Result<f64, Failure> {
+    let example = "200 Hz";
+    let rate = positive(option, text, read(option, text, &[Dimension::Frequency], example)?.si(), example)?;
+    if (LEAST_RATE..=MOST_RATE).contains(&rate) {
+        return Ok(rate);
+    }
+    let message = format!("{option} \"{text}\" is no rate of a logger: {LEAST_RATE} Hz to {MOST_RATE} Hz");
+    Err(Failure::input("F107", message, format!("write {option} \"{example}\"")))
+}
+
+/// Rates of loggers [Hz]: a sample in ten seconds shows no train, and a train's minutes at the most make tables of a hundred million
+/// rows.
+const LEAST_RATE: f64 = 0.1;
+const MOST_RATE: f64 = 1e5;
+
+/// A size of displacements or of strains in a unit of records, and which of the two it is; none of them is below zero [SI].
+pub fn of_records(option: &str, text: &str) -> Result<(records::Quantity, f64), Failure> {
+    let help = || format!("write {option} \"0.01 mm\" or {option} \"0.05 microstrain\"");
+    let refuse = |why: &str| Failure::input("F107", format!("{option} \"{text}\" {why}"), help());
+    let start = text.find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E').unwrap_or(text.len());
+    let (number, unit) = text.split_at(start);
+    let number: f64 = number.trim().parse().map_err(|_| refuse("is no number with a unit"))?;
+    let unit = records::Unit::named(unit).ok_or_else(|| refuse("has no unit of displacements or strains"))?;
+    if !matches!(unit.quantity, records::Quantity::Length | records::Quantity::Strain) {
+        return Err(refuse("is neither a displacement nor a strain"));
+    }
+    if !(0.0..=MOST_OF_RECORDS).contains(&unit.to_si(number)) {
+        return Err(refuse("is no size of a reading"));
+    }
+    Ok((unit.quantity, unit.to_si(number)))
+}
+
+/// Largest least count or deviation [m] or [-]: no bridge moves by as much.
+const MOST_OF_RECORDS: f64 = 1.0;
+
 /// The least speed [m/s], as in files.
 const LEAST_SPEED: f64 = 0.01;
 
@@ -77,6 +113,16 @@ mod tests {
         assert!(message("2 m").contains("a length"), "{}", message("2 m"));
         assert!(message("5").contains("is not"));
         assert!(message("-1 kN/m").contains("not above zero"));
+        assert_eq!(frequency("--rate", "200 Hz"), Ok(200.0));
+        for wrong in ["200", "0 Hz", "1e9 Hz", "5 s"] {
+            assert_eq!(frequency("--rate", wrong).unwrap_err().code, "F107", "{wrong}");
+        }
+        let size = |text| of_records("--deviation", text);
+        assert_eq!(size("0.05 microstrain"), Ok((records::Quantity::Strain, 0.05 / 1e6)));
+        assert_eq!(size("1e-2mm"), Ok((records::Quantity::Length, 0.01 / 1e3)));
+        for wrong in ["0.01", "mm", "-1 mm", "nan mm", "1 kN", "1 furlong", "5 m", ""] {
+            assert_eq!(size(wrong).unwrap_err().code, "F107", "{wrong}");
+        }
         assert!(length("--sweep-step", "0.5 m").is_ok());
         assert_eq!(stress("--modulus", "40 MPa"), Ok(40e6));
         assert!(stress("--modulus", "40 GPa/m").unwrap_err().message.contains("a pressure"));

@@ -24,5 +24,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             put(&file.name, &file.bytes)?;
         }
     }
+    for (name, update) in [("update", sample::updates::twin()), ("update-hard", sample::updates::hard())] {
+        for file in figures::update(&update)? {
+            put(&format!("{name}/{}", file.name), &file.bytes)?;
+        }
+    }
     Ok(())
 }

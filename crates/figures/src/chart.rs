@@ -4,6 +4,7 @@
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
 use crate::ticks::Ticks;
+use crate::words::four_digits;
 
 /// One axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,12 +15,31 @@ pub struct Axis<'a> {
     pub range: [f64; 2],
     /// Ticks within the range.
     pub ticks: Ticks,
+    /// Whether equal ratios are equal lengths.
+    pub logarithmic: bool,
 }
 
 impl<'a> Axis<'a> {
     /// From the first to the last tick.
     pub fn round(name: &'a str, ticks: Ticks) -> Axis<'a> {
-        Axis { name, range: ticks.range(), ticks }
+        Axis { name, range: ticks.range(), ticks, logarithmic: false }
+    }
+    /// Exactly from `low` to `high`, both above zero, by their logarithms; ticks at 1, 2 and 5, or at powers of ten alone where
+    /// there are many.
+    pub fn logarithmic(name: &'a str, low: f64, high: f64) -> Axis<'a> {
+        if !(low > 0.0 && high > low && high.is_finite()) {
+            return Axis::exact(name, low, high, 5);
+        }
+        let leads: &[f64] = if high / low < 1e3 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let powers = low.log10().floor() as i32..=high.log10().ceil() as i32;
+        let values = powers.flat_map(|power| leads.iter().map(move |lead| lead * 10f64.powi(power)));
+        let slack = 1.0 + 1e-9;
+        let values: Vec<f64> = values.filter(|v| *v >= low / slack && *v <= high * slack).collect();
+        Axis { name, range: [low, high], ticks: Ticks { values, decimals: 0 }, logarithmic: true }
+    }
+    /// A value as it stands at the axis.
+    pub fn words(&self, value: f64) -> String {
+        if self.logarithmic { four_digits(value) } else { self.ticks.words(value) }
     }
     /// Exactly from `low` to `high`, with about `count` steps.
     pub fn exact(name: &'a str, low: f64, high: f64, count: usize) -> Axis<'a> {
@@ -27,7 +47,7 @@ impl<'a> Axis<'a> {
         // Without width there is nothing to be exact about.
         let inside = ticks.inside(low, high);
         if high > low && inside.values.len() > 1 {
-            Axis { name, range: [low, high], ticks: inside }
+            Axis { name, range: [low, high], ticks: inside, logarithmic: false }
         } else {
             Axis::round(name, ticks)
         }
@@ -39,8 +59,37 @@ impl<'a> Axis<'a> {
 pub struct Axes {
     /// Where the curves are.
     pub area: Area,
-    x: [f64; 2],
-    y: [f64; 2],
+    x: Span,
+    y: Span,
+}
+
+/// Range of an axis and how it is divided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Span {
+    range: [f64; 2],
+    logarithmic: bool,
+}
+
+impl Span {
+    fn of(axis: &Axis) -> Span {
+        Span { range: axis.range, logarithmic: axis.logarithmic }
+    }
+    /// Share of the way along the axis.
+    fn share(self, value: f64) -> f64 {
+        let [low, high] = self.range;
+        if self.logarithmic { (value / low).ln() / (high / low).ln() } else { (value - low) / (high - low) }
+    }
+}
+
+/// Which words stand beside the frame of a chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Words {
+    /// Values and name below.
+    pub x: bool,
+    /// Values to the left.
+    pub y: bool,
+    /// Where the name to the left stands, if it does.
+    pub y_name: Option<f64>,
 }
 
 impl Axes {
@@ -52,7 +101,7 @@ impl Axes {
 
     /// Width of the widest word along an axis.
     pub fn widest(y: &Axis) -> f64 {
-        let wide = |v: &f64| font::width(&y.ticks.words(*v), SMALL, Style::default().weight);
+        let wide = |v: &f64| font::width(&y.words(*v), SMALL, Style::default().weight);
         y.ticks.values.iter().map(wide).fold(0.0, f64::max)
     }
 
@@ -66,7 +115,6 @@ impl Axes {
         widest: Option<f64>,
         lowest: bool,
     ) -> (Axes, f64) {
-        let small = Style { size: SMALL, ..Style::default() };
         let widest = widest.unwrap_or_else(|| Axes::widest(y));
         let area = Area {
             left: MARGIN + 24.0 + widest + 8.0,
@@ -74,36 +122,46 @@ impl Axes {
             top: top + 6.0,
             bottom: top + 6.0 + height,
         };
-        let axes = Axes { area, x: x.range, y: y.range };
+        let axes = Axes::within(sheet, area, x, y, Words { x: lowest, y: true, y_name: Some(MARGIN + 12.0) });
+        (axes, area.bottom + if lowest { 50.0 } else { 8.0 })
+    }
+
+    /// Draws frame, grid, ticks and words around an area.
+    pub fn within(sheet: &mut Sheet, area: Area, x: &Axis, y: &Axis, words: Words) -> Axes {
+        let small = Style { size: SMALL, ..Style::default() };
+        let axes = Axes { area, x: Span::of(x), y: Span::of(y) };
         sheet.open("axes");
         for &v in &x.ticks.values {
-            let [at, _] = axes.spot(v, axes.y[0]);
+            let [at, _] = axes.spot(v, y.range[0]);
             sheet.line([at, area.top], [at, area.bottom], Pen::line("#d8d8d8", HAIR));
             sheet.line([at, area.bottom], [at, area.bottom + 5.0], Pen::line(INK, 0.9));
-            if lowest {
-                sheet.text([at, area.bottom + 19.0], &x.ticks.words(v), small.anchored(Anchor::Middle));
+            if words.x {
+                sheet.text([at, area.bottom + 19.0], &x.words(v), small.anchored(Anchor::Middle));
             }
         }
         for &v in &y.ticks.values {
-            let [_, at] = axes.spot(axes.x[0], v);
+            let [_, at] = axes.spot(x.range[0], v);
             sheet.line([area.left, at], [area.right, at], Pen::line("#d8d8d8", HAIR));
             sheet.line([area.left - 5.0, at], [area.left, at], Pen::line(INK, 0.9));
-            sheet.text([area.left - 8.0, at + 4.4], &y.ticks.words(v), small.anchored(Anchor::End));
+            if words.y {
+                sheet.text([area.left - 8.0, at + 4.4], &y.words(v), small.anchored(Anchor::End));
+            }
         }
         sheet.rectangle(area, Pen::line(INK, 0.9));
         let name = Style::default().anchored(Anchor::Middle);
-        if lowest {
+        if words.x {
             sheet.text([0.5 * (area.left + area.right), area.bottom + 40.0], x.name, name);
         }
-        sheet.text_upwards([MARGIN + 12.0, 0.5 * (area.top + area.bottom)], y.name, name);
+        if let Some(left) = words.y_name {
+            sheet.text_upwards([left, 0.5 * (area.top + area.bottom)], y.name, name);
+        }
         sheet.close();
-        (axes, area.bottom + if lowest { 50.0 } else { 8.0 })
+        axes
     }
     /// Where a value is drawn.
     pub fn spot(&self, x: f64, y: f64) -> Spot {
-        let share = |v: f64, r: [f64; 2]| (v - r[0]) / (r[1] - r[0]);
         let Area { left, right, top, bottom } = self.area;
-        [left + share(x, self.x) * (right - left), bottom - share(y, self.y) * (bottom - top)]
+        [left + self.x.share(x) * (right - left), bottom - self.y.share(y) * (bottom - top)]
     }
 }
 

@@ -47,6 +47,19 @@ const YELLOW_BLUE: [[u8; 3]; 9] = [
     [8, 29, 88],
 ];
 
+/// The map "RdBu" of the same authors turned round, at nine even steps.
+const BLUE_RED: [[u8; 3]; 9] = [
+    [33, 102, 172],
+    [67, 147, 195],
+    [146, 197, 222],
+    [209, 229, 240],
+    [247, 247, 247],
+    [253, 219, 199],
+    [244, 165, 130],
+    [214, 96, 77],
+    [178, 24, 43],
+];
+
 /// The colour of a share from 0 (light) to 1 (dark), as `#rrggbb`; grey for what is not a number.
 pub fn dark_for_much(share: f64) -> String {
     mixed(&CIVIDIS, 1.0 - share)
@@ -60,6 +73,11 @@ pub fn blue_for_much(share: f64) -> String {
 /// The same in reds, for a second scale in one drawing.
 pub fn red_for_much(share: f64) -> String {
     mixed(&ORANGE_RED, share)
+}
+
+/// From blue at -1 over white at 0 to red at 1.
+pub fn either_way(share: f64) -> String {
+    mixed(&BLUE_RED, 0.5 * (share + 1.0))
 }
 
 fn mixed(map: &[[u8; 3]], share: f64) -> String {
@@ -93,5 +111,6 @@ mod tests {
         }
         assert_eq!(dark_for_much(0.0), "#fee838");
         assert_eq!(dark_for_much(1.0), "#00224e");
+        assert_eq!([-1.0, 0.0, 1.0].map(either_way), ["#2166ac", "#f7f7f7", "#b2182b"]);
     }
 }

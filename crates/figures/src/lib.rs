@@ -36,8 +36,10 @@ mod sheet;
 mod sliding;
 mod stress;
 mod study;
+mod thinned;
 mod thrust;
 mod ticks;
+mod update;
 pub mod vtk;
 mod words;
 
@@ -60,4 +62,5 @@ pub use raster::{RasterError, png};
 pub use stress::{most_compressive, stress};
 pub use study::{heat_map, name_and_unit, response, study, study_drawings, tornado};
 pub use thrust::thrust_line;
+pub use update::{update, update_drawings};
 pub use words::four_digits;

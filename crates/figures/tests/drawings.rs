@@ -38,6 +38,9 @@ fn every_drawing() -> Vec<(String, String)> {
     for (name, study) in sample::studies::every() {
         all.extend(figures::study_drawings(&study).into_iter().map(|(kind, svg)| (format!("{name}/{kind}"), svg)));
     }
+    for (name, update) in [("twin", sample::updates::twin()), ("hard", sample::updates::hard())] {
+        all.extend(figures::update_drawings(&update).into_iter().map(|(kind, svg)| (format!("{name}/{kind}"), svg)));
+    }
     all
 }
 

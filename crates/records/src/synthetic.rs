@@ -120,12 +120,12 @@ fn label(exact: &[Exact], rate: Option<f64>, noise: &Noise) -> String {
     let mut kinds: Vec<String> = Vec::new();
     for history in exact {
         let step = if history.least_count > 0.0 {
-            format!("rounded to {} {}", history.unit.of_si(history.least_count), history.unit.symbol)
+            format!("rounded to {} {}", shown(history.unit.of_si(history.least_count)), history.unit.symbol)
         } else {
             format!("{} not rounded", history.unit.symbol)
         };
         let normal = if history.deviation > 0.0 {
-            format!(" after normal noise of {} {}", history.unit.of_si(history.deviation), history.unit.symbol)
+            format!(" after normal noise of {} {}", shown(history.unit.of_si(history.deviation)), history.unit.symbol)
         } else {
             String::new()
         };
@@ -138,4 +138,9 @@ fn label(exact: &[Exact], rate: Option<f64>, noise: &Noise) -> String {
     let origin = if noise.origin.is_empty() { String::new() } else { format!(" from {}", noise.origin) };
     format!("computed{origin}, not measured; {clock}; {}; seed {}", kinds.join("; "), noise.seed)
         .replace(['\n', '\r'], " ")
+}
+
+/// A number as somebody would have written it: twelve digits, so that 5e-8 is 0.05 microstrain and no more.
+fn shown(number: f64) -> f64 {
+    format!("{number:.11e}").parse().unwrap_or(number)
 }

@@ -16,6 +16,7 @@ mod report;
 mod strips;
 mod sweep;
 mod thickness;
+pub mod update;
 
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_fe::collapse_by_fe;

@@ -1,5 +1,8 @@
 //! `extrados respond`: displacements, strains and stresses as a train passes.
 
+mod record;
+
+use self::record::Recorder;
 use super::{Desk, Source};
 use crate::args::{PassageAnalysis, PassagePath, Respond as Arguments};
 use crate::failure::Failure;
@@ -19,6 +22,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
     plan(&mut bridge, arguments)?;
+    let recorder = Recorder::new(arguments)?;
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
     let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
     let found = passage::passage(&bridge, &mut watcher);
@@ -33,7 +37,23 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     }
     report.fields = report::fields_of(wire::PassageObject::new(&found));
     report.summary = summary::passage(&found, &folder.path().display().to_string());
+    if let Some(recorder) = recorder {
+        keep(&recorder, &found, &mut report)?;
+    }
     write(desk, &found, report, &folder)
+}
+
+/// Writes the record of a train that has crossed; half a passage would pass for a whole one.
+fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(), Failure> {
+    if found.status != PassageStatus::Completed {
+        report.summary += "  no synthetic record was written: the train did not cross\n";
+        return Ok(());
+    }
+    let written = recorder.write(found)?;
+    report.summary += &written.words();
+    let object = json!({ "file": written.path, "synthetic": written.label(), "samples": written.run.times.len() });
+    report.fields.insert("records".to_owned(), object);
+    Ok(())
 }
 
 /// Sets what the command line says in place of the file.

@@ -64,10 +64,7 @@ fn what_cannot_pass_says_why() {
 #[test]
 fn the_first_metres_of_the_example_are_solved_and_written() {
     let stage = arch("respond-first-metres");
-    let text = stage.read("bridge/passage.toml");
-    let short = text.replace("time_step = \"0.005 s\"", "from = \"0 m\"\nto = \"5 m\"\ntime_step = \"0.1 s\"");
-    assert_ne!(short, text, "the example says its time step");
-    stage.write("bridge/short.toml", short);
+    first_metres(&stage);
     let (answer, ending) = stage.object(&["respond", "bridge/short.toml", "--out", "out"]);
     assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{answer} {}", ending.stderr);
     // At 12.5 m/s every 1.25 m, both ends among them.
@@ -86,4 +83,97 @@ fn the_first_metres_of_the_example_are_solved_and_written() {
     for file in ["result.json", "channels.csv", "paraview"] {
         assert!(written.iter().any(|name| name == file), "{file} is not in {written:?}");
     }
+}
+
+/// The example over its first metres, in steps of 1.25 m.
+fn first_metres(stage: &Stage) {
+    let text = stage.read("bridge/passage.toml");
+    let short = text.replace("time_step = \"0.005 s\"", "from = \"0 m\"\nto = \"5 m\"\ntime_step = \"0.1 s\"");
+    assert_ne!(short, text, "the example says its time step");
+    stage.write("bridge/short.toml", short);
+}
+
+fn record(stage: &Stage, name: &str) -> records::Run {
+    let read = records::read(stage.read(name).as_bytes(), &records::ReadOptions::default());
+    assert!(read.findings.is_empty(), "{name}: {:?}", read.findings);
+    read.run.expect("a run")
+}
+
+#[test]
+fn a_synthetic_record_says_so_and_is_read_back() {
+    let stage = arch("respond-records");
+    first_metres(&stage);
+    let respond = ["respond", "bridge/short.toml", "--out", "out", "--records"];
+    let noisy = ["noisy.csv", "--seed", "7", "--deviation", "0.02 mm", "--deviation", "0.5 microstrain"];
+    let (answer, ending) = stage.object(&[&respond[..], &noisy].concat());
+    assert_eq!(ending.code, Some(0), "{answer} {}", ending.stderr);
+    assert_eq!(answer["records"]["file"], "noisy.csv", "{answer}");
+    let noisy = record(&stage, "noisy.csv");
+    // 0.4 s at 200 Hz, both ends among them.
+    assert_eq!((noisy.times.len(), noisy.channels.len()), (81, 6));
+    assert!((noisy.speed.unwrap_or_default() - 12.5).abs() < 1e-12, "45 km/h: {:?}", noisy.speed);
+    let label = noisy.synthetic.clone().expect("a label");
+    assert_eq!(answer["records"]["synthetic"].as_str(), Some(label.as_str()));
+    for words in
+        ["extrados respond short.toml", "not measured", "200 Hz", "0.01 mm after normal noise of 0.02 mm", "seed 7"]
+    {
+        assert!(label.contains(words), "{words} is not in {label}");
+    }
+    // Without noise the record is the table of channels, at its times. Its own kind of record may be written over.
+    let (answer, ending) = stage.object(&[&respond[..], &["noisy.csv", "--noise", "none"]].concat());
+    assert_eq!(ending.code, Some(0), "{answer} {}", ending.stderr);
+    let exact = record(&stage, "noisy.csv");
+    let table = stage.read("out/channels.csv");
+    let rows =
+        table.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse::<f64>().unwrap()).collect::<Vec<_>>());
+    for (k, row) in rows.enumerate() {
+        for (channel, cell) in exact.channels.iter().zip(&row[1..]) {
+            let value = channel.unit.of_si(channel.values[k]);
+            // The table has nine digits.
+            assert!((value - cell).abs() <= 1e-8 * cell.abs().max(1e-9), "{} at {k}: {value} {cell}", channel.name);
+        }
+    }
+}
+
+#[test]
+fn measured_records_are_not_written_over_and_slips_are_named() {
+    let stage = arch("respond-records-refused");
+    let measured = "time [s],crown displacement [mm]\n0,0.01\n";
+    stage.write("measured.csv", measured);
+    let refused = |words: &[&str]| {
+        let (answer, ending) = stage.object(&[&["respond", "bridge/passage.toml"], words].concat());
+        assert_eq!(ending.code, Some(2), "{words:?}: {answer}");
+        answer["errors"][0]["code"].as_str().unwrap_or_default().to_owned()
+    };
+    for taken in ["measured.csv", "bridge", "nowhere/record.csv", "bridge/passage.toml"] {
+        assert_eq!(refused(&["--records", taken]), "F119", "{taken}");
+    }
+    assert_eq!(stage.read("measured.csv"), measured);
+    let slips: [&[&str]; 6] = [
+        &["--noise", "none", "--deviation", "0.1 mm"],
+        &["--deviation", "0.1 kN"],
+        &["--deviation", "0.1 mm", "--deviation", "1 mm"],
+        &["--least-count", "0.01"],
+        &["--rate", "200"],
+        &["--noise", "much"],
+    ];
+    for slip in slips {
+        assert_eq!(refused(&[&["--records", "new.csv"], slip].concat()), "F107", "{slip:?}");
+    }
+    assert_eq!(refused(&["--seed", "3"]), "F107", "a seed of nothing");
+}
+
+/// What a logger would have written of a whole passage is used by those who judge records, with no word of doubt that leaves a
+/// channel out.
+#[test]
+fn a_whole_synthetic_record_stands_up_to_scrutiny() {
+    let stage = arch("respond-records-whole");
+    let text = stage.read("bridge/passage.toml");
+    stage.write("bridge/coarse.toml", text.replace("time_step = \"0.005 s\"", "time_step = \"0.04 s\""));
+    let (answer, ending) =
+        stage.object(&["respond", "bridge/coarse.toml", "--out", "out", "--records", "slow.csv", "--noise", "logger"]);
+    assert_eq!(ending.code, Some(0), "{answer} {}", ending.stderr);
+    let series = records::examine(vec![record(&stage, "slow.csv")], &records::Scrutiny::default());
+    assert!(series.left_out().is_empty(), "{:?}\n{:?}", series.left_out(), series.findings);
+    assert!(series.runs[0].synthetic.is_some(), "the label goes on");
 }

@@ -3,7 +3,8 @@
 use crate::chart::{Axes, Axis, Mark};
 use crate::elevation::INK;
 use crate::sheet::place::Room;
-use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, Style, font::Weight};
+use crate::sheet::{HAIR, MARGIN, Pen, Sheet, Spot, Style, font::Weight};
+use crate::thinned::thinned;
 use crate::ticks::Ticks;
 use crate::words;
 use assess::analysis::passage::{Channel, Passage};
@@ -151,28 +152,4 @@ fn mark(sheet: &mut Sheet, axes: &Axes, place: f64, curve: &Curve, peak: usize, 
     let side = if spot[0] > 0.5 * (axes.area.left + axes.area.right) { -0.9 } else { 0.9 };
     let room = Room { area: axes.area.grown(-3.0), towards: [side, up], clear: 7.0 };
     sheet.label(spot, &text, Style::on_drawing(), room);
-}
-
-/// Columns of a drawing: more points than a few in each are not seen.
-const COLUMNS: f64 = 0.4;
-
-/// The least and the greatest value in each column, in their order, where there are many points.
-fn thinned(spots: &[Spot]) -> Vec<Spot> {
-    if spots.len() < 4000 {
-        return spots.to_vec();
-    }
-    let mut out: Vec<Spot> = Vec::new();
-    let mut start = 0;
-    while start < spots.len() {
-        let column = (spots[start][0] / COLUMNS).floor();
-        let length = spots[start..].iter().take_while(|spot| (spot[0] / COLUMNS).floor() == column).count().max(1);
-        let part = &spots[start..start + length];
-        if let Some(Area { top, bottom, .. }) = Area::around(part) {
-            let mut kept: Vec<&Spot> = part.iter().filter(|spot| spot[1] == top || spot[1] == bottom).collect();
-            kept.dedup();
-            out.extend([kept.first(), kept.last()].into_iter().flatten().map(|spot| **spot));
-        }
-        start += length;
-    }
-    out
 }

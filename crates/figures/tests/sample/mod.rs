@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod studies;
+pub mod updates;
 
 use assess::outcome::*;
 use std::f64::consts::PI;

@@ -4,11 +4,13 @@ pub mod loads;
 mod model;
 pub mod outcome;
 pub mod rail;
+pub mod record;
 pub mod sensors;
 mod setup;
 mod solve;
 
 pub use outcome::{Channel, Influence, Moment, Passage, PassageStatus, Quantity};
+pub use record::record;
 pub use setup::{Setup, setup};
 pub use solve::{Slices, Solution, records, slices, solve};
 

@@ -7,7 +7,7 @@ use bridge::passage::{Passage as Asked, Place, Sensor, SensorKind};
 use bridge::train::{Train, built_in, read_toml};
 
 /// Two spans under the short train of the library.
-fn railway() -> Bridge {
+pub(super) fn railway() -> Bridge {
     let mut bridge = samples::railway();
     let vehicles = read_toml(built_in("paper-short").unwrap().text.as_bytes()).vehicles.unwrap();
     let train = Train { name: "paper-short".into(), file: None, vehicles };

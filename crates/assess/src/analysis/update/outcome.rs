@@ -1,0 +1,187 @@
+//! What came of model updating: figures, summary and the wire format are made from this alone. Values of channels and of
+//! parameters carry the units that they are shown in, named beside them.
+
+use super::Search;
+use crate::analysis::passage::Quantity;
+use crate::warning::Warning;
+use calibrate::identify::Identifiability;
+use calibrate::posterior::{Likelihood, Posterior};
+use calibrate::search::{gradient, hierarchical, modern, referee};
+use calibrate::{Basis, Found, Problem};
+
+/// How an update ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UpdateStatus {
+    /// Every search that was asked for came to its end.
+    Completed,
+    /// A search, or the start model, found no end; the reason says which and why.
+    NotConverged,
+    /// Somebody asked to stop; the log holds what was done.
+    Cancelled,
+}
+
+impl UpdateStatus {
+    /// The word that scripts read.
+    pub fn word(self) -> &'static str {
+        match self {
+            UpdateStatus::Completed => "completed",
+            UpdateStatus::NotConverged => "not-converged",
+            UpdateStatus::Cancelled => "cancelled",
+        }
+    }
+}
+
+/// One parameter beside what `Problem` says of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterPlace {
+    /// Its name in results.
+    pub name: String,
+    /// Path of the quantity in the bridge file.
+    pub path: String,
+}
+
+/// A channel's histories over the passage at `Update::times`, self-weight taken off [unit of the channel].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Histories {
+    /// Name of the sensor.
+    pub name: String,
+    /// What it records.
+    pub quantity: Quantity,
+    /// Unit of the values: mm, microstrain, MPa.
+    pub unit: &'static str,
+    /// As measured, brought to the model's times; empty where nothing was.
+    pub measured: Vec<f64>,
+    /// Of the start model.
+    pub start: Vec<f64>,
+    /// Of the updated model; empty where no search found an end.
+    pub updated: Vec<f64>,
+    /// Why it takes no part, if it does not.
+    pub left_out: Option<String>,
+}
+
+/// The paper's search by one reading of its rules, from one start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PaperSearch {
+    /// "printed" or "as-practised".
+    pub variant: &'static str,
+    /// "stated", "means", "lower-bounds" or "upper-bounds".
+    pub start: &'static str,
+    /// Sweeps, surfaces, stages and the path taken.
+    pub outcome: hierarchical::Outcome,
+}
+
+/// One line of the table of searches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SearchLine {
+    /// Which.
+    pub search: Search,
+    /// Which reading and which start, in words; empty where there is one only.
+    pub variant: String,
+    /// How it ended, in a few words.
+    pub status: String,
+    /// Where it ended.
+    pub found: Option<Found>,
+    /// Evaluations that the model did for it in this run; what the log knew is not counted.
+    pub computed: usize,
+    /// How long it took [s].
+    pub seconds: f64,
+}
+
+/// The posterior and what it was sampled from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PosteriorReport {
+    /// The posterior; parameters in their units.
+    pub posterior: Posterior,
+    /// Noise and model error.
+    pub likelihood: Likelihood,
+    /// Which surrogate stood for the model, its degree, its points and its error, in words.
+    pub surrogate: String,
+    /// Root mean square error of the surrogate by channel, as a share of the measured peak.
+    pub surrogate_error: Vec<f64>,
+    /// How long it took [s].
+    pub seconds: f64,
+}
+
+/// A run of records.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunUsed {
+    /// Its name.
+    pub name: String,
+    /// Its file, as the bridge file has it.
+    pub file: String,
+    /// Speed of the train [m/s].
+    pub speed: Option<f64>,
+    /// What the file says where it was computed and not measured.
+    pub synthetic: Option<String>,
+    /// Channels that were used.
+    pub channels: usize,
+}
+
+/// The records that were compared with.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RecordsUsed {
+    /// Runs.
+    pub runs: Vec<RunUsed>,
+    /// Everything that was done to them, in order.
+    pub done: Vec<records::Done>,
+    /// Everything that was found in them.
+    pub findings: Vec<records::Finding>,
+}
+
+/// From records to a calibrated bridge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Update {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// Name of the train.
+    pub train: String,
+    /// How it ended.
+    pub status: UpdateStatus,
+    /// Why, where it did not complete.
+    pub reason: Option<String>,
+    /// The search whose end is the answer: the one with the least norm of a full passage. An index into `searches`.
+    pub answer: Option<usize>,
+    /// Where the parameters stand in the file, in the order of `problem`.
+    pub places: Vec<ParameterPlace>,
+    /// Parameters with ranges, channels as measured, and how misfit is measured.
+    pub problem: Problem,
+    /// Weights held at the start model, and the start model's fit.
+    pub basis: Option<Basis>,
+    /// Times of the passage [s].
+    pub times: Vec<f64>,
+    /// Places of the first axle at these times [m].
+    pub positions: Vec<f64>,
+    /// Histories by channel, in the order of `problem`.
+    pub channels: Vec<Histories>,
+    /// All searches, in the order in which they were made.
+    pub searches: Vec<SearchLine>,
+    /// The paper's search, by reading and start.
+    pub paper: Vec<PaperSearch>,
+    /// Trust-region least squares from many starts.
+    pub modern: Option<modern::Outcome>,
+    /// Evolution over the whole ranges.
+    pub referee: Option<referee::Outcome>,
+    /// A plain gradient search.
+    pub gradient: Option<gradient::Outcome>,
+    /// What the data can tell at the answer.
+    pub identifiability: Option<Identifiability>,
+    /// What they leave open.
+    pub posterior: Option<PosteriorReport>,
+    /// Evaluations of the model that the answers rest on, each point once.
+    pub evaluations: usize,
+    /// Of these, evaluations that this run did itself.
+    pub computed: usize,
+    /// The records.
+    pub records: RecordsUsed,
+    /// What was assumed, in words.
+    pub assumptions: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+}
+
+impl Update {
+    /// Where the answer stands: parameters, norm and channels, verified by a full passage.
+    pub fn found(&self) -> Option<&Found> {
+        self.searches.get(self.answer?)?.found.as_ref()
+    }
+}

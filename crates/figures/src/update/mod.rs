@@ -1,0 +1,173 @@
+//! Figures of model updating, from `Update` alone: histories over one another, sensitivity curves, surfaces of two
+//! parameters, what the data leave open, and residuals by channel.
+
+mod bands;
+mod correlation;
+mod histories;
+mod marginals;
+mod residuals;
+mod sensitivity;
+mod surface;
+
+use crate::all::{File, both};
+use crate::chart::Axis;
+use crate::raster::RasterError;
+use crate::sheet::{GREY_TEXT, LABEL, SMALL, Sheet, Spot, Style, font};
+use crate::words::three_digits;
+use assess::analysis::update::{PaperSearch, Update};
+use assess::calibrate::misfit::Scaling;
+use assess::calibrate::{Parameter, Scale};
+
+/// As measured.
+const MEASURED: &str = "#222222";
+/// Of the start model.
+const START: &str = "#d07a00";
+/// Of the updated model.
+const UPDATED: &str = "#0b5394";
+
+/// Every figure of an update that there is material for.
+pub fn update(update: &Update) -> Result<Vec<File>, RasterError> {
+    let mut files = Vec::new();
+    for (name, svg) in update_drawings(update) {
+        files.extend(both(&name, &svg)?);
+    }
+    Ok(files)
+}
+
+/// The same as SVG: name without extension, and drawing.
+pub fn update_drawings(update: &Update) -> Vec<(String, String)> {
+    let mut drawings: Vec<(String, String)> = Vec::new();
+    let mut put = |name: String, svg: Option<String>| drawings.extend(svg.map(|svg| (name, svg)));
+    put("histories".into(), histories::histories(update));
+    put("residuals".into(), residuals::residuals(update));
+    if let Some(paper) = shown(update) {
+        for (number, pass) in paper.outcome.passes.iter().enumerate() {
+            put(format!("sensitivity-{}", number + 1), sensitivity::sensitivity(update, paper, number));
+            for stage in 0..pass.stages.len() {
+                put(format!("surface-{}-{}", number + 1, stage + 1), surface::surface(update, paper, number, stage));
+            }
+        }
+    }
+    put("posterior".into(), marginals::marginals(update));
+    put("correlation".into(), correlation::correlation(update));
+    drawings
+}
+
+/// Of several searches after the paper, by reading and start, the one that ended best; the first of equals.
+fn shown(update: &Update) -> Option<&PaperSearch> {
+    let norm = |paper: &PaperSearch| paper.outcome.found.as_ref().map_or(f64::INFINITY, |found| found.norm);
+    update.paper.iter().reduce(|best, next| if norm(next) < norm(best) { next } else { best })
+}
+
+/// The second line of a title, which says where records were computed and not measured.
+fn second_line(update: &Update, what: &str) -> String {
+    let runs = &update.records.runs;
+    let synthetic = runs.iter().filter(|run| run.synthetic.is_some()).count();
+    match synthetic {
+        0 => what.to_owned(),
+        all if all == runs.len() => format!("{what}; the records are synthetic: computed, not measured"),
+        some => format!("{what}; {some} of {} records are synthetic: computed, not measured", runs.len()),
+    }
+}
+
+/// The paper's search in words: which reading of its rules, from where.
+fn search_words(update: &Update, paper: &PaperSearch) -> String {
+    let start = match paper.start {
+        "stated" => "the file's values",
+        "means" => "the middle of all ranges",
+        "lower-bounds" => "all lower bounds",
+        "upper-bounds" => "all upper bounds",
+        other => other,
+    };
+    let more = match update.paper.len() {
+        0 | 1 => String::new(),
+        all => format!("; of {all} such searches the one that ended best"),
+    };
+    let rules = match paper.variant {
+        "printed" => "as printed",
+        "as-practised" => "as practised",
+        other => other,
+    };
+    format!("rules {rules}, started from {start}{more}")
+}
+
+/// A name with its unit in brackets.
+fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} [{}]", pretty(unit)) }
+}
+
+/// The same no wider than a limit; a long name is cut, the unit stays.
+fn fitting(name: &str, unit: &str, limit: f64) -> String {
+    let wide = |text: &str| font::width(text, LABEL, font::Weight::Regular);
+    let whole = with_unit(name, unit);
+    if wide(&whole) <= limit {
+        return whole;
+    }
+    let lengths = (1..=name.chars().count()).rev();
+    let cut = lengths.map(|length| {
+        let kept: String = name.chars().take(length).collect();
+        with_unit(&format!("{}…", kept.trim_end()), unit)
+    });
+    let mut cut = cut.skip_while(|text| wide(text) > limit);
+    cut.next().unwrap_or_else(|| pretty(unit))
+}
+
+/// A name in bold and words about it, beside it where there is room up to `right` and below it otherwise; `at` is where the last
+/// line begins.
+fn heading(sheet: &mut Sheet, at: Spot, right: f64, name: &str, words: &str) {
+    let (bold, small) = heading_styles();
+    let beside = at[0] + font::width(name, bold.size, bold.weight) + 14.0;
+    if heading_lines(at[0], right, name, words) == 1.0 {
+        sheet.text(at, name, bold);
+        sheet.text([beside, at[1]], words, small);
+    } else {
+        sheet.text([at[0], at[1] - HEADING_LINE], name, bold);
+        sheet.text(at, words, small);
+    }
+}
+
+/// Height of a line of a heading.
+const HEADING_LINE: f64 = 17.0;
+
+/// How many lines a heading needs.
+fn heading_lines(left: f64, right: f64, name: &str, words: &str) -> f64 {
+    let (bold, small) = heading_styles();
+    let wide = font::width(name, bold.size, bold.weight) + 14.0 + font::width(words, small.size, small.weight);
+    if left + wide <= right { 1.0 } else { 2.0 }
+}
+
+fn heading_styles() -> (Style, Style) {
+    let bold = Style { weight: font::Weight::Bold, ..Style::default() };
+    (bold, Style { size: SMALL, colour: GREY_TEXT, ..Style::default() })
+}
+
+/// A value with its unit, three digits.
+fn value_words(value: f64, unit: &str) -> String {
+    if unit.is_empty() { three_digits(value) } else { format!("{} {}", three_digits(value), pretty(unit)) }
+}
+
+/// A unit as print has it: exponents raised.
+fn pretty(unit: &str) -> String {
+    unit.replace("^2", "²").replace("^3", "³")
+}
+
+/// The axis of a parameter from one value to another, divided as its range is.
+fn axis<'a>(parameter: &Parameter, name: &'a str, [low, high]: [f64; 2], count: usize) -> Axis<'a> {
+    match parameter.scale {
+        Scale::Linear => Axis::exact(name, low, high, count),
+        Scale::Logarithmic => Axis::logarithmic(name, low, high),
+    }
+}
+
+/// What errors are multiplied by for print, and their unit there.
+fn errors_in(update: &Update) -> (f64, &'static str) {
+    match update.problem.misfit().scaling {
+        Scaling::MeasuredPeak => (100.0, "%"),
+        Scaling::Uncertainty => (1.0, "standard deviations"),
+    }
+}
+
+/// An error in per cent with its sign.
+fn percent(error: f64) -> String {
+    format!("{:+.1} %", 100.0 * error).replace('-', "−")
+}

@@ -1,0 +1,145 @@
+//! What is left between record and model, channel by channel, before and after the update.
+
+use super::{START, UPDATED, errors_in, second_line};
+use crate::chart::Axis;
+use crate::elevation::INK;
+use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
+use crate::words::three_digits;
+use assess::analysis::update::Update;
+use assess::calibrate::misfit::{Compare, Scaling};
+
+const ROW: f64 = 48.0;
+const BAR: f64 = 15.0;
+const WIDEST_NAME: f64 = 230.0;
+
+/// Errors of all channels, those of the start model above those of the updated one. None without an error.
+pub fn residuals(update: &Update) -> Option<String> {
+    let rows = rows(update);
+    let numbers = || rows.iter().flat_map(|row| row.errors).flatten();
+    let (low, high) = (numbers().fold(0.0, f64::min), numbers().fold(0.0, f64::max));
+    numbers().next()?;
+
+    let mut sheet = Sheet::new("residuals");
+    let top = sheet.title(&update.bridge, &second_line(update, "What is left between records and model"));
+    let name = axis_name(update);
+    let room = 0.12 * (high - low).max(1e-6);
+    let (low, high) = (if low < 0.0 { low - room } else { low }, if high > 0.0 { high + room } else { high });
+    let axis = Axis::exact(&name, low, high.max(low + 1e-6), 7);
+    let small = Style { size: SMALL, ..Style::default() };
+    let wide = |row: &Row| font::width(&row.name, 13.0, font::Weight::Regular);
+    let left = MARGIN + rows.iter().map(wide).fold(90.0, f64::max).min(WIDEST_NAME) + 12.0;
+    let area = Area { left, right: WIDTH - MARGIN, top: top + 4.0, bottom: top + 4.0 + ROW * rows.len() as f64 };
+    let x =
+        |value: f64| area.left + (value - axis.range[0]) / (axis.range[1] - axis.range[0]) * (area.right - area.left);
+    sheet.open("axes");
+    for value in &axis.ticks.values {
+        sheet.line([x(*value), area.top], [x(*value), area.bottom], Pen::line("#d8d8d8", HAIR));
+        sheet.line([x(*value), area.bottom], [x(*value), area.bottom + 5.0], Pen::line(INK, 0.9));
+        sheet.text([x(*value), area.bottom + 19.0], &axis.words(*value), small.anchored(Anchor::Middle));
+    }
+    sheet.rectangle(area, Pen::line(INK, 0.9));
+    let middle = 0.5 * (area.left + area.right);
+    sheet.text([middle, area.bottom + 40.0], &name, Style::default().anchored(Anchor::Middle));
+    sheet.close();
+    for (place, row) in rows.iter().enumerate() {
+        let y = area.top + ROW * (place as f64 + 0.5);
+        for (side, error) in row.errors.iter().enumerate() {
+            let at = y + (side as f64 - 0.5) * (BAR + 2.0);
+            let Some(error) = error else { continue };
+            bar(&mut sheet, [x(0.0), x(*error)], at, pen(side, row.left_out.is_some()), &axis, *error, area);
+        }
+        let end = Style::default().anchored(Anchor::End);
+        let lines = font::wrap(&row.name, end.size, end.weight, WIDEST_NAME);
+        sheet.text([area.left - 10.0, y - 2.0], lines.first().map_or("", String::as_str), end);
+        let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() }.anchored(Anchor::End);
+        sheet.text([area.left - 10.0, y + 14.0], &row.about, grey);
+    }
+    sheet.line([x(0.0), area.top], [x(0.0), area.bottom], Pen::line(INK, MEDIUM));
+    let bottom = key(&mut sheet, area.bottom + 48.0, update);
+    let out: Vec<String> =
+        rows.iter().filter_map(|row| Some(format!("{}: {}", row.name, row.left_out.as_ref()?))).collect();
+    let bottom = match out.is_empty() {
+        true => bottom,
+        false => sheet.caption(bottom, &format!("Hollow bars: channels that take no part. {}.", out.join("; "))),
+    };
+    Some(sheet.finish(bottom))
+}
+
+/// A channel with its errors before and after [as the axis has them].
+struct Row {
+    name: String,
+    about: String,
+    errors: [Option<f64>; 2],
+    left_out: Option<String>,
+}
+
+fn rows(update: &Update) -> Vec<Row> {
+    let (factor, _) = errors_in(update);
+    let start = update.basis.as_ref().map(|basis| &basis.start.channels);
+    let found = update.found().map(|found| &found.channels);
+    let row = |k: usize| {
+        let channel = &update.problem.channels()[k];
+        let before = start.and_then(|all| all.get(k)).map(|one| factor * one.error);
+        let after = found.and_then(|all| all.get(k)).map(|one| factor * one.error);
+        let weight = update.basis.as_ref().and_then(|basis| basis.held.weights.get(k));
+        let about = match (&channel.left_out, weight) {
+            (Some(_), _) => "left out".to_owned(),
+            (None, Some(weight)) => format!("weight {}", three_digits(*weight)),
+            (None, None) => String::new(),
+        };
+        let errors = [before, after].map(|error| error.filter(|error| error.is_finite()));
+        Row { name: channel.name.clone(), about, errors, left_out: channel.left_out.clone() }
+    };
+    (0..update.problem.channels().len()).map(row).collect()
+}
+
+fn axis_name(update: &Update) -> String {
+    let what = match update.problem.misfit().compare {
+        Compare::Peaks => "model peak less record's",
+        Compare::Histories => "root mean square of model less record",
+    };
+    let over = match update.problem.misfit().scaling {
+        Scaling::MeasuredPeak => ", over the record's peak",
+        Scaling::Uncertainty => "",
+    };
+    format!("{what}{over} [{}]", errors_in(update).1)
+}
+
+fn pen(side: usize, hollow: bool) -> Pen<'static> {
+    let colour = [START, UPDATED][side];
+    let class = ["before", "after"][side];
+    if hollow { Pen::shape("white", colour, MEDIUM).class(class) } else { Pen::shape(colour, INK, THIN).class(class) }
+}
+
+fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, pen: Pen, axis: &Axis, error: f64, area: Area) {
+    let bar = Area { left: from.min(to), right: from.max(to), top: y - 0.5 * BAR, bottom: y + 0.5 * BAR };
+    sheet.rectangle(bar, pen);
+    let digits = axis.ticks.decimals.max(1);
+    let text = format!("{error:+.digits$}").replace('-', "−");
+    let style = Style::on_drawing();
+    let wide = font::width(&text, style.size, style.weight) + 6.0;
+    // Beside the bar's end; on its other side where the frame is in the way.
+    let beyond = if to >= from { to + wide < area.right } else { to - wide > area.left };
+    let right = (to >= from) == beyond;
+    let (anchor, at) = if right { (Anchor::Start, to + 6.0) } else { (Anchor::End, to - 6.0) };
+    sheet.text([at, y + 0.5 * font::CAPITAL * SMALL], &text, style.anchored(anchor));
+}
+
+/// What the colours mean, with the norms; returns the y below.
+fn key(sheet: &mut Sheet, top: f64, update: &Update) -> f64 {
+    let style = Style { size: SMALL, ..Style::default() };
+    let norms = [update.basis.as_ref().map(|basis| basis.start.norm), update.found().map(|found| found.norm)];
+    let names = ["start model", "updated model"];
+    let mut at: Spot = [MARGIN, top + 14.0];
+    sheet.open("key");
+    for (side, norm) in norms.iter().enumerate() {
+        let Some(norm) = norm else { continue };
+        let text = format!("{}: norm {}", names[side], three_digits(*norm));
+        let swatch = Area { left: at[0] + 4.0, right: at[0] + 30.0, top: at[1] - 10.0, bottom: at[1] };
+        sheet.rectangle(swatch, Pen { class: "", ..pen(side, false) });
+        sheet.text([at[0] + 38.0, at[1]], &text, style);
+        at[0] += 38.0 + font::width(&text, style.size, style.weight) + 24.0;
+    }
+    sheet.close();
+    at[1] + 8.0
+}
