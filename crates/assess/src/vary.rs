@@ -110,6 +110,7 @@ impl Study {
         match self.method {
             bridge::Method::Dem => "discrete elements",
             bridge::Method::Limit => "limit analysis",
+            bridge::Method::Fe => "finite elements",
         }
     }
 

@@ -489,6 +489,8 @@ pub enum Method {
     Dem,
     /// Limit analysis.
     Limit,
+    /// Finite elements.
+    Fe,
 }
 
 /// A strip of the bridge's width with what stands on its rings.

@@ -336,6 +336,9 @@ pub struct Bench {
     /// For `disks`: measure this many steps from the expanded packing on, settling included, and once
     #[arg(long, value_name = "N", conflicts_with_all = ["copies", "repeats"], value_parser = clap::value_parser!(u32).range(1..))]
     pub steps: Option<u32>,
+    /// For `disks --steps`: keep the state in DIR every now and then, and go on from the one that is there
+    #[arg(long, value_name = "DIR", requires = "steps")]
+    pub checkpoint: Option<PathBuf>,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -356,6 +359,8 @@ pub enum BenchName {
     Footing,
     /// The railway arch on a fine mesh under two locomotives and eight wagons, quasi-static, by the condensed path
     Passage,
+    /// The railway arch with other moduli: self-weight and six slices of its passage, again and again
+    Update,
 }
 
 /// Ground under the footing of `bench footing`.
@@ -378,6 +383,8 @@ pub enum Method {
     Dem,
     /// Limit analysis of rigid blocks
     Limit,
+    /// Finite elements: one ring between fixed abutments
+    Fe,
 }
 
 /// What is made to collapse.
@@ -505,6 +512,7 @@ impl Method {
         match self {
             Method::Dem => bridge::Method::Dem,
             Method::Limit => bridge::Method::Limit,
+            Method::Fe => bridge::Method::Fe,
         }
     }
 }

@@ -115,6 +115,7 @@ fn title(found: &Collapse) -> String {
     let method = match found.method {
         Method::Dem => "discrete elements",
         Method::Limit => "limit analysis",
+        Method::Fe => "finite elements",
     };
     format!("{} by {method}, {} blocks", found.status.word().replace('-', " "), found.blocks)
 }
@@ -127,10 +128,10 @@ fn loads(page: &mut String, found: &Collapse) {
                 writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width);
         }
     };
-    line("last stable load", found.last_stable_load.filter(|_| found.method == Method::Dem));
+    line("last stable load", found.last_stable_load.filter(|_| found.method != Method::Limit));
     line("collapse load", found.collapse_load);
     line("load step", found.load_step);
-    line("limit load, rigid", found.limit_load.filter(|_| found.method == Method::Dem));
+    line("limit load, rigid", found.limit_load.filter(|_| found.method != Method::Limit));
     if let Some(limit) = &found.limit {
         line("lower bound", limit.lower_bound);
         line("upper bound", limit.upper_bound);
@@ -149,7 +150,7 @@ fn loads(page: &mut String, found: &Collapse) {
 fn factor(page: &mut String, found: &Collapse) {
     // Loads of 1 kN/m only say where the load stands: the factor would repeat the collapse load.
     let unit = (found.reference_load - 1e3).abs() < 1e-6;
-    let counted = if found.method == Method::Dem { found.last_stable_load } else { found.collapse_load };
+    let counted = if found.method != Method::Limit { found.last_stable_load } else { found.collapse_load };
     if let Some(load) = counted.filter(|_| found.reference_load > 0.0 && !unit) {
         let _ = writeln!(
             page,

@@ -1,6 +1,7 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
 pub mod by_dem;
+pub mod by_fe;
 pub mod by_limit;
 pub mod calibrate;
 mod dimensions;
@@ -18,11 +19,13 @@ mod thickness;
 pub mod update;
 
 pub use by_dem::{collapse_by_dem, status as dem_status};
+pub use by_fe::collapse_by_fe;
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use report::{
-    Collapse, Combination, Component, DemReport, LimitReport, PackingReport, Status, SupportReport, ThicknessReport,
+    Collapse, Combination, Component, DemReport, FiniteReport, LimitReport, PackingReport, Status, SupportReport,
+    ThicknessReport,
 };
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
@@ -105,8 +108,23 @@ pub enum AnalysisError {
     /// A train's passage cannot be set up.
     #[error(transparent)]
     Passage(#[from] passage::PassageError),
+    /// Finite elements know one ring between fixed abutments.
+    #[error(
+        "finite elements make one ring between fixed abutments collapse, without walls, particles or loading blocks: write \
+         method = \"dem\" or \"limit\" for this bridge"
+    )]
+    NotOneRing,
+    /// Finite elements only increase loads.
+    #[error("finite elements increase loads and nothing else: write method = \"dem\" or \"limit\" for {0}")]
+    NotByFiniteElements(&'static str),
+    /// The mesh of a ring is none.
+    #[error("the mesh of the ring cannot be analysed: {0}")]
+    Elements(mechanics::fem::ModelError),
+    /// The equations of a ring cannot be set up.
+    #[error("the equations of the ring cannot be set up: {0}")]
+    Equations(mechanics::fem::FactorError),
     /// There is no load to increase.
-    #[error("no load of the file reaches the rings: there is nothing to increase")]
+    #[error("no load of the file reaches the rings: there is nothing to increase; describe one with [[load]]")]
     NoLoad,
     /// A number of the plan is missing that cannot be chosen from the bridge.
     #[error("the plan gives no {what}: {why}")]
@@ -135,6 +153,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     }
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
+        (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),
         (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
             Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
             None => collapse_by_dem(bridge, resume, watch),

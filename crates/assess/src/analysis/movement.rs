@@ -34,6 +34,7 @@ pub fn support_movement(
     let mut c = match bridge.plan.method {
         Method::Dem => by_dem(bridge, &d, step, largest, resume, watch)?,
         Method::Limit => by_limit(bridge, &d, step, largest)?,
+        Method::Fe => return Err(AnalysisError::NotByFiniteElements("support movements")),
     };
     c.analysis = Analysis::SupportMovement;
     c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());

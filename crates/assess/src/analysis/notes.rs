@@ -91,6 +91,27 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
 }
 
+/// Notes on a run by finite elements; `parts` says what stones and joints are made of.
+pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
+    common(bridge, d, c);
+    let springs = c.finite.map_or(0, |finite| finite.springs_per_joint);
+    c.assumptions.push(format!(
+        "Each joint is {springs} springs from edge to edge, without tension, with friction; displacements are large. {parts}"
+    ));
+    c.assumptions.push(
+        "collapse_load is the smallest load tried for which there is no balance; last_stable_load is the largest with one.".into(),
+    );
+    if bridge.joint.tensile_strength > 0.0 {
+        c.assumptions.push("The tensile strength of the joints is left out.".into());
+    }
+    if let (Some(stress), Some(strength)) = (c.max_compressive_stress, bridge.masonry.compressive_strength)
+        && stress > strength
+    {
+        let message = format!("largest stress {:.2} MPa, strength {:.2} MPa", stress / 1e6, strength / 1e6);
+        c.warnings.push(Warning::new(warning::ABOVE_STRENGTH, message));
+    }
+}
+
 /// Notes on fill that is particles.
 pub fn filled(bridge: &Bridge, c: &mut Collapse) {
     c.assumptions.push(

@@ -32,6 +32,7 @@ pub fn collapse_of_blocks(
     let mut found = match scene.plan.method {
         Method::Dem => dem(scene, &d, resume, watch),
         Method::Limit => limit(scene, &d),
+        Method::Fe => Err(AnalysisError::NotByFiniteElements("blocks of a drawing")),
     }?;
     found.block_names = scene.bodies.iter().map(|body| body.name.clone()).collect();
     found.picture.collapse_load = found.collapse_load;
@@ -222,6 +223,7 @@ fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture
         seed: scene.plan.seed,
         dem: None,
         limit: None,
+        finite: None,
         thickness: None,
         support: None,
         packing: None,

@@ -70,6 +70,7 @@ impl Collapse {
             seed: bridge.plan.seed,
             dem: None,
             limit: None,
+            finite: None,
             thickness: None,
             support: None,
             packing: None,
@@ -187,6 +188,19 @@ pub struct LimitReport {
     pub iterations: u32,
 }
 
+/// What only finite elements report.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FiniteReport {
+    /// Free components of displacement.
+    pub equations: usize,
+    /// Springs across each joint, the outermost at its edges.
+    pub springs_per_joint: usize,
+    /// Iterations of Newton's method in all.
+    pub iterations_total: u64,
+    /// How much farther the load moves for a little more of it at the end than at the start; none where it has no end.
+    pub softening: Option<f64>,
+}
+
 /// The least thickness that stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThicknessReport {
@@ -280,6 +294,8 @@ pub struct Collapse {
     pub dem: Option<DemReport>,
     /// Limit analysis only.
     pub limit: Option<LimitReport>,
+    /// Finite elements only.
+    pub finite: Option<FiniteReport>,
     /// Thickness analysis only.
     pub thickness: Option<ThicknessReport>,
     /// Support movement only.

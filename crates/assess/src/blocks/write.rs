@@ -180,7 +180,7 @@ fn load(page: &mut String, name: &str, at: [f64; 2], force: [f64; 2], permanent:
 }
 
 fn plan(page: &mut String, plan: &bridge::Plan) {
-    let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", if plan.method == Method::Dem { "dem" } else { "limit" });
+    let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", if plan.method == Method::Limit { "limit" } else { "dem" });
     for (key, value) in
         [("load_step", plan.load_step), ("load_limit", plan.load_limit), ("resolution", plan.resolution)]
     {

@@ -7,6 +7,7 @@ pub mod extrados;
 pub mod fill;
 pub mod laws;
 pub mod mesh;
+pub mod ring_mesh;
 mod rings;
 mod supports;
 pub mod wall;

@@ -34,6 +34,8 @@ pub struct CollapseObject {
     #[serde(flatten)]
     limit: Option<Limit>,
     #[serde(flatten)]
+    finite: Option<Finite>,
+    #[serde(flatten)]
     thickness: Option<Thickness>,
     #[serde(flatten)]
     support: Option<Support>,
@@ -108,6 +110,16 @@ struct Limit {
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
+struct Finite {
+    path: Vec<Step>,
+    degrees_of_freedom: usize,
+    springs_per_joint: usize,
+    iterations_total: u64,
+    softening: Option<f64>,
+    thrust_line: Vec<Thrust>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
 struct Thrust {
     x_m: f64,
     y_m: f64,
@@ -164,6 +176,7 @@ pub(super) fn method(method: Method) -> &'static str {
     match method {
         Method::Dem => "dem",
         Method::Limit => "limit",
+        Method::Fe => "fe",
     }
 }
 
@@ -190,7 +203,6 @@ impl CollapseObject {
     pub fn new(c: &Collapse, run: &Run) -> CollapseObject {
         let total = |load: Option<f64>| load.map(|l| kilo(l * c.width));
         let per_metre = |load: Option<f64>| load.map(kilo);
-        let moves = c.analysis == Analysis::SupportMovement;
         let mut warnings = run.file_warnings.clone();
         warnings.extend(c.warnings.iter().map(WarningObject::from));
         CollapseObject {
@@ -219,21 +231,7 @@ impl CollapseObject {
             particles: c.particles,
             contacts: c.contacts,
             dem: c.dem.as_ref().map(|d| Dem {
-                path: c
-                    .picture
-                    .path
-                    .iter()
-                    .map(|s| Step {
-                        load_kn_per_m: (!moves).then(|| kilo(s.load)),
-                        movement_m: moves.then_some(s.load),
-                        displacement_mm: 1e3 * s.displacement[0].hypot(s.displacement[1]),
-                        displacement_x_mm: 1e3 * s.displacement[0],
-                        displacement_y_mm: 1e3 * s.displacement[1],
-                        iterations: s.iterations,
-                        unbalanced_ratio: s.unbalanced_ratio,
-                        at_rest: s.at_rest,
-                    })
-                    .collect(),
+                path: path(c),
                 iterations_total: d.iterations_total,
                 time_step_s: d.time_step,
                 critical_time_step_s: d.critical_time_step,
@@ -253,13 +251,15 @@ impl CollapseObject {
                 equilibrium_residual: l.equilibrium_residual,
                 yield_violation: l.yield_violation,
                 solver_iterations: l.iterations,
-                thrust_line: c
-                    .picture
-                    .thrust_lines
-                    .iter()
-                    .flatten()
-                    .map(|p| Thrust { x_m: p.point[0], y_m: p.point[1], thrust_kn_per_m: kilo(p.thrust) })
-                    .collect(),
+                thrust_line: thrust_line(c),
+            }),
+            finite: c.finite.as_ref().map(|f| Finite {
+                path: path(c),
+                degrees_of_freedom: f.equations,
+                springs_per_joint: f.springs_per_joint,
+                iterations_total: f.iterations_total,
+                softening: f.softening,
+                thrust_line: thrust_line(c),
             }),
             thickness: c.thickness.as_ref().map(|t| Thickness {
                 minimum_thickness_m: t.crown_thickness,
@@ -295,6 +295,28 @@ impl CollapseObject {
             wall_seconds: run.wall_seconds,
         }
     }
+}
+
+/// The load path.
+fn path(c: &Collapse) -> Vec<Step> {
+    let moves = c.analysis == Analysis::SupportMovement;
+    let step = |s: &crate::outcome::Step| Step {
+        load_kn_per_m: (!moves).then(|| kilo(s.load)),
+        movement_m: moves.then_some(s.load),
+        displacement_mm: 1e3 * s.displacement[0].hypot(s.displacement[1]),
+        displacement_x_mm: 1e3 * s.displacement[0],
+        displacement_y_mm: 1e3 * s.displacement[1],
+        iterations: s.iterations,
+        unbalanced_ratio: s.unbalanced_ratio,
+        at_rest: s.at_rest,
+    };
+    c.picture.path.iter().map(step).collect()
+}
+
+/// Points of all lines of thrust.
+fn thrust_line(c: &Collapse) -> Vec<Thrust> {
+    let points = c.picture.thrust_lines.iter().flatten();
+    points.map(|t| Thrust { x_m: t.point[0], y_m: t.point[1], thrust_kn_per_m: kilo(t.thrust) }).collect()
 }
 
 fn combination(c: &crate::analysis::Combination) -> Combination {

@@ -12,7 +12,7 @@ const KINDS: &[Word] = &[
 
 pub(super) static LOAD: Section = Section {
     path: "load",
-    doc: "A load on the surface, downwards. Place it by `position` or `at`.",
+    doc: "A load on the surface, downwards. Place it by `position` or `at`. A file that plans a passage and has no [analysis] needs none.",
     fields: &[
         Field::new("name", Kind::Text, "what the load is called", "knife edge at the quarter point")
             .optional("called after its kind"),

@@ -6,6 +6,10 @@ use crate::quantity::Dimension::{AngleRate, Length};
 const METHODS: &[Word] = &[
     Word { word: "dem", doc: "discrete elements: deformable joints, loads in steps to collapse" },
     Word { word: "limit", doc: "limit analysis: the exact collapse load of rigid blocks" },
+    Word {
+        word: "fe",
+        doc: "finite elements: elastic stones on joints that open and slide; one ring between fixed abutments",
+    },
 ];
 
 const ANALYSES: &[Word] = &[

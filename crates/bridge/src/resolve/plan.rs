@@ -70,7 +70,11 @@ pub(super) fn plan(
     };
     let damping_share = damping_share?;
     Some(Plan {
-        method: if method? == "dem" { Method::Dem } else { Method::Limit },
+        method: match method? {
+            "dem" => Method::Dem,
+            "fe" => Method::Fe,
+            _ => Method::Limit,
+        },
         analysis: match analysis? {
             "thickness" => Analysis::Thickness,
             "support-movement" => Analysis::SupportMovement,
@@ -218,7 +222,8 @@ pub(super) fn check(
     let place = |section: &str, key: &str, unheard: &mut Findings| {
         file.table(section, unheard).map_or(file.range, |table| table.place(key))
     };
-    let needs_load = plan.analysis == Analysis::Load;
+    // A file that plans a passage and no collapse needs no load; `collapse` asks for one where it is told to run.
+    let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !file.has("passage"));
     if needs_load && loads.is_empty() && !file.has("load") {
         let range = place("analysis", "analysis", &mut unheard);
         findings.error(
@@ -245,7 +250,7 @@ pub(super) fn check(
         if let Some(masonry) = masonry {
             series(file, section, joint, masonry, findings);
         }
-        if plan.method == Method::Dem {
+        if plan.method != Method::Limit {
             stiffness(file, section, joint, findings);
         }
     }
@@ -331,7 +336,7 @@ fn lack(file: &Table<'_>, section: &str, what: &str, line: &str, findings: &mut 
         .error(
             "B401",
             range,
-            format!("the discrete element method needs {what}"),
+            format!("this method needs {what}"),
             "missing here",
             format!("add a line like {line} to [{section}], or choose method = \"limit\""),
         )

@@ -4,6 +4,7 @@ mod disks;
 mod factor;
 mod footing;
 mod passage;
+mod update;
 
 use super::Desk;
 use crate::args::{Bench, BenchName};
@@ -28,6 +29,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchName::Factor => factor::run(arguments),
         BenchName::Footing => footing::run(desk, arguments),
         BenchName::Passage => passage::run(desk, arguments),
+        BenchName::Update => update::run(desk, arguments),
     }
 }
 
@@ -63,7 +65,7 @@ fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisEr
                 "arch: {least:.3} s to collapse (median {middle:.3} s of {repeats}), {iterations} iterations with adaptive \
                  damping, {blocks} blocks, one core\n"
             )),
-        BenchName::Limit | BenchName::Disks | BenchName::Factor | BenchName::Footing | BenchName::Passage => {
+        _ => {
             let (least, middle) = (1e3 * least, 1e3 * middle);
             report.with("name", "limit").with("milliseconds", least).with("milliseconds_median", middle).saying(format!(
                 "limit: {least:.3} ms (median {middle:.3} ms of {repeats}), building and both bounds included, {blocks} \

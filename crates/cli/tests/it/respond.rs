@@ -30,6 +30,24 @@ fn a_train_from_a_file_is_checked_line_by_line() {
     assert!(answer["errors"][0]["message"].as_str().is_some_and(|words| words.contains("rear_overhang")), "{answer}");
 }
 
+/// A file that only plans a passage needs no load; collapse then says what is missing.
+#[test]
+fn a_passage_needs_no_load() {
+    let stage = arch("respond-without-load");
+    let text = stage.read("bridge/passage.toml");
+    let (before, after) = text.split_once("[[load]]").expect("the example has a load");
+    let (_, after) = after.split_once("\n\n").expect("something follows");
+    stage.write("bridge/train.toml", format!("{before}{after}"));
+    let (answer, ending) = stage.object(&["check", "bridge/train.toml"]);
+    assert_eq!(ending.code, Some(0), "{answer}");
+    let (answer, ending) = stage.object(&["collapse", "bridge/train.toml"]);
+    assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F108")), "{answer}");
+    assert!(answer["errors"][0]["message"].as_str().is_some_and(|words| words.contains("[[load]]")), "{answer}");
+    stage.write("bridge/planned.toml", format!("{before}{after}\n[analysis]\nmethod = \"limit\"\n"));
+    let (answer, ending) = stage.object(&["check", "bridge/planned.toml"]);
+    assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("B402")), "{answer}");
+}
+
 #[test]
 fn what_cannot_pass_says_why() {
     let stage = Stage::with_example("respond-refused", "bridgemill");

@@ -353,6 +353,23 @@ fn take_state(model: &Model, from: &mut &[u64]) -> Option<State> {
     })
 }
 
+impl State {
+    /// The state as words, from which [`State::from_words`] makes it again to the bit.
+    #[must_use]
+    pub fn words(&self) -> Vec<u64> {
+        let mut to = vec![LAYOUT];
+        put_state(self, &mut to);
+        to
+    }
+
+    /// A state of this model; `None` where the words are of another model or layout.
+    #[must_use]
+    pub fn from_words(model: &Model, words: &[u64]) -> Option<State> {
+        let (layout, mut from) = words.split_first()?;
+        (*layout == LAYOUT).then(|| take_state(model, &mut from)).flatten().filter(|_| from.is_empty())
+    }
+}
+
 /// The run as words; `belongs` is the [`fingerprint`](super::fingerprint::fingerprint) of what it belongs to. The last
 /// word is a checksum, so that damage is seen.
 pub(super) fn encode(run: &Run, belongs: u64) -> Vec<u64> {

@@ -206,14 +206,25 @@ impl Solver {
 }
 
 impl Solver {
-    /// A pivot that is nothing but rounding passes for positive; it shows in the residual.
+    /// A pivot that is nothing but rounding passes for positive; it shows in the residual. What is left of the right-hand side where the
+    /// matrix is nearly singular is solved for again; where it has no inverse that does not help.
     fn direct(&mut self, pattern: &Pattern, values: &[f64], right: &[f64]) -> Result<Vec<f64>, FactorError> {
+        const TIMES: usize = 3;
         let mut x = right.to_vec();
         self.apply(&mut x);
-        let mut rest: Vec<f64> = right.iter().map(|r| -r).collect();
-        pattern.multiply(values, &[], &x, &mut rest);
-        let sound = gmres::norm(&rest) <= LARGEST_RESIDUAL * gmres::norm(right);
-        if sound && x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(FactorError::Singular) }
+        for time in 0..=TIMES {
+            let mut rest: Vec<f64> = right.iter().map(|r| -r).collect();
+            pattern.multiply(values, &[], &x, &mut rest);
+            let sound = gmres::norm(&rest) <= LARGEST_RESIDUAL * gmres::norm(right);
+            if sound && x.iter().all(|x| x.is_finite()) {
+                return Ok(x);
+            }
+            if time < TIMES {
+                self.apply(&mut rest);
+                x.iter_mut().zip(&rest).for_each(|(x, more)| *x -= more);
+            }
+        }
+        Err(FactorError::Singular)
     }
 }
 

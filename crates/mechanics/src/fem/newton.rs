@@ -199,10 +199,11 @@ pub(super) fn balance(
         None => return attempt,
     };
     let mut best = (f64::INFINITY, 0);
+    let mut damping = 0.0;
     while attempt.iterations < settings.iteration_limit.max(1) {
         attempt.iterations += 1;
         let first = attempt.iterations == 1;
-        let direction = match direction(work, &right) {
+        let direction = match direction(work, &right, &mut damping) {
             Ok((direction, definite)) => {
                 attempt.indefinite += u32::from(!definite);
                 direction
@@ -222,6 +223,9 @@ pub(super) fn balance(
             whole
         } else if skewed {
             equations.shorten(work, &direction, norm(&right), whole, &mut attempt.line_searches)
+        } else if damping > 0.0 {
+            attempt.line_searches += 1;
+            equations.descend(work, &direction, start, whole)
         } else if whole.as_ref().is_none_or(|now| poor(start, dot(now, &direction))) {
             attempt.line_searches += 1;
             equations.search(work, &direction, start, whole)
@@ -248,10 +252,29 @@ pub(super) fn balance(
     attempt
 }
 
+/// Share of its diagonal that is added to a tangent that is not positive definite, at first.
+const LEAST_DAMPING: f64 = 1e-6;
+
 /// The step of Newton's method, and whether the symmetric part of the tangent was positive definite.
-fn direction(work: &mut Workspace, right: &[f64]) -> Result<(Vec<f64>, bool), FactorError> {
+///
+/// Where a symmetric tangent has an inverse but is not positive definite, Newton's step leads away from balance that is stable: a stone
+/// between two open joints that swings out. A share of its diagonal is then added, as much as makes it definite, so that the step goes
+/// down in energy; the share fades over the next iterations (Levenberg and Marquardt).
+fn direction(work: &mut Workspace, right: &[f64], damping: &mut f64) -> Result<(Vec<f64>, bool), FactorError> {
     let definite = work.factorise()?;
-    Ok((work.solve(right, ACCURACY)?, definite))
+    let plain = work.solve(right, ACCURACY)?;
+    if work.skewed || (definite && *damping < LEAST_DAMPING) {
+        *damping = 0.0;
+        return Ok((plain, definite));
+    }
+    *damping = if definite { 0.1 * *damping } else { LEAST_DAMPING.max(*damping) };
+    while *damping < 1.0 {
+        if let Some(damped) = work.solve_damped(right, *damping) {
+            return Ok((damped, definite));
+        }
+        *damping *= 10.0;
+    }
+    Ok((plain, definite))
 }
 
 /// Whether a part of the step may serve better than the whole: the force along it has turned round and is large, or has grown.
@@ -359,6 +382,30 @@ impl Equations<'_> {
             *searches += u32::from(tries == 0);
             found = self.go(work, direction, -0.5 * share);
             share *= 0.5;
+        }
+        found
+    }
+
+    /// Goes on doubling a damped step as long as the force along it has not turned round: out of the saddle that made the damping
+    /// necessary. The last step before it turns is taken; where it turns at once, the part of it at which the force vanishes.
+    fn descend(
+        &self,
+        work: &mut Workspace,
+        direction: &[f64],
+        start: f64,
+        whole: Option<Vec<f64>>,
+    ) -> Option<Vec<f64>> {
+        const DOUBLINGS: usize = 20;
+        let (mut found, mut share) = (whole, 1.0);
+        if found.as_ref().is_none_or(|now| !(dot(now, direction) * start > 0.0)) {
+            return self.search(work, direction, start, found);
+        }
+        for _ in 0..DOUBLINGS {
+            let farther = self.go(work, direction, share);
+            if farther.as_ref().is_none_or(|now| !(dot(now, direction) * start > 0.0)) {
+                return self.go(work, direction, -share);
+            }
+            (found, share) = (farther, 2.0 * share);
         }
         found
     }

@@ -83,6 +83,17 @@ impl Workspace {
         self.solver.solve(&self.pattern, (&self.values, skew), right, accuracy)
     }
 
+    /// Solves with the symmetric part of the tangent and a share of its diagonal more; `None` where that is not positive definite.
+    pub(super) fn solve_damped(&mut self, right: &[f64], share: f64) -> Option<Vec<f64>> {
+        let mut values = self.values[..self.pattern.entries()].to_vec();
+        for equation in 0..right.len() {
+            let diagonal = &mut values[self.pattern.column(equation).start];
+            *diagonal += share * diagonal.abs();
+        }
+        let definite = self.solver.factorise(&self.pattern, &values).ok()?;
+        definite.then(|| self.solver.solve(&self.pattern, (&values, &[]), right, 0.0).ok())?
+    }
+
     /// Internal forces on all components [N/m] at the displacements for which the tangent was computed last.
     pub fn internal_forces(&self) -> &[f64] {
         &self.internal

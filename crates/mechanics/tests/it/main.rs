@@ -16,6 +16,7 @@ mod dem_table;
 mod dem_time_step;
 mod dem_viscous;
 mod fem_condensed;
+mod fem_convergence;
 mod fem_elements;
 mod fem_joint;
 mod fem_large;

@@ -10,7 +10,7 @@ mod solve;
 
 pub use outcome::{Channel, Influence, Moment, Passage, PassageStatus, Quantity};
 pub use setup::{Setup, setup};
-pub use solve::{Solution, records, solve};
+pub use solve::{Slices, Solution, records, slices, solve};
 
 use super::AnalysisError;
 use crate::warning::{self, Warning};
@@ -61,6 +61,9 @@ pub enum PassageError {
     /// The stiffness of the untouched bridge has no inverse.
     #[error(transparent)]
     Factor(#[from] mechanics::fem::FactorError),
+    /// A stress is no sum of displacements.
+    #[error("slices know displacements, strains and openings, no stresses: leave sensors of stress out")]
+    StressInSlices,
     /// The condensed path.
     #[error(transparent)]
     Condensed(mechanics::fem::condensed::CondensedError),

@@ -133,3 +133,32 @@ fn the_object_has_the_fields_that_scripts_read() {
     assert_eq!(lines.len(), 5);
     assert_eq!(crate::wire::passage_log(&passage).lines().count(), 2);
 }
+
+/// A slice by the condensed path, self-weight included, is what the whole system gives when it goes from the bridge at rest straight
+/// to that position; also for other moduli than those that the set-up was made for.
+#[test]
+fn slices_are_those_of_the_whole_system() {
+    use bridge::passage::PassagePath;
+    use mechanics::watch::Unwatched;
+    let text = include_bytes!("../../../../../examples/railway-arch/passage.toml");
+    let mut bridge = bridge::read(text).bridge.unwrap();
+    let base = setup(&bridge).unwrap();
+    let middle = |share: f64| base.positions[(share * base.positions.len() as f64) as usize];
+    let positions = [middle(0.2), middle(0.5)];
+    bridge.service.fill.elastic_modulus = bridge.service.fill.elastic_modulus.map(|modulus| 1.3 * modulus);
+    let found = slices(&bridge, &base, &positions, &mut Unwatched).unwrap();
+    assert_eq!(found.status, PassageStatus::Completed, "{:?}", found.reason);
+    for (k, position) in positions.iter().enumerate() {
+        let mut one = Setup { positions: vec![*position], times: vec![0.0], ..base.clone() };
+        one.plan.path = PassagePath::Plain;
+        one.plan.tolerance = 1e-9;
+        let plain = records(&bridge, &one, &mut Unwatched).unwrap();
+        let size = plain.values.iter().fold(0.0_f64, |most, value| most.max(value[0].abs()));
+        assert!(size > 0.0);
+        for (s, sensor) in base.sensors.iter().enumerate() {
+            let (here, there) = (found.values[s][k], plain.values[s][0]);
+            // The plain path stops at 1e-9 of its loads.
+            assert!((here - there).abs() <= 1e-7 * there.abs().max(1e-3 * size), "{}: {here} {there}", sensor.name);
+        }
+    }
+}

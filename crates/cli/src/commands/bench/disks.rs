@@ -1,9 +1,11 @@
 //! `extrados bench disks`: steps of particles in a second.
 
 use crate::args::Bench;
+use crate::checkpoint::Checkpoint;
 use crate::clock::Clock;
 use crate::commands::Desk;
 use crate::failure::Failure;
+use crate::folder::Folder;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
@@ -30,7 +32,7 @@ struct Stepped {
 pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let count = arguments.count.unwrap_or(DISCS).max(LEAST) as usize;
     if let Some(steps) = arguments.steps {
-        return from_the_packing(desk, count, u64::from(steps));
+        return from_the_packing(desk, arguments, count, u64::from(steps));
     }
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let built = disks(count, &mut onlooker).map(|disks| disks.settled(&mut onlooker).map(|state| (disks, state)));
@@ -113,8 +115,9 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 }
 
 /// So many steps from the expanded packing on, while friction and gravity bring it to rest.
-fn from_the_packing(desk: &Desk, count: usize, steps: u64) -> Result<Report, Failure> {
+fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) -> Result<Report, Failure> {
     const LOOK: u64 = 20;
+    const KEEP_EVERY: f64 = 30.0;
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let disks = match disks(count, &mut onlooker) {
         Ok(disks) => disks,
@@ -122,8 +125,24 @@ fn from_the_packing(desk: &Desk, count: usize, steps: u64) -> Result<Report, Fai
         Err(error) => return Err(Failure::input("F108", error.to_string(), "extrados explain F108 tells more")),
     };
     let (mut state, mut work, mut searches) = (begin(&disks.model, &settings()), Workspace::default(), 0);
+    let checkpoint = match &arguments.checkpoint {
+        Some(folder) => Some(Checkpoint::of(&("disks", count, steps), &Folder::prepare(folder)?)),
+        None => None,
+    };
+    if let Some(words) = checkpoint.as_ref().map(Checkpoint::take_up).transpose()?.flatten() {
+        let foreign = || Failure::input("F110", "the checkpoint is of another box of discs", "name another folder");
+        state = State::from_words(&disks.model, &words).ok_or_else(foreign)?;
+    }
+    let resumed = state.steps;
+    let (mut keeping, mut kept, mut keeps) = (0.0, Clock::start(), 0);
     let clock = Clock::start();
     while state.steps < steps {
+        if let Some(checkpoint) = checkpoint.as_ref().filter(|_| kept.seconds() > KEEP_EVERY) {
+            let clock = Clock::start();
+            checkpoint.keep(&state.words())?;
+            keeping += clock.seconds();
+            (kept, keeps) = (Clock::start(), keeps + 1);
+        }
         let next = LOOK.min(steps - state.steps);
         let stepped = run_steps(&disks, (&mut state, &mut work), next);
         searches += stepped.searches;
@@ -133,9 +152,12 @@ fn from_the_packing(desk: &Desk, count: usize, steps: u64) -> Result<Report, Fai
             return Ok(Report::new(Status::Cancelled));
         }
     }
-    let seconds = clock.seconds();
+    let seconds = clock.seconds() - keeping;
     onlooker.finish();
-    let rate = count as f64 * steps as f64 / seconds;
+    if let Some(checkpoint) = checkpoint {
+        checkpoint.remove();
+    }
+    let rate = count as f64 * (steps - resumed) as f64 / seconds;
     let touching = disks.touching(&state);
     let bytes = state.particle_bytes(&disks.model, &work) as f64 / count as f64;
     Ok(Report::new(Status::Completed)
@@ -151,9 +173,13 @@ fn from_the_packing(desk: &Desk, count: usize, steps: u64) -> Result<Report, Fai
         .with("seconds", seconds)
         .with("searches", searches)
         .with("tiles", disks.tiles)
+        .with("resumed_at_step", resumed)
+        .with("checkpoints", keeps)
+        .with("seconds_of_checkpoints", keeping)
+        .with("fingerprint_of_state", format!("{:016x}", digest(&state.words())))
         .saying(format!(
-            "disks: {:.2} million particle steps a second, {count} discs, {steps} steps from the expanded packing on in {seconds:.1} s \
-             with {searches} searches; coordination {:.2}, {bytes:.0} bytes a disc\n",
+            "disks: {:.2} million particle steps a second, {count} discs, steps {resumed} to {steps} from the expanded packing on in \
+             {seconds:.1} s with {searches} searches; coordination {:.2}, {bytes:.0} bytes a disc\n{keeps} checkpoints in {keeping:.1} s\n",
             rate / 1e6,
             touching.coordination,
         )))
@@ -183,4 +209,9 @@ fn side_by_side(disks: &Disks, copies: &mut [(State, Workspace)], steps: u64) ->
         }
     });
     Ok(clock.seconds())
+}
+
+/// Tells states apart to the bit (FNV-1a over words).
+fn digest(words: &[u64]) -> u64 {
+    words.iter().fold(0xcbf2_9ce4_8422_2325, |hash, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
 }

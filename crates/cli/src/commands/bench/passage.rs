@@ -151,7 +151,8 @@ impl Watch for Timed {
     }
 }
 
-fn railway_arch() -> Result<Bridge, Failure> {
+/// The example.
+pub fn railway_arch() -> Result<Bridge, Failure> {
     let example = examples::named("railway-arch");
     let text = example.and_then(|example| example.files.iter().find(|file| file.name == example.main));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);

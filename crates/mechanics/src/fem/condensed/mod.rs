@@ -326,13 +326,14 @@ impl<'a> Condensed<'a> {
     }
 
     /// What has to be kept to come back to the last position.
-    fn mark(&self) -> Mark {
+    #[must_use]
+    pub fn mark(&self) -> Mark {
         let parts = self.parts.iter().map(Part::remembered).collect();
         Mark { load: self.load.clone(), forces: self.forces.clone(), parts }
     }
 
     /// Goes back to a mark. Parts and rows that came later stay; they carried nothing there.
-    fn back_to(&mut self, mark: &Mark) {
+    pub fn back_to(&mut self, mark: &Mark) {
         self.load.clone_from(&mark.load);
         self.take_forces(&mark.forces);
         for (part, remembered) in self.parts.iter_mut().zip(&mark.parts) {
@@ -382,7 +383,7 @@ pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>)
 
 /// Where a run stood.
 #[derive(Debug, Clone)]
-struct Mark {
+pub struct Mark {
     load: Load,
     forces: Vec<f64>,
     parts: Vec<Remembered>,

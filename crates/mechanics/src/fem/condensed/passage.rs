@@ -85,6 +85,18 @@ impl Condensed<'_> {
         Ok(passage)
     }
 
+    /// Goes to a position from the last one and looks over it: what was missed is watched, and the way is gone again.
+    pub fn settle(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
+        let mark = self.mark();
+        loop {
+            let position = self.reach(to)?;
+            if !self.look_ahead()? {
+                return Ok(position);
+            }
+            self.back_to(&mark);
+        }
+    }
+
     /// Goes to a position, in parts of the way where the whole is too far.
     pub fn reach(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
         let load = loads(&self.rows, vec![to.to_vec()]).pop().unwrap_or_default();

@@ -3,6 +3,9 @@
 mod condensed;
 mod moment;
 mod plain;
+mod slices;
+
+pub use slices::{Slices, slices};
 
 use super::model::{assumptions, model};
 use super::outcome::{Influence, Moment, PassageStatus, StepLog};

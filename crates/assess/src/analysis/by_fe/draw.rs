@@ -1,0 +1,138 @@
+//! States of the ring as pictures show them: stones as blocks that move, springs as contacts, resultants of the joints.
+
+use super::super::places::{lines, moving, point, scaled};
+use crate::discretise::Discretised;
+use crate::discretise::ring_mesh::RingMesh;
+use crate::outcome::{ContactForce, Motion, Picture, Snapshot, ThrustPoint};
+use mechanics::blocks::interfaces;
+use mechanics::fem::joint::PairState;
+use mechanics::fem::{Model, State};
+use mechanics::ids::{BlockId, Id, NodeId};
+use mechanics::plane::{Vec2, vec2};
+
+/// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
+const TOUCHING: f64 = 1e-6;
+
+/// A state in balance.
+#[derive(Debug, Clone)]
+pub struct Shown {
+    /// Motions and contacts.
+    pub snapshot: Snapshot,
+    /// Resultants of the joints.
+    pub thrust_line: Vec<Vec<ThrustPoint>>,
+}
+
+/// What is to be kept of a state.
+pub fn show(d: &Discretised, ring: &RingMesh, model: &Model, state: &State, factor: f64) -> Shown {
+    let contacts = contacts(ring, model, state);
+    let loads: Vec<_> =
+        d.loading.permanent.iter().map(|f| (*f, 1.0)).chain(d.loading.variable.iter().map(|f| (*f, factor))).collect();
+    let snapshot = Snapshot {
+        load: d.load(factor),
+        motions: motions(d, ring, model, &state.displacements),
+        velocities: vec![[0.0; 2]; d.model.blocks.len()],
+        stresses: super::picture::stresses(d, &contacts, &loads),
+        contacts,
+        ..Snapshot::default()
+    };
+    let thrust_line = thrust_line(d, &snapshot.contacts);
+    Shown { snapshot, thrust_line }
+}
+
+/// Motion of each block: that of its corners in the mean, turned as they are as a whole.
+pub fn motions(d: &Discretised, ring: &RingMesh, model: &Model, displacements: &[f64]) -> Vec<Motion> {
+    let moved = |node: NodeId| vec2(displacements[2 * node.index()], displacements[2 * node.index() + 1]);
+    let mut all = vec![Motion::default(); d.model.blocks.len()];
+    for stone in &ring.stones {
+        let corners = stone.corners().map(|node| (model.mesh.nodes[node], moved(node)));
+        let mean =
+            |pick: fn(&(Vec2, Vec2)) -> Vec2| corners.iter().fold(Vec2::ZERO, |sum, corner| sum + pick(corner)) * 0.25;
+        let (middle, shift) = (mean(|corner| corner.0), mean(|corner| corner.1));
+        let (mut sine, mut cosine) = (0.0, 0.0);
+        for (place, moved) in corners {
+            let (arm, now) = (place - middle, place + moved - middle - shift);
+            sine += arm.cross(now);
+            cosine += arm.dot(now);
+        }
+        let rotation = sine.atan2(cosine);
+        // The centroid is not quite the middle of the corners.
+        let off = d.model.blocks[stone.block].outline.centroid() - middle;
+        let turned =
+            vec2(off.x * rotation.cos() - off.y * rotation.sin(), off.x * rotation.sin() + off.y * rotation.cos());
+        all[stone.block.index()] = Motion { translation: point(shift + turned - off), rotation };
+    }
+    all
+}
+
+/// Springs that press, joint by joint, where they now are.
+fn contacts(ring: &RingMesh, model: &Model, state: &State) -> Vec<ContactForce> {
+    let place = |node: NodeId| {
+        let k = 2 * node.index();
+        model.mesh.nodes[node] + vec2(state.displacements[k], state.displacements[k + 1])
+    };
+    let mut all = Vec::new();
+    for (spring, bond) in model.springs().iter().zip(&state.bonds) {
+        if bond.state == PairState::Open || bond.traction[0] >= 0.0 {
+            continue;
+        }
+        let joint = spring.interface.index();
+        let blocks = blocks(ring, joint);
+        let nodes = &model.mesh.interfaces[spring.interface];
+        let pair = nodes.two.iter().zip(&nodes.one).min_by(|a, b| {
+            let off =
+                |node: NodeId| ((model.mesh.nodes[node] - model.mesh.nodes[nodes.two[0]]).norm() - spring.along).abs();
+            off(*a.0).total_cmp(&off(*b.0))
+        });
+        let Some((two, one)) = pair else { continue };
+        let (first, last) = (nodes.two[0], nodes.two[nodes.two.len() - 1]);
+        let middle = |k: usize| (place(nodes.one[k]) + place(nodes.two[k])) * 0.5;
+        let way = if first == last { spring.direction } else { (middle(nodes.two.len() - 1) - middle(0)).unit() };
+        all.push(ContactForce {
+            blocks: blocks.map(BlockId::index),
+            point: point((place(*one) + place(*two)) * 0.5),
+            normal: point(way.left()),
+            compression: -bond.traction[0] * spring.area,
+            // A positive shear works on side two moving along the way, so that it pulls side two back; along the normal turned left.
+            shear: bond.traction[1] * spring.area,
+            stress: -bond.traction[0],
+            sliding: bond.state == PairState::Sliding,
+        });
+    }
+    all
+}
+
+/// The blocks left and right of a joint.
+fn blocks(ring: &RingMesh, joint: usize) -> [BlockId; 2] {
+    let left = if joint == 0 { ring.abutments[0] } else { ring.stones[joint - 1].block };
+    let right = ring.stones.get(joint).map_or(ring.abutments[1], |stone| stone.block);
+    [left, right]
+}
+
+/// Resultants of the joints.
+fn thrust_line(d: &Discretised, contacts: &[ContactForce]) -> Vec<Vec<ThrustPoint>> {
+    let points = contacts.chunk_by(|a, b| a.blocks == b.blocks).map(|joint| {
+        let total: f64 = joint.iter().map(|c| c.compression).sum();
+        let (mut at, mut force) = (Vec2::ZERO, Vec2::ZERO);
+        for c in joint {
+            let normal = vec2(c.normal[0], c.normal[1]);
+            at += vec2(c.point[0], c.point[1]) * (c.compression / total);
+            force += normal * c.compression + normal.left() * c.shear;
+        }
+        let [first, second] = joint[0].blocks.map(BlockId::new);
+        (first, second, ThrustPoint { point: point(at), thrust: force.norm() })
+    });
+    lines(d, points)
+}
+
+/// Puts states and mechanism into a picture.
+pub fn draw(d: &Discretised, shown: &[Shown], onset: Option<&[Motion]>, picture: &mut Picture) {
+    picture.last_stable = shown.len().checked_sub(1);
+    picture.thrust_lines = shown.last().map_or_else(Vec::new, |last| last.thrust_line.clone());
+    picture.snapshots = shown.iter().map(|shown| shown.snapshot.clone()).collect();
+    picture.mechanism = onset.and_then(|motions| scaled(motions.to_vec()));
+    if let (Some(mechanism), Ok(joints)) = (&picture.mechanism, interfaces(&d.model, TOUCHING)) {
+        let found = moving(d, &joints, mechanism);
+        picture.hinges = found.hinges;
+        picture.sliding = found.sliding;
+    }
+}

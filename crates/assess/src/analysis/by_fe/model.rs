@@ -1,0 +1,89 @@
+//! What stones and joints are made of: together as stiff as the contacts of discrete elements.
+
+use super::AnalysisError;
+use crate::discretise::Discretised;
+use crate::discretise::laws;
+use crate::discretise::ring_mesh::RingMesh;
+use bridge::Bridge;
+use mechanics::blocks::Stiffness;
+use mechanics::fem::joint::{JointLaw, LiftOff, Mortar};
+use mechanics::fem::law::{Elastic, Material, Plane, Solid};
+use mechanics::fem::{Element, Kinematics, Model, Section};
+
+/// Stiffness of stones over that of the joints, where the file gives the stones no share in the deformation: what they add to it, one
+/// percent, is less than any joint's stiffness is known to.
+const RIGID: f64 = 100.0;
+
+/// Materials of a ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parts {
+    stone: Elastic,
+    density: f64,
+    joint: Mortar,
+    /// What was assumed of them.
+    pub words: String,
+}
+
+/// Joints and stones from the file's contact law. A stiffness of joint and blocks together leaves the joint what the stones do not take.
+pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
+    let law = laws::law(bridge, &bridge.joint);
+    let length = spacing(d);
+    let ratio = bridge.masonry.poisson_ratio.unwrap_or(0.0);
+    let own = |whole: Stiffness, modulus: Option<f64>| match (whole, modulus) {
+        (Stiffness::Series { joint, .. }, _) => Some(joint).filter(|joint| joint.is_finite()),
+        (Stiffness::Given(k), Some(modulus)) if length / modulus < 1.0 / k => Some(1.0 / (1.0 / k - length / modulus)),
+        (Stiffness::Given(_), _) => None,
+    };
+    let modulus = bridge.masonry.elastic_modulus;
+    let shear = modulus.map(|modulus| modulus / (2.0 * (1.0 + ratio)));
+    let split = (modulus, own(law.normal, modulus), own(law.shear, shear));
+    let (stone, normal, tangential, words) = match split {
+        (Some(modulus), Some(normal), Some(tangential)) => {
+            let words = format!(
+                "Stones deform with {:.1} GPa; joints take the rest of the contacts' stiffness: {:.3} and {:.3} GPa/m.",
+                modulus / 1e9,
+                normal / 1e9,
+                tangential / 1e9
+            );
+            (Elastic { modulus, ratio }, normal, tangential, words)
+        }
+        _ => {
+            let (normal, tangential) = (law.normal.at(length), law.shear.at(length));
+            let words = format!(
+                "Joints of {:.3} and {:.3} GPa/m do the deforming; stones are {RIGID} times as stiff.",
+                normal / 1e9,
+                tangential / 1e9
+            );
+            (Elastic { modulus: RIGID * length * normal.max(tangential), ratio }, normal, tangential, words)
+        }
+    };
+    let joint = Mortar {
+        normal,
+        tangential,
+        lift_off: LiftOff::Stress(0.0),
+        compressive_strength: None,
+        shear_strength: f64::MAX,
+        shear_when_open: true,
+    };
+    Parts { stone, density: bridge.masonry.density, joint, words }
+}
+
+/// Distance between neighbouring voussoirs' centres, in the mean [m].
+fn spacing(d: &Discretised) -> f64 {
+    let free: Vec<_> =
+        d.model.blocks.iter().filter(|block| !block.held.is_fixed()).map(|b| b.outline.centroid()).collect();
+    let way: f64 = free.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    match free.len() {
+        0 | 1 => d.model.blocks.iter().map(|block| block.outline.area().sqrt()).fold(f64::INFINITY, f64::min),
+        count => way / (count - 1) as f64,
+    }
+}
+
+/// The model: plane stress, as contact stiffness over a modulus is; large displacements, as in discrete elements.
+pub fn model(ring: &RingMesh, parts: &Parts) -> Result<Model, AnalysisError> {
+    let solid = Solid { material: Material::Elastic(parts.stone), plane: Plane::Stress };
+    let section = Section { solid, element: Element::QM6, density: parts.density };
+    let sections = (0..ring.mesh.zones.len()).map(|_| section).collect();
+    Model::new(ring.mesh.clone(), sections, vec![JointLaw::Mortar(parts.joint)], &ring.supports, Kinematics::Large)
+        .map_err(AnalysisError::Elements)
+}

@@ -1,0 +1,93 @@
+//! Slices of a passage: the train at rest at a few positions, each reached from the bridge under its own weight alone.
+//!
+//! What model updating asks for again and again (the railway paper, section 3.4): the mesh stays, the moduli change. All of it goes by the condensed
+//! path, the self-weight too, so that an evaluation costs one factorisation and the rows that are not linear.
+
+use super::{AtRest, functional, self_weight, with_train};
+use crate::analysis::AnalysisError;
+use crate::analysis::passage::model::model;
+use crate::analysis::passage::{PassageError, PassageStatus, Setup};
+use bridge::Bridge;
+use mechanics::fem::condensed::{Condensed, Functional, Reached};
+use mechanics::fem::{Kinematics, State};
+use mechanics::watch::{Progress, Watch, Wish};
+
+/// Values of the sensors at a few positions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slices {
+    /// How it ended.
+    pub status: PassageStatus,
+    /// Why, where it did not complete.
+    pub reason: Option<String>,
+    /// Value of each sensor under self-weight alone [SI].
+    pub self_weight: Vec<f64>,
+    /// Value of each sensor at each position, self-weight taken off [SI]; fewer positions than asked for where one found no
+    /// balance.
+    pub values: Vec<Vec<f64>>,
+    /// Iterations in all.
+    pub iterations: u32,
+}
+
+/// Values of the sensors while the first axle stands at each of `positions` [m], with the moduli of `bridge` on the mesh of
+/// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for.
+pub fn slices(
+    bridge: &Bridge,
+    setup: &Setup,
+    positions: &[f64],
+    watch: &mut dyn Watch,
+) -> Result<Slices, AnalysisError> {
+    let observed: Option<Vec<Functional>> = setup.sensors.iter().map(|sensor| functional(&sensor.reading)).collect();
+    let observed = observed.ok_or(PassageError::StressInSlices)?;
+    let model = model(bridge, &setup.meshed, Kinematics::Small)?;
+    let weight = self_weight(bridge, setup, &model);
+    let rest = AtRest { setup, model: &model, weight: &weight, state: State::new(&model) };
+    let train = positions.iter().map(|&position| with_train(&rest, position));
+    let loads: Vec<Vec<f64>> = std::iter::once(weight.clone()).chain(train).collect();
+    let failed = |error| AnalysisError::from(PassageError::Condensed(error));
+    let mut condensed = Condensed::new(&model, State::new(&model), &loads, &observed).map_err(failed)?;
+    let mut found = Slices {
+        status: PassageStatus::Completed,
+        reason: None,
+        self_weight: Vec::new(),
+        values: vec![Vec::new(); observed.len()],
+        iterations: 0,
+    };
+    let one = |pattern: usize, share: f64| {
+        let mut amplitudes = vec![0.0; loads.len()];
+        amplitudes[pattern] = share;
+        amplitudes
+    };
+    let steps = setup.plan.load_steps.max(1);
+    for step in 1..=steps {
+        let position = condensed.settle(&one(0, step as f64 / steps as f64)).map_err(failed)?;
+        found.iterations += position.iterations;
+        if position.reached != Reached::Balanced {
+            return Ok(unbalanced(found, "under self-weight no balance was found".to_owned()));
+        }
+    }
+    found.self_weight = condensed.observed();
+    let at_rest = condensed.mark();
+    for (k, place) in positions.iter().enumerate() {
+        let share = k as f64 / positions.len() as f64;
+        let progress = Progress { stage: "slices".into(), fraction: Some(share), steps: k as u64 };
+        if watch.look(&progress) == Wish::Stop {
+            found.status = PassageStatus::Cancelled;
+            return Ok(found);
+        }
+        condensed.back_to(&at_rest);
+        let position = condensed.settle(&one(1 + k, 1.0)).map_err(failed)?;
+        found.iterations += position.iterations;
+        if position.reached != Reached::Balanced {
+            return Ok(unbalanced(found, format!("with the first axle at {place:.3} m no balance was found")));
+        }
+        let now = condensed.observed();
+        for ((values, now), own) in found.values.iter_mut().zip(now).zip(&found.self_weight) {
+            values.push(now - own);
+        }
+    }
+    Ok(found)
+}
+
+fn unbalanced(found: Slices, reason: String) -> Slices {
+    Slices { status: PassageStatus::NotConverged, reason: Some(reason), ..found }
+}

@@ -1,0 +1,64 @@
+//! `extrados bench update`: what one evaluation of a model under updating costs: six slices of a passage for other moduli.
+
+use super::passage::railway_arch;
+use crate::args::Bench;
+use crate::clock::Clock;
+use crate::commands::Desk;
+use crate::failure::Failure;
+use crate::report::Report;
+use crate::results;
+use crate::status::Status;
+use crate::watcher::{Spectator, asked_to_stop};
+use assess::analysis::passage::{PassageStatus, setup, slices};
+use mechanics::watch::{Progress, Watch};
+
+/// Slices of an evaluation: one for each channel of the railway paper.
+const SLICES: usize = 6;
+
+/// Evaluates models whose fill and mortar differ a little from one another, and gives the time of one.
+pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
+    let bridge = railway_arch()?;
+    let base = setup(&bridge).map_err(|error| results::not_set_up(&error))?;
+    let count = base.positions.len();
+    let positions: Vec<f64> = (1..=SLICES).map(|k| base.positions[k * count / (SLICES + 2)]).collect();
+    let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
+    let (mut seconds, mut iterations, mut completed) = (Vec::new(), 0, true);
+    for k in 0..arguments.repeats {
+        let share = f64::from(k) / f64::from(arguments.repeats);
+        let mut other = bridge.clone();
+        let scaled = |modulus: Option<f64>, factor: f64| modulus.map(|modulus| factor * modulus);
+        other.service.fill.elastic_modulus = scaled(bridge.service.fill.elastic_modulus, 0.8 + 0.4 * share);
+        other.service.mortar.elastic_modulus = scaled(bridge.service.mortar.elastic_modulus, 1.2 - 0.4 * share);
+        onlooker.look(&Progress { stage: "evaluations".into(), fraction: Some(share), steps: u64::from(k) });
+        let clock = Clock::start();
+        let mut unwatched = mechanics::watch::Unwatched;
+        let found = slices(&other, &base, &positions, &mut unwatched).map_err(|error| results::not_set_up(&error))?;
+        seconds.push(clock.seconds());
+        iterations += found.iterations;
+        completed &= found.status == PassageStatus::Completed;
+        if asked_to_stop() {
+            break;
+        }
+    }
+    onlooker.finish();
+    let evaluations = seconds.len();
+    let total: f64 = seconds.iter().sum();
+    seconds.sort_by(f64::total_cmp);
+    let (least, middle) = (seconds[0], seconds[evaluations / 2]);
+    Ok(Report::new(if completed { Status::Completed } else { Status::Undetermined })
+        .with("name", "update")
+        .with("size", 2 * base.meshed.mesh.nodes.len())
+        .with("repeats", evaluations)
+        .with("seconds", total)
+        .with("evaluations", evaluations)
+        .with("seconds_per_evaluation", least)
+        .with("seconds_per_evaluation_median", middle)
+        .with("slices", SLICES)
+        .with("iterations_total", iterations)
+        .saying(format!(
+            "update: {least:.3} s an evaluation (median {middle:.3} s of {evaluations}), self-weight and {SLICES} slices of {} over {} spans, \
+             {iterations} iterations in all, one core\n",
+            base.train,
+            bridge.spans.len(),
+        )))
+}
