@@ -2,7 +2,7 @@
 //! and what stands on it is made once, where no parameter moves it.
 
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::{PassageError, PassageStatus, Setup, Solution, records, setup};
+use crate::analysis::passage::{PassageError, PassageStatus, Quantity, Setup, records, setup, slices};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
 use bridge::update::Parameter;
@@ -10,6 +10,7 @@ use bridge::{Bridge, Severity};
 use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
 use mechanics::watch::Unwatched;
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// A bridge whose quantities are sought.
 #[derive(Debug)]
@@ -67,13 +68,13 @@ impl<'a> Model<'a> {
         Ok(bridge)
     }
 
-    fn setup_of(&self, bridge: &Bridge) -> Result<Setup, Failure> {
+    fn setup_of(&self, bridge: &Bridge) -> Result<Cow<'_, Setup>, Failure> {
         if !self.moves {
-            return Ok(self.setup.clone());
+            return Ok(Cow::Borrowed(&self.setup));
         }
         let own = setup(bridge).map_err(not_set_up)?;
         let (times, positions) = (self.setup.times.clone(), self.setup.positions.clone());
-        Ok(Setup { times, positions, ..own })
+        Ok(Cow::Owned(Setup { times, positions, ..own }))
     }
 }
 
@@ -81,19 +82,30 @@ fn not_set_up(error: AnalysisError) -> Failure {
     Failure::new("not-set-up", error.to_string())
 }
 
-/// Static answers at some positions alone, in ascending order.
-fn slices(bridge: &Bridge, mut setup: Setup, places: &[usize]) -> Result<Solution, AnalysisError> {
-    setup.times = places.iter().map(|k| setup.times[*k]).collect();
-    setup.positions = places.iter().map(|k| setup.positions[*k]).collect();
-    setup.plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan };
-    records(bridge, &setup, &mut Unwatched)
+/// Static answers at some positions alone, in ascending order. Stresses are no functionals of displacements: with them the train
+/// goes from one of these positions to the next.
+fn at_places(bridge: &Bridge, setup: &Setup, places: &[usize]) -> Result<Vec<Vec<f64>>, Failure> {
+    let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
+    if setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress) {
+        let times = places.iter().map(|k| setup.times[*k]).collect();
+        let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
+        let some = Setup { times, positions, plan, ..setup.clone() };
+        return whole(bridge, &some);
+    }
+    let found = slices(bridge, setup, &positions, &mut Unwatched).map_err(not_set_up)?;
+    completed(found.status, found.reason, found.values)
 }
 
-fn completed(solved: Result<Solution, AnalysisError>) -> Result<Solution, Failure> {
-    let solution = solved.map_err(not_set_up)?;
-    match solution.status {
-        PassageStatus::Completed => Ok(solution),
-        status => Err(Failure::new(status.word(), solution.reason.unwrap_or_default())),
+/// Answers at every position of the passage.
+fn whole(bridge: &Bridge, setup: &Setup) -> Result<Vec<Vec<f64>>, Failure> {
+    let found = records(bridge, setup, &mut Unwatched).map_err(not_set_up)?;
+    completed(found.status, found.reason, found.values)
+}
+
+fn completed(status: PassageStatus, reason: Option<String>, values: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, Failure> {
+    match status {
+        PassageStatus::Completed => Ok(values),
+        status => Err(Failure::new(status.word(), reason.unwrap_or_default())),
     }
 }
 
@@ -104,15 +116,15 @@ impl Forward for Model<'_> {
         let scales: Vec<f64> = setup.sensors.iter().map(|sensor| sensor.quantity.scale()).collect();
         let scaled = |(values, scale): (Vec<f64>, &f64)| values.into_iter().map(|value| scale * value).collect();
         let values = match &request.samples {
-            Samples::All => completed(records(&bridge, &setup, &mut Unwatched))?.values,
+            Samples::All => whole(&bridge, &setup)?,
             Samples::At(places) => {
                 let mut all: Vec<usize> = places.concat();
                 all.sort_unstable();
                 all.dedup();
-                let solution = completed(slices(&bridge, setup, &all))?;
+                let found = at_places(&bridge, &setup, &all)?;
                 let at = |k: &usize| all.binary_search(k).unwrap_or_default();
                 let of = |(wanted, values): (&Vec<usize>, &Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
-                places.iter().zip(&solution.values).map(of).collect()
+                places.iter().zip(&found).map(of).collect()
             }
         };
         Ok(Response { values: values.into_iter().zip(&scales).map(scaled).collect(), derivatives: Vec::new() })
