@@ -10,7 +10,7 @@ pub(super) static RECORDS: Section = Section {
             "place",
             Kind::Text,
             "a table (.csv), or a folder all of whose tables are runs; beside this file",
-            "records/table-6.csv",
+            "table-6.csv",
         ),
         Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
         Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
