@@ -6,7 +6,7 @@ use bridge::update::Plan;
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Evaluator, Found, Halt, Serial, Start, Unwatched, surrogate};
+use calibrate::{Basis, Evaluator, Found, Halt, Samples, Serial, Start, Unwatched, surrogate};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -58,6 +58,7 @@ impl Searches {
                 all.modern = Some(outcome);
                 (end, found)
             });
+            all.polish(evaluator, basis, &settings, clock);
         }
         if wants("referee") {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
@@ -127,6 +128,24 @@ impl Searches {
                 });
             }
         }
+    }
+
+    /// Where slices were searched, goes on from the end by full passages: a slice remembers no earlier axle, a passage does.
+    fn polish(
+        &mut self,
+        evaluator: &mut Evaluator,
+        basis: &Basis,
+        settings: &modern::Settings,
+        clock: &dyn Fn() -> f64,
+    ) {
+        let end = self.modern.as_ref().and_then(|outcome| outcome.found.as_ref()).map(Found::point);
+        let Some(end) = end.filter(|_| basis.samples != Samples::All) else { return };
+        let whole = Basis { samples: Samples::All, ..basis.clone() };
+        let settings = modern::Settings { start: Start::Values(end), starts: 1, ..settings.clone() };
+        self.one(Search::Modern, "on by full passages", evaluator, clock, |_, evaluator| {
+            let outcome = modern::search(evaluator, &whole, &settings);
+            (of_status(&outcome.status), outcome.found)
+        });
     }
 
     /// One search with its line in the table.
