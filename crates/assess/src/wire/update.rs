@@ -314,7 +314,11 @@ pub fn histories_table(update: &Update) -> String {
     let mut head = vec!["time_s".to_owned(), "position_m".to_owned()];
     for channel in &update.channels {
         for kind in ["measured", "start", "updated"] {
-            head.push(format!("{}_{kind}_{}", channel.name.replace(' ', "_").to_lowercase(), channel.unit.to_lowercase()));
+            head.push(format!(
+                "{}_{kind}_{}",
+                channel.name.replace(' ', "_").to_lowercase(),
+                channel.unit.to_lowercase()
+            ));
         }
     }
     let mut text = row(&head);

@@ -15,8 +15,13 @@ pub(super) static RECORDS: Section = Section {
         Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
         Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
             .default("false"),
-        Field::new("align", Kind::Text, "the channel by which clocks are aligned with the start model", "crown displacement")
-            .optional("the records' clock is that of [passage]: zero where the first axle starts"),
+        Field::new(
+            "align",
+            Kind::Text,
+            "the channel by which clocks are aligned with the start model",
+            "crown displacement",
+        )
+        .optional("the records' clock is that of [passage]: zero where the first axle starts"),
     ],
 };
 
@@ -33,8 +38,13 @@ pub(super) static CHANNEL: Section = Section {
         Field::new("weight", Kind::Number, "its weight, where weights are given", "1.0")
             .positive()
             .optional("needed only where `weights` = \"given\""),
-        Field::new("leave_out", Kind::Text, "why it takes no part; it is still shown", "a gauge on a stone sees no opening")
-            .optional("it takes part"),
+        Field::new(
+            "leave_out",
+            Kind::Text,
+            "why it takes no part; it is still shown",
+            "a gauge on a stone sees no opening",
+        )
+        .optional("it takes part"),
     ],
 };
 
@@ -94,7 +104,10 @@ pub(super) static UPDATE: Section = Section {
         Field::new("search", Kind::Word(SEARCHES), "which search", "modern").default("modern"),
         Field::new("variant", Kind::Word(VARIANTS), "reading of the hierarchical search", "printed").default("printed"),
         Field::new("start", Kind::Word(STARTS), "where the hierarchical search begins", "means").default("means"),
-        Field::new("starts", Kind::Count, "starts of the modern search", "4").at_least(1.0).at_most(1000.0).default("4"),
+        Field::new("starts", Kind::Count, "starts of the modern search", "4")
+            .at_least(1.0)
+            .at_most(1000.0)
+            .default("4"),
         Field::new("passes", Kind::Count, "most passes of the hierarchical search", "2")
             .at_least(1.0)
             .at_most(100.0)
@@ -107,16 +120,25 @@ pub(super) static UPDATE: Section = Section {
         Field::new("slices", Kind::Flag, "whether peaks are sought in static slices, not in full passages", "true")
             .default("true"),
         Field::new("weights", Kind::Word(WEIGHTS), "where weights come from", "shapes").default("shapes"),
-        Field::new("by_uncertainty", Kind::Flag, "whether errors are counted in `uncertainty`", "false").default("false"),
+        Field::new("by_uncertainty", Kind::Flag, "whether errors are counted in `uncertainty`", "false")
+            .default("false"),
         Field::new("posterior", Kind::Flag, "whether what the records leave open is sampled", "false").default("false"),
-        Field::new("model_error", Kind::Number, "scale of the model's own error, a share of the peaks; 0 for none", "0.1")
-            .at_least(0.0)
-            .at_most(1.0)
-            .default("0.1"),
+        Field::new(
+            "model_error",
+            Kind::Number,
+            "scale of the model's own error, a share of the peaks; 0 for none",
+            "0.1",
+        )
+        .at_least(0.0)
+        .at_most(1.0)
+        .default("0.1"),
         Field::new("samples", Kind::Count, "effective samples of the posterior", "10000")
             .at_least(100.0)
             .at_most(1_000_000.0)
             .default("10000"),
-        Field::new("seed", Kind::Count, "seed of starts, surrogate and posterior", "1").at_least(0.0).at_most(9e15).default("1"),
+        Field::new("seed", Kind::Count, "seed of starts, surrogate and posterior", "1")
+            .at_least(0.0)
+            .at_most(9e15)
+            .default("1"),
     ],
 };

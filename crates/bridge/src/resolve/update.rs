@@ -18,12 +18,7 @@ pub(crate) const SECTIONS: [&str; 4] = ["records", "channel", "parameter", "upda
 const MOST_PARAMETERS: usize = 20;
 
 /// Updating as the file asks for it; nothing where it says nothing of it or where something is wrong.
-pub(crate) fn update(
-    text: &str,
-    file: &Table<'_>,
-    bridge: Option<&Bridge>,
-    findings: &mut Findings,
-) -> Option<Update> {
+pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, findings: &mut Findings) -> Option<Update> {
     if !SECTIONS.iter().any(|section| file.has(section)) {
         return None;
     }
@@ -131,7 +126,8 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
         }
     };
     let numbers = (varied.own.as_ref().and_then(|own| own.number), varied.values[0].number, varied.values[1].number);
-    let continuous = matches!(found.field.kind, Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::Number | Kind::Quantities(_));
+    let continuous =
+        matches!(found.field.kind, Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::Number | Kind::Quantities(_));
     let (true, (Some(start), Some(lower), Some(upper))) = (continuous, numbers) else {
         let help = "seek a quantity that has a number in this file, between two others of its kind";
         findings.error("B670", table.place("quantity"), "there is no range of numbers", "not continuous", help);
@@ -139,7 +135,8 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
     };
     if !(lower < upper && lower <= start && start <= upper && (lower > 0.0 || !logarithmic)) {
         let message = format!("{lower} to {upper} is no range about {start} {}", varied.unit);
-        let help = "write a lower bound below the upper one, with the file's own value between; above zero where logarithmic";
+        let help =
+            "write a lower bound below the upper one, with the file's own value between; above zero where logarithmic";
         findings.error("B670", table.place("lower"), message, "lower end of the acceptable range", help);
         return None;
     }

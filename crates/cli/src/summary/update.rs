@@ -28,7 +28,8 @@ pub fn update(found: &Update, out: &str) -> String {
 fn parameters(page: &mut String, found: &Update) {
     let Some(best) = found.found() else { return };
     let start = found.basis.as_ref().map_or(f64::NAN, |basis| basis.start.norm);
-    let _ = writeln!(page, "  norm {:.4}, from {start:.4} at the start; {} evaluations\n", best.norm, found.evaluations);
+    let _ =
+        writeln!(page, "  norm {:.4}, from {start:.4} at the start; {} evaluations\n", best.norm, found.evaluations);
     let _ = writeln!(page, "  {:<24} {:>11} {:>11}   {:<19}", "parameter", "start", "found", "range");
     for (k, (parameter, value)) in found.problem.parameters().iter().zip(&best.parameters).enumerate() {
         let mut remark = match (value.at_bound, value.converged) {
@@ -121,9 +122,10 @@ fn sweeps(page: &mut String, found: &Update) {
 
 fn told(page: &mut String, found: &Update) {
     let local = found.identifiability.iter().flat_map(|told| told.words.iter().cloned());
-    let left = found.posterior.iter().flat_map(|report| {
-        std::iter::once(report.surrogate.clone()).chain(report.posterior.words.iter().cloned())
-    });
+    let left = found
+        .posterior
+        .iter()
+        .flat_map(|report| std::iter::once(report.surrogate.clone()).chain(report.posterior.words.iter().cloned()));
     list(page, "What the records tell", local.chain(left));
 }
 

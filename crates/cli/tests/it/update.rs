@@ -180,7 +180,8 @@ fn a_killed_update_goes_on_and_does_nothing_twice() {
         .spawn()
         .expect("the program starts");
     let begin = Instant::now();
-    let kept = || std::fs::read_to_string(stage.folder.join("torn/evaluations.log")).unwrap_or_default().lines().count();
+    let kept =
+        || std::fs::read_to_string(stage.folder.join("torn/evaluations.log")).unwrap_or_default().lines().count();
     while kept() < all / 2 {
         assert!(begin.elapsed() < PATIENCE, "no half of the evaluations after {PATIENCE:?}");
         std::thread::sleep(Duration::from_millis(2));

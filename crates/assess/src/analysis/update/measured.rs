@@ -19,12 +19,7 @@ pub struct RecordFile {
 }
 
 /// Channels in the order of the sensors, in the units in which they are shown, and how they came about.
-pub fn measured(
-    asked: &Asked,
-    setup: &Setup,
-    files: &[RecordFile],
-    start: &[Vec<f64>],
-) -> (Vec<Channel>, RecordsUsed) {
+pub fn measured(asked: &Asked, setup: &Setup, files: &[RecordFile], start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
     let mut findings = Vec::new();
     let (mut runs, mut named) = (Vec::new(), Vec::new());
     for file in files {
@@ -96,7 +91,12 @@ fn preparation(asked: &Asked, setup: &Setup, start: &[Vec<f64>]) -> Preparation 
         let k = setup.sensors.iter().position(|sensor| sensor.name == *name)?;
         let scale = setup.sensors[k].quantity.scale();
         let values = start[k].iter().map(|value| value / scale).collect();
-        Some(Align::Reference(Reference { name: name.clone(), line: String::new(), times: setup.times.clone(), values }))
+        Some(Align::Reference(Reference {
+            name: name.clone(),
+            line: String::new(),
+            times: setup.times.clone(),
+            values,
+        }))
     };
     Preparation {
         zero: if records.zero { Zero::QuietStart } else { Zero::AsRecorded },
@@ -136,11 +136,7 @@ fn channel(asked: &Asked, setup: &Setup, series: &Series, k: usize) -> Channel {
         }
     }
     let count = peaks.len() as f64;
-    let missing = if peaks.is_empty() {
-        Some(reason.unwrap_or_else(|| "no record of it".to_owned()))
-    } else {
-        None
-    };
+    let missing = if peaks.is_empty() { Some(reason.unwrap_or_else(|| "no record of it".to_owned())) } else { None };
     let mean = |sample: usize| histories.iter().map(|history: &Vec<f64>| history[sample]).sum::<f64>() / count;
     Channel {
         name: sensor.name.clone(),

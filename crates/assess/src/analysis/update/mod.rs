@@ -268,7 +268,8 @@ fn assumptions(model: &Model<'_>, problem: &Problem) -> Vec<String> {
     };
     let mut said = vec![
         how.to_owned(),
-        "Weights are found once, at the start model, and held. A parameter on a bound is never called converged.".to_owned(),
+        "Weights are found once, at the start model, and held. A parameter on a bound is never called converged."
+            .to_owned(),
         format!("An axle is carried by {:.3} m of the bridge's width; every peak goes with it.", setup.effective_width),
     ];
     if model.moves() {

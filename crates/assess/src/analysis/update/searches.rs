@@ -82,18 +82,14 @@ impl Searches {
 
     /// The paper's search by every reading and from every start that is asked for.
     fn papers(&mut self, plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) {
-        let variants: &[(&'static str, hierarchical::Variant)] = &[
-            ("printed", hierarchical::Variant::Printed),
-            ("as-practised", hierarchical::Variant::AsPractised),
-        ];
+        let variants: &[(&'static str, hierarchical::Variant)] =
+            &[("printed", hierarchical::Variant::Printed), ("as-practised", hierarchical::Variant::AsPractised)];
         let starts: &[(&'static str, Start)] = match plan.start {
             "stated" => &[("stated", Start::Stated)],
             "bounds" => &[("lower-bounds", Start::LowerBounds), ("upper-bounds", Start::UpperBounds)],
-            "all" => &[
-                ("means", Start::Means),
-                ("lower-bounds", Start::LowerBounds),
-                ("upper-bounds", Start::UpperBounds),
-            ],
+            "all" => {
+                &[("means", Start::Means), ("lower-bounds", Start::LowerBounds), ("upper-bounds", Start::UpperBounds)]
+            }
             _ => &[("means", Start::Means)],
         };
         for (variant, reading) in variants.iter().filter(|(word, _)| plan.variant == "both" || plan.variant == *word) {
