@@ -6,7 +6,7 @@ use bridge::update::Plan;
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Evaluator, Found, Halt, Samples, Serial, Start, Unwatched, surrogate};
+use calibrate::{Basis, Evaluator, Found, Halt, Problem, Samples, Serial, Start, Unwatched, surrogate};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -37,8 +37,14 @@ enum End {
 }
 
 impl Searches {
-    /// Makes them, until one is stopped.
-    pub fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
+    /// Makes them, until one is stopped. `whole` is the same problem by full passages.
+    pub fn make<'a>(
+        plan: &Plan,
+        evaluator: &mut Evaluator<'a>,
+        basis: &Basis,
+        whole: &'a Problem,
+        clock: &dyn Fn() -> f64,
+    ) -> Searches {
         let mut all = Searches::default();
         let wants = |name: &str| plan.search == name || plan.search == "all";
         if wants("hierarchical") {
@@ -58,7 +64,7 @@ impl Searches {
                 all.modern = Some(outcome);
                 (end, found)
             });
-            all.polish(evaluator, basis, &settings, clock);
+            all.polish(evaluator, basis, whole, &settings, clock);
         }
         if wants("referee") {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
@@ -127,21 +133,25 @@ impl Searches {
     }
 
     /// Where slices were searched, goes on from the end by full passages: a slice remembers no earlier axle, a passage does.
-    fn polish(
+    fn polish<'a>(
         &mut self,
-        evaluator: &mut Evaluator,
+        evaluator: &mut Evaluator<'a>,
         basis: &Basis,
+        whole: &'a Problem,
         settings: &modern::Settings,
         clock: &dyn Fn() -> f64,
     ) {
         let end = self.modern.as_ref().and_then(|outcome| outcome.found.as_ref()).map(Found::point);
         let Some(end) = end.filter(|_| basis.samples != Samples::All) else { return };
-        let whole = Basis { samples: Samples::All, ..basis.clone() };
+        let passages = Basis { samples: Samples::All, ..basis.clone() };
         let settings = modern::Settings { start: Start::Values(end), starts: 1, ..settings.clone() };
+        // The search asks the problem whether to look for slices anew.
+        let by_slices = std::mem::replace(&mut evaluator.problem, whole);
         self.one(Search::Modern, "on by full passages", evaluator, clock, |_, evaluator| {
-            let outcome = modern::search(evaluator, &whole, &settings);
+            let outcome = modern::search(evaluator, &passages, &settings);
             (of_status(&outcome.status), outcome.found)
         });
+        evaluator.problem = by_slices;
     }
 
     /// One search with its line in the table.
