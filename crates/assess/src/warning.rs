@@ -130,6 +130,22 @@ cards! {
     LOOSE_PASSAGE = "A131", "the passage was solved with a loose tolerance",
         "Peaks of channels depend on the out-of-balance force that is left. With a thousandth, the railway paper's setting, they \
          differ by up to a percent from those with 1e-6; sensitivities and updating need 1e-8.";
+    /// Records that were computed.
+    SYNTHETIC = "A140", "the records are synthetic",
+        "A record says in its first line that it was computed and not measured. What is found from it tells how well the method \
+         works, and nothing of a bridge.";
+    /// A parameter on its bound.
+    AT_BOUND = "A141", "a parameter stands on a bound of its range",
+        "The records ask for a value beyond the range, or they do not see the parameter. It has not converged, whatever the norm \
+         says. Look at `identifiable` and at the sweep of this parameter; widen the range only with a reason that is not the norm.";
+    /// Peaks outside the slices.
+    WANDERED = "A142", "a peak lies outside the slices of the search",
+        "The search looked for peaks at the places where a full passage had them. By the parameters that it ended with, a channel \
+         peaks elsewhere: the norm of the full passage counts. Write slices = false in [update] to compare full passages.";
+    /// Something that could not be told.
+    UNTOLD = "A143", "what the data can tell could not be found out",
+        "The model failed close to what was found, or the posterior could not be posed. The parameters stand; how well the records \
+         tell them is not known. The message says why.";
 }
 
 impl Warning {

@@ -3,6 +3,7 @@
 mod errors;
 mod geometry;
 mod passage;
+mod update;
 mod vary;
 mod warnings;
 
@@ -26,7 +27,8 @@ pub struct Card {
 }
 
 /// All cards, by subject.
-pub const CARDS: [&[Card]; 5] = [errors::CARDS, geometry::CARDS, passage::CARDS, vary::CARDS, warnings::CARDS];
+pub const CARDS: [&[Card]; 6] =
+    [errors::CARDS, geometry::CARDS, passage::CARDS, update::CARDS, vary::CARDS, warnings::CARDS];
 
 /// All cards one after the other.
 pub fn cards() -> impl Iterator<Item = &'static Card> {

@@ -21,6 +21,7 @@ pub mod service;
 pub mod text;
 pub mod train;
 mod tree;
+pub mod update;
 mod values;
 pub mod vary;
 
@@ -39,9 +40,17 @@ pub struct Read {
     pub bridge: Option<Bridge>,
     /// What the file asks to vary, as far as that can be read.
     pub vary: Vec<vary::Request>,
+    /// What the file says of model updating; none where it says nothing, or nothing that can be used.
+    pub update: Option<update::Update>,
     /// Every finding, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
+
+/// What a bridge file means: the bridge, what is varied, what is sought.
+type Resolved = (Option<Bridge>, Vec<vary::Request>, Option<update::Update>);
+
+/// Sections that say how to update a bridge, and are no part of it.
+pub const UPDATE_SECTIONS: [&str; 4] = resolve::UPDATE_SECTIONS;
 
 /// No bridge file is longer [bytes]; what is, is something else.
 const LONGEST: usize = 1 << 20;
@@ -52,9 +61,10 @@ const MOST_SYNTAX_ERRORS: usize = 20;
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let (bridge, vary) = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
+    let (bridge, vary, update) = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
     let bridge = if findings.any_error() { None } else { bridge };
-    Read { bridge, vary, diagnostics: findings.in_order(text.len()) }
+    let update = update.filter(|_| bridge.is_some());
+    Read { bridge, vary, update, diagnostics: findings.in_order(text.len()) }
 }
 
 /// What reading a block model file gives.
@@ -105,8 +115,8 @@ pub fn read_ranges(text: &[u8], bridge: &edit::Document) -> (Vec<vary::Request>,
     (requests.unwrap_or_default(), findings.in_order(text.len()))
 }
 
-/// The bridge and what is varied.
-fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> (Option<Bridge>, Vec<vary::Request>) {
+/// The bridge, what is varied, and what is sought.
+fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> Resolved {
     let bridge = resolve::resolve(file, findings);
     let vary = resolve::vary(file, findings);
     if !vary.is_empty()
@@ -114,7 +124,8 @@ fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -
     {
         resolve::check_vary(&document, &vary, findings);
     }
-    (bridge, vary)
+    let update = resolve::update(text, file, bridge.as_ref(), findings);
+    (bridge, vary, update)
 }
 
 /// What a file of this kind means; nothing where the text is none of ours.

@@ -34,6 +34,8 @@ pub enum Command {
     Vary(Box<Vary>),
     /// Displacements, strains and stresses as a train passes
     Respond(Respond),
+    /// Find the moduli of a bridge from the records of a train's passage, and what the records cannot tell
+    Update(Update),
     /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
     CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
@@ -242,6 +244,54 @@ pub enum PassagePath {
     Condensed,
     /// All degrees of freedom at every position
     Plain,
+}
+
+/// `extrados update`.
+#[derive(Debug, Args)]
+pub struct Update {
+    /// The bridge file (TOML), with [records] and [[parameter]] beside its [passage]
+    pub file: PathBuf,
+    /// Folder for results and the log of evaluations [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Which search, in place of the file's
+    #[arg(long)]
+    pub search: Option<UpdateSearch>,
+    /// Reading of the hierarchical search, in place of the file's
+    #[arg(long)]
+    pub variant: Option<UpdateVariant>,
+    /// Take up the evaluations of an interrupted run
+    #[arg(long)]
+    pub resume: bool,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// A search for parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum UpdateSearch {
+    /// The railway paper's, by single sweeps and surfaces of two
+    Hierarchical,
+    /// Trust-region least squares from many starts
+    Modern,
+    /// Evolution over the whole ranges
+    Referee,
+    /// A plain gradient search from one start
+    Gradient,
+    /// One after the other
+    All,
+}
+
+/// A reading of the hierarchical search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum UpdateVariant {
+    /// The three cases as printed
+    Printed,
+    /// A decided descent to a bound freezes a parameter there
+    AsPractised,
+    /// One after the other
+    Both,
 }
 
 /// `extrados calibrate-fill`.
@@ -473,6 +523,7 @@ impl Command {
             Command::Convert(convert) => &convert.speech,
             Command::Vary(vary) => &vary.speech,
             Command::Respond(respond) => &respond.speech,
+            Command::Update(update) => &update.speech,
             Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
@@ -490,6 +541,7 @@ impl Command {
             Command::Convert(_) => "convert",
             Command::Vary(_) => "vary",
             Command::Respond(_) => "respond",
+            Command::Update(_) => "update",
             Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",

@@ -59,7 +59,7 @@ pub const ALL: &[Example] = &[
         name: "railway-arch",
         about: "a monitored railway arch of four spans, and the train that crosses it",
         main: "passage.toml",
-        files: files!("railway-arch": "passage.toml"),
+        files: files!("railway-arch": "passage.toml", "update.toml", "table-6.csv"),
     },
     Example {
         name: "tiny",
@@ -114,7 +114,9 @@ mod tests {
             assert!(example.files.iter().any(|file| file.name == example.main), "{}", example.name);
             for file in example.files {
                 let text = file.text.as_bytes();
-                if file.name.ends_with(".dxf") {
+                if file.name.ends_with(".csv") {
+                    assert!(file.about().starts_with("synthetic: "), "{}/{}", example.name, file.name);
+                } else if file.name.ends_with(".dxf") {
                     let read = drawing::read(text, &drawing::Options::default());
                     assert!(read.is_usable(), "{}/{}: {:?}", example.name, file.name, read.findings);
                 } else if bridge::is_block_file(text) {

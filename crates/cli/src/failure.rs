@@ -158,6 +158,14 @@ pub const CARDS: &[Card] = &[
                file as [[train.vehicle]], or a table (.csv) headed axle_load_t,distance_m or axle_force_kn,distance_m with a row per \
                axle, its distance counted from the first axle back. The message names each line that cannot be read.",
     },
+    Card {
+        code: "F130",
+        title: "nothing can be updated",
+        text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] with `place`, a table or a \
+               folder beside the file) and at least one [[parameter]] with a range. At least one channel of the records must be fit \
+               for use: the message lists what was found in them. Columns are named after sensors, or tied to them by `column` in \
+               [[channel]].",
+    },
 ];
 
 impl Failure {

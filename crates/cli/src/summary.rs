@@ -1,9 +1,11 @@
 //! The answer of a collapse analysis in an engineer's words.
 
 mod passage;
+mod update;
 mod vary;
 
 pub use passage::passage;
+pub use update::update;
 pub use vary::vary;
 
 use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};

@@ -12,6 +12,7 @@ mod plan;
 mod service;
 mod structure;
 pub(crate) mod train;
+mod update;
 mod vary;
 mod wall;
 
@@ -295,6 +296,14 @@ pub static FILE: Section = Section {
         ),
         Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
             .optional("nothing is varied"),
+        Field::new("records", Kind::Table(&update::RECORDS), "Records that `extrados update` compares with.", "")
+            .optional("possible only where nothing is sought"),
+        Field::new("channel", Kind::Tables(&update::CHANNEL), "What is known of the records' channels.", "")
+            .optional("all sensors are compared, by their names"),
+        Field::new("parameter", Kind::Tables(&update::PARAMETER), "What `extrados update` seeks.", "")
+            .optional("nothing is sought"),
+        Field::new("update", Kind::Table(&update::UPDATE), "How `extrados update` seeks it.", "")
+            .optional("the defaults"),
     ],
 };
 

@@ -13,6 +13,7 @@ mod sensors;
 mod service;
 pub(crate) mod structure;
 pub(crate) mod train;
+mod update;
 mod vary;
 mod wall;
 
@@ -22,6 +23,7 @@ use crate::plausible;
 use crate::tree::Table;
 
 pub(crate) use loading::{read_share, read_slope, slope};
+pub(crate) use update::{SECTIONS as UPDATE_SECTIONS, update};
 pub(crate) use vary::{check as check_vary, vary};
 
 /// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.

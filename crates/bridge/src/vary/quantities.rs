@@ -33,7 +33,7 @@ pub struct Known {
 }
 
 /// Sections that say how to vary, and are not varied themselves.
-const NOT_VARIED: &str = "vary";
+const NOT_VARIED: [&str; 5] = ["vary", "records", "channel", "parameter", "update"];
 
 /// Paths shown at most in a message.
 const MOST_SHOWN: usize = 12;
@@ -46,7 +46,7 @@ pub fn known(document: &Document) -> Vec<Known> {
 }
 
 fn visit(section: &'static Section, table: Option<&dyn TableLike>, prefix: &str, found: &mut Vec<Known>) {
-    for field in section.fields.iter().filter(|field| field.key != NOT_VARIED || !section.path.is_empty()) {
+    for field in section.fields.iter().filter(|field| !NOT_VARIED.contains(&field.key) || !section.path.is_empty()) {
         let path = format!("{prefix}{}", field.key);
         let item = table.and_then(|table| table.get(field.key));
         match field.kind {
@@ -92,7 +92,7 @@ pub fn find(document: &Document, text: &str) -> Result<Quantity, Slip> {
     let mut table = Some(document.root());
     let mut whole = Path { steps: Vec::new() };
     for (depth, step) in path.steps.iter().enumerate() {
-        let field = section.field(&step.key).filter(|field| depth > 0 || field.key != NOT_VARIED);
+        let field = section.field(&step.key).filter(|field| depth > 0 || !NOT_VARIED.contains(&field.key));
         let field = field.ok_or_else(|| unknown(document, text, section))?;
         let last = depth + 1 == path.steps.len();
         let item = table.and_then(|table| table.get(&step.key));

@@ -10,6 +10,7 @@ mod model;
 mod new;
 mod respond;
 mod schema;
+mod update;
 mod vary;
 mod verify;
 
@@ -91,6 +92,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
         Command::Respond(arguments) => respond::run(desk, arguments).map(Answer::from),
+        Command::Update(arguments) => update::run(desk, arguments).map(Answer::from),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),

@@ -33,6 +33,7 @@ const SLOW: &[(&str, &str)] = &[
     ("bridgemill", "whole.toml"),
     ("bridgemill", "calibration.toml"),
     ("railway-arch", "passage.toml"),
+    ("railway-arch", "update.toml"),
 ];
 
 #[test]

@@ -11,5 +11,6 @@ mod misuse;
 mod particles;
 mod respond;
 mod stage;
+mod update;
 mod vary;
 mod walls;

@@ -1,10 +1,27 @@
 //! Model updating: the moduli of a bridge from the records of a train's passage.
 
+mod forward;
+mod measured;
 mod outcome;
+mod searches;
 
+pub use forward::{Model, Threads};
+pub use measured::RecordFile;
 pub use outcome::{
     Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, SearchLine, Update, UpdateStatus,
 };
+
+use super::AnalysisError;
+use super::passage::Setup;
+use crate::checkpoint;
+use crate::warning::{self, Warning};
+use bridge::Bridge;
+use bridge::edit::Document;
+use bridge::update::Update as Asked;
+use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
+use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
+use searches::Searches;
+use thiserror::Error;
 
 /// A search for parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,4 +46,265 @@ impl Search {
             Search::Gradient => "gradient",
         }
     }
+}
+
+/// Why nothing can be updated.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum UpdateError {
+    /// The bridge cannot be analysed.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+    /// The start model gives no answer.
+    #[error("the start model gives no answer: {0}")]
+    StartModel(String),
+    /// Records and parameters make no problem.
+    #[error("records and parameters make no problem: {}", .0.join("; "))]
+    NoProblem(Vec<String>),
+}
+
+/// What is to be updated, and by which records.
+#[derive(Debug, Clone, Copy)]
+pub struct Task<'a> {
+    /// The bridge as its file has it.
+    pub bridge: &'a Bridge,
+    /// The file's text without the sections of updating.
+    pub document: &'a Document,
+    /// What it asks for.
+    pub asked: &'a Asked,
+    /// The records.
+    pub files: &'a [RecordFile],
+}
+
+impl Task<'_> {
+    /// What decides the answers of the model beside the point: the first line of a log.
+    pub fn identity(&self) -> String {
+        let paths: Vec<String> = self.asked.parameters.iter().map(|p| format!("{} [{}]", p.path, p.unit)).collect();
+        format!("extrados {} {:016x}", env!("CARGO_PKG_VERSION"), checkpoint::fingerprint(&(self.bridge, paths)))
+    }
+}
+
+/// How an update is made: its threads, its onlooker, its clock [s].
+pub struct Means<'a> {
+    /// Evaluations side by side.
+    pub map: &'a dyn Map,
+    /// Who looks on and keeps the log.
+    pub watch: &'a mut dyn Watch,
+    /// Seconds since whenever.
+    pub clock: &'a dyn Fn() -> f64,
+}
+
+/// Start model, records, searches, what the data can tell. `log` holds evaluations that were done before.
+pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, UpdateError> {
+    let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
+    let setup = model.setup();
+    let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
+    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
+    let blind = blind(parameters.clone(), setup)?;
+
+    let mut evaluator = Evaluator::new(&blind, &model, means.map, &mut *means.watch, log);
+    let first = evaluator.respond(std::slice::from_ref(&start), &Request::all());
+    let already = evaluator.computed();
+    let log = evaluator.into_log();
+    let Ok(first) = first else { return Ok(cancelled(task, setup, blind)) };
+    let first = first[0].as_ref().as_ref().map_err(|failure| UpdateError::StartModel(words(failure)))?;
+
+    let (channels, used) = measured::measured(task.asked, setup, task.files, &first.values);
+    let problem = Problem::new(parameters, channels, misfit(task.asked)).map_err(|findings| {
+        let words = findings.iter().map(|f| format!("{}: {} ({})", f.place, f.message, f.help));
+        UpdateError::NoProblem(words.chain(used.findings.iter().map(records::Finding::words)).collect())
+    })?;
+    let whole = by_passages(&problem);
+    let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
+    let basis = match Basis::at(&mut evaluator, &start) {
+        Ok(basis) => basis,
+        Err(Halt::Stopped) => return Ok(Update { records: used, ..cancelled(task, setup, problem.clone()) }),
+        Err(Halt::Failed(failure)) => return Err(UpdateError::StartModel(words(&failure))),
+    };
+
+    let made = Searches::make(&task.asked.plan, &mut evaluator, &basis, &whole, means.clock);
+    let mut found = Update { records: used, ..cancelled(task, setup, problem.clone()) };
+    found.answer = made.best();
+    found.status = match (made.stopped, &made.failed) {
+        (true, _) => UpdateStatus::Cancelled,
+        (_, Some(_)) => UpdateStatus::NotConverged,
+        _ => UpdateStatus::Completed,
+    };
+    found.reason.clone_from(&made.failed);
+    (found.searches, found.paper) = (made.lines, made.paper);
+    (found.modern, found.referee, found.gradient) = (made.modern, made.referee, made.gradient);
+    let mut updated = None;
+    if found.status != UpdateStatus::Cancelled
+        && let Some(point) = found.found().map(calibrate::Found::point)
+    {
+        let told = tell(task, &mut evaluator, &basis, &point, means.clock, &mut found);
+        if told.is_err() {
+            found.status = UpdateStatus::Cancelled;
+        }
+        updated = evaluator.respond(&[point], &Request::all()).ok();
+    }
+    let updated = updated.and_then(|answers| answers[0].as_ref().as_ref().ok().cloned());
+    found.channels = histories(setup, &problem, &first.values, updated.as_ref().map(|response| &response.values[..]));
+    (found.evaluations, found.computed) = (evaluator.log().len(), evaluator.computed() + already);
+    found.assumptions = assumptions(&model, &problem);
+    found.basis = Some(basis);
+    warn(&mut found);
+    Ok(found)
+}
+
+/// Identifiability and posterior; an error is a wish to stop.
+fn tell(
+    task: &Task<'_>,
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    point: &[f64],
+    clock: &dyn Fn() -> f64,
+    found: &mut Update,
+) -> Result<(), ()> {
+    match searches::identify(evaluator, basis, point) {
+        Ok(told) => found.identifiability = Some(told),
+        Err(Halt::Stopped) => return Err(()),
+        Err(Halt::Failed(failure)) => found.warnings.push(untold("identifiability", &words(&failure))),
+    }
+    if !task.asked.plan.posterior {
+        return Ok(());
+    }
+    match searches::posterior(&task.asked.plan, evaluator, basis, clock) {
+        Ok(Ok(report)) => found.posterior = Some(report),
+        Ok(Err(message)) => found.warnings.push(untold("the posterior", &message)),
+        Err(Halt::Stopped) => return Err(()),
+        Err(Halt::Failed(failure)) => found.warnings.push(untold("the posterior", &words(&failure))),
+    }
+    Ok(())
+}
+
+fn untold(what: &str, why: &str) -> Warning {
+    Warning::new(warning::UNTOLD, format!("{what} could not be told: {why}"))
+}
+
+fn words(failure: &Failure) -> String {
+    format!("{} ({})", failure.message, failure.code)
+}
+
+fn parameter(asked: &bridge::update::Parameter) -> Parameter {
+    let plain = Parameter::new(&asked.name, &asked.unit, asked.start, asked.lower, asked.upper);
+    if asked.logarithmic { Parameter { scale: Scale::Logarithmic, ..plain } } else { plain }
+}
+
+fn misfit(asked: &Asked) -> Misfit {
+    let plan = &asked.plan;
+    Misfit {
+        compare: if plan.compare == "histories" { Compare::Histories } else { Compare::Peaks },
+        scaling: if plan.by_uncertainty { Scaling::Uncertainty } else { Scaling::MeasuredPeak },
+        weights: match plan.weights {
+            "equal" => Weights::Equal,
+            "given" => Weights::Given,
+            _ => Weights::ShapeCorrelation,
+        },
+        slices: plan.slices,
+        ..Misfit::default()
+    }
+}
+
+/// The same problem by full passages throughout; it was sound before.
+fn by_passages(problem: &Problem) -> Problem {
+    let misfit = Misfit { slices: false, ..*problem.misfit() };
+    let same = Problem::new(problem.parameters().to_vec(), problem.channels().to_vec(), misfit);
+    same.unwrap_or_else(|_| problem.clone())
+}
+
+/// The problem before records are looked at: it has the shape of the answers and nothing else.
+fn blind(parameters: Vec<Parameter>, setup: &Setup) -> Result<Problem, UpdateError> {
+    let channels = setup.sensors.iter().map(|sensor| Channel::peak(&sensor.name, sensor.quantity.unit(), 1.0));
+    let misfit = Misfit { weights: Weights::Equal, ..Misfit::default() };
+    Problem::new(parameters, channels.collect(), misfit).map_err(|findings| {
+        UpdateError::NoProblem(findings.iter().map(|f| format!("{}: {} ({})", f.place, f.message, f.help)).collect())
+    })
+}
+
+/// An update of which nothing is known yet but what was asked.
+fn cancelled(task: &Task<'_>, setup: &Setup, problem: Problem) -> Update {
+    let place = |p: &bridge::update::Parameter| ParameterPlace { name: p.name.clone(), path: p.path.to_string() };
+    Update {
+        bridge: task.bridge.name.clone(),
+        train: setup.train.clone(),
+        status: UpdateStatus::Cancelled,
+        reason: None,
+        answer: None,
+        places: task.asked.parameters.iter().map(place).collect(),
+        problem,
+        basis: None,
+        times: setup.times.clone(),
+        positions: setup.positions.clone(),
+        channels: Vec::new(),
+        searches: Vec::new(),
+        paper: Vec::new(),
+        modern: None,
+        referee: None,
+        gradient: None,
+        identifiability: None,
+        posterior: None,
+        evaluations: 0,
+        computed: 0,
+        records: RecordsUsed::default(),
+        assumptions: Vec::new(),
+        warnings: Vec::new(),
+    }
+}
+
+fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Option<&[Vec<f64>]>) -> Vec<Histories> {
+    let one = |(k, channel): (usize, &Channel)| Histories {
+        name: channel.name.clone(),
+        quantity: setup.sensors[k].quantity,
+        unit: setup.sensors[k].quantity.unit(),
+        measured: channel.history.clone().unwrap_or_default(),
+        start: start[k].clone(),
+        updated: updated.map_or_else(Vec::new, |updated| updated[k].clone()),
+        left_out: channel.left_out.clone(),
+    };
+    problem.channels().iter().enumerate().map(one).collect()
+}
+
+fn assumptions(model: &Model<'_>, problem: &Problem) -> Vec<String> {
+    let setup = model.setup();
+    let how = match (problem.misfit().compare, problem.misfit().slices) {
+        (Compare::Histories, _) => "Whole histories are compared, by full passages.",
+        (Compare::Peaks, true) => {
+            "Peaks are compared. Searches look for the model's at the places where a full passage has them, and at both neighbours, by \
+             static slices; where a search ends is verified by a full passage."
+        }
+        (Compare::Peaks, false) => "Peaks are compared, by full passages throughout.",
+    };
+    let mut said = vec![
+        how.to_owned(),
+        "Weights are found once, at the start model, and held. A parameter on a bound is never called converged."
+            .to_owned(),
+        format!("An axle is carried by {:.3} m of the bridge's width; every peak goes with it.", setup.effective_width),
+    ];
+    if model.moves() {
+        said.push("A parameter moves mesh or loads: both are made anew for every evaluation.".to_owned());
+    }
+    said.extend(setup.assumptions.iter().cloned());
+    said
+}
+
+/// What a reader should look at before using the numbers.
+fn warn(found: &mut Update) {
+    let mut said = Vec::new();
+    let synthetic: Vec<&str> =
+        found.records.runs.iter().filter(|run| run.synthetic.is_some()).map(|run| run.name.as_str()).collect();
+    if !synthetic.is_empty() {
+        let message = format!("records that were computed and not measured: {}", synthetic.join(", "));
+        said.push(Warning::new(warning::SYNTHETIC, message));
+    }
+    if let Some(best) = found.found() {
+        for parameter in best.parameters.iter().filter(|parameter| parameter.at_bound) {
+            let message = format!("{} stands on a bound of its range and has not converged", parameter.name);
+            said.push(Warning::new(warning::AT_BOUND, message));
+        }
+        if !best.wandered.is_empty() {
+            let message = format!("peaks outside the slices of the search: {}", best.wandered.join(", "));
+            said.push(Warning::new(warning::WANDERED, message));
+        }
+    }
+    found.warnings.extend(said);
 }

@@ -1,0 +1,150 @@
+//! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
+//! and what stands on it is made once, where no parameter moves it.
+
+use crate::analysis::AnalysisError;
+use crate::analysis::passage::{PassageError, PassageStatus, Quantity, Setup, records, setup, slices};
+use bridge::edit::Document;
+use bridge::passage::{PassageAnalysis, PassagePlan};
+use bridge::update::Parameter;
+use bridge::{Bridge, Severity};
+use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
+use mechanics::watch::Unwatched;
+use rayon::prelude::*;
+use std::borrow::Cow;
+
+/// A bridge whose quantities are sought.
+#[derive(Debug)]
+pub struct Model<'a> {
+    own: &'a Bridge,
+    document: &'a Document,
+    parameters: &'a [Parameter],
+    setup: Setup,
+    /// Whether a parameter moves the mesh, the loads or the sensors.
+    moves: bool,
+}
+
+impl<'a> Model<'a> {
+    /// The model of a file: `document` is its text without the sections of updating.
+    pub fn new(own: &'a Bridge, document: &'a Document, parameters: &'a [Parameter]) -> Result<Self, AnalysisError> {
+        let setup = setup(own)?;
+        let mut model = Self { own, document, parameters, setup, moves: false };
+        for k in 0..parameters.len() {
+            let mut point: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
+            point[k] = if point[k] == parameters[k].lower { parameters[k].upper } else { parameters[k].lower };
+            let there = model.bridge_at(&point).map_err(|failure| PassageError::Missing(failure.message))?;
+            model.moves |= crate::analysis::passage::setup(&there)? != model.setup;
+        }
+        Ok(model)
+    }
+
+    /// Mesh, positions and sensors at the start.
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// Whether mesh and loads are made anew for every evaluation.
+    pub fn moves(&self) -> bool {
+        self.moves
+    }
+
+    /// The file with these values, read again.
+    fn bridge_at(&self, point: &[f64]) -> Result<Bridge, Failure> {
+        let mut document = self.document.clone();
+        for (parameter, value) in self.parameters.iter().zip(point) {
+            let set = document.set(&parameter.path, &parameter.literal(*value));
+            set.map_err(|_| Failure::new("no-place", format!("the file has no place for `{}`", parameter.path)))?;
+        }
+        let read = bridge::read(document.text().as_bytes());
+        let Some(mut bridge) = read.bridge else {
+            let error = read.diagnostics.iter().find(|finding| finding.severity == Severity::Error);
+            let message = error.map_or("the file cannot be read".into(), |e| format!("{} ({})", e.message, e.code));
+            return Err(Failure::new("unusable-input", message));
+        };
+        // Vehicles and packings from files beside this one were read once.
+        if let (Some(passage), Some(own)) = (&mut bridge.passage, &self.own.passage) {
+            passage.train = own.train.clone();
+        }
+        bridge.particles.clone_from(&self.own.particles);
+        Ok(bridge)
+    }
+
+    fn setup_of(&self, bridge: &Bridge) -> Result<Cow<'_, Setup>, Failure> {
+        if !self.moves {
+            return Ok(Cow::Borrowed(&self.setup));
+        }
+        let own = setup(bridge).map_err(not_set_up)?;
+        let (times, positions) = (self.setup.times.clone(), self.setup.positions.clone());
+        Ok(Cow::Owned(Setup { times, positions, ..own }))
+    }
+}
+
+fn not_set_up(error: AnalysisError) -> Failure {
+    Failure::new("not-set-up", error.to_string())
+}
+
+/// Static answers at some positions alone, in ascending order. Stresses are no functionals of displacements: with them the train
+/// goes from one of these positions to the next.
+fn at_places(bridge: &Bridge, setup: &Setup, places: &[usize]) -> Result<Vec<Vec<f64>>, Failure> {
+    let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
+    if setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress) {
+        let times = places.iter().map(|k| setup.times[*k]).collect();
+        let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
+        let some = Setup { times, positions, plan, ..setup.clone() };
+        return whole(bridge, &some);
+    }
+    let found = slices(bridge, setup, &positions, &mut Unwatched).map_err(not_set_up)?;
+    completed(found.status, found.reason, found.values)
+}
+
+/// Answers at every position of the passage.
+fn whole(bridge: &Bridge, setup: &Setup) -> Result<Vec<Vec<f64>>, Failure> {
+    let found = records(bridge, setup, &mut Unwatched).map_err(not_set_up)?;
+    completed(found.status, found.reason, found.values)
+}
+
+fn completed(status: PassageStatus, reason: Option<String>, values: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, Failure> {
+    match status {
+        PassageStatus::Completed => Ok(values),
+        status => Err(Failure::new(status.word(), reason.unwrap_or_default())),
+    }
+}
+
+impl Forward for Model<'_> {
+    fn evaluate(&self, point: &[f64], request: &Request) -> Evaluation {
+        let bridge = self.bridge_at(point)?;
+        let setup = self.setup_of(&bridge)?;
+        let scales: Vec<f64> = setup.sensors.iter().map(|sensor| sensor.quantity.scale()).collect();
+        let scaled = |(values, scale): (Vec<f64>, &f64)| values.into_iter().map(|value| scale * value).collect();
+        let values = match &request.samples {
+            Samples::All => whole(&bridge, &setup)?,
+            Samples::At(places) => {
+                let mut all: Vec<usize> = places.concat();
+                all.sort_unstable();
+                all.dedup();
+                let found = at_places(&bridge, &setup, &all)?;
+                let at = |k: &usize| all.binary_search(k).unwrap_or_default();
+                let of = |(wanted, values): (&Vec<usize>, &Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
+                places.iter().zip(&found).map(of).collect()
+            }
+        };
+        Ok(Response { values: values.into_iter().zip(&scales).map(scaled).collect(), derivatives: Vec::new() })
+    }
+
+    fn length(&self, _channel: usize) -> usize {
+        self.setup.times.len()
+    }
+}
+
+/// Evaluations side by side over the threads that there are; answers come in the order of the points.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Threads;
+
+impl Map for Threads {
+    fn map(&self, points: &[Vec<f64>], work: &(dyn Fn(&[f64]) -> Evaluation + Sync)) -> Vec<Evaluation> {
+        points.par_iter().with_max_len(1).map(|point| work(point)).collect()
+    }
+
+    fn at_once(&self) -> usize {
+        2 * rayon::current_num_threads()
+    }
+}

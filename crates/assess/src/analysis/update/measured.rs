@@ -1,0 +1,167 @@
+//! From tables of loggers to the channels that the model is compared with: read, judged, made ready, brought to its times.
+
+use super::outcome::{RecordsUsed, RunUsed};
+use crate::analysis::passage::{Quantity, Setup};
+use bridge::update::{Channel as Said, Update as Asked};
+use calibrate::Channel;
+use records::{
+    Align, Column, Detrend, Expected, LeaveOut, Mapping, Preparation, ReadOptions, Reference, Run, Scrutiny, Series,
+    Source, Zero, examine, prepare, read,
+};
+
+/// A table beside the bridge file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordFile {
+    /// Its name, as messages show it.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
+/// Channels in the order of the sensors, in the units in which they are shown, and how they came about.
+pub fn measured(asked: &Asked, setup: &Setup, files: &[RecordFile], start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
+    let mut findings = Vec::new();
+    let (mut runs, mut named) = (Vec::new(), Vec::new());
+    for file in files {
+        let found = read(&file.bytes, &options(asked, &file.name));
+        findings.extend(found.findings);
+        if let Some(mut run) = found.run {
+            name_by_sensors(&mut run, setup);
+            named.push(file.name.clone());
+            runs.push(run);
+        }
+    }
+    let series = prepare(examine(runs, &scrutiny(asked, setup, start)), &preparation(asked, setup, start));
+    findings.extend(series.findings.iter().cloned());
+    let used = |(run, file): (&Run, &String)| RunUsed {
+        name: run.name.clone(),
+        file: file.clone(),
+        speed: run.speed,
+        synthetic: run.synthetic.clone(),
+        channels: run.used().count(),
+    };
+    let runs = series.runs.iter().zip(&named).map(used).collect();
+    let channels = (0..setup.sensors.len()).map(|k| channel(asked, setup, &series, k)).collect();
+    (channels, RecordsUsed { runs, done: series.done, findings })
+}
+
+fn said<'a>(asked: &'a Asked, name: &str) -> Option<&'a Said> {
+    asked.channels.iter().find(|channel| channel.sensor == name)
+}
+
+fn options(asked: &Asked, file: &str) -> ReadOptions {
+    let column = |channel: &Said| {
+        let heading = channel.column.clone().unwrap_or_else(|| channel.sensor.clone());
+        let sign = if channel.reversed { -1.0 } else { 1.0 };
+        Column { sign, ..Column::new(Source::Heading(heading), &channel.sensor) }
+    };
+    let tied = asked.channels.iter().filter(|channel| channel.column.is_some() || channel.reversed);
+    let mapping = Mapping { channels: tied.map(column).collect(), ..Mapping::default() };
+    let name = std::path::Path::new(file).file_stem().map_or(file.into(), |stem| stem.to_string_lossy().into_owned());
+    ReadOptions { name, mapping, ..ReadOptions::default() }
+}
+
+/// Headings as programs write them lose blanks and capitals: they are the sensor whose name is left.
+fn name_by_sensors(run: &mut Run, setup: &Setup) {
+    let plain = |name: &str| name.to_lowercase().replace(['_', '-'], " ");
+    for channel in &mut run.channels {
+        if let Some(sensor) = setup.sensors.iter().find(|sensor| plain(&sensor.name) == plain(&channel.name)) {
+            channel.name.clone_from(&sensor.name);
+        }
+    }
+}
+
+/// Units and signs are judged against the start model, which need be right to a factor of five only.
+fn scrutiny(asked: &Asked, setup: &Setup, start: &[Vec<f64>]) -> Scrutiny {
+    let expected = setup.sensors.iter().zip(start).filter_map(|(sensor, values)| {
+        let peak = calibrate::channel::largest(values)? / sensor.quantity.scale();
+        Some(Expected { name: sensor.name.clone(), line: None, peak })
+    });
+    let out = |channel: &Said| {
+        let reason = channel.left_out.clone()?;
+        Some(LeaveOut { run: None, name: channel.sensor.clone(), line: None, reason })
+    };
+    let leave_out = asked.channels.iter().filter_map(out).collect();
+    Scrutiny { expected: expected.collect(), leave_out, ..Scrutiny::default() }
+}
+
+fn preparation(asked: &Asked, setup: &Setup, start: &[Vec<f64>]) -> Preparation {
+    let records = &asked.records;
+    let reference = |name: &String| {
+        let k = setup.sensors.iter().position(|sensor| sensor.name == *name)?;
+        let scale = setup.sensors[k].quantity.scale();
+        let values = start[k].iter().map(|value| value / scale).collect();
+        Some(Align::Reference(Reference {
+            name: name.clone(),
+            line: String::new(),
+            times: setup.times.clone(),
+            values,
+        }))
+    };
+    Preparation {
+        zero: if records.zero { Zero::QuietStart } else { Zero::AsRecorded },
+        detrend: if records.drift { Detrend::QuietEnds } else { Detrend::None },
+        align: records.align.as_ref().and_then(reference).unwrap_or_default(),
+        ..Preparation::default()
+    }
+}
+
+/// The mean over runs and lines of one sensor's records.
+fn channel(asked: &Asked, setup: &Setup, series: &Series, k: usize) -> Channel {
+    let sensor = &setup.sensors[k];
+    let said = said(asked, &sensor.name);
+    let wanted = match sensor.quantity {
+        Quantity::Strain => records::Quantity::Strain,
+        Quantity::Stress => records::Quantity::Stress,
+        _ => records::Quantity::Length,
+    };
+    let scale = sensor.quantity.scale();
+    let (mut peaks, mut histories) = (Vec::new(), Vec::new());
+    let mut reason = None;
+    for run in &series.runs {
+        for channel in run.channels.iter().filter(|channel| channel.name == sensor.name) {
+            if channel.unit.quantity != wanted {
+                reason = Some(format!("its records are in {}", channel.unit.symbol));
+                continue;
+            }
+            if let Some(why) = &channel.left_out {
+                reason = Some(why.clone());
+            }
+            let by_hand = said.is_some_and(|said| said.left_out.is_some());
+            let Some(peak) = channel.peak().filter(|_| channel.used() || by_hand) else { continue };
+            // A train at another speed stands at the same places at other times.
+            let pace = run.speed.map_or(1.0, |speed| speed / setup.plan.speed);
+            peaks.push(scale * channel.values[peak]);
+            histories.push(at_times(&run.times, &channel.values, pace, &setup.times, scale));
+        }
+    }
+    let count = peaks.len() as f64;
+    let missing = if peaks.is_empty() { Some(reason.unwrap_or_else(|| "no record of it".to_owned())) } else { None };
+    let mean = |sample: usize| histories.iter().map(|history: &Vec<f64>| history[sample]).sum::<f64>() / count;
+    Channel {
+        name: sensor.name.clone(),
+        unit: sensor.quantity.unit().to_owned(),
+        peak: (!peaks.is_empty()).then(|| peaks.iter().sum::<f64>() / count),
+        history: (!peaks.is_empty()).then(|| (0..setup.times.len()).map(mean).collect()),
+        uncertainty: said.and_then(|said| said.uncertainty),
+        weight: said.and_then(|said| said.weight),
+        left_out: said.and_then(|said| said.left_out.clone()).or(missing),
+    }
+}
+
+/// Values at the model's times on straight lines between samples; zero where nothing was recorded, before and after the train.
+fn at_times(times: &[f64], values: &[f64], pace: f64, wanted: &[f64], scale: f64) -> Vec<f64> {
+    let at = |time: &f64| {
+        let time = time / pace;
+        let next = times.partition_point(|known| *known < time);
+        match (next.checked_sub(1), times.get(next)) {
+            (_, Some(known)) if *known == time => values[next],
+            (Some(last), Some(known)) => {
+                let share = (time - times[last]) / (known - times[last]);
+                values[last] + share * (values[next] - values[last])
+            }
+            _ => 0.0,
+        }
+    };
+    wanted.iter().map(|time| at(time)).map(|value| if value.is_finite() { scale * value } else { 0.0 }).collect()
+}

@@ -1,0 +1,251 @@
+//! The searches that a file asks for, one after the other over one log, and what the data can tell where the best one ended.
+
+use super::Search;
+use super::outcome::{PaperSearch, PosteriorReport, SearchLine};
+use bridge::update::Plan;
+use calibrate::identify::Identifiability;
+use calibrate::posterior::{self, Likelihood, ModelError};
+use calibrate::search::{gradient, hierarchical, modern, referee};
+use calibrate::{Basis, Evaluator, Found, Halt, Problem, Samples, Serial, Start, Unwatched, surrogate};
+
+/// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
+/// peak, which a step of the usual ten-thousandth would take for a derivative.
+const STEP: f64 = 5e-3;
+
+/// Points that a surrogate is fitted to, and points that it is judged by.
+const SURROGATE: [usize; 2] = [150, 30];
+
+/// All that the searches gave.
+#[derive(Debug, Default)]
+pub struct Searches {
+    pub lines: Vec<SearchLine>,
+    pub paper: Vec<PaperSearch>,
+    pub modern: Option<modern::Outcome>,
+    pub referee: Option<referee::Outcome>,
+    pub gradient: Option<gradient::Outcome>,
+    /// Whether somebody asked to stop.
+    pub stopped: bool,
+    /// What failed.
+    pub failed: Option<String>,
+}
+
+/// How a search ended.
+enum End {
+    Well(String),
+    Stopped,
+    Failed(String),
+}
+
+impl Searches {
+    /// Makes them, until one is stopped. `whole` is the same problem by full passages.
+    pub fn make<'a>(
+        plan: &Plan,
+        evaluator: &mut Evaluator<'a>,
+        basis: &Basis,
+        whole: &'a Problem,
+        clock: &dyn Fn() -> f64,
+    ) -> Searches {
+        let mut all = Searches::default();
+        let wants = |name: &str| plan.search == name || plan.search == "all";
+        if wants("hierarchical") {
+            all.papers(plan, evaluator, basis, clock);
+        }
+        if wants("modern") {
+            let settings = modern::Settings {
+                starts: plan.starts as usize,
+                seed: plan.seed,
+                step: STEP,
+                ..modern::Settings::default()
+            };
+            all.one(Search::Modern, "", evaluator, clock, |all, evaluator| {
+                let outcome = modern::search(evaluator, basis, &settings);
+                let end = of_status(&outcome.status);
+                let found = outcome.found.clone();
+                all.modern = Some(outcome);
+                (end, found)
+            });
+            all.polish(evaluator, basis, whole, &settings, clock);
+        }
+        if wants("referee") {
+            let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
+            all.one(Search::Referee, "", evaluator, clock, |all, evaluator| {
+                let outcome = referee::search(evaluator, basis, &settings);
+                let (end, found) = (of_status(&outcome.status), outcome.found.clone());
+                all.referee = Some(outcome);
+                (end, found)
+            });
+        }
+        if wants("gradient") {
+            all.one(Search::Gradient, "from the file's values", evaluator, clock, |all, evaluator| {
+                let outcome = gradient::search(evaluator, basis, &Start::Stated, 100);
+                let (end, found) = (of_status(&outcome.status), outcome.found.clone());
+                all.gradient = Some(outcome);
+                (end, found)
+            });
+        }
+        all
+    }
+
+    /// The paper's search by every reading and from every start that is asked for.
+    fn papers(&mut self, plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) {
+        let variants: &[(&'static str, hierarchical::Variant)] =
+            &[("printed", hierarchical::Variant::Printed), ("as-practised", hierarchical::Variant::AsPractised)];
+        let starts: &[(&'static str, Start)] = match plan.start {
+            "stated" => &[("stated", Start::Stated)],
+            "bounds" => &[("lower-bounds", Start::LowerBounds), ("upper-bounds", Start::UpperBounds)],
+            "all" => {
+                &[("means", Start::Means), ("lower-bounds", Start::LowerBounds), ("upper-bounds", Start::UpperBounds)]
+            }
+            _ => &[("means", Start::Means)],
+        };
+        for (variant, reading) in variants.iter().filter(|(word, _)| plan.variant == "both" || plan.variant == *word) {
+            for (start, from) in starts {
+                let settings = hierarchical::Settings {
+                    variant: *reading,
+                    start: from.clone(),
+                    sweep_points: plan.points as usize,
+                    surface_points: plan.points as usize,
+                    passes: plan.passes as usize,
+                    ..hierarchical::Settings::default()
+                };
+                let words = format!("{variant}, from {start}");
+                self.one(Search::Hierarchical, &words, evaluator, clock, |all, evaluator| {
+                    let outcome = hierarchical::search(evaluator, basis, &settings);
+                    let name = |k: &usize| evaluator.problem.parameters()[*k].name.clone();
+                    let end = match &outcome.status {
+                        hierarchical::Status::Resolved => End::Well("every parameter resolved".to_owned()),
+                        hierarchical::Status::Unresolved(open) => {
+                            let open: Vec<String> = open.iter().map(name).collect();
+                            End::Well(format!("not resolved: {}", open.join(", ")))
+                        }
+                        hierarchical::Status::BothAtBounds(pair) => {
+                            End::Well(format!("{} and {} both on bounds", name(&pair[0]), name(&pair[1])))
+                        }
+                        hierarchical::Status::Stopped => End::Stopped,
+                        hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
+                    };
+                    let found = outcome.found.clone();
+                    all.paper.push(PaperSearch { variant, start, outcome });
+                    (end, found)
+                });
+            }
+        }
+    }
+
+    /// Where slices were searched, goes on from the end by full passages: a slice remembers no earlier axle, a passage does.
+    fn polish<'a>(
+        &mut self,
+        evaluator: &mut Evaluator<'a>,
+        basis: &Basis,
+        whole: &'a Problem,
+        settings: &modern::Settings,
+        clock: &dyn Fn() -> f64,
+    ) {
+        let end = self.modern.as_ref().and_then(|outcome| outcome.found.as_ref()).map(Found::point);
+        let Some(end) = end.filter(|_| basis.samples != Samples::All) else { return };
+        let passages = Basis { samples: Samples::All, ..basis.clone() };
+        let settings = modern::Settings { start: Start::Values(end), starts: 1, ..settings.clone() };
+        // The search asks the problem whether to look for slices anew.
+        let by_slices = std::mem::replace(&mut evaluator.problem, whole);
+        self.one(Search::Modern, "on by full passages", evaluator, clock, |_, evaluator| {
+            let outcome = modern::search(evaluator, &passages, &settings);
+            (of_status(&outcome.status), outcome.found)
+        });
+        evaluator.problem = by_slices;
+    }
+
+    /// One search with its line in the table.
+    fn one(
+        &mut self,
+        search: Search,
+        variant: &str,
+        evaluator: &mut Evaluator,
+        clock: &dyn Fn() -> f64,
+        run: impl FnOnce(&mut Searches, &mut Evaluator) -> (End, Option<Found>),
+    ) {
+        if self.stopped {
+            return;
+        }
+        let (begun, before) = (clock(), evaluator.computed());
+        let (end, found) = run(self, evaluator);
+        let status = match end {
+            End::Well(words) => words,
+            End::Stopped => {
+                self.stopped = true;
+                "stopped".to_owned()
+            }
+            End::Failed(message) => {
+                self.failed = self.failed.take().or(Some(format!("{} search: {message}", search.word())));
+                format!("failed: {message}")
+            }
+        };
+        self.lines.push(SearchLine {
+            search,
+            variant: variant.to_owned(),
+            status,
+            found,
+            computed: evaluator.computed() - before,
+            seconds: clock() - begun,
+        });
+    }
+
+    /// The search that ended with the least norm of a full passage.
+    pub fn best(&self) -> Option<usize> {
+        let norm = |k: &usize| self.lines[*k].found.as_ref().map(|found| found.norm).filter(|norm| norm.is_finite());
+        let ended = (0..self.lines.len()).filter_map(|k| norm(&k).map(|norm| (k, norm)));
+        ended.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(k, _)| k)
+    }
+}
+
+fn of_status(status: &modern::Status) -> End {
+    match status {
+        modern::Status::Converged => End::Well("converged".to_owned()),
+        modern::Status::NotConverged(words) => End::Well(format!("not converged: {words}")),
+        modern::Status::Stopped => End::Stopped,
+        modern::Status::Failed(failure) => End::Failed(failure.message.clone()),
+    }
+}
+
+/// What the data can tell at a point: by differences as wide as the modern search's.
+pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Identifiability, Halt> {
+    calibrate::identify::identify(evaluator, basis, point)
+}
+
+/// The posterior, sampled on a polynomial whose error is checked, stated and joined to the uncertainties.
+pub fn posterior(
+    plan: &Plan,
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    clock: &dyn Fn() -> f64,
+) -> Result<Result<PosteriorReport, String>, Halt> {
+    let begun = clock();
+    let settings = surrogate::Settings {
+        training: SURROGATE[0],
+        held_out: SURROGATE[1],
+        seed: plan.seed,
+        ..surrogate::Settings::default()
+    };
+    let polynomial = surrogate::build(evaluator, basis, &settings)?;
+    let problem = polynomial.widen(evaluator.problem);
+    let model_error = if plan.model_error > 0.0 { ModelError::Sought(plan.model_error) } else { ModelError::None };
+    let likelihood = Likelihood { model_error, ..Likelihood::default() };
+    let settings = posterior::Settings {
+        likelihood,
+        effective_samples: plan.samples as f64,
+        seed: plan.seed,
+        ..posterior::Settings::default()
+    };
+    let mut unwatched = Unwatched;
+    let mut quick = Evaluator::without_log(&problem, &polynomial, &Serial, &mut unwatched);
+    let sampled = posterior::sample(&mut quick, basis, &settings);
+    let words = |findings: Vec<calibrate::Finding>| {
+        findings.iter().map(|f| format!("{}: {}; {}", f.place, f.message, f.help)).collect::<Vec<_>>().join("; ")
+    };
+    Ok(sampled.map_err(words).map(|posterior| PosteriorReport {
+        posterior,
+        likelihood,
+        surrogate: polynomial.words(),
+        surrogate_error: polynomial.mean_error.clone(),
+        seconds: clock() - begun,
+    }))
+}

@@ -1,0 +1,144 @@
+//! Cards of model updating: records, channels, parameters, searches.
+
+use super::{Field, Kind, Section, Word};
+
+pub(super) static RECORDS: Section = Section {
+    path: "records",
+    doc: "Records of a train's passage that `extrados update` compares with. Their columns are named after the sensors.",
+    fields: &[
+        Field::new(
+            "place",
+            Kind::Text,
+            "a table (.csv), or a folder all of whose tables are runs; beside this file",
+            "table-6.csv",
+        ),
+        Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
+        Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
+            .default("false"),
+        Field::new(
+            "align",
+            Kind::Text,
+            "the channel by which clocks are aligned with the start model",
+            "crown displacement",
+        )
+        .optional("the records' clock is that of [passage]: zero where the first axle starts"),
+    ],
+};
+
+pub(super) static CHANNEL: Section = Section {
+    path: "channel",
+    doc: "What is known of a channel of the records; sensors without one are compared as they are.",
+    fields: &[
+        Field::new("sensor", Kind::Text, "name of the sensor", "crown strain"),
+        Field::new("column", Kind::Text, "name of the column in the records", "SG 4").optional("the sensor's name"),
+        Field::new("reversed", Kind::Flag, "whether the records count the other way", "false").default("false"),
+        Field::new("uncertainty", Kind::Number, "standard deviation of one value, in mm, microstrain or MPa", "0.01")
+            .positive()
+            .optional("not known; needed by the posterior and by `by_uncertainty`"),
+        Field::new("weight", Kind::Number, "its weight, where weights are given", "1.0")
+            .positive()
+            .optional("needed only where `weights` = \"given\""),
+        Field::new(
+            "leave_out",
+            Kind::Text,
+            "why it takes no part; it is still shown",
+            "a gauge on a stone sees no opening",
+        )
+        .optional("it takes part"),
+    ],
+};
+
+const SPACINGS: &[Word] = &[
+    Word { word: "linear", doc: "evenly in the value" },
+    Word { word: "logarithmic", doc: "evenly in its logarithm, for ranges over orders of magnitude" },
+];
+
+pub(super) static PARAMETER: Section = Section {
+    path: "parameter",
+    doc: "A quantity of this file that `extrados update` seeks between bounds. Its own value is the start.",
+    fields: &[
+        Field::new("quantity", Kind::Text, "path of the quantity, as in [[vary]]", "fill.elastic_modulus"),
+        Field::new("name", Kind::Text, "what results call it", "fill").optional("its path"),
+        Field::new("lower", Kind::Value, "lower end of the acceptable range", "20 MPa"),
+        Field::new("upper", Kind::Value, "upper end of the acceptable range", "200 MPa"),
+        Field::new("spacing", Kind::Word(SPACINGS), "how the range is divided", "linear").default("linear"),
+    ],
+};
+
+const SEARCHES: &[Word] = &[
+    Word { word: "hierarchical", doc: "the railway paper's, by single sweeps and surfaces of two" },
+    Word { word: "modern", doc: "trust-region least squares from many starts" },
+    Word { word: "referee", doc: "evolution over the whole ranges" },
+    Word { word: "gradient", doc: "a plain gradient search from one start" },
+    Word { word: "all", doc: "one after the other, with a table" },
+];
+
+const VARIANTS: &[Word] = &[
+    Word { word: "printed", doc: "the three cases as printed" },
+    Word { word: "as-practised", doc: "a decided descent to a bound freezes a parameter there" },
+    Word { word: "both", doc: "one after the other, with a table" },
+];
+
+const STARTS: &[Word] = &[
+    Word { word: "stated", doc: "the values of this file" },
+    Word { word: "means", doc: "the middle of every range" },
+    Word { word: "bounds", doc: "all lower bounds, then all upper bounds" },
+    Word { word: "all", doc: "means, then bounds" },
+];
+
+const COMPARED: &[Word] = &[
+    Word { word: "peaks", doc: "signed peaks (eq. 3 of the paper), from static slices" },
+    Word { word: "histories", doc: "every value, by root mean square" },
+];
+
+const WEIGHTS: &[Word] = &[
+    Word { word: "shapes", doc: "squares of the shape correlation factors (eq. 4) at the start model" },
+    Word { word: "equal", doc: "all alike" },
+    Word { word: "given", doc: "those of [[channel]]" },
+];
+
+pub(super) static UPDATE: Section = Section {
+    path: "update",
+    doc: "How `extrados update` seeks the parameters.",
+    fields: &[
+        Field::new("search", Kind::Word(SEARCHES), "which search", "modern").default("modern"),
+        Field::new("variant", Kind::Word(VARIANTS), "reading of the hierarchical search", "printed").default("printed"),
+        Field::new("start", Kind::Word(STARTS), "where the hierarchical search begins", "means").default("means"),
+        Field::new("starts", Kind::Count, "starts of the modern search", "4")
+            .at_least(1.0)
+            .at_most(1000.0)
+            .default("4"),
+        Field::new("passes", Kind::Count, "most passes of the hierarchical search", "2")
+            .at_least(1.0)
+            .at_most(100.0)
+            .default("2"),
+        Field::new("points", Kind::Count, "points of a sweep, and of a surface along each parameter", "11")
+            .at_least(3.0)
+            .at_most(201.0)
+            .default("11"),
+        Field::new("compare", Kind::Word(COMPARED), "what is compared", "peaks").default("peaks"),
+        Field::new("slices", Kind::Flag, "whether peaks are sought in static slices, not in full passages", "true")
+            .default("true"),
+        Field::new("weights", Kind::Word(WEIGHTS), "where weights come from", "shapes").default("shapes"),
+        Field::new("by_uncertainty", Kind::Flag, "whether errors are counted in `uncertainty`", "false")
+            .default("false"),
+        Field::new("posterior", Kind::Flag, "whether what the records leave open is sampled", "false").default("false"),
+        Field::new(
+            "model_error",
+            Kind::Number,
+            "scale of the model's own error, a share of the peaks; 0 for none",
+            "0.1",
+        )
+        .at_least(0.0)
+        .at_most(1.0)
+        .default("0.1"),
+        Field::new("samples", Kind::Count, "effective samples of the posterior", "10000")
+            .at_least(100.0)
+            .at_most(1_000_000.0)
+            .default("10000"),
+        Field::new("seed", Kind::Count, "seed of starts, surrogate and posterior", "1")
+            .at_least(0.0)
+            .at_most(9e15)
+            .default("1"),
+    ],
+};

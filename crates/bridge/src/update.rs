@@ -1,0 +1,105 @@
+//! What a bridge file says of model updating: records, what ties their columns to sensors, parameters, searches.
+
+use crate::path::Path;
+
+/// Model updating as a file asks for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Update {
+    /// Where records are.
+    pub records: Records,
+    /// What is said of single channels.
+    pub channels: Vec<Channel>,
+    /// What is sought.
+    pub parameters: Vec<Parameter>,
+    /// How it is sought.
+    pub plan: Plan,
+}
+
+/// Where records are and how they are made ready.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Records {
+    /// A file, or a folder all of whose tables are runs, beside the bridge file.
+    pub place: String,
+    /// Whether the level before the train is taken off.
+    pub zero: bool,
+    /// Whether the line between the levels before and after the train is taken off.
+    pub drift: bool,
+    /// Channel by which clocks are aligned with the start model; none where clocks are the model's.
+    pub align: Option<String>,
+}
+
+/// What is said of one channel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Name of its sensor.
+    pub sensor: String,
+    /// Name of its column in the records; the sensor's where not given.
+    pub column: Option<String>,
+    /// Whether the records count the other way.
+    pub reversed: bool,
+    /// Standard deviation of one measured value [mm, microstrain or MPa].
+    pub uncertainty: Option<f64>,
+    /// Weight, where weights are given.
+    pub weight: Option<f64>,
+    /// Why it takes no part.
+    pub left_out: Option<String>,
+}
+
+/// A quantity of the file that is sought between bounds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// Its name in results.
+    pub name: String,
+    /// Its place in the file.
+    pub path: Path,
+    /// Unit of the numbers; empty for bare ones.
+    pub unit: String,
+    /// The file's own value.
+    pub start: f64,
+    /// Lower end of the range.
+    pub lower: f64,
+    /// Upper end of the range.
+    pub upper: f64,
+    /// Whether the range is divided evenly in the logarithm.
+    pub logarithmic: bool,
+}
+
+impl Parameter {
+    /// A value as the file would have it, with every digit.
+    pub fn literal(&self, value: f64) -> String {
+        if self.unit.is_empty() { format!("{value:?}") } else { format!("\"{value} {}\"", self.unit) }
+    }
+}
+
+/// How parameters are sought.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Which search: hierarchical, modern, referee, gradient or all.
+    pub search: &'static str,
+    /// Which reading of the published search: printed, as-practised or both.
+    pub variant: &'static str,
+    /// Where the published search begins: stated, means, bounds or all.
+    pub start: &'static str,
+    /// Starts of the modern search.
+    pub starts: u64,
+    /// Passes of the published search.
+    pub passes: u64,
+    /// Points of a single sweep, and of a surface along each parameter.
+    pub points: u64,
+    /// What is compared: peaks or histories.
+    pub compare: &'static str,
+    /// Whether peaks are looked for in static slices instead of full passages.
+    pub slices: bool,
+    /// Where weights come from: shapes, equal or given.
+    pub weights: &'static str,
+    /// Whether errors are counted in standard deviations of the measurement.
+    pub by_uncertainty: bool,
+    /// Whether the posterior is sampled.
+    pub posterior: bool,
+    /// Scale of the model's error as a share of the peaks, sought beside the parameters; zero for an exact model.
+    pub model_error: f64,
+    /// Effective samples of the posterior.
+    pub samples: u64,
+    /// Seed of everything that is drawn.
+    pub seed: u64,
+}

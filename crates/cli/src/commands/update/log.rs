@@ -1,0 +1,90 @@
+//! Looks on an update: draws its progress, hears Ctrl-C, appends every finished evaluation to the log in the folder of results.
+
+use crate::failure::Failure;
+use crate::folder::Folder;
+use crate::watcher;
+use calibrate::log::Unreadable;
+use calibrate::{Log, Progress, Watch, Wish};
+use indicatif::ProgressBar;
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+/// Name of the log.
+pub const NAME: &str = "evaluations.log";
+
+/// Keeps what is done.
+pub struct Keeper {
+    bar: ProgressBar,
+    path: PathBuf,
+    file: File,
+    trouble: Option<io::Error>,
+}
+
+impl Keeper {
+    /// What an earlier run of the same model did, if it is to be taken up, and someone who keeps what comes.
+    pub fn open(folder: &Folder, identity: &str, resume: bool, quiet: bool) -> Result<(Log, Keeper), Failure> {
+        let path = folder.file(NAME);
+        let kept = if resume { read(&path)? } else { None };
+        let log = match kept {
+            Some(text) => take_up(&path, identity, &text)?,
+            None => Log::new(identity),
+        };
+        // Written anew, so that a torn last line of a killed run does not spoil the next one.
+        let unwritable = |error: io::Error| Failure::not_written(&path, &error);
+        crate::folder::write_whole(&path, log.text().as_bytes()).map_err(unwritable)?;
+        let file = OpenOptions::new().append(true).open(&path).map_err(unwritable)?;
+        let bar = watcher::count(quiet, 1);
+        Ok((log, Keeper { bar, path, file, trouble: None }))
+    }
+
+    /// Ends the drawing; tells what kept an evaluation from being kept.
+    pub fn finish(self) -> Option<Failure> {
+        self.bar.finish_and_clear();
+        self.trouble.map(|error| Failure::not_written(&self.path, &error))
+    }
+}
+
+fn read(path: &std::path::Path) -> Result<Option<String>, Failure> {
+    match std::fs::read(path) {
+        Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(Failure::unreadable(path, &error)),
+    }
+}
+
+fn take_up(path: &std::path::Path, identity: &str, text: &str) -> Result<Log, Failure> {
+    match Log::read(identity, text) {
+        Ok((log, _)) => Ok(log),
+        Err(Unreadable::Other { .. }) => {
+            let message = format!("{} belongs to another bridge or other parameters", path.display());
+            Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
+        }
+        Err(Unreadable::NoLog) => {
+            let message = format!("cannot use {}: it is no log of evaluations", path.display());
+            Err(Failure::input("F110", message, "run without --resume to start anew"))
+        }
+    }
+}
+
+impl Watch for Keeper {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let to_come = progress.to_come.unwrap_or(0);
+        self.bar.set_length((progress.done + to_come).max(1) as u64);
+        self.bar.set_position(progress.done as u64);
+        let left = progress.to_come.map_or(String::new(), |left| format!(", at most {left} to come"));
+        self.bar.set_message(format!("{}: {} evaluations{left}", progress.stage, progress.done));
+        if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+    }
+
+    fn keep(&mut self, line: &str) {
+        let written = self.file.write_all(format!("{line}\n").as_bytes());
+        if let Err(error) = written {
+            self.trouble.get_or_insert(error);
+        }
+    }
+
+    fn keeps(&self) -> bool {
+        true
+    }
+}
