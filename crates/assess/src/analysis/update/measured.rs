@@ -163,5 +163,5 @@ fn at_times(times: &[f64], values: &[f64], pace: f64, wanted: &[f64], scale: f64
             _ => 0.0,
         }
     };
-    wanted.iter().map(|time| at(time)).map(|value| if value.is_finite() { scale * value } else { 0.0 }).collect()
+    wanted.iter().map(at).map(|value| if value.is_finite() { scale * value } else { 0.0 }).collect()
 }
