@@ -81,9 +81,11 @@ impl Parameter {
         (0..=last).map(|k| self.at(k as f64 / last as f64)).collect()
     }
 
-    /// Whether a value stands on an end of the range.
+    /// Whether a value stands on an end of the range, or so near that a search which stays inside would come no nearer.
     pub fn at_bound(&self, value: f64) -> bool {
-        value <= self.lower || value >= self.upper
+        const NEAR: f64 = 1e-5;
+        let near = NEAR * (self.upper - self.lower);
+        value <= self.lower + near || value >= self.upper - near
     }
 }
 

@@ -112,6 +112,16 @@ fn fitting(name: &str, unit: &str, limit: f64) -> String {
     cut.next().unwrap_or_else(|| pretty(unit))
 }
 
+/// As much of a line as a limit allows.
+fn shortened(words: &str, size: f64, limit: f64) -> String {
+    let fits = |text: &str| font::width(text, size, font::Weight::Regular) <= limit;
+    if fits(words) {
+        return words.to_owned();
+    }
+    let cut = |length: usize| format!("{}…", words.chars().take(length).collect::<String>().trim_end());
+    (1..words.chars().count()).rev().map(cut).find(|text| fits(text)).unwrap_or_default()
+}
+
 /// A name in bold and words about it, beside it where there is room up to `right` and below it otherwise; `at` is where the last
 /// line begins.
 fn heading(sheet: &mut Sheet, at: Spot, right: f64, name: &str, words: &str) {
@@ -122,7 +132,7 @@ fn heading(sheet: &mut Sheet, at: Spot, right: f64, name: &str, words: &str) {
         sheet.text([beside, at[1]], words, small);
     } else {
         sheet.text([at[0], at[1] - HEADING_LINE], name, bold);
-        sheet.text(at, words, small);
+        sheet.text(at, &shortened(words, small.size, right - at[0]), small);
     }
 }
 
