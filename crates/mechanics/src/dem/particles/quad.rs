@@ -172,3 +172,40 @@ pub(super) fn by_fours<W: ByFours>(work: W) -> W::Output {
     }
     work.work(Plain)
 }
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+
+    /// What every step of the arithmetic gives on rows of such numbers, as bits.
+    fn all<Q: Quad>(quad: Q, numbers: [[f64; 4]; 4]) -> Vec<u64> {
+        let [a, b, c, d] = numbers.map(|row| quad.row(row));
+        let mut rows =
+            vec![quad.sum(a, b), quad.difference(a, b), quad.product(a, b), quad.quotient(a, b), quad.root(c)];
+        rows.extend([quad.larger(a, b), quad.smaller(a, b), quad.where_positive(a, b), quad.splat(numbers[3][1])]);
+        rows.extend(quad.transpose([a, b, c, d]));
+        rows.into_iter().flat_map(|row| quad.numbers(row)).map(f64::to_bits).collect()
+    }
+
+    /// A processor with wide vectors and one without give the same bits: also of zeros with a sign, of what is infinite, and of what is
+    /// no number. (The bits of a number that is none may differ where both operands are none; such runs have broken anyway.)
+    #[test]
+    fn wide_vectors_give_the_bits_of_plain_numbers() {
+        let Some(v3) = pulp::x86::V3::try_new() else { return };
+        let odd = [0.0, -0.0, 1.0, -1.5, 1e-310, f64::INFINITY, f64::NAN, 0.1, 3e200, -7e-9];
+        let mut seen = 0;
+        for k in 0..odd.len().pow(2) {
+            let at = |i: usize| odd[(k / odd.len().pow((i % 2) as u32) + 3 * (i / 2)) % odd.len()];
+            let numbers: [[f64; 4]; 4] = std::array::from_fn(|r| std::array::from_fn(|c| at(4 * r + c)));
+            for (plain, wide) in all(Plain, numbers).into_iter().zip(all(v3, numbers)) {
+                let none = f64::from_bits(plain).is_nan() && f64::from_bits(wide).is_nan();
+                assert!(plain == wide || none, "{numbers:?}: {plain:x} {wide:x}");
+                seen += usize::from(!none);
+            }
+        }
+        assert!(seen > 1000, "{seen} numbers compared");
+        let rows = std::array::from_fn(|r| std::array::from_fn(|c| (10 * r + c) as f64));
+        let columns = Plain.transpose(rows);
+        assert_eq!(columns[2], [2.0, 12.0, 22.0, 32.0]);
+    }
+}
