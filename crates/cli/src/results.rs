@@ -1,9 +1,13 @@
 //! From an analysis to its folder of results.
 
+use crate::commands::Desk;
 use crate::failure::Failure;
+use crate::folder::Folder;
+use crate::report::{self, Report};
 use crate::status::Status;
 use assess::analysis::AnalysisError;
 use figures::RasterError;
+use serde_json::json;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -24,7 +28,7 @@ pub fn not_drawn(folder: &Path, error: &RasterError) -> Failure {
 }
 
 /// Writes files into a folder, with folders of their own where their names have them.
-pub fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
+fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
     for file in files {
         let path = folder.join(&file.name);
         if let Some(parent) = path.parent() {
@@ -33,6 +37,25 @@ pub fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
         fs::write(path, &file.bytes)?;
     }
     Ok(())
+}
+
+/// Moves the files into the folder, sealed with the object that scripts read.
+pub fn publish(desk: &Desk, mut report: Report, folder: &Folder, files: &[figures::File]) -> Result<Report, Failure> {
+    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
+    folder.fill(
+        |staging| write(staging, files),
+        |names| {
+            report.fields.insert("files".to_owned(), json!(names));
+            report::text_of(&report.object(&desk.schema, desk.clock))
+        },
+    )?;
+    Ok(report)
+}
+
+/// Tables (name without extension, text) as files; those without a row are left out.
+pub fn tables<'a>(all: impl IntoIterator<Item = (&'a str, String)>) -> impl Iterator<Item = figures::File> {
+    let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
+    filled.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() })
 }
 
 /// The status of an analysis as a status of the command.

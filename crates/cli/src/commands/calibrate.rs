@@ -12,7 +12,6 @@ use crate::{quantities, summary};
 use assess::analysis::calibrate::{self, CalibrationReport, Verdict};
 use assess::wire;
 use bridge::Bridge;
-use serde_json::json;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
@@ -46,20 +45,12 @@ fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn write(desk: &Desk, found: &CalibrationReport, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &Desk, found: &CalibrationReport, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let mut files = Vec::new();
     for (name, svg) in figures::calibration(found) {
         files.extend(figures::both(&name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     let tables = [("curve", wire::calibration_curves(found)), ("moduli", wire::calibration_moduli(found))];
-    files.extend(tables.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }));
-    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
-    folder.fill(
-        |staging| results::write(staging, &files),
-        |names| {
-            report.fields.insert("files".to_owned(), json!(names));
-            report::text_of(&report.object(&desk.schema, desk.clock))
-        },
-    )?;
-    Ok(report)
+    files.extend(results::tables(tables));
+    results::publish(desk, report, folder, &files)
 }

@@ -13,7 +13,6 @@ use crate::{quantities, summary};
 use assess::analysis::{self, AnalysisError, Collapse};
 use assess::{warning, wire};
 use bridge::Bridge;
-use serde_json::json;
 use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
@@ -111,7 +110,7 @@ fn write(
         own.extend(tables(wall));
         files.extend(own.into_iter().map(|file| figures::File { name: format!("wall/{}", file.name), ..file }));
     }
-    fill(desk, report, folder, &files)
+    results::publish(desk, report, folder, &files)
 }
 
 /// Every table that has rows.
@@ -163,18 +162,5 @@ fn sweep(
         files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     files.push(table("sweep", wire::sweep_table(&found)));
-    fill(desk, report, folder, &files)
-}
-
-/// Writes the files, sealed with the object that scripts read.
-fn fill(desk: &Desk, mut report: Report, folder: &Folder, files: &[figures::File]) -> Result<Report, Failure> {
-    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
-    folder.fill(
-        |staging| results::write(staging, files),
-        |names| {
-            report.fields.insert("files".to_owned(), json!(names));
-            report::text_of(&report.object(&desk.schema, desk.clock))
-        },
-    )?;
-    Ok(report)
+    results::publish(desk, report, folder, &files)
 }

@@ -30,10 +30,10 @@ use std::io;
 use std::path::Path;
 
 /// What every command is given.
-struct Desk {
-    screen: Screen,
-    clock: Clock,
-    schema: String,
+pub struct Desk {
+    pub screen: Screen,
+    pub clock: Clock,
+    pub schema: String,
 }
 
 /// What a command answers.

@@ -76,7 +76,7 @@ fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn write(desk: &Desk, found: &Passage, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let mut files = figures::passage(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
     let tables = [
         ("influence", wire::influence_table(found)),
@@ -85,15 +85,6 @@ fn write(desk: &Desk, found: &Passage, mut report: Report, folder: &Folder) -> R
         ("joints", wire::joint_states(found)),
         ("thrust-lines", wire::thrust_lines(found)),
     ];
-    let filled = tables.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
-    files.extend(filled.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }));
-    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
-    folder.fill(
-        |staging| results::write(staging, &files),
-        |names| {
-            report.fields.insert("files".to_owned(), json!(names));
-            report::text_of(&report.object(&desk.schema, desk.clock))
-        },
-    )?;
-    Ok(report)
+    files.extend(results::tables(tables));
+    results::publish(desk, report, folder, &files)
 }

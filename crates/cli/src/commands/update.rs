@@ -119,22 +119,13 @@ fn refused(error: &UpdateError) -> Failure {
     }
 }
 
-fn write(desk: &Desk, found: &Update, mut report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let tables = [
         ("histories", wire::histories_table(found)),
         ("sweeps", wire::sweeps_table(found)),
         ("samples", wire::samples_table(found)),
     ];
-    let filled = tables.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
     let mut files = figures::update(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    files.extend(filled.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }));
-    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
-    folder.fill(
-        |staging| results::write(staging, &files),
-        |names| {
-            report.fields.insert("files".to_owned(), json!(names));
-            report::text_of(&report.object(&desk.schema, desk.clock))
-        },
-    )?;
-    Ok(report)
+    files.extend(results::tables(tables));
+    results::publish(desk, report, folder, &files)
 }

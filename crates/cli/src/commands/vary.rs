@@ -170,18 +170,10 @@ fn write(
     }
     let settings = std::mem::replace(&mut report.fields, report::fields_of(wire::VaryObject::new(&study)));
     report.fields.extend(settings);
-    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
     report.summary = summary::vary(&study, &folder.path().display().to_string());
     let mut files = figures::study(&study).map_err(|error| results::not_drawn(folder.path(), &error))?;
     files.push(figures::File { name: "vary.csv".to_owned(), bytes: wire::vary_table(&study).into_bytes() });
-    folder.fill(
-        |staging| results::write(staging, &files),
-        |names| {
-            report.fields.insert("files".to_owned(), json!(names));
-            report::text_of(&report.object(&desk.schema, desk.clock))
-        },
-    )?;
-    Ok(report)
+    results::publish(desk, report, folder, &files)
 }
 
 /// The number that the study is about: the one asked for, or the one that the analysis is made for.
