@@ -232,3 +232,44 @@ fn fill_that_flows_gives_the_plain_path_to_1e_6() {
     assert!(repeated > 0, "no quadrilateral was missed at first: going back was not tried");
     assert!(worst <= 1e-3, "{worst:e}");
 }
+
+/// What happened after a mark leaves no trace once one has gone back to it: not in parts that were watched before, nor in those that came
+/// later and flowed meanwhile.
+#[test]
+fn going_back_leaves_no_trace() {
+    let soil = Elastic { modulus: 110e6, ratio: 0.19 };
+    let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, 30f64.to_radians(), 0.0);
+    let vault = vault(Material::DruckerPrager(fill), Kinematics::Small);
+    let model = &vault.model;
+    let mut patterns = vec![model.weight(vec2(0.0, -9.81))];
+    patterns.extend(vault.surface.iter().map(|node| {
+        let mut force = vec![0.0; 2 * model.mesh.nodes.len()];
+        force[2 * node.index() + 1] = -1.0;
+        force
+    }));
+    let observed = [
+        Functional(vec![(2 * vault.crown.index() + 1, 1.0)]),
+        Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)]),
+    ];
+    let under = |index: usize, force: f64| [vec![1.0], amplitudes(&vault, index, force)].concat();
+    let begin = || {
+        let mut condensed = Condensed::new(model, State::new(model), &patterns, &observed).unwrap();
+        assert_eq!(condensed.settle(&under(0, 0.0)).unwrap().reached, Reached::Balanced);
+        condensed
+    };
+    let mut straight = begin();
+    assert_eq!(straight.settle(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
+    let mut detour = begin();
+    let (at_rest, rest) = (detour.mark(), detour.observed());
+    assert_eq!(detour.settle(&under(20, 30e3)).unwrap().reached, Reached::Balanced);
+    let size = detour.observed().iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    // Unloading by itself does not go back: fill has flowed.
+    detour.settle(&under(0, 0.0)).unwrap();
+    let left = detour.observed().iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    assert!(left > 1e-3 * size, "{left:e} of {size:e} left: nothing to undo");
+    detour.back_to(&at_rest);
+    assert_eq!(detour.settle(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
+    for (a, b) in detour.observed().iter().zip(straight.observed()) {
+        assert!((a - b).abs() <= 1e-8 * size, "{a:e} {b:e}, of {size:e}");
+    }
+}
