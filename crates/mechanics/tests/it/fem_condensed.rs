@@ -105,11 +105,16 @@ fn vault(fill: Material, kinematics: Kinematics) -> Vault {
     }
     let surface = grid.iter().map(|column| column[FILL]).collect();
     let crown = faces[STONES / 2][0][0];
-    let section =
-        |material, density| Section { solid: Solid { material, plane: Plane::Strain }, element: Element::QM6, density };
-    let sections = [section(Material::Elastic(Elastic { modulus: 16e9, ratio: 0.19 }), 2200.0), section(fill, 1800.0)]
-        .into_iter()
-        .collect();
+    let solid = |material| Solid { material, plane: Plane::Strain };
+    let stones = solid(Material::Elastic(Elastic { modulus: 16e9, ratio: 0.19 }));
+    // As in a passage: soil that yields is of plain elements, which alone can be still.
+    let soil = if fill.linear() { Element::QM6 } else { Element::Q4 };
+    let sections = [
+        Section { solid: stones, element: Element::QM6, density: 2200.0 },
+        Section { solid: solid(fill), element: soil, density: 1800.0 },
+    ]
+    .into_iter()
+    .collect();
     let joint = Mortar {
         normal: 100e9,
         tangential: 40e9,
