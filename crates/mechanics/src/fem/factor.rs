@@ -1,13 +1,15 @@
 //! Factorisation of the tangent: found symbolically once, computed anew for each tangent.
 
 use super::gmres::{self, Refined};
+use super::many::{self, WIDTHS};
 use super::pattern::Pattern;
 use super::unsymmetric::Whole;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
@@ -15,9 +17,6 @@ use thiserror::Error;
 
 /// Residual of a solution over its right-hand side beyond which it counts as none.
 const LARGEST_RESIDUAL: f64 = 1e-6;
-
-/// Right-hand sides that are solved for at a time.
-const BLOCK: usize = 32;
 
 /// Why there is no factorisation or no solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -56,6 +55,47 @@ pub(super) struct Solver {
 impl std::fmt::Debug for Solver {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         to.debug_struct("Solver").field("entries", &self.values.len()).field("kind", &self.kind).finish_non_exhaustive()
+    }
+}
+
+/// Solutions side by side.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Block {
+    width: usize,
+    lanes: Vec<f64>,
+    /// Place of an equation among them; none where they stand in order.
+    place: Vec<u32>,
+}
+
+impl Block {
+    #[inline]
+    fn start(&self, equation: u32) -> usize {
+        self.width * self.place.get(equation as usize).copied().unwrap_or(equation) as usize
+    }
+
+    fn at(&mut self, equation: u32) -> &mut [f64] {
+        let start = self.start(equation);
+        &mut self.lanes[start..start + self.width]
+    }
+
+    /// Right-hand sides, those that were not asked for included: their solutions are zero.
+    #[inline]
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Goes on beyond the last of `count` solutions, which are on a way: by a share of all of it. The next solution is lost.
+    pub(super) fn extend_beyond(&mut self, count: usize, share: f64) {
+        for lanes in self.lanes.chunks_exact_mut(self.width) {
+            lanes[count] = lanes[count - 1] + share * (lanes[count - 1] - lanes[0]);
+        }
+    }
+
+    /// Values of an equation, one for each right-hand side.
+    #[inline]
+    pub(super) fn of(&self, equation: u32) -> &[f64] {
+        let start = self.start(equation);
+        &self.lanes[start..start + self.width]
     }
 }
 
@@ -154,20 +194,30 @@ impl Solver {
         inverse(&self.symbolic, &self.values, self.kind, right, stack);
     }
 
-    /// The same for each of many vectors, a block of them at a time: the factor is read once a block.
-    pub(super) fn apply_many(&mut self, mut vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        for block in vectors.chunks_mut(BLOCK) {
-            let need = self.symbolic.solve_in_place_scratch::<f64>(block.len(), Par::Seq);
-            let Ok(mut memory) = MemBuffer::try_new(need) else {
-                block.iter_mut().for_each(|x| self.apply(x));
-                continue;
-            };
-            let (rows, mut all) = (block[0].len(), block.concat());
-            let right = MatMut::from_column_major_slice_mut(&mut all, rows, block.len());
-            inverse(&self.symbolic, &self.values, self.kind, right, MemStack::new(&mut memory));
-            block.iter_mut().zip(all.chunks(rows)).for_each(|(x, solved)| x.copy_from_slice(solved));
+    /// Solutions for right-hand sides given by their entries, as many as [`WIDTHS`] has at most; what `block` was before is lost.
+    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], block: &mut Block) {
+        let wide = right.len() > WIDTHS[0];
+        block.width = WIDTHS[usize::from(wide)];
+        block.lanes.clear();
+        block.lanes.resize(block.width * self.symbolic.nrows(), 0.0);
+        block.place = self.symbolic.perm().map(|perm| perm.arrays().1.to_vec()).unwrap_or_default();
+        for (lane, entries) in right.iter().enumerate() {
+            for &(equation, value) in entries {
+                block.at(equation)[lane] += value;
+            }
         }
-        vectors
+        match (self.symbolic.raw(), self.kind) {
+            (SymbolicCholeskyRaw::Supernodal(symbolic), Kind::Definite) => {
+                many::solve(symbolic, &self.values, block.width, &mut block.lanes);
+            }
+            _ => {
+                for lane in 0..right.len() {
+                    let mut x: Vec<f64> = (0..self.symbolic.nrows() as u32).map(|e| block.of(e)[lane]).collect();
+                    self.apply(&mut x);
+                    x.iter().enumerate().for_each(|(equation, value)| block.at(equation as u32)[lane] = *value);
+                }
+            }
+        }
     }
 
     /// Solves with the tangent that was factorised last, whose values these are. `accuracy` is the residual over the right-hand side

@@ -16,20 +16,9 @@ pub(super) struct Refined {
 /// Solves `matrix x = right` to `goal`; both functions act on vectors, the first adds to its second argument.
 pub(super) fn solve(
     matrix: impl Fn(&[f64], &mut [f64]),
-    inverse: impl FnMut(&mut [f64]),
-    right: &[f64],
-    goal: f64,
-) -> Refined {
-    solve_within(matrix, inverse, right, goal, LIMIT)
-}
-
-/// The same with at most `limit` vectors.
-pub(super) fn solve_within(
-    matrix: impl Fn(&[f64], &mut [f64]),
     mut inverse: impl FnMut(&mut [f64]),
     right: &[f64],
     goal: f64,
-    limit: usize,
 ) -> Refined {
     let size = norm(right);
     if !(size > 0.0) {
@@ -40,7 +29,7 @@ pub(super) fn solve_within(
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut rotations: Vec<[f64; 2]> = Vec::new();
     let mut left = vec![size];
-    while columns.len() < limit && left[columns.len()].abs() > goal * size {
+    while columns.len() < LIMIT && left[columns.len()].abs() > goal * size {
         let last = columns.len();
         let mut z = basis[last].clone();
         inverse(&mut z);

@@ -14,6 +14,7 @@ mod gmres;
 mod interface;
 pub mod joint;
 pub mod law;
+mod many;
 mod mesh;
 mod model;
 mod newmark;

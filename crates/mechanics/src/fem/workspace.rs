@@ -1,7 +1,7 @@
 //! Scratch of a model: pattern, factorisation, and what an iteration tries.
 
 use super::assemble::assemble;
-use super::factor::{FactorError, Solver};
+use super::factor::{Block, FactorError, Solver};
 use super::gmres::norm;
 use super::model::Model;
 use super::pattern::Pattern;
@@ -133,9 +133,9 @@ impl Workspace {
         self.fresh = true;
     }
 
-    /// Solves with the positive definite tangent factorised last for many right-hand sides.
-    pub(super) fn solve_many(&mut self, right: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        self.solver.apply_many(right)
+    /// Solves with the positive definite tangent factorised last for right-hand sides given by their entries.
+    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], block: &mut Block) {
+        self.solver.solve_block(right, block);
     }
 
     /// What is out of balance at the free components: loads less internal forces [N/m].

@@ -8,20 +8,19 @@
 //! u = K^-1 (f + sum_r n_r g_r(u)),   so that on the rows   v_r = v_r0 + sum_l H_rl a_l + sum_s G_rs g_s(v),   G_rs = n_r K^-1 n_s
 //! ```
 //!
-//! with load patterns `l` of amplitude `a_l`. `H` costs one solution a pattern and `G` one a row whose excess ever changes; each is
-//! found when it is first needed and serves all positions. The equations are those of the whole mesh: nothing is approximated.
+//! with load patterns `l` of amplitude `a_l`. A row whose excess ever changes costs one solution, found when it is first needed. All parts are
+//! looked at in every position. The equations are those of the whole mesh: nothing is approximated.
 
-mod foresight;
-mod loads;
+mod hot;
 mod newton;
 mod parts;
 mod passage;
+mod quiet;
 mod rows;
-mod system;
 
-use super::dofs::{HELD, dof};
+use super::dofs::HELD;
 use super::element::Kept;
-use super::factor::FactorError;
+use super::factor::{Block, FactorError};
 use super::joint::PairState;
 use super::model::{Model, count};
 use super::settings::Kinematics;
@@ -29,10 +28,10 @@ use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
-use loads::Load;
-use parts::{Kind, Part, ROWS, Remembered};
-use rows::Rows;
-use system::System;
+use hot::Hot;
+use newton::Trial;
+use parts::{Kind, Part, Remembered, components};
+use rows::{Row, Rows};
 
 pub use passage::{Passage, Visited};
 pub use rows::Functional;
@@ -70,12 +69,16 @@ pub struct Counts {
     pub yielding: usize,
     /// Rows on which forces act that the linear system does not know.
     pub active_rows: usize,
-    /// Quadrilaterals that are looked at in each position.
-    pub watched_quads: usize,
+    /// Quadrilaterals that flow or have flowed in some position.
+    pub active_quads: usize,
 }
 
 /// Largest change left in a row, over the largest value of a row, at which a position counts as balanced.
 pub const TOLERANCE: f64 = 1e-10;
+
+/// How far beyond a stretch of positions parts are looked at, over its length: those that would answer otherwise there join early. Without it a third of
+/// all positions are gone through twice; at one half twice as many rows join as are needed.
+const AHEAD: f64 = 0.2;
 
 /// Iterations allowed in one position.
 const ITERATIONS: u32 = 60;
@@ -85,39 +88,45 @@ const ITERATIONS: u32 = 60;
 pub struct Condensed<'a> {
     model: &'a Model,
     work: Workspace,
+    /// Solutions of the linear system that were found last.
+    block: Block,
     /// The state in which the run began.
     start: State,
-    rows: Rows,
     /// Forces of the patterns on the equations.
-    patterns: Vec<Vec<f64>>,
-    /// Row of a component, where it has one.
-    row_of: Vec<Option<usize>>,
+    patterns: Vec<Vec<(u32, f64)>>,
+    observed: Vec<Row>,
+    /// All that may answer otherwise than linearly.
     parts: Vec<Part>,
-    /// Part of a quadrilateral, where it is watched.
-    part_of: Vec<Option<usize>>,
-    /// Quadrilaterals at each node that might flow.
-    around: Vec<Vec<QuadId>>,
-    /// Parts whose excess differs or differed from that of the start.
+    /// Parts whose excess differs or differed from that of the start, in the order in which they joined.
     active: Vec<usize>,
     is_active: Vec<bool>,
-    observed: Vec<usize>,
-    system: System,
-    /// Loads of the last position.
-    load: Load,
-    /// Forces on the columns' rows, and the excess that was found last.
-    forces: Vec<f64>,
-    excess: Vec<f64>,
-    /// Most that loads have moved a row of the linear system so far [m].
+    /// When a part has last not answered linearly, in positions since the run began.
+    moved_at: Vec<u64>,
+    clock: u64,
+    rows: Rows,
+    /// Row of a component, where it is active.
+    row_of: Vec<Option<usize>>,
+    hot: Hot,
+    /// The last position.
+    at: Place,
+    /// Most that loads have moved a row of the linear system from one position to the next [m].
     most_moved: f64,
-    /// Values of the active rows while they are sought, in their order.
+}
+
+/// A position in balance.
+#[derive(Debug, Clone, Default)]
+struct Place {
+    amplitudes: Vec<f64>,
+    /// Forces on the active rows, and their values.
+    forces: Vec<f64>,
     values: Vec<f64>,
-    /// Multiple of what the loads do to it at which a quadrilateral that would flow is watched.
-    foresight: f64,
+    /// Values of the observed functionals.
+    observed: Vec<f64>,
 }
 
 impl<'a> Condensed<'a> {
-    /// Factorises the linear system of a model at small displacements and solves it for the patterns (forces on all components
-    /// [N/m]). `start` must be balanced; loads come on top of those it carries.
+    /// Factorises the linear system of a model at small displacements. Loads, amplitudes of the patterns (forces on all components [N/m]), come on
+    /// top of those that `start` carries, which must be balanced.
     pub fn new(
         model: &'a Model,
         start: State,
@@ -130,189 +139,205 @@ impl<'a> Condensed<'a> {
         let mut work = Workspace::new(model)?;
         work.stiffness(model, &State::new(model))?;
         work.factorise()?;
-        let free = model.dofs().free();
-        let right: Vec<Vec<f64>> = patterns.iter().map(|p| free.iter().map(|c| p[*c as usize]).collect()).collect();
-        let loads = work.solve_many(right.clone());
-        let mut condensed = Condensed {
-            rows: Rows::new(loads),
-            patterns: right,
-            row_of: vec![None; model.dofs().count()],
-            parts: Vec::new(),
-            part_of: vec![None; model.mesh.quads.len()],
-            around: foresight::around(model),
-            active: Vec::new(),
-            is_active: Vec::new(),
-            observed: Vec::new(),
-            system: System::default(),
-            load: Load::none(patterns.len(), 0),
-            forces: Vec::new(),
-            excess: Vec::new(),
-            most_moved: 0.0,
-            values: Vec::new(),
-            foresight: foresight::FORESIGHT,
-            model,
-            work,
-            start,
+        let free = model.dofs().free().iter().enumerate();
+        let entries = |pattern: &Vec<f64>| {
+            let forces = free.clone().map(|(equation, component)| (equation as u32, pattern[*component as usize]));
+            forces.filter(|(_, force)| *force != 0.0).collect()
         };
-        for functional in observed {
-            let row = condensed.row(functional);
-            condensed.observed.push(row);
-        }
-        for index in 0..model.springs().len() {
-            let rows = model.springs()[index].openings().map(|terms| condensed.row(&Functional(terms)));
-            let part = Part::spring(model, &condensed.start, index, rows);
-            condensed.watch(part)?;
-        }
-        for (id, _) in model.mesh.quads.pairs() {
-            let first = 4 * id.index();
-            if condensed.start.points[first..first + 4].iter().any(|point| point.yields) {
-                condensed.watch_quad(id)?;
-            }
-        }
-        Ok(condensed)
+        let springs = (0..model.springs().len()).map(|index| Some(Part::spring(model, &start, index)));
+        let solids = model.mesh.quads.pairs().map(|(id, _)| id);
+        let solids = solids.filter(|id| !model.section(*id).solid.material.linear());
+        let parts = springs.chain(solids.map(|id| Part::quad(model, &start, id)));
+        let mut parts: Vec<Part> = parts.collect::<Option<_>>().ok_or(CondensedError::Broken)?;
+        parts.iter_mut().try_for_each(|part| part.begin(model)).ok_or(CondensedError::Broken)?;
+        let observed: Vec<Row> = observed.iter().map(|f| Row::new(model, f, &start.displacements)).collect();
+        Ok(Condensed {
+            work,
+            block: Block::default(),
+            patterns: patterns.iter().map(entries).collect(),
+            active: Vec::new(),
+            is_active: vec![false; parts.len()],
+            moved_at: vec![0; parts.len()],
+            clock: 0,
+            parts,
+            rows: Rows::new(patterns.len()),
+            row_of: vec![None; model.dofs().count()],
+            hot: Hot::default(),
+            at: Place {
+                amplitudes: vec![0.0; patterns.len()],
+                observed: observed.iter().map(|row| row.start).collect(),
+                ..Place::default()
+            },
+            observed,
+            most_moved: 0.0,
+            model,
+            start,
+        })
     }
 
-    /// Watches quadrilaterals that would flow at another multiple of what the loads do to them than two. The results are the same:
-    /// one that was missed is found by the next look, and the way is gone again.
-    #[must_use]
-    pub fn with_foresight(mut self, multiple: f64) -> Condensed<'a> {
-        self.foresight = multiple;
-        self
-    }
-
-    fn row(&mut self, functional: &Functional) -> usize {
-        let row = self.rows.push(self.model, functional, &self.start.displacements);
-        self.load.complete(&self.rows);
-        row
-    }
-
-    fn row_of(&mut self, component: usize) -> Option<usize> {
-        if self.model.dofs().equation(component) == HELD {
-            return None;
-        }
-        if self.row_of[component].is_none() {
-            self.row_of[component] = Some(self.row(&Functional(vec![(component, 1.0)])));
-        }
-        self.row_of[component]
-    }
-
-    /// Watches a part from now on; what it remembers is what it remembered at the start.
-    fn watch(&mut self, mut part: Part) -> Result<(), CondensedError> {
-        let rows = &self.rows;
-        part.begin(self.model, |row| rows[row].start).ok_or(CondensedError::Broken)?;
-        self.parts.push(part);
-        self.is_active.push(false);
-        Ok(())
-    }
-
-    fn watch_quad(&mut self, id: QuadId) -> Result<(), CondensedError> {
-        if self.part_of[id.index()].is_some() {
-            return Ok(());
-        }
-        let nodes = self.model.mesh.quads[id].nodes;
-        let rows: [Option<usize>; ROWS] = std::array::from_fn(|i| self.row_of(dof(nodes[i / 2], i % 2)));
-        self.part_of[id.index()] = Some(self.parts.len());
-        let part = Part::quad(self.model, &self.start, id, rows).ok_or(CondensedError::Broken)?;
-        self.watch(part)
-    }
-
-    /// Balances loads on top of what was there at the start, from the last position.
-    fn go(&mut self, load: Load) -> Result<Position, CondensedError> {
-        let before = (std::mem::replace(&mut self.load, load), self.forces.clone());
+    /// Balances loads on top of what was there at the start, from the last position, with the active parts. What parts remembered before
+    /// goes to `before`; where there is no balance, nothing has changed.
+    fn go(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
-        self.guess(&before.0);
-        while position.iterations < ITERATIONS {
-            if !self.iterate(&mut position) {
-                break;
-            }
-            let Some(changed) = self.changed() else { break };
-            if changed.is_empty() {
+        let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
+        let mut trial = self.guess(self.rows.moved(&more));
+        trial.to = to;
+        while self.iterate(&mut trial, &mut position) {
+            let values = self.values_of_all(&trial);
+            let Some(moving) = self.moving_among_the_cool(&values) else { break };
+            if moving.is_empty() {
                 position.reached = Reached::Balanced;
-                for part in &mut self.parts {
-                    part.keep();
-                }
-                return Ok(position);
-            }
-            self.activate(&changed);
-            if self.watch_around(&changed).is_err() {
+                self.keep(&trial, values, before);
                 break;
             }
+            self.heat(&moving, &mut trial);
         }
-        self.load = before.0;
-        self.take_forces(&before.1);
-        Ok(position)
+        position
     }
 
-    /// Takes forces of an earlier position; rows that became active meanwhile carried nothing there.
-    fn take_forces(&mut self, forces: &[f64]) {
-        self.forces[..forces.len()].copy_from_slice(forces);
-        self.forces[forces.len()..].fill(0.0);
-        self.load.complete(&self.rows);
-        self.rows.bring(&self.forces);
+    fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Remembered)>) {
+        self.at.amplitudes.clone_from(&trial.to);
+        self.at.values = values;
+        for (&row, force) in self.hot.rows.iter().zip(&trial.forces) {
+            self.at.forces[row] = *force;
+        }
+        self.clock += 1;
+        for &index in &self.active {
+            let part = &mut self.parts[index];
+            if !part.still {
+                self.moved_at[index] = self.clock;
+            }
+            before.extend(part.keep().map(|remembered| (index, remembered)));
+        }
     }
 
-    /// Value of a row under the loads and the forces to which rows were brought last.
-    fn value(&self, row: usize) -> f64 {
-        self.rows.carried(row) + self.load.moved(row)
+    /// Rows that joined since carry nothing here.
+    fn complete(&mut self) {
+        let known = self.at.forces.len();
+        self.at.forces.resize(self.rows.len(), 0.0);
+        if known < self.rows.len() {
+            let mut values = self.rows.moved(&self.at.amplitudes);
+            self.rows.add_moves(&mut values, self.at.forces.iter().copied().enumerate());
+            let fresh = values[known..].iter().zip(&self.rows.list()[known..]);
+            self.at.values.extend(fresh.map(|(moved, row)| row.start + moved));
+        }
     }
 
-    /// Parts that were linear so far and are no longer.
-    fn changed(&mut self) -> Option<Vec<usize>> {
-        self.rows.bring(&self.forces);
-        let (rows, load) = (&self.rows, &self.load);
-        let mut changed = Vec::new();
-        for (index, part) in self.parts.iter_mut().enumerate().filter(|(i, _)| !self.is_active[*i]) {
-            part.answer(self.model, |row| rows.carried(row) + load.moved(row))?;
-            if part.differs() {
-                changed.push(index);
+    /// These parts take part from now on: one solution for each of their rows.
+    fn activate(&mut self, joining: &[usize]) {
+        let mut fresh = Vec::new();
+        for &index in joining.iter().filter(|&&index| !self.is_active[index]) {
+            self.active.push(index);
+            let first = self.rows.len();
+            let mut push = |functional: Functional| {
+                fresh.push(Row::new(self.model, &functional, &self.start.displacements));
+                first + fresh.len() - 1
+            };
+            let part = &mut self.parts[index];
+            match part.kind {
+                Kind::Spring(spring) => {
+                    for (row, opening) in part.rows.iter_mut().zip(self.model.springs()[spring].openings()) {
+                        *row = Some(push(Functional(opening)));
+                    }
+                }
+                Kind::Quad(id) => {
+                    for (row, component) in part.rows.iter_mut().zip(components(self.model, id)) {
+                        if self.model.dofs().equation(component) != HELD {
+                            let known = &mut self.row_of[component];
+                            *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
+                        }
+                    }
+                }
             }
         }
-        Some(changed)
+        for &index in joining {
+            self.is_active[index] = true;
+            self.moved_at[index] = self.clock;
+        }
+        self.rows.join(fresh, &self.patterns, &mut self.work, &mut self.block);
+        self.complete();
     }
 
-    /// Solves for the rows of these parts and lets them take part.
-    fn activate(&mut self, changed: &[usize]) {
-        let mut fresh = Vec::new();
-        for &index in changed {
-            self.is_active[index] = true;
-            self.active.push(index);
-            let rows = self.parts[index].rows.into_iter().flatten();
-            fresh.extend(rows.filter(|row| self.rows[*row].column.is_none()));
+    /// Solves the whole linear system under the loads and forces of some positions, [`Condensed::block`].
+    fn displace(&mut self, places: &[Place]) {
+        let of = |place: &Place| {
+            let mut right = Vec::new();
+            for (pattern, a) in self.patterns.iter().zip(&place.amplitudes).filter(|(_, a)| **a != 0.0) {
+                right.extend(pattern.iter().map(|&(equation, force)| (equation, a * force)));
+            }
+            for (row, force) in self.rows.list().iter().zip(&place.forces).filter(|(_, force)| **force != 0.0) {
+                row.push(&mut right, *force);
+            }
+            right
+        };
+        let right: Vec<Vec<(u32, f64)>> = places.iter().map(of).collect();
+        self.work.solve_block(&right, &mut self.block);
+    }
+
+    /// Parts that would have to take part somewhere in these positions or soon after, and the first of the positions in which one would.
+    fn joining(&mut self, places: &[Place]) -> Result<(Vec<usize>, usize), CondensedError> {
+        self.displace(places);
+        let count = places.len();
+        let beyond = count > 1 && count < self.block.width();
+        if beyond {
+            self.block.extend_beyond(count, AHEAD);
         }
-        self.active.sort_unstable();
-        fresh.sort_unstable();
-        fresh.dedup();
-        let equations = self.model.equations();
-        let columns = self.work.solve_many(fresh.iter().map(|&row| self.rows[row].unit(equations)).collect());
-        self.rows.add_columns(&fresh, columns);
-        self.forces.resize(self.rows.columns(), 0.0);
-        self.system.extend(&fresh, |column, row| self.rows.answer(column, row));
+        let lanes = count + usize::from(beyond);
+        let (mut joining, mut first) = (Vec::new(), count);
+        for (index, part) in self.parts.iter_mut().enumerate().filter(|(index, _)| !self.is_active[*index]) {
+            if part.surely_still(self.model, &self.block) {
+                continue;
+            }
+            for lane in 0..lanes {
+                part.answer_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
+                if part.changes() {
+                    joining.push(index);
+                    first = first.min(lane);
+                    break;
+                }
+            }
+        }
+        Ok((joining, first))
+    }
+
+    /// Values of the observed functionals in one of the solutions found last.
+    fn observed_in(&self, lane: usize) -> Vec<f64> {
+        self.observed.iter().map(|row| row.start + row.of(&self.block, lane)).collect()
+    }
+
+    /// Load patterns.
+    #[must_use]
+    pub fn patterns(&self) -> usize {
+        self.patterns.len()
     }
 
     /// What the observed functionals are in the last position.
     pub fn observed(&self) -> Vec<f64> {
-        self.observed.iter().map(|&row| self.value(row)).collect()
+        self.at.observed.clone()
     }
 
     /// Counts of the last position.
     pub fn counts(&self) -> Counts {
-        let bonds = self.parts.iter().filter_map(Part::bond);
-        let (open, sliding) = count(bonds.map(|bond| bond.state));
-        Counts {
-            open,
-            open_interfaces: open_interfaces(self.model, self.parts.iter().filter_map(Part::bond)),
-            sliding,
-            yielding: self.parts.iter().map(Part::yielding).sum(),
-            active_rows: self.system.rows().len(),
-            watched_quads: self.parts.iter().filter(|part| matches!(part.kind, Kind::Quad(_))).count(),
+        let mut bonds = vec![None; self.model.springs().len()];
+        let mut counts = Counts { active_rows: self.rows.len(), ..Counts::default() };
+        for part in self.active.iter().map(|&index| &self.parts[index]) {
+            match part.kind {
+                Kind::Spring(index) => bonds[index] = part.bond(),
+                Kind::Quad(_) => counts.active_quads += 1,
+            }
+            counts.yielding += part.yielding();
         }
+        (counts.open, counts.sliding) = count(bonds.iter().flatten().map(|bond| bond.state));
+        counts.open_interfaces = open_among(self.model, bonds.into_iter());
+        counts
     }
 
     /// The whole state in the last position.
     pub fn state(&mut self) -> Result<State, CondensedError> {
         let mut state = self.start.clone();
         state.displacements = self.displacements();
-        for (id, quad) in self.model.mesh.quads.pairs().filter(|(id, _)| self.part_of[id.index()].is_none()) {
+        let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();
+        for (id, quad) in self.model.mesh.quads.pairs().filter(|(id, _)| linear(id)) {
             let u = assemble::moved(&state.displacements, &quad.nodes);
             let first = 4 * id.index();
             let old: [Point; 4] = std::array::from_fn(|k| self.start.points[first + k]);
@@ -321,52 +346,55 @@ impl<'a> Condensed<'a> {
             let samples = element::sample(&self.model.corners(id));
             element::respond(solid, modes, &samples, &u, &old, kept).ok_or(CondensedError::Broken)?;
         }
-        self.parts.iter().for_each(|part| part.write(&mut state));
+        for part in &mut self.parts {
+            part.answer_in(self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
+            part.write(&mut state);
+        }
         Ok(state)
     }
 
     /// What has to be kept to come back to the last position.
     #[must_use]
     pub fn mark(&self) -> Mark {
-        let parts = self.parts.iter().map(Part::remembered).collect();
-        Mark { load: self.load.clone(), forces: self.forces.clone(), parts }
+        let parts = self.active.iter().map(|&index| (index, self.parts[index].remembered())).collect();
+        Mark { at: self.at.clone(), parts }
     }
 
     /// Goes back to a mark. Parts and rows that came later stay; they carried nothing there.
     pub fn back_to(&mut self, mark: &Mark) {
-        self.load.clone_from(&mark.load);
-        self.take_forces(&mark.forces);
-        for (part, remembered) in self.parts.iter_mut().zip(&mark.parts) {
-            part.recall(remembered);
+        self.at = mark.at.clone();
+        self.complete();
+        self.hot.forget();
+        for &index in &self.active {
+            self.parts[index].restart(&self.start);
         }
-        for part in &mut self.parts[mark.parts.len()..] {
-            part.restart(&self.start);
+        for (index, remembered) in &mark.parts {
+            self.parts[*index].recall(remembered);
         }
     }
 
     /// Goes back to the state in which the run began; what was found of the system stays.
     pub fn restart(&mut self) {
-        self.load = Load::none(self.patterns.len(), self.rows.len());
-        self.forces.fill(0.0);
-        self.rows.restart();
-        for part in &mut self.parts {
-            part.restart(&self.start);
+        self.at = Place {
+            amplitudes: vec![0.0; self.patterns.len()],
+            observed: self.observed.iter().map(|row| row.start).collect(),
+            ..Place::default()
+        };
+        self.complete();
+        self.hot.forget();
+        for &index in &self.active {
+            self.parts[index].restart(&self.start);
         }
     }
 
     /// Displacements of all components [m] in the last position: one solution of the whole system.
     pub fn displacements(&mut self) -> Vec<f64> {
-        let mut right = vec![0.0; self.model.equations()];
-        for (pattern, a) in self.patterns.iter().zip(&self.load.amplitudes).filter(|(_, a)| **a != 0.0) {
-            right.iter_mut().zip(pattern).for_each(|(right, force)| *right += a * force);
-        }
-        for (&row, force) in self.system.rows().iter().zip(&self.forces) {
-            self.rows[row].push(&mut right, *force);
-        }
-        let more = self.work.solve_many(vec![right]).pop().unwrap_or_default();
+        let here = std::mem::take(&mut self.at);
+        self.displace(std::slice::from_ref(&here));
+        self.at = here;
         let mut all = self.start.displacements.clone();
-        for (component, more) in self.model.dofs().free().iter().zip(&more) {
-            all[*component as usize] += more;
+        for (equation, component) in self.model.dofs().free().iter().enumerate() {
+            all[*component as usize] += self.block.of(equation as u32)[0];
         }
         all
     }
@@ -374,9 +402,13 @@ impl<'a> Condensed<'a> {
 
 /// Interfaces with an open spring; bonds in the order of [`Model::springs`].
 pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
+    open_among(model, bonds.map(Some))
+}
+
+fn open_among<'b>(model: &Model, bonds: impl Iterator<Item = Option<&'b Bond>>) -> usize {
     let mut open = vec![false; model.mesh.interfaces.len()];
     for (spring, bond) in model.springs().iter().zip(bonds) {
-        open[spring.interface.index()] |= bond.state == PairState::Open;
+        open[spring.interface.index()] |= bond.is_some_and(|bond| bond.state == PairState::Open);
     }
     open.into_iter().filter(|open| *open).count()
 }
@@ -384,9 +416,9 @@ pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>)
 /// Where a run stood.
 #[derive(Debug, Clone)]
 pub struct Mark {
-    load: Load,
-    forces: Vec<f64>,
-    parts: Vec<Remembered>,
+    at: Place,
+    /// Active parts.
+    parts: Vec<(usize, Remembered)>,
 }
 
 /// Why there is no condensed system.

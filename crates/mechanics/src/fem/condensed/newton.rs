@@ -1,37 +1,61 @@
-//! Newton's method on the forces of the active rows.
+//! Newton's method on the forces of the hot rows.
 
-use super::loads::Load;
 use super::rows::dot;
 use super::{Condensed, ITERATIONS, Position, TOLERANCE};
 
 /// Iterations without a smaller change after which a position is given up.
 const IDLE: u32 = 15;
 
-/// Change left in a row over the largest value of a row above which all parts are looked at in every iteration.
+/// Change left in a row over the largest value of a row above which all active parts are looked at in every iteration.
 const FAR: f64 = 1e-3;
 
 /// Farthest that a row moves in an iteration, over the most that the loads move one of the linear system.
 const FARTHEST: f64 = 2.0;
 
+/// A position that is sought.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Trial {
+    /// Amplitudes of the load patterns.
+    pub to: Vec<f64>,
+    /// How far the loads alone move each active row beyond the last position.
+    pub led: Vec<f64>,
+    /// Forces on the hot rows, what they were in the last position, and the excess that was found last.
+    pub forces: Vec<f64>,
+    before: Vec<f64>,
+    excess: Vec<f64>,
+    /// Values of the hot rows.
+    values: Vec<f64>,
+}
+
 impl Condensed<'_> {
-    /// The forces follow the change of the loads as the last tangent has it.
-    pub(super) fn guess(&mut self, before: &Load) {
-        self.load.complete(&self.rows);
-        let change = |&row: &usize| self.load.moved(row) - before.moved(row);
-        let step = self.system.predict(&self.system.rows().iter().map(change).collect::<Vec<f64>>());
-        self.forces.iter_mut().zip(step).for_each(|(force, step)| *force += step);
+    /// A position that loads move by `led` from the last one; the forces follow as the last tangent has it.
+    pub(super) fn guess(&mut self, led: Vec<f64>) -> Trial {
+        let most = self.hot.rows.iter().map(|&row| led[row].abs());
+        self.most_moved = most.fold(self.most_moved, f64::max);
+        let step = self.hot.predict(&self.hot.rows.iter().map(|&row| led[row]).collect::<Vec<f64>>());
+        let before: Vec<f64> = self.hot.rows.iter().map(|&row| self.at.forces[row]).collect();
+        let forces = before.iter().zip(step).map(|(force, step)| force + step).collect();
+        Trial { led, forces, before, ..Trial::default() }
     }
 
-    /// Newton's method on the forces of the active rows (equation 5); `false` where it finds no end.
-    pub(super) fn iterate(&mut self, position: &mut Position) -> bool {
-        let Some(mut right) = self.unbalanced() else { return false };
+    /// More parts are hot from now on.
+    pub(super) fn heat(&mut self, more: &[usize], trial: &mut Trial) {
+        self.hot.add(more.iter().copied(), &self.parts, &self.rows);
+        let fresh = self.hot.rows[trial.forces.len()..].iter().map(|&row| self.at.forces[row]);
+        trial.forces.extend(fresh.clone());
+        trial.before.extend(fresh);
+    }
+
+    /// Newton's method on the forces of the hot rows (equation 5); `false` where it finds no end.
+    pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
+        let Some(mut right) = self.unbalanced(trial) else { return false };
         let (mut best, mut idle) = (f64::INFINITY, 0);
         while position.iterations < ITERATIONS {
-            let change = self.system.moves(&right);
-            let size = self.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
+            let change = self.hot.moves(&right);
+            let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             position.left = change.iter().fold(0.0_f64, |most, l| most.max(l.abs())) / size;
             if position.left <= TOLERANCE {
-                self.forces.copy_from_slice(&self.excess);
+                trial.forces.copy_from_slice(&trial.excess);
                 return true;
             }
             idle = if position.left < 0.9 * best { 0 } else { idle + 1 };
@@ -40,20 +64,16 @@ impl Condensed<'_> {
                 return false;
             }
             position.iterations += 1;
-            let moving = self.active.iter().map(|&part| &self.parts[part]).filter(|part| !part.still);
-            let slopes = moving.map(|part| (&part.rows, &part.slope));
-            let direction = self.system.solve(slopes, &right);
-            let Some(next) = self.step(&direction, &right) else { return false };
+            let direction = self.hot.solve(&self.parts, &right);
+            let Some(next) = self.step(trial, &direction, &right) else { return false };
             right = next;
             // Far from balance, parts that join late would lead the others astray.
             if position.left > FAR {
-                let Some(changed) = self.changed() else { return false };
-                if !changed.is_empty() {
-                    self.activate(&changed);
-                    if self.watch_around(&changed).is_err() {
-                        return false;
-                    }
-                    let Some(next) = self.unbalanced() else { return false };
+                let values = self.values_of_all(trial);
+                let Some(moving) = self.moving_among_the_cool(&values) else { return false };
+                if !moving.is_empty() {
+                    self.heat(&moving, trial);
+                    let Some(next) = self.unbalanced(trial) else { return false };
                     right = next;
                 }
             }
@@ -61,43 +81,62 @@ impl Condensed<'_> {
         false
     }
 
-    /// Values of the active rows under loads and forces, and the excess of their parts less those forces.
-    fn unbalanced(&mut self) -> Option<Vec<f64>> {
-        // Rows of inactive parts wait until the position is balanced.
-        let since: Vec<f64> = self.forces.iter().zip(self.rows.brought()).map(|(now, then)| now - then).collect();
-        let more = self.system.moves(&since);
-        self.values = self.system.rows().iter().zip(more).map(|(&row, more)| self.value(row) + more).collect();
-        let moved = self.system.rows().iter().map(|&row| self.load.moved(row).abs());
-        self.most_moved = moved.fold(self.most_moved, f64::max);
-        self.right()
+    /// Values of the active rows.
+    pub(super) fn values_of_all(&self, trial: &Trial) -> Vec<f64> {
+        let mut values: Vec<f64> = self.at.values.iter().zip(&trial.led).map(|(value, led)| value + led).collect();
+        let since = self.hot.rows.iter().zip(trial.forces.iter().zip(&trial.before));
+        self.rows.add_moves(&mut values, since.map(|(row, (now, before))| (*row, now - before)));
+        values
     }
 
-    /// The excess of the active parts at the values at hand, less the forces that stand for it.
-    fn right(&mut self) -> Option<Vec<f64>> {
-        self.find_excess()?;
-        Some(self.excess.iter().zip(&self.forces).map(|(excess, force)| excess - force).collect())
+    /// Active parts that are not hot and do not answer linearly.
+    pub(super) fn moving_among_the_cool(&mut self, values: &[f64]) -> Option<Vec<usize>> {
+        let mut moving = Vec::new();
+        for &index in self.active.iter().filter(|&&index| !self.hot.is_hot(index)) {
+            let part = &mut self.parts[index];
+            part.answer(self.model, |row| values[row])?;
+            if !part.still {
+                moving.push(index);
+            }
+        }
+        Some(moving)
+    }
+
+    /// Values of the hot rows under loads and forces, and the excess of their parts less those forces.
+    fn unbalanced(&mut self, trial: &mut Trial) -> Option<Vec<f64>> {
+        let since: Vec<f64> = trial.forces.iter().zip(&trial.before).map(|(now, before)| now - before).collect();
+        let more = self.hot.moves(&since);
+        let values = self.hot.rows.iter().zip(more);
+        trial.values = values.map(|(&row, more)| self.at.values[row] + trial.led[row] + more).collect();
+        self.right(trial)
+    }
+
+    /// The excess of the hot parts at the values at hand, less the forces that stand for it.
+    fn right(&mut self, trial: &mut Trial) -> Option<Vec<f64>> {
+        self.find_excess(trial)?;
+        Some(trial.excess.iter().zip(&trial.forces).map(|(excess, force)| excess - force).collect())
     }
 
     /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
-    fn step(&mut self, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
+    fn step(&mut self, trial: &mut Trial, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
         const LEFT: f64 = 0.8;
         const TRIES: usize = 6;
-        let way = self.system.moves(direction);
+        let way = self.hot.moves(direction);
         let start = dot(right, &way);
-        let from = (self.forces.clone(), self.values.clone());
+        let from = (trial.forces.clone(), trial.values.clone());
         let along = |from: &[f64], way: &[f64], share: f64| from.iter().zip(way).map(|(f, d)| f + share * d).collect();
+        let reach = FARTHEST * self.most_moved;
         // Where a law or an element has no answer the step was too long.
-        let at = |this: &mut Self, share: f64| {
-            this.forces = along(&from.0, direction, share);
-            this.values = along(&from.1, &way, share);
-            let found = this.right();
+        let mut at = |share: f64| {
+            trial.forces = along(&from.0, direction, share);
+            trial.values = along(&from.1, &way, share);
+            let found = self.right(trial);
             (found.as_ref().map_or(f64::INFINITY, |right| dot(right, &way)), found)
         };
         // Where the tangent is all but singular, no step goes farther than a multiple of what the loads do to the linear system.
-        let reach = FARTHEST * self.most_moved;
         let longest = way.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
         let whole = if longest > reach && reach > 0.0 { reach / longest } else { 1.0 };
-        let (mut work, mut found) = at(self, whole);
+        let (mut work, mut found) = at(whole);
         let (mut low, mut high) = ((0.0, start), (whole, work));
         let (mut share, mut best) = (whole, (whole, work.abs()));
         for _ in 0..TRIES {
@@ -107,7 +146,7 @@ impl Condensed<'_> {
             let crosses = high.1.is_finite() && low.1 * high.1 < 0.0;
             let part = if crosses { (low.1.abs() / (low.1.abs() + high.1.abs())).clamp(0.1, 0.9) } else { 0.5 };
             share = low.0 + part * (high.0 - low.0);
-            (work, found) = at(self, share);
+            (work, found) = at(share);
             if work.abs() < best.1 {
                 best = (share, work.abs());
             }
@@ -117,19 +156,22 @@ impl Condensed<'_> {
                 high = (share, work);
             }
         }
-        if best.0 == share { found } else { at(self, best.0).1 }
+        if best.0 == share { found } else { at(best.0).1 }
     }
 
-    /// Excess of the active parts, summed on the columns.
-    fn find_excess(&mut self) -> Option<()> {
-        self.excess.clear();
-        self.excess.resize(self.forces.len(), 0.0);
-        for &index in &self.active {
-            let (part, values, rows) = (&mut self.parts[index], &self.values, &self.rows);
-            part.answer(self.model, |row| rows[row].column.map_or(0.0, |column| values[column]))?;
-            for (row, excess) in part.rows.iter().zip(part.excess) {
-                if let Some(column) = row.and_then(|row| self.rows[row].column) {
-                    self.excess[column] += excess;
+    /// Excess on the hot rows: what it was in the last position and how that of the hot parts has changed, which is nothing where all of them
+    /// are still.
+    fn find_excess(&mut self, trial: &mut Trial) -> Option<()> {
+        trial.excess.clone_from(&trial.before);
+        for &index in &self.hot.parts {
+            let (part, hot, values) = (&mut self.parts[index], &self.hot, &trial.values);
+            part.answer(self.model, |row| hot.place(row).map_or(0.0, |place| values[place]))?;
+            if part.still {
+                continue;
+            }
+            for (row, change) in part.rows.iter().zip(part.change()) {
+                if let Some(place) = row.and_then(|row| hot.place(row)) {
+                    trial.excess[place] += change;
                 }
             }
         }

@@ -1,8 +1,11 @@
 //! The parts that are not linear: springs of interfaces and quadrilaterals that may yield. Each answers what it carries less than the
 //! linear system lets it carry.
 
+use super::quiet::Quiet;
 use crate::fem::assemble::moved;
+use crate::fem::dofs::{HELD, dof};
 use crate::fem::element::{self, Kept, Sample, sample};
+use crate::fem::factor::Block;
 use crate::fem::joint::{PairLaw, PairMemory};
 use crate::fem::model::Model;
 use crate::fem::state::{Bond, Point, State};
@@ -24,12 +27,16 @@ pub(super) enum Kind {
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     pub kind: Kind,
-    /// Rows by number, `None` where a component is held.
+    /// Rows by number, `None` where a component is held and while the part is not active.
     pub rows: [Option<usize>; ROWS],
+    /// Equations that the openings of a spring read, with their weights.
+    openings: [Vec<(u32, f64)>; 2],
+    /// Equations of a quadrilateral's components.
+    equations: [u32; ROWS],
     /// Stiffness with which it stands in the linear system.
     stiffness: [[f64; ROWS]; ROWS],
-    /// Values of held components: they do not change.
-    held: [f64; ROWS],
+    /// Values of its rows when the run began: those of held components do not change.
+    base: [f64; ROWS],
     samples: Option<[Sample; 4]>,
     old: Kept4,
     new: Kept4,
@@ -41,6 +48,20 @@ pub(super) struct Part {
     pub slope: [[f64; ROWS]; ROWS],
     /// Whether it answers linearly from what it remembers: its excess is then the one that was kept, to the bit.
     pub still: bool,
+    /// Whether it did so when it was last kept.
+    was_still: bool,
+}
+
+/// Components of a quadrilateral's corners.
+pub(super) fn components(model: &Model, id: QuadId) -> [usize; ROWS] {
+    let nodes = model.mesh.quads[id].nodes;
+    std::array::from_fn(|i| dof(nodes[i / 2], i % 2))
+}
+
+/// A sum of components on the equations: those that are held have none.
+fn free(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
+    let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
+    terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
 }
 
 /// What a part was when it was last kept.
@@ -48,6 +69,7 @@ pub(super) struct Part {
 pub(super) struct Remembered {
     old: Kept4,
     kept: [f64; ROWS],
+    was_still: bool,
 }
 
 /// What a part remembers.
@@ -60,12 +82,13 @@ struct Kept4 {
 
 impl Part {
     /// A spring as it stands in `state`.
-    pub fn spring(model: &Model, state: &State, index: usize, rows: [usize; 2]) -> Part {
+    pub fn spring(model: &Model, state: &State, index: usize) -> Part {
         let spring = &model.springs()[index];
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
         let mut part = Part::blank(Kind::Spring(index));
-        for i in 0..2 {
-            part.rows[i] = Some(rows[i]);
+        for (i, opening) in spring.openings().into_iter().enumerate() {
+            part.base[i] = opening.iter().map(|&(component, weight)| weight * state.displacements[component]).sum();
+            part.openings[i] = free(model, &opening);
             for j in 0..2 {
                 part.stiffness[i][j] = spring.area * virgin.tangent[i][j];
             }
@@ -75,16 +98,16 @@ impl Part {
     }
 
     /// A quadrilateral as it stands in `state`; `None` where it has no linear stiffness.
-    pub fn quad(model: &Model, state: &State, id: QuadId, rows: [Option<usize>; ROWS]) -> Option<Part> {
+    pub fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
         let mut part = Part::blank(Kind::Quad(id));
-        part.rows = rows;
+        part.equations = components(model, id).map(|component| model.dofs().equation(component));
         let samples = sample(&model.corners(id));
         let mut scratch = Kept4::default();
         let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes };
         let virgin = [Point::default(); 4];
         let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
         part.stiffness = element::respond(solid, modes, &samples, &[0.0; 8], &virgin, kept)?.tangent;
-        part.held = moved(&state.displacements, &model.mesh.quads[id].nodes);
+        part.base = moved(&state.displacements, &model.mesh.quads[id].nodes);
         let first = 4 * id.index();
         part.old.points.copy_from_slice(&state.points[first..first + 4]);
         part.old.modes = state.modes[id.index()];
@@ -96,8 +119,10 @@ impl Part {
         Part {
             kind,
             rows: [None; ROWS],
+            openings: Default::default(),
+            equations: [HELD; ROWS],
             stiffness: [[0.0; ROWS]; ROWS],
-            held: [0.0; ROWS],
+            base: [0.0; ROWS],
             samples: None,
             old: Kept4::default(),
             new: Kept4::default(),
@@ -106,12 +131,13 @@ impl Part {
             excess: [0.0; ROWS],
             slope: [[0.0; ROWS]; ROWS],
             still: true,
+            was_still: true,
         }
     }
 
-    /// Takes what it answers at these values of the rows as what was there when the run began.
-    pub fn begin(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
-        let at = self.at(value);
+    /// Takes what it answers in the state in which the run begins as what was there then.
+    pub fn begin(&mut self, model: &Model) -> Option<()> {
+        let at = self.base;
         self.start = [0.0; ROWS];
         self.answer_in_full(model, &at)?;
         self.start = self.excess;
@@ -120,18 +146,31 @@ impl Part {
     }
 
     /// What the linear system carries too much at these values of the rows, beyond what it did when the run began.
+    #[inline]
     pub fn answer(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
-        let at = self.at(value);
-        self.still = self.is_still(model, &at);
+        let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
+        self.answer_at(model, &at)
+    }
+
+    fn answer_at(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
+        self.still = self.is_still(model, at);
         if self.still {
             self.excess = self.kept;
             return Some(());
         }
-        self.answer_in_full(model, &at)
+        self.answer_in_full(model, at)
     }
 
-    fn at(&self, value: impl Fn(usize) -> f64) -> [f64; ROWS] {
-        std::array::from_fn(|i| self.rows[i].map_or(self.held[i], &value))
+    /// The same for one of many solutions of the linear system, whether the part is active or not.
+    pub fn answer_in(&mut self, model: &Model, block: &Block, lane: usize) -> Option<()> {
+        let mut at = self.base;
+        for (at, opening) in at.iter_mut().zip(&self.openings) {
+            *at += opening.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum::<f64>();
+        }
+        for (at, &equation) in at.iter_mut().zip(&self.equations).filter(|(_, equation)| **equation != HELD) {
+            *at += block.of(equation)[lane];
+        }
+        self.answer_at(model, &at)
     }
 
     /// Looks whether the part remembers nothing new and resists as the linear system does; keeps stress and traction if so.
@@ -201,13 +240,23 @@ impl Part {
         let size = |i: usize| self.stiffness[i][i].abs();
         let scale = (0..ROWS).map(size).fold(0.0, f64::max);
         let most = self.excess.iter().fold(0.0_f64, |most, e| most.max(e.abs()));
-        let displaced = self.held.iter().fold(1e-3_f64, |most, h| most.max(h.abs()));
+        let displaced = self.base.iter().fold(1e-3_f64, |most, h| most.max(h.abs()));
         most > ROUNDING * scale * displaced
+    }
+
+    /// Whether it answers otherwise than it did when the run began, or would remember something new.
+    pub fn changes(&self) -> bool {
+        let points = self.new.points.iter().zip(&self.old.points);
+        !self.still
+            && (self.differs()
+                || self.new.bond.memory != self.old.bond.memory
+                || points.into_iter().any(|(new, old)| new.memory != old.memory))
     }
 
     /// Remembers what the state remembers in which the run began.
     pub fn restart(&mut self, state: &State) {
         self.kept = [0.0; ROWS];
+        self.was_still = true;
         match self.kind {
             Kind::Spring(index) => self.old.bond = state.bonds[index],
             Kind::Quad(id) => {
@@ -218,29 +267,50 @@ impl Part {
         }
     }
 
-    /// Keeps what it answered last.
-    pub fn keep(&mut self) {
+    /// Keeps what it answered last; gives what it was, where that is something else.
+    pub fn keep(&mut self) -> Option<Remembered> {
+        if self.still && self.was_still {
+            return None;
+        }
+        let before = self.remembered();
         self.old = self.new;
         self.kept = self.excess;
+        self.was_still = self.still;
+        Some(before)
+    }
+
+    /// How its excess has changed since it was last kept.
+    pub fn change(&self) -> [f64; ROWS] {
+        std::array::from_fn(|i| self.excess[i] - self.kept[i])
+    }
+
+    /// Whether it is a quadrilateral that surely answers linearly in all of many solutions.
+    pub fn surely_still(&self, model: &Model, block: &Block) -> bool {
+        let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return false };
+        let solid = &model.section(id).solid;
+        let quad =
+            Quiet { solid, samples, points: &self.old.points, base: &self.base, equations: &self.equations, block };
+        !model.incompatible(id) && quad.holds()
     }
 
     /// What it would take to come back.
     pub fn remembered(&self) -> Remembered {
-        Remembered { old: self.old, kept: self.kept }
+        Remembered { old: self.old, kept: self.kept, was_still: self.was_still }
     }
 
     /// Comes back.
     pub fn recall(&mut self, remembered: &Remembered) {
-        (self.old, self.kept) = (remembered.old, remembered.kept);
+        (self.old, self.kept, self.was_still) = (remembered.old, remembered.kept, remembered.was_still);
     }
 
-    /// Writes what it remembers into a state.
+    /// Writes into a state what it answered last, or what was kept of it where it does not answer linearly.
     pub fn write(&self, state: &mut State) {
+        let now = if self.still { &self.new } else { &self.old };
         match self.kind {
-            Kind::Spring(index) => state.bonds[index] = self.old.bond,
+            Kind::Spring(index) => state.bonds[index] = now.bond,
             Kind::Quad(id) => {
-                state.points[4 * id.index()..4 * id.index() + 4].copy_from_slice(&self.old.points);
-                state.modes[id.index()] = self.old.modes;
+                state.points[4 * id.index()..4 * id.index() + 4].copy_from_slice(&now.points);
+                state.modes[id.index()] = now.modes;
             }
         }
     }

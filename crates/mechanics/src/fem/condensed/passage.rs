@@ -1,15 +1,15 @@
-//! A run of positions, looked over every few of them.
+//! A run of positions, found a stretch at a time and then looked over at all of them at once.
 
-use super::loads::{Load, loads};
-use super::{Condensed, CondensedError, Counts, Position, Reached};
+use super::parts::Remembered;
+use super::{Condensed, CondensedError, Counts, Place, Position, Reached};
+use crate::fem::many::WIDTHS;
 use crate::watch::{Progress, Watch, Wish};
-
-/// Positions between two looks at quadrilaterals that might flow: fewest, after a look that has missed one, and most. Each look
-/// solves the whole system once.
-const LOOK: (usize, usize) = (5, 20);
 
 /// How often the way from one position to the next is halved before the run gives up.
 const HALVINGS: u32 = 6;
+
+/// Positions after which a part that has not moved any more is hot no longer.
+const COOLS: u64 = 4;
 
 /// One position of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,12 +31,27 @@ pub struct Passage {
     pub stopped_at: Option<usize>,
     /// Whether the onlooker stopped it.
     pub cancelled: bool,
-    /// Looks after which positions were gone through again.
+    /// Stretches of which a part was gone through again.
     pub repeated: usize,
+}
+
+/// A position that was reached, and how to undo it.
+#[derive(Debug)]
+pub(super) struct Step {
+    position: Position,
+    counts: Counts,
+    from: Place,
+    to: Place,
+    /// What parts remembered before, in the order in which that changed.
+    before: Vec<(usize, Remembered)>,
 }
 
 impl Condensed<'_> {
     /// Goes through `count` positions with the amplitudes of each.
+    ///
+    /// A stretch of positions is found with the parts that are active. One solution of the whole linear system for each then shows all other parts,
+    /// and the stretch counts up to the first position at which one of them would have answered otherwise; those join, and the run
+    /// goes on from there.
     pub fn pass(
         &mut self,
         count: usize,
@@ -44,9 +59,9 @@ impl Condensed<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Passage, CondensedError> {
         let mut passage = Passage::default();
-        self.scan(count, amplitudes)?;
-        let (mut at, mut stretch) = (0, LOOK.0);
-        while at < count {
+        let mut stretch = 1;
+        while passage.visited.len() < count {
+            let at = passage.visited.len();
             let progress = Progress {
                 stage: format!("position {} of {count}", at + 1),
                 fraction: Some(at as f64 / count as f64),
@@ -56,74 +71,109 @@ impl Condensed<'_> {
                 passage.cancelled = true;
                 return Ok(passage);
             }
-            let mark = self.mark();
-            // The first position brings the loads on: it is looked over by itself.
-            let end = if at == 0 { 1.min(count) } else { (at + stretch).min(count) };
-            let mut seen = Vec::with_capacity(end - at);
-            for load in loads(&self.rows, (at..end).map(amplitudes).collect()) {
-                let position = self.reach_load(load)?;
-                if position.reached != Reached::Balanced {
+            self.cool_down();
+            let mut steps = Vec::with_capacity(stretch);
+            for k in at..(at + stretch).min(count) {
+                steps.push(self.reach(&amplitudes(k))?);
+                if steps.last().is_some_and(|step| step.position.reached != Reached::Balanced) {
                     break;
                 }
-                seen.push(Visited { observed: self.observed(), position, counts: self.counts() });
             }
-            let failed = seen.len() < end - at;
-            if self.look_ahead()? {
+            let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
+            let (observed, good) = self.look_over(&mut steps)?;
+            for (step, observed) in steps.iter().zip(observed) {
+                passage.visited.push(Visited { observed, position: step.position, counts: step.counts });
+            }
+            if !good {
                 passage.repeated += 1;
-                self.back_to(&mark);
-                stretch = LOOK.0;
-                continue;
-            }
-            stretch = (2 * stretch).min(LOOK.1);
-            passage.visited.extend(seen);
-            if failed {
+                stretch = WIDTHS[0] - 1;
+            } else if failed.is_some() {
                 passage.stopped_at = Some(passage.visited.len());
                 return Ok(passage);
+            } else {
+                stretch = (2 * stretch + 2).clamp(WIDTHS[0], WIDTHS[1]) - 1;
             }
-            at = end;
         }
         Ok(passage)
     }
 
-    /// Goes to a position from the last one and looks over it: what was missed is watched, and the way is gone again.
+    /// Goes to a position from the last one, in parts of the way where the whole is too far.
     pub fn settle(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
-        let mark = self.mark();
         loop {
-            let position = self.reach(to)?;
-            if !self.look_ahead()? {
+            self.cool_down();
+            let step = self.reach(to)?;
+            let position = step.position;
+            if position.reached != Reached::Balanced || self.look_over(&mut vec![step])?.1 {
                 return Ok(position);
             }
-            self.back_to(&mark);
         }
     }
 
-    /// Goes to a position, in parts of the way where the whole is too far.
-    pub fn reach(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
-        let load = loads(&self.rows, vec![to.to_vec()]).pop().unwrap_or_default();
-        self.reach_load(load)
+    /// Looks at all parts in the positions that were reached. Those from which on others than the active ones take part are undone and taken off `steps`;
+    /// tells what is observed in those that are left, and whether these are all.
+    fn look_over(&mut self, steps: &mut Vec<Step>) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
+        let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
+        let (joining, first) = self.joining(&places)?;
+        for step in steps.drain(first..).rev() {
+            self.undo(step);
+        }
+        let observed: Vec<Vec<f64>> = (0..first).map(|lane| self.observed_in(lane)).collect();
+        if let Some(last) = observed.last() {
+            self.at.observed.clone_from(last);
+        }
+        let good = first == places.len();
+        self.activate(&joining);
+        Ok((observed, good))
     }
 
-    fn reach_load(&mut self, mut to: Load) -> Result<Position, CondensedError> {
-        let mut from = self.load.clone();
-        let (mut reached, mut step, mut total) = (0.0, 1.0, 0);
+    fn undo(&mut self, step: Step) {
+        self.at = step.from;
+        // Rows that have joined since carried nothing there.
+        self.complete();
+        // A joint that breaks has two balanced states, and a guess from elsewhere may end in the wrong one.
+        self.hot.forget();
+        for (part, before) in step.before.iter().rev() {
+            self.parts[*part].recall(before);
+        }
+    }
+
+    /// What did not move for some positions iterates no longer.
+    fn cool_down(&mut self) {
+        let hot = self.active.iter().filter(|&&part| self.moved_at[part] + COOLS >= self.clock);
+        self.hot.set(hot.copied(), &self.parts, &self.rows);
+    }
+
+    /// Goes to a position with the parts that are active, in parts of the way where the whole is too far; where no balance is found the last one
+    /// is as it was.
+    fn reach(&mut self, to: &[f64]) -> Result<Step, CondensedError> {
+        let from = self.at.clone();
+        let (mut reached, mut step, mut iterations) = (0.0, 1.0, 0);
+        let mut before = Vec::new();
         loop {
             let next = if reached + step > 1.0 - 1e-9 { 1.0 } else { reached + step };
-            // Rows may have joined on the way.
-            from.complete(&self.rows);
-            to.complete(&self.rows);
-            let mut position = self.go(if next == 1.0 { to.clone() } else { from.mix(&to, next) })?;
-            total += position.iterations;
-            position.iterations = total;
+            let mix = |(a, b): (&f64, &f64)| if next == 1.0 { *b } else { a + next * (b - a) };
+            let mut position = self.go(from.amplitudes.iter().zip(to).map(mix).collect(), &mut before);
+            iterations += position.iterations;
+            position.iterations = iterations;
             if position.reached == Reached::Balanced {
                 reached = next;
                 if reached == 1.0 {
-                    return Ok(position);
+                    return Ok(Step { position, counts: self.counts(), from, to: self.at.clone(), before });
                 }
-            } else {
-                step *= 0.5;
-                if step < 0.5_f64.powi(HALVINGS as i32) {
-                    return Ok(position);
+                continue;
+            }
+            step *= 0.5;
+            if step < 0.5_f64.powi(HALVINGS as i32) {
+                // It may be for want of parts that flow or slide where it got to.
+                let here = self.at.clone();
+                let (joining, _) = self.joining(std::slice::from_ref(&here))?;
+                let counts = Counts::default();
+                self.undo(Step { position, counts, from: from.clone(), to: Place::default(), before });
+                if joining.is_empty() {
+                    return Ok(Step { position, counts, from: from.clone(), to: from, before: Vec::new() });
                 }
+                self.activate(&joining);
+                (reached, step, before) = (0.0, 1.0, Vec::new());
             }
         }
     }

@@ -1,9 +1,10 @@
-//! Rows: sums of displacement components that parts and sensors look at, and what each load and each force on another row does to them.
+//! Active rows: sums of displacement components on which forces stand for excess, and what loads and forces on the others do to each.
 
 use crate::fem::dofs::HELD;
+use crate::fem::factor::Block;
+use crate::fem::many::WIDTHS;
 use crate::fem::model::Model;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatRef, Par};
+use crate::fem::workspace::Workspace;
 
 /// A sum of displacement components.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -19,161 +20,108 @@ pub(super) struct Row {
     terms: Vec<(u32, f64)>,
     /// Value when the run began, held components included.
     pub start: f64,
-    /// Which column belongs to it, if any.
-    pub column: Option<usize>,
 }
 
 impl Row {
-    /// Its value in a solution.
-    fn of(&self, solution: &[f64]) -> f64 {
-        self.terms.iter().map(|&(e, w)| w * solution[e as usize]).sum()
+    pub fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
+        let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
+        Row {
+            terms: functional.0.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect(),
+            start: functional.0.iter().map(|&(component, weight)| weight * displacements[component]).sum(),
+        }
     }
 
-    /// The right-hand side of a unit force on it.
-    pub fn unit(&self, equations: usize) -> Vec<f64> {
-        let mut force = vec![0.0; equations];
-        self.push(&mut force, 1.0);
-        force
+    /// Its change in a solution.
+    #[inline]
+    pub fn of(&self, block: &Block, lane: usize) -> f64 {
+        self.terms.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum()
     }
 
     /// Adds a force on it to a right-hand side.
-    pub fn push(&self, right: &mut [f64], force: f64) {
-        for &(e, w) in &self.terms {
-            right[e as usize] += w * force;
-        }
+    pub fn push(&self, right: &mut Vec<(u32, f64)>, force: f64) {
+        right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
     }
 }
 
-/// All rows, and what loads and forces on some of them do to each.
-#[derive(Debug, Clone, Default)]
+/// The active rows.
+#[derive(Debug, Default)]
 pub(super) struct Rows {
     list: Vec<Row>,
-    /// Solutions for the loads and for the columns, on all equations.
-    solved: [Vec<Vec<f64>>; 2],
-    /// For each load and each column: change of every row.
-    answers: [Vec<Vec<f64>>; 2],
-    /// Changes of all rows under the forces to which they were brought last, and those forces.
-    carried: Vec<f64>,
-    stand: Vec<f64>,
+    /// `G`: for each row what a unit force on it does to all of them.
+    answers: Vec<Vec<f64>>,
+    /// `H`: for each pattern what it does to all of them.
+    moved: Vec<Vec<f64>>,
 }
 
-/// Loads, and columns.
-const LOADS: usize = 0;
-const COLUMNS: usize = 1;
-
 impl Rows {
-    /// No rows yet; solutions for the loads.
-    pub fn new(loads: Vec<Vec<f64>>) -> Rows {
-        let count = loads.len();
-        Rows { solved: [loads, Vec::new()], answers: [vec![Vec::new(); count], Vec::new()], ..Rows::default() }
+    pub fn new(patterns: usize) -> Rows {
+        Rows { moved: vec![Vec::new(); patterns], ..Rows::default() }
     }
 
     pub fn len(&self) -> usize {
         self.list.len()
     }
 
-    pub fn columns(&self) -> usize {
-        self.answers[COLUMNS].len()
+    pub fn list(&self) -> &[Row] {
+        &self.list
     }
 
-    /// One more row.
-    pub fn push(&mut self, model: &Model, functional: &Functional, displacements: &[f64]) -> usize {
-        let dofs = model.dofs();
-        let terms: Vec<(u32, f64)> =
-            functional.0.iter().map(|&(c, w)| (dofs.equation(c), w)).filter(|(e, _)| *e != HELD).collect();
-        let start = functional.0.iter().map(|&(c, w)| w * displacements[c]).sum();
-        let row = Row { terms, start, column: None };
-        for kind in [LOADS, COLUMNS] {
-            for (answers, solution) in self.answers[kind].iter_mut().zip(&self.solved[kind]) {
-                answers.push(row.of(solution));
-            }
-        }
-        let carried =
-            self.answers[COLUMNS].iter().zip(&self.stand).map(|(answers, force)| answers[self.list.len()] * force);
-        self.carried.push(carried.sum());
-        self.list.push(row);
-        self.list.len() - 1
-    }
-
-    /// Columns for these rows.
-    pub fn add_columns(&mut self, rows: &[usize], solutions: Vec<Vec<f64>>) {
-        for (&row, solution) in rows.iter().zip(solutions) {
-            self.list[row].column = Some(self.columns());
-            let answers = self.list.iter().map(|row| row.of(&solution)).collect();
-            self.answers[COLUMNS].push(answers);
-            self.solved[COLUMNS].push(solution);
-            self.stand.push(0.0);
-        }
-    }
-
-    /// What a unit force on a column's row does to a row.
+    /// What a unit force on a row does to all of them.
     #[inline]
-    pub fn answer(&self, column: usize, row: usize) -> f64 {
-        self.answers[COLUMNS][column][row]
+    pub fn answers(&self, row: usize) -> &[f64] {
+        &self.answers[row]
     }
 
-    /// Displacements of all equations by loads alone: a column for each set of amplitudes.
-    pub fn displacements(&self, amplitudes: &[Vec<f64>]) -> Mat<f64> {
-        product(&self.solved[LOADS], amplitudes)
-    }
-
-    /// Changes of all rows by loads alone: a column for each set of amplitudes.
-    pub fn all_moved(&self, amplitudes: &[Vec<f64>]) -> Mat<f64> {
-        product(&self.answers[LOADS], amplitudes)
-    }
-
-    /// Change of a row by loads.
-    pub fn moved(&self, row: usize, amplitudes: &[f64]) -> f64 {
-        self.answers[LOADS].iter().zip(amplitudes).filter(|(_, a)| **a != 0.0).map(|(answer, a)| answer[row] * a).sum()
-    }
-
-    /// Brings all rows to these forces: only what has changed is added.
-    pub fn bring(&mut self, forces: &[f64]) {
-        for ((answer, stand), now) in self.answers[COLUMNS].iter().zip(&mut self.stand).zip(forces) {
-            let more = now - *stand;
-            if more != 0.0 {
-                self.carried.iter_mut().zip(answer).for_each(|(value, answer)| *value += more * answer);
-                *stand = *now;
+    /// More rows take part: one solution for each. What patterns do to them, and what forces on the others do, needs no other, for the linear system
+    /// is symmetric.
+    pub fn join(&mut self, fresh: Vec<Row>, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
+        let first = self.list.len();
+        self.list.extend(fresh);
+        let all = self.list.len();
+        self.answers.resize_with(all, || vec![0.0; all]);
+        self.answers[..first].iter_mut().for_each(|answers| answers.resize(all, 0.0));
+        self.moved.iter_mut().for_each(|moved| moved.resize(all, 0.0));
+        for start in (first..all).step_by(WIDTHS[1]) {
+            let lanes = start..(start + WIDTHS[1]).min(all);
+            let unit = |row: usize| {
+                let mut right = Vec::new();
+                self.list[row].push(&mut right, 1.0);
+                right
+            };
+            work.solve_block(&lanes.clone().map(unit).collect::<Vec<_>>(), block);
+            for other in 0..all {
+                for (lane, row) in lanes.clone().enumerate() {
+                    let answer = self.list[other].of(block, lane);
+                    self.answers[row][other] = answer;
+                    if other < first {
+                        self.answers[other][row] = answer;
+                    }
+                }
+            }
+            for (moved, pattern) in self.moved.iter_mut().zip(patterns) {
+                let moved = &mut moved[lanes.clone()];
+                for &(equation, force) in pattern {
+                    moved.iter_mut().zip(block.of(equation)).for_each(|(moved, value)| *moved += force * value);
+                }
             }
         }
     }
 
-    /// Forces to which all rows were brought last.
-    pub fn brought(&self) -> &[f64] {
-        &self.stand
+    /// How far loads alone move each row.
+    pub fn moved(&self, amplitudes: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.list.len()];
+        for (moved, a) in self.moved.iter().zip(amplitudes).filter(|(_, a)| **a != 0.0) {
+            sums.iter_mut().zip(moved).for_each(|(sum, moved)| *sum += a * moved);
+        }
+        sums
     }
 
-    /// Brings all rows to no forces, without what rounding has left.
-    pub fn restart(&mut self) {
-        self.carried.fill(0.0);
-        self.stand.fill(0.0);
+    /// Adds to `values` what forces on rows do to all of them.
+    pub fn add_moves(&self, values: &mut [f64], forces: impl Iterator<Item = (usize, f64)>) {
+        for (row, force) in forces.filter(|(_, force)| *force != 0.0) {
+            values.iter_mut().zip(&self.answers[row]).for_each(|(value, answer)| *value += force * answer);
+        }
     }
-
-    /// Value of a row when the run began, and what the forces to which it was brought last have added.
-    #[inline]
-    pub fn carried(&self, row: usize) -> f64 {
-        self.list[row].start + self.carried[row]
-    }
-}
-
-impl std::ops::Index<usize> for Rows {
-    type Output = Row;
-    fn index(&self, row: usize) -> &Row {
-        &self.list[row]
-    }
-}
-
-/// Sums of the columns by amplitudes, many at a time: what is not zero is read once for all of them.
-fn product(columns: &[Vec<f64>], amplitudes: &[Vec<f64>]) -> Mat<f64> {
-    let used: Vec<usize> = (0..columns.len()).filter(|&l| amplitudes.iter().any(|a| a[l] != 0.0)).collect();
-    let rows = columns.first().map_or(0, Vec::len);
-    let mut read = Vec::with_capacity(rows * used.len());
-    used.iter().for_each(|&l| read.extend_from_slice(&columns[l]));
-    let read = MatRef::from_column_major_slice(&read, rows, used.len());
-    let shares = Mat::<f64>::from_fn(used.len(), amplitudes.len(), |k, p| amplitudes[p][used[k]]);
-    let mut sums = Mat::<f64>::zeros(rows, amplitudes.len());
-    matmul(sums.as_mut(), Accum::Replace, read, shares.as_ref(), 1.0, Par::Seq);
-    sums
 }
 
 /// Eight running sums, in a fixed order: as fast as memory gives the numbers.

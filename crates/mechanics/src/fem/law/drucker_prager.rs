@@ -81,6 +81,25 @@ impl DruckerPrager {
     }
 }
 
+impl DruckerPrager {
+    /// Whether none of many strains of a point reaches the cone, by a billionth of its strength at least; strains without a stress do, and so
+    /// does everything where tension is cut off.
+    #[inline(always)]
+    pub(super) fn surely_holds<const L: usize>(&self, strain: &[[f64; L]; 4], old: &Memory) -> bool {
+        const MARGIN: f64 = 1e-9;
+        let (bulk, shear) = (self.elastic.bulk(), self.elastic.shear());
+        let mut inside = self.tension_cutoff.is_none();
+        for lane in 0..L {
+            let [x, y, z, xy] = [0, 1, 2, 3].map(|i| strain[i][lane] - old.plastic[i]);
+            let volume = x + y + z;
+            let [x, y, z] = [x, y, z].map(|e| e - volume / 3.0);
+            let radius = shear * (2.0 * (x * x + y * y + z * z) + xy * xy).sqrt();
+            inside &= radius + self.alpha * 3.0 * bulk * volume < (1.0 - MARGIN) * self.strength;
+        }
+        inside
+    }
+}
+
 impl Law for DruckerPrager {
     fn respond(&self, strain: &Four, old: &Memory) -> Response {
         let trial = self.elastic.trial(strain, old);

@@ -130,6 +130,17 @@ pub struct Solid {
     pub plane: Plane,
 }
 
+impl Solid {
+    /// Whether a point surely answers linearly to all of many strains; where it may not, its law has to be asked.
+    #[inline(always)]
+    pub(super) fn surely_holds<const L: usize>(&self, strain: &[[f64; L]; 4], old: &Memory) -> bool {
+        match (&self.material, self.plane) {
+            (Material::DruckerPrager(law), Plane::Strain) => law.surely_holds(strain, old),
+            _ => false,
+        }
+    }
+}
+
 impl Law for Solid {
     /// In plane stress the strain `zz` that is passed in is not read.
     fn respond(&self, strain: &Four, old: &Memory) -> Response {

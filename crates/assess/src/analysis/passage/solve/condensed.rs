@@ -5,8 +5,8 @@ use super::{AtRest, Solution, Wanted, functional};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
-use mechanics::fem::Model;
-use mechanics::fem::condensed::{Condensed, CondensedError, Functional, Reached};
+use mechanics::fem::State;
+use mechanics::fem::condensed::{Condensed, CondensedError, Functional, Mark, Reached};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch, Wish};
 
@@ -23,19 +23,30 @@ pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
     rest.setup.loads.patterns.iter().map(whole).collect()
 }
 
+/// Self-weight and passage. The weight is the first pattern, brought on in the load steps of the file and then held.
 pub fn pass(
-    rest: AtRest<'_>,
+    rest: &AtRest<'_>,
     solution: &mut Solution,
     wanted: Wanted,
     watch: &mut dyn Watch,
 ) -> Result<(), AnalysisError> {
     let setup = rest.setup;
     let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
-    let patterns = patterns(&rest);
+    let loads: Vec<Vec<f64>> = std::iter::once(rest.weight.to_vec()).chain(patterns(rest)).collect();
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
-    let mut condensed = Condensed::new(rest.model, rest.state, &patterns, &observed).map_err(failed)?;
-    let reactions = |k: usize| setup.loads.reactions(setup.positions[k]);
-    let passage = condensed.pass(setup.positions.len(), &reactions, watch).map_err(failed)?;
+    let mut condensed = Condensed::new(rest.model, State::new(rest.model), &loads, &observed).map_err(failed)?;
+    if !stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)? {
+        end_of_weight(solution);
+        return Ok(());
+    }
+    solution.self_weight = condensed.observed();
+    if wanted == Wanted::Everything {
+        let state = condensed.state().map_err(failed)?;
+        solution.moments.push(moment(setup, rest.model, &state, "self-weight", None));
+    }
+    let at_rest = condensed.mark();
+    let under = |k: usize| with_weight(setup.loads.reactions(setup.positions[k]));
+    let passage = condensed.pass(setup.positions.len(), &under, watch).map_err(failed)?;
     for (k, visited) in passage.visited.iter().enumerate() {
         for ((values, value), own) in solution.values.iter_mut().zip(&visited.observed).zip(&solution.self_weight) {
             values.push(value - own);
@@ -68,23 +79,78 @@ pub fn pass(
     if wanted == Wanted::Records {
         return Ok(());
     }
-    moments(&mut condensed, setup, rest.model, solution, watch).map_err(failed)?;
+    moments(&mut condensed, &at_rest, rest, solution, watch).map_err(failed)?;
     if solution.status != PassageStatus::Cancelled {
-        influence(&mut condensed, setup, solution, watch).map_err(failed)?;
+        influence(&mut condensed, &at_rest, setup, solution, watch).map_err(failed)?;
     }
     Ok(())
+}
+
+/// Amplitudes of all patterns: the whole weight and what stands on the sleepers.
+fn with_weight(reactions: Vec<f64>) -> Vec<f64> {
+    std::iter::once(1.0).chain(reactions).collect()
+}
+
+/// Brings the self-weight on; `false` where it finds no balance or the onlooker stops it.
+pub fn stand(
+    condensed: &mut Condensed<'_>,
+    setup: &Setup,
+    log: &mut Vec<StepLog>,
+    watch: &mut dyn Watch,
+) -> Result<bool, CondensedError> {
+    let steps = setup.plan.load_steps.max(1);
+    let mut amplitudes = vec![0.0; condensed.patterns()];
+    for step in 1..=steps {
+        let share = step as f64 / steps as f64;
+        let stage = format!("self-weight: step {step} of {steps}");
+        if watch.look(&Progress { stage, fraction: Some(share), steps: step as u64 }) == Wish::Stop {
+            return Ok(false);
+        }
+        amplitudes[0] = share;
+        let position = condensed.settle(&amplitudes)?;
+        let counts = condensed.counts();
+        log.push(StepLog {
+            stage: "self-weight".into(),
+            time: share,
+            iterations: position.iterations as usize,
+            unbalanced: position.left,
+            plastic_points: counts.yielding,
+            open_joints: counts.open_interfaces,
+            sliding_pairs: counts.sliding,
+            cuts: usize::from(position.reached != Reached::Balanced),
+            ..StepLog::default()
+        });
+        if position.reached != Reached::Balanced {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+fn end_of_weight(solution: &mut Solution) {
+    match solution.log.last().filter(|step| step.cuts > 0) {
+        None => solution.status = PassageStatus::Cancelled,
+        Some(step) => {
+            solution.status = PassageStatus::NotConverged;
+            solution.reason = Some(format!(
+                "under self-weight, with {:.0} % of it on: no balance was found, however small the step",
+                100.0 * step.time
+            ));
+        }
+    }
 }
 
 /// Goes through the positions once more and keeps the bridge at those that are to be shown.
 fn moments(
     condensed: &mut Condensed<'_>,
-    setup: &Setup,
-    model: &Model,
+    at_rest: &Mark,
+    rest: &AtRest<'_>,
     solution: &mut Solution,
     watch: &mut dyn Watch,
 ) -> Result<(), CondensedError> {
+    let setup = rest.setup;
     let wanted = places(setup, solution);
-    condensed.restart();
+    condensed.back_to(at_rest);
     let last = wanted.iter().map(|(k, _)| *k).max().unwrap_or(0);
     for k in 0..=last {
         if asked_to_stop(watch, "pictures", k, last) {
@@ -92,14 +158,14 @@ fn moments(
             return Ok(());
         }
         if wanted.is_empty()
-            || condensed.reach(&setup.loads.reactions(setup.positions[k]))?.reached != Reached::Balanced
+            || condensed.settle(&with_weight(setup.loads.reactions(setup.positions[k])))?.reached != Reached::Balanced
         {
             break;
         }
         for (_, name) in wanted.iter().filter(|(at, _)| *at == k) {
             let state = condensed.state()?;
             let at = Some((setup.times[k], setup.positions[k]));
-            solution.moments.push(moment(setup, model, &state, name, at));
+            solution.moments.push(moment(setup, rest.model, &state, name, at));
         }
     }
     Ok(())
@@ -136,6 +202,7 @@ const INFLUENCE_STEP: f64 = 0.25;
 /// What the heaviest axle of the train does when it crosses alone; nothing where a position finds no balance.
 fn influence(
     condensed: &mut Condensed<'_>,
+    at_rest: &Mark,
     setup: &Setup,
     solution: &mut Solution,
     watch: &mut dyn Watch,
@@ -149,14 +216,14 @@ fn influence(
     let count = ((last - first) / INFLUENCE_STEP) as usize;
     let own = &solution.self_weight;
     let mut influence = Influence { force, positions: Vec::new(), values: vec![Vec::new(); own.len()] };
-    condensed.restart();
+    condensed.back_to(at_rest);
     for k in 0..=count {
         if asked_to_stop(watch, "influence lines", k, count) {
             solution.status = PassageStatus::Cancelled;
             return Ok(());
         }
         let x = first + INFLUENCE_STEP * k as f64;
-        if condensed.reach(&loads.reactions(x))?.reached != Reached::Balanced {
+        if condensed.settle(&with_weight(loads.reactions(x)))?.reached != Reached::Balanced {
             return Ok(());
         }
         influence.positions.push(x);

@@ -72,8 +72,6 @@ fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Wat
     let large = setup.plan.kinematics == PassageKinematics::Large;
     let kinematics = if large { Kinematics::Large } else { Kinematics::Small };
     let model = model(bridge, &setup.meshed, kinematics)?;
-    let mut work = Workspace::new(&model).map_err(PassageError::from)?;
-    let mut state = State::new(&model);
     let weight = self_weight(bridge, setup, &model);
     let mut solution = Solution {
         status: PassageStatus::Completed,
@@ -88,6 +86,15 @@ fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Wat
         assumptions: assumptions(bridge, &setup.meshed),
         warnings: Vec::new(),
     };
+    let bridge_at_rest = AtRest { setup, model: &model, weight: &weight };
+    let still = setup.plan.analysis == PassageAnalysis::Static;
+    let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
+    if still && !large && setup.plan.path == PassagePath::Condensed && linear_sensors {
+        condensed::pass(&bridge_at_rest, &mut solution, wanted, watch)?;
+        return Ok(solution);
+    }
+    let mut work = Workspace::new(&model).map_err(PassageError::from)?;
+    let mut state = State::new(&model);
     let settings = Settings {
         tolerance: setup.plan.tolerance.min(WEIGHT_TOLERANCE),
         load_steps: setup.plan.load_steps as u32,
@@ -107,24 +114,16 @@ fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Wat
     }
     solution.self_weight = setup.sensors.iter().map(|sensor| read(&sensor.reading, &state)).collect();
     solution.moments.push(moment::moment(setup, &model, &state, "self-weight", None));
-    let bridge_at_rest = AtRest { setup, model: &model, weight: &weight, state };
-    let still = setup.plan.analysis == PassageAnalysis::Static;
-    let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
-    if still && !large && setup.plan.path == PassagePath::Condensed && linear_sensors {
-        condensed::pass(bridge_at_rest, &mut solution, wanted, watch)?;
-    } else {
-        plain::pass(bridge_at_rest, work, &mut solution, watch)?;
-    }
+    plain::pass(&bridge_at_rest, state, work, &mut solution, watch)?;
     Ok(solution)
 }
 
-/// A bridge that stands under its own weight.
+/// A bridge and its own weight.
 struct AtRest<'a> {
     setup: &'a Setup,
     model: &'a Model,
     /// Nodal forces of its weight [N/m].
     weight: &'a [f64],
-    state: State,
 }
 
 /// Nodal forces of masses and of what lies on the surface [N/m].

@@ -13,7 +13,8 @@ use mechanics::fem::{
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 
 pub fn pass(
-    rest: AtRest<'_>,
+    rest: &AtRest<'_>,
+    mut state: State,
     mut work: Workspace,
     solution: &mut Solution,
     watch: &mut dyn Watch,
@@ -28,9 +29,8 @@ pub fn pass(
     };
     let motion = match plan.analysis {
         PassageAnalysis::Static => None,
-        PassageAnalysis::Transient => Some(motion(&rest, &mut work)?),
+        PassageAnalysis::Transient => Some(motion(rest, &mut work)?),
     };
-    let mut state = rest.state.clone();
     let count = setup.positions.len();
     let pictures: Vec<usize> = pictures(&setup.plan.pictures, &setup.positions);
     // Where the file names no positions, the bridge is kept at each channel's largest value so far.
@@ -45,7 +45,7 @@ pub fn pass(
             solution.status = super::PassageStatus::Cancelled;
             return Ok(());
         }
-        let forces = with_train(&rest, position);
+        let forces = with_train(rest, position);
         let outcome: Outcome = match &motion {
             None => {
                 let target = Target { forces, imposed: Vec::new() };

@@ -3,6 +3,7 @@
 //! What model updating asks for again and again (the railway paper, section 3.4): the mesh stays, the moduli change. All of it goes by the condensed
 //! path, the self-weight too, so that an evaluation costs one factorisation and the rows that are not linear.
 
+use super::condensed::stand;
 use super::{AtRest, functional, self_weight, with_train};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::model::model;
@@ -40,7 +41,7 @@ pub fn slices(
     let observed = observed.ok_or(PassageError::StressInSlices)?;
     let model = model(bridge, &setup.meshed, Kinematics::Small)?;
     let weight = self_weight(bridge, setup, &model);
-    let rest = AtRest { setup, model: &model, weight: &weight, state: State::new(&model) };
+    let rest = AtRest { setup, model: &model, weight: &weight };
     let train = positions.iter().map(|&position| with_train(&rest, position));
     let loads: Vec<Vec<f64>> = std::iter::once(weight.clone()).chain(train).collect();
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
@@ -52,19 +53,18 @@ pub fn slices(
         values: vec![Vec::new(); observed.len()],
         iterations: 0,
     };
-    let one = |pattern: usize, share: f64| {
+    let one = |pattern: usize| {
         let mut amplitudes = vec![0.0; loads.len()];
-        amplitudes[pattern] = share;
+        amplitudes[pattern] = 1.0;
         amplitudes
     };
-    let steps = setup.plan.load_steps.max(1);
-    for step in 1..=steps {
-        let position = condensed.settle(&one(0, step as f64 / steps as f64)).map_err(failed)?;
-        found.iterations += position.iterations;
-        if position.reached != Reached::Balanced {
-            return Ok(unbalanced(found, "under self-weight no balance was found".to_owned()));
-        }
+    let mut log = Vec::new();
+    if !stand(&mut condensed, setup, &mut log, watch).map_err(failed)? {
+        found.status = PassageStatus::Cancelled;
+        let stuck = log.last().is_some_and(|step| step.cuts > 0);
+        return Ok(if stuck { unbalanced(found, "under self-weight no balance was found".to_owned()) } else { found });
     }
+    found.iterations = log.iter().map(|step| step.iterations as u32).sum();
     found.self_weight = condensed.observed();
     let at_rest = condensed.mark();
     for (k, place) in positions.iter().enumerate() {
@@ -75,7 +75,7 @@ pub fn slices(
             return Ok(found);
         }
         condensed.back_to(&at_rest);
-        let position = condensed.settle(&one(1 + k, 1.0)).map_err(failed)?;
+        let position = condensed.settle(&one(1 + k)).map_err(failed)?;
         found.iterations += position.iterations;
         if position.reached != Reached::Balanced {
             return Ok(unbalanced(found, format!("with the first axle at {place:.3} m no balance was found")));
