@@ -1,8 +1,11 @@
 //! The one place where what an engineer wrote or drew meets its mechanics.
 
 pub mod analysis;
+pub mod assessment;
 pub mod blocks;
+pub mod chain;
 pub mod checkpoint;
+pub mod checks;
 pub mod discretise;
 pub mod disks;
 pub mod footing;

@@ -3,6 +3,7 @@
 
 mod calibration;
 mod collapse;
+mod facts;
 mod particles;
 mod passage;
 mod sweep;
@@ -12,6 +13,10 @@ mod vary;
 
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
 pub use collapse::CollapseObject;
+pub use facts::{
+    AugmentFacts, ChangeFacts, ChannelFacts, FitFacts, JointFacts, MovementFacts, ParameterFacts, PlaceFacts,
+    SensitivityFacts, ServiceFacts, ServiceLoadFacts, UltimateFacts, UpdateFacts,
+};
 pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};
 pub use sweep::SweepObject;

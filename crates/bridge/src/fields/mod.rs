@@ -1,6 +1,7 @@
 //! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
+mod assess;
 pub mod blocks;
 mod calibration;
 mod cover;
@@ -304,6 +305,14 @@ pub static FILE: Section = Section {
             .optional("nothing is sought"),
         Field::new("update", Kind::Table(&update::UPDATE), "How `extrados update` seeks it.", "")
             .optional("the defaults"),
+        Field::new("assess", Kind::Table(&assess::ASSESS), "Limits that `extrados assess` compares with.", "")
+            .optional("nothing is compared that needs a limit"),
+        Field::new("service_load", Kind::Tables(&assess::SERVICE_LOAD), "Loads in service.", "")
+            .optional("the train as it is"),
+        Field::new("mexe", Kind::Table(&assess::MEXE), "Factors of the modified MEXE method.", "")
+            .optional("MEXE is not made"),
+        Field::new("expected", Kind::Tables(&assess::EXPECTED), "Where identified parameters are expected.", "")
+            .optional("identified parameters are listed without a verdict"),
     ],
 };
 

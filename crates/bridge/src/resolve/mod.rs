@@ -1,5 +1,6 @@
 //! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
 
+mod assess;
 pub(crate) mod blocks;
 mod calibration;
 mod cover;
@@ -22,6 +23,7 @@ use crate::model::Bridge;
 use crate::plausible;
 use crate::tree::Table;
 
+pub(crate) use assess::{SECTIONS as ASSESS_SECTIONS, assess};
 pub(crate) use loading::{read_share, read_slope, slope};
 pub(crate) use update::{SECTIONS as UPDATE_SECTIONS, update};
 pub(crate) use vary::{check as check_vary, vary};

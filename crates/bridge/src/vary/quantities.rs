@@ -33,7 +33,8 @@ pub struct Known {
 }
 
 /// Sections that say how to vary, and are not varied themselves.
-const NOT_VARIED: [&str; 5] = ["vary", "records", "channel", "parameter", "update"];
+const NOT_VARIED: [&str; 9] =
+    ["vary", "records", "channel", "parameter", "update", "assess", "service_load", "mexe", "expected"];
 
 /// Paths shown at most in a message.
 const MOST_SHOWN: usize = 12;

@@ -1,0 +1,16 @@
+//! The stages of an assessment: each makes one analysis and keeps its facts. Whoever calls them keeps finished ones.
+
+mod service;
+mod ultimate;
+mod updated;
+
+pub use service::{Augment, augment, probes, service, window};
+pub use ultimate::{Ultimate, movement, movement_facts, ultimate};
+pub use updated::{facts as update_facts, with_parameters};
+
+use crate::warning::Warning;
+
+/// Warnings as code and words.
+fn spoken(warnings: &[Warning]) -> Vec<[String; 2]> {
+    warnings.iter().map(|warning| [warning.code.to_owned(), warning.message.clone()]).collect()
+}
