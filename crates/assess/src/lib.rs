@@ -6,6 +6,7 @@ pub mod blocks;
 pub mod chain;
 pub mod checkpoint;
 pub mod checks;
+pub mod condition;
 pub mod discretise;
 pub mod disks;
 pub mod footing;

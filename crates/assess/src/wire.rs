@@ -1,6 +1,7 @@
 //! The formats others rely on: JSON objects and CSV tables. The only serialisable types; keys carry their unit, a meaning
 //! that stands never changes.
 
+mod assess;
 mod calibration;
 mod collapse;
 mod facts;
@@ -11,6 +12,7 @@ mod tables;
 mod update;
 mod vary;
 
+pub use assess::{AssessObject, checks_table};
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
 pub use collapse::CollapseObject;
 pub use facts::{

@@ -30,6 +30,8 @@ pub struct ServiceLoad {
 pub struct Limits {
     /// Where the limits come from.
     pub source: Option<String>,
+    /// Code of the rule whose dynamic augment counts; none where nothing is added.
+    pub rule: Option<String>,
     /// Length that the dynamic augment is taken for [m]; the longest span where none is given.
     pub loaded_length: Option<f64>,
     /// Depth of cushion that lessens the dynamic augment [m]; the cover's depth where none is given.

@@ -9,6 +9,7 @@ pub mod edit;
 pub mod explain;
 pub mod fields;
 mod findings;
+pub mod inputs;
 pub mod model;
 pub mod passage;
 pub mod path;

@@ -57,7 +57,7 @@ pub use load_path::load_displacement;
 pub use mechanism::mechanism;
 pub use mesh::mesh;
 pub use packing::packing;
-pub use passage::{passage, passage_drawings};
+pub use passage::{passage, passage_drawings, passage_records, passage_ring};
 pub use raster::{RasterError, png};
 pub use stress::{most_compressive, stress};
 pub use study::{heat_map, name_and_unit, response, study, study_drawings, tornado};

@@ -1,11 +1,13 @@
 //! The stages of an assessment: each makes one analysis and keeps its facts. Whoever calls them keeps finished ones.
 
+mod sensitivity;
 mod service;
 mod ultimate;
 mod updated;
 
-pub use service::{Augment, augment, probes, service, window};
-pub use ultimate::{Ultimate, movement, movement_facts, ultimate};
+pub use sensitivity::{SensitivityError, sensitivity};
+pub use service::{NoRule, ServiceError, Wanted, augment, probes, service, window};
+pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
 pub use updated::{facts as update_facts, with_parameters};
 
 use crate::warning::Warning;

@@ -11,32 +11,65 @@ use bridge::ring::Intrados;
 use bridge::train::AxleLoads;
 use mechanics::watch::Watch;
 use outcome::{Moment, Pair, RowKind};
+use thiserror::Error;
 
-/// Coefficients of dynamic augment.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Augment {
-    /// Without the cushion's effect.
-    pub total: f64,
-    /// With it.
-    pub design: f64,
-    /// Length that it is taken for [m].
-    pub length: f64,
-    /// Depth of cushion [m].
-    pub cushion: f64,
-}
-
-/// The coefficient of the Indian Bridge Rules, 0.15 + 8 / (6 + L) up to 1 with L in metres, and what a cushion of depth d
-/// leaves of it: 1/2 (2 - d / 0.9 m) of it down to 0.9 m, from there the half falls to nothing over 3 m.
-pub fn augment(bridge: &Bridge, asked: &Assess) -> Augment {
+/// The coefficients of dynamic augment of the file's rule: in full, and as a cushion of fill lessens it. Without a rule
+/// nothing is added.
+pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> {
     let longest = bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max);
     let length = asked.limits.loaded_length.unwrap_or(longest);
     let cushion = asked.limits.cushion.unwrap_or(bridge.cover.depth).max(0.0);
-    let total = (0.15 + 8.0 / (6.0 + length)).min(1.0);
-    let left = match cushion {
-        d if d <= 0.9 => 0.5 * (2.0 - d / 0.9),
-        d => 0.5 * (1.0 - (d - 0.9) / 3.0).max(0.0),
+    let mut facts = AugmentFacts { loaded_length_m: length, cushion_m: cushion, ..AugmentFacts::default() };
+    let Some(code) = &asked.limits.rule else {
+        facts.source = "none: the file names no rule, and nothing is added to loads at rest".to_owned();
+        return Ok(facts);
     };
-    Augment { total, design: left * total, length, cushion }
+    let library = rules::library().map_err(|_| NoRule { code: code.clone(), known: String::new() })?;
+    let rule = library.rule(code).ok_or_else(|| NoRule {
+        code: code.clone(),
+        known: library.rules.iter().map(|rule| rule.code.as_str()).collect::<Vec<_>>().join(", "),
+    })?;
+    let say = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
+    let [all, critical] = rule.impact.factors(length, cushion);
+    facts.design = all * critical - 1.0;
+    facts.total = rule.impact.total_augment(length).unwrap_or(facts.design);
+    facts.source = match &rule.impact {
+        rules::Impact::Augment { source, fill: Some(fill), .. } => format!("{}; {}", say(source), say(&fill.source)),
+        rules::Impact::Augment { source, .. } => say(source),
+        rules::Impact::AllAxles { factor } | rules::Impact::CriticalAxle { factor } => say(&factor.source),
+    };
+    facts.source = format!("{}: {}", rule.title, facts.source);
+    Ok(facts)
+}
+
+/// The file names a rule that the library does not have.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("there is no rule \"{code}\": write rule in [assess] as one of {known}")]
+pub struct NoRule {
+    /// The rule.
+    pub code: String,
+    /// Those that there are.
+    pub known: String,
+}
+
+/// Why loads in service cannot be analysed.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ServiceError {
+    /// The rule.
+    #[error(transparent)]
+    Rule(#[from] NoRule),
+    /// The passage.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+}
+
+/// How much of a passage is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// Sensors, joints at their peaks, influence lines.
+    Everything,
+    /// Sensors alone.
+    Sensors,
 }
 
 /// A sensor of the assessment's own: where it sits, and what is made of its values.
@@ -120,23 +153,23 @@ pub fn window(bridge: &mut Bridge, at: f64) {
 pub fn service(
     bridge: &Bridge,
     asked: &Assess,
+    wanted: Wanted,
     watch: &mut dyn Watch,
-) -> Result<(ServiceFacts, Vec<Passage>), AnalysisError> {
+) -> Result<(ServiceFacts, Vec<Passage>), ServiceError> {
     let probes = probes(bridge);
-    let coefficient = augment(bridge, asked);
+    let coefficient = augment(bridge, asked)?;
     let alone = [ServiceLoad { name: "train of the file".to_owned(), axle_load: None, source: None }];
     let loads = if asked.service_loads.is_empty() { &alone[..] } else { &asked.service_loads[..] };
     let (mut facts, mut passages) = (ServiceFacts::default(), Vec::new());
-    facts.augment = AugmentFacts {
-        loaded_length_m: coefficient.length,
-        cushion_m: coefficient.cushion,
-        total: coefficient.total,
-        design: coefficient.design,
-        source: "Bridge Rules of the Indian railways: 0.15 + 8 / (6 + L); under a cushion of d up to 0.9 m, (2 - d / 0.9) / 2 of it".into(),
-    };
+    facts.augment = coefficient.clone();
     for load in loads {
         let (own, sensors) = prepared(bridge, load, &probes)?;
-        let mut found = passage::passage(&own, watch)?;
+        let setup = passage::setup(&own)?;
+        let solution = match wanted {
+            Wanted::Everything => passage::solve(&own, &setup, watch)?,
+            Wanted::Sensors => passage::records(&own, &setup, watch)?,
+        };
+        let mut found = passage::report(&own, &setup, solution);
         let gravity = own.gravity;
         let axles = own.passage.as_ref().map(|passage| passage.train.axles(gravity)).unwrap_or_default();
         let heaviest = axles.iter().map(|axle| axle.force).fold(0.0, f64::max) / gravity / 1e3;

@@ -23,13 +23,31 @@ pub struct Ultimate {
 const STEP: f64 = 0.25;
 const MOST_POSITIONS: usize = 101;
 
-/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst.
-pub fn ultimate(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
+/// The bridge for limit analysis: between its walls, fill as weight, loads through the cover.
+fn rigid(bridge: &Bridge) -> Bridge {
     let mut own = bridge.clone();
     (own.plan.analysis, own.plan.method, own.plan.strip) = (Analysis::Load, Method::Limit, Strip::Fill);
     own.loads.iter_mut().for_each(|load| load.block = None);
     own.particles = None;
     own.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
+    own
+}
+
+/// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.
+pub fn at_position(bridge: &Bridge, position: f64) -> Result<UltimateFacts, AnalysisError> {
+    let sweep = analysis::sweep(&rigid(bridge), Some([position, position + 1e-3]), 2, true)?;
+    let found = sweep.points.first();
+    Ok(UltimateFacts {
+        status: found.map_or("not-converged", |point| point.status.word()).to_owned(),
+        load_factor: found.and_then(|point| point.load_factor),
+        position_m: Some(position),
+        ..UltimateFacts::default()
+    })
+}
+
+/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst.
+pub fn ultimate(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
+    let own = rigid(bridge);
     let length = bridge_length(&own);
     let positions = 1 + ((length / STEP).ceil() as usize).clamp(20, MOST_POSITIONS - 1);
     let sweep = analysis::sweep(&own, None, positions, true)?;

@@ -14,6 +14,8 @@ pub(super) static ASSESS: Section = Section {
     fields: &[
         Field::new("source", Kind::Text, "where the limits come from", "Table 7 of the railway paper")
             .optional("the report says that the file names no source"),
+        Field::new("rule", Kind::Text, "rule of the library whose dynamic augment counts", "irs-bridge-rules")
+            .optional("nothing is added to loads at rest, and the report says so"),
         Field::new("loaded_length", Kind::Quantity(Length), "length of the coefficient of dynamic augment", "6 m")
             .positive()
             .optional("the longest span"),

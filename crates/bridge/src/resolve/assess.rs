@@ -50,7 +50,7 @@ fn text(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<Option<
 }
 
 fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
-    let source = text(table, "source", findings);
+    let [source, rule] = ["source", "rule"].map(|key| text(table, key, findings));
     let [loaded_length, cushion, deflection, compression, tension, joint_shear, expected_movement] = [
         "loaded_length",
         "cushion",
@@ -68,6 +68,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
     let zone = maybe(table, "thrust_zone", zone)?;
     Some(Limits {
         source: source?,
+        rule: rule?,
         loaded_length: loaded_length?,
         cushion: cushion?,
         deflection: deflection?,
