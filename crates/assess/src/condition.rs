@@ -68,7 +68,10 @@ pub fn condition(assessment: &Assessment) -> Vec<Condition> {
             expected: None,
             source: lone.source.clone(),
             standing: Standing::Untold,
-            words: format!("The file expects something of {}, which is none of its [[parameter]] tables.", lone.parameter),
+            words: format!(
+                "The file expects something of {}, which is none of its [[parameter]] tables.",
+                lone.parameter
+            ),
         });
     }
     list
@@ -125,7 +128,13 @@ mod tests {
     use super::*;
 
     fn parameter(value: f64) -> ParameterFacts {
-        ParameterFacts { name: "mortar".into(), unit: "MPa".into(), start: 1250.0, value: Some(value), ..ParameterFacts::default() }
+        ParameterFacts {
+            name: "mortar".into(),
+            unit: "MPa".into(),
+            start: 1250.0,
+            value: Some(value),
+            ..ParameterFacts::default()
+        }
     }
 
     fn expected() -> Vec<Expected> {
@@ -136,7 +145,10 @@ mod tests {
     #[test]
     fn a_value_is_judged_in_its_own_unit() {
         let low = judged(&parameter(972.0), &expected());
-        assert_eq!((low.standing, low.words.as_str(), low.expected), (Standing::Lower, "deteriorated", Some([1000.0, 2000.0])));
+        assert_eq!(
+            (low.standing, low.words.as_str(), low.expected),
+            (Standing::Lower, "deteriorated", Some([1000.0, 2000.0]))
+        );
         assert_eq!(judged(&parameter(1500.0), &expected()).standing, Standing::AsExpected);
         assert_eq!(judged(&parameter(2500.0), &expected()).standing, Standing::Higher);
         assert_eq!(judged(&parameter(2500.0), &[]).standing, Standing::NothingExpected);
@@ -146,6 +158,9 @@ mod tests {
     fn nothing_is_concluded_from_what_the_records_do_not_tell() {
         let bound = ParameterFacts { at_bound: true, ..parameter(500.0) };
         let blind = ParameterFacts { identifiable: Some(false), ..parameter(500.0) };
-        assert_eq!((judged(&bound, &expected()).standing, judged(&blind, &expected()).standing), (Standing::Untold, Standing::Untold));
+        assert_eq!(
+            (judged(&bound, &expected()).standing, judged(&blind, &expected()).standing),
+            (Standing::Untold, Standing::Untold)
+        );
     }
 }

@@ -146,6 +146,11 @@ cards! {
     UNTOLD = "A143", "what the data can tell could not be found out",
         "The model failed close to what was found, or the posterior could not be posed. The parameters stand; how well the records \
          tell them is not known. The message says why.";
+    /// A stage of an assessment that failed.
+    STAGE_FAILED = "A150", "a stage of the assessment came to no end",
+        "An analysis that the file asks for could not be set up or found no answer; the message says which and why. The other \
+         stages stand. Checks that rest on this one are not made, and as long as everything else is met the verdict is \
+         undetermined. Mend the cause and repeat the command: finished stages are taken up.";
 }
 
 impl Warning {

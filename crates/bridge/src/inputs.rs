@@ -64,7 +64,8 @@ mod tests {
 
     #[test]
     fn values_come_with_their_remarks() {
-        let text = "[bridge]\nwidth = \"4 m\" # [paper] Table 1\n[[cover]]\nas = true\n[[cover]]\nlist = [1, 2] # two\n";
+        let text =
+            "[bridge]\nwidth = \"4 m\" # [paper] Table 1\n[[cover]]\nas = true\n[[cover]]\nlist = [1, 2] # two\n";
         let found = inputs(text);
         let shown: Vec<String> =
             found.iter().map(|one| format!("{}.{}={}|{}", one.section, one.key, one.value, one.remark)).collect();

@@ -1,16 +1,18 @@
 //! The answer of a collapse analysis in an engineer's words.
 
+mod assess;
 mod passage;
 mod update;
 mod vary;
 
+pub use self::assess::assessment;
 pub use passage::passage;
 pub use update::update;
 pub use vary::vary;
 
-use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
-use assess::analysis::{Collapse, Combination, Sweep};
-use assess::outcome::{Hinge, HingeAt};
+use ::assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
+use ::assess::analysis::{Collapse, Combination, Sweep};
+use ::assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
 use std::fmt::Write;
 

@@ -20,8 +20,10 @@ impl Figure {
             Some(start) => &self.svg[start..],
             None => return String::new(),
         };
-        let own: String =
-            format!("{}-{}", self.stage, self.name).chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        let own: String = format!("{}-{}", self.stage, self.name)
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+            .collect();
         let renamed = body
             .replace("id=\"", &format!("id=\"{own}-"))
             .replace("url(#", &format!("url(#{own}-"))

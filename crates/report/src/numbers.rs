@@ -48,6 +48,9 @@ mod tests {
     fn numbers_have_three_digits() {
         let shown: Vec<String> = [1234.5, -0.5849, 12.345, 0.001234, 0.0, -1e-9, f64::NAN].map(digits).to_vec();
         assert_eq!(shown, ["1234", "−0.585", "12.3", "0.00123", "0", "0.000000", "–"]);
-        assert_eq!((percent(0.464), percent(f64::MAX), percent(0.0123)), ("46 %".into(), "far above 100 %".into(), "1.2 %".into()));
+        assert_eq!(
+            (percent(0.464), percent(f64::MAX), percent(0.0123)),
+            ("46 %".into(), "far above 100 %".into(), "1.2 %".into())
+        );
     }
 }

@@ -185,7 +185,12 @@ fn augment(a: &Assessment) -> String {
     format!(
         "Train: {}. Live load is increased by the coefficient of dynamic augment (CDA): {:.3} in total for a loaded length of {} m, {:.3} \
          by design with a cushion of {} m. Source: {}.",
-        facts.train, augment.total, digits(augment.loaded_length_m), augment.design, digits(augment.cushion_m), augment.source
+        facts.train,
+        augment.total,
+        digits(augment.loaded_length_m),
+        augment.design,
+        digits(augment.cushion_m),
+        augment.source
     )
 }
 

@@ -111,8 +111,11 @@ pub fn condition(list: &[Condition], update: Option<&UpdateFacts>) -> Vec<Condit
             parameter: one.parameter.clone(),
             before: with_unit(one.before, &one.unit),
             after: one.after.map_or("–".to_owned(), |value| with_unit(value, &one.unit)),
-            interval: interval.map_or("not sampled".to_owned(), |[low, high]| format!("{} to {}", digits(low), digits(high))),
-            expected: one.expected.map_or("–".to_owned(), |[low, high]| format!("{} to {} {}", digits(low), digits(high), one.unit)),
+            interval: interval
+                .map_or("not sampled".to_owned(), |[low, high]| format!("{} to {}", digits(low), digits(high))),
+            expected: one
+                .expected
+                .map_or("–".to_owned(), |[low, high]| format!("{} to {} {}", digits(low), digits(high), one.unit)),
             standing: match one.standing {
                 Standing::AsExpected => "as expected",
                 Standing::Lower => "lower than expected",

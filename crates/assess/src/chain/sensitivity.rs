@@ -40,15 +40,24 @@ fn matters(code: &str, path: &str) -> bool {
     let soil = ["fill", "haunch_fill", "abutment_fill", "mortar", "track"].contains(&section);
     match code {
         "C201" | "C202" => {
-            body && ["thickness", "crown_thickness", "rise", "density", "friction_angle", "compressive_strength", "height"].contains(&key)
+            body && [
+                "thickness",
+                "crown_thickness",
+                "rise",
+                "density",
+                "friction_angle",
+                "compressive_strength",
+                "height",
+            ]
+            .contains(&key)
         }
-        "C301" => {
-            body && ["thickness", "crown_thickness", "rise"].contains(&key)
-        }
+        "C301" => body && ["thickness", "crown_thickness", "rise"].contains(&key),
         _ => {
             let stiffness = ["elastic_modulus", "cohesion", "friction_angle", "effective_width"].contains(&key);
             (soil && stiffness)
-                || (body && section != "joint" && ["thickness", "crown_thickness", "density", "elastic_modulus"].contains(&key))
+                || (body
+                    && section != "joint"
+                    && ["thickness", "crown_thickness", "density", "elastic_modulus"].contains(&key))
         }
     }
 }
