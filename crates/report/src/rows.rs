@@ -19,6 +19,8 @@ pub struct CheckRow {
     pub met: bool,
     pub governs: bool,
     pub basis: String,
+    /// How many comparisons it stands for, in words.
+    pub of: String,
 }
 
 /// A check that was not made.
@@ -46,8 +48,32 @@ pub fn checks(checked: &[Checked]) -> Vec<CheckRow> {
                 met: finding.met(),
                 governs: worst == Some((c, k)),
                 basis: finding.basis.clone(),
+                of: String::new(),
             });
         }
+    }
+    rows
+}
+
+/// Of each check the comparison that uses most of its limit.
+pub fn worst(checked: &[Checked]) -> Vec<CheckRow> {
+    let one = |check: &Checked| {
+        let list = check.outcome.as_ref().ok()?;
+        let most = list.iter().reduce(|worst, next| if next.utilisation > worst.utilisation { next } else { worst })?;
+        Some(Checked { card: check.card, outcome: Ok(vec![most.clone()]) })
+    };
+    let mut rows = checks(&checked.iter().filter_map(one).collect::<Vec<_>>());
+    let broken = |code: &str| {
+        let of = checked.iter().filter(|check| check.card.code == code);
+        let all: Vec<bool> = of.flat_map(|check| check.outcome.iter().flatten()).map(|finding| finding.met()).collect();
+        (all.iter().filter(|met| !**met).count(), all.len())
+    };
+    for row in &mut rows {
+        row.of = match broken(row.code) {
+            (_, 1) => String::new(),
+            (0, all) => format!("worst of {all}, all met"),
+            (some, all) => format!("worst of {all}, {some} not met"),
+        };
     }
     rows
 }
