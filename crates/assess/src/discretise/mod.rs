@@ -508,6 +508,7 @@ impl<'a> Build<'a> {
             },
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),
             movements: movements(bridge, &model, &self.origins)?,
+            restraints: Vec::new(),
         };
         let watched = watched(bridge, &extrados, &spreads, &model);
         Ok(Discretised {
