@@ -139,7 +139,8 @@ fn mechanics_and_calibrate_have_no_file_clock_thread_print_or_format_and_no_brid
 
 #[test]
 fn reading_computes_nothing_and_touches_no_file() {
-    for path in ["bridge", "drawing", "records", "rules"].iter().flat_map(|name| sources(&format!("crates/{name}/src"))) {
+    for path in ["bridge", "drawing", "records", "rules"].iter().flat_map(|name| sources(&format!("crates/{name}/src")))
+    {
         let text = code(&path);
         for word in ["std::fs", "std::net", "std::env", "std::time", "std::process", "println!", "eprintln!", "HashMap"]
         {

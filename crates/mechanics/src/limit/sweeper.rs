@@ -33,6 +33,19 @@ pub struct Ground<'a> {
     equilibrium: Equilibrium,
     stands: Carried,
     reduced: Option<Reduced>,
+    /// Forces of elastic joints under the permanent loads, scaled.
+    resting: Option<Vec<f64>>,
+}
+
+/// What a joint carries, as an elastic one that opens nowhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Compression of the whole joint [N/m].
+    pub compression: f64,
+    /// Shear [N/m], positive when the force on the second block acts along `normal.left()`.
+    pub shear: f64,
+    /// Where the compression acts, from the middle of the joint along `normal.left()` [m].
+    pub eccentricity: f64,
 }
 
 /// The linear program of few unknowns.
@@ -126,17 +139,34 @@ impl<'a> Ground<'a> {
         let stands = carried(&equilibrium, &joints, &strengths);
         let resistances = alike(&joints);
         let limits = rows(&equilibrium, &joints, &strengths);
+        let resting = Elastic::new(&equilibrium, &joints, &resistances)
+            .and_then(|mut elastic| elastic.balance(&equilibrium.permanent));
         let reduced = match stands.is_carried() {
             true => Elastic::new(&equilibrium, &joints, &resistances)
                 .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
             false => None,
         };
-        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced })
+        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting })
     }
 
     /// The joints, in the order of all forces.
     pub fn interfaces(&self) -> &[Interface] {
         &self.interfaces
+    }
+
+    /// What a joint carries under the permanent loads and so many times a load, if joints were elastic, all alike, and
+    /// opened nowhere. None for joints of one point and where nothing is compressed.
+    pub fn section(&self, effect: &Effect, factor: f64, joint: usize) -> Option<Section> {
+        let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
+        let of = &self.joints[joint];
+        let force = |k: usize| (resting[c + k] + factor * effect.forces[c + k]) * self.equilibrium.force;
+        let [a, b] = [force(0), force(1)];
+        let compression = a + b;
+        (of.points.len() == 2 && compression > 0.0).then(|| Section {
+            compression,
+            shear: force(2),
+            eccentricity: 0.5 * of.length * (b - a) / compression,
+        })
     }
 
     /// Whether loads are answered by the fast method; where not, by the interior-point method one by one.
