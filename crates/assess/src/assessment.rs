@@ -1,7 +1,7 @@
 //! Everything that is known of a bridge when it is judged: what its file says, and the facts of every stage. Checks,
 //! condition and reports read this and nothing else.
 
-use crate::wire::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts};
+use crate::wire::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
 use bridge::Bridge;
 use bridge::assess::Assess;
 
@@ -52,6 +52,8 @@ pub struct Assessment {
     pub service: Stage<ServiceFacts>,
     /// The file's loads at collapse.
     pub ultimate: Stage<UltimateFacts>,
+    /// Vehicles moved over the bridge.
+    pub vehicles: Stage<VehicleFacts>,
     /// A support that moves.
     pub movement: Stage<MovementFacts>,
     /// What changes the governing utilisation; it can only be made once there is one.

@@ -13,6 +13,7 @@ pub mod footing;
 pub mod outcome;
 pub mod packing_file;
 pub mod vary;
+pub mod vehicles;
 pub mod verify;
 pub mod warning;
 pub mod wire;
@@ -21,6 +22,8 @@ pub mod wire;
 pub use calibrate;
 /// Records: findings and what was done, which outcomes hold.
 pub use records;
+/// Load models and rules: the plain data that sweeps of vehicles hold.
+pub use rules;
 
 #[cfg(test)]
 mod samples;

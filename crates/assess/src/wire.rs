@@ -17,7 +17,7 @@ pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli}
 pub use collapse::CollapseObject;
 pub use facts::{
     AugmentFacts, ChangeFacts, ChannelFacts, FitFacts, JointFacts, MovementFacts, ParameterFacts, PlaceFacts,
-    SensitivityFacts, ServiceFacts, ServiceLoadFacts, UltimateFacts, UpdateFacts,
+    SensitivityFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts, UpdateFacts, VehicleFacts,
 };
 pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};

@@ -324,6 +324,8 @@ pub enum AssessStage {
     Service,
     /// The loads of the file at collapse
     Collapse,
+    /// The vehicles of [sweep]
+    Vehicles,
     /// The support that moves
     SupportMovement,
     /// What would change the verdict
@@ -337,6 +339,7 @@ impl AssessStage {
             AssessStage::Update => "update",
             AssessStage::Service => "service",
             AssessStage::Collapse => "collapse",
+            AssessStage::Vehicles => "vehicles",
             AssessStage::SupportMovement => "support-movement",
             AssessStage::Sensitivity => "sensitivity",
         }

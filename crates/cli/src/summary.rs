@@ -142,6 +142,7 @@ fn loads(page: &mut String, found: &Collapse) {
         let own = |load: &f64| found.collapse_load != Some(*load);
         line("associated friction", limit.associated_load.filter(own));
         line("without dilation", limit.non_associated_load);
+        line("without fill pressure", limit.without_fill_pressure_load);
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
     factor(page, found);

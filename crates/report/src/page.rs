@@ -2,7 +2,7 @@
 
 use crate::figure::Figure;
 use crate::numbers::{digits, maybe};
-use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow};
+use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
 use assess::assessment::Assessment;
 use assess::checks::{Checked, Verdict};
@@ -83,6 +83,9 @@ struct Page<'a> {
     channels: Vec<ChannelRow>,
     loads: Vec<[String; 4]>,
     collapse: Vec<[String; 2]>,
+    vehicles: Vec<VehicleRow>,
+    rule: String,
+    factors: Vec<[String; 3]>,
     movement: Vec<[String; 2]>,
     changes: Vec<ChangeRow>,
     changes_words: String,
@@ -102,6 +105,7 @@ struct Figures {
     update: Vec<[String; 2]>,
     service: Vec<[String; 2]>,
     ultimate: Vec<[String; 2]>,
+    vehicles: Vec<[String; 2]>,
     movement: Vec<[String; 2]>,
 }
 
@@ -112,6 +116,7 @@ fn figures(list: &[Figure]) -> Figures {
             "built" => &mut all.built,
             "update" => &mut all.update,
             "service" => &mut all.service,
+            "vehicles" => &mut all.vehicles,
             "movement" => &mut all.movement,
             _ => &mut all.ultimate,
         };
@@ -163,6 +168,9 @@ pub fn html(material: &Material<'_>) -> String {
             load.source.clone().unwrap_or_else(|| "the file names no source".to_owned()),
         ]).collect()).unwrap_or_default(),
         collapse: collapse(a),
+        vehicles: a.vehicles.made().map(rows::vehicles).unwrap_or_default(),
+        rule: a.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
+        factors: a.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
         movement: movement(a),
         changes: sensitivity.map(rows::changes).unwrap_or_default(),
         changes_words: sensitivity.map(|facts| format!(
@@ -230,6 +238,7 @@ fn notes(a: &Assessment) -> Vec<[String; 2]> {
         ("update", a.update.why_not()),
         ("service", a.service.why_not()),
         ("collapse", a.ultimate.why_not()),
+        ("vehicles", a.vehicles.why_not()),
         ("support movement", a.movement.why_not()),
         ("sensitivities", a.sensitivity.why_not()),
     ];

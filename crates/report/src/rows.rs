@@ -4,7 +4,7 @@ use crate::numbers::{digits, maybe, percent, with_unit};
 use assess::assessment::Assessment;
 use assess::checks::{Checked, governing};
 use assess::condition::{Condition, Standing};
-use assess::wire::{ChangeFacts, SensitivityFacts, ServiceFacts, UpdateFacts};
+use assess::wire::{ChangeFacts, SensitivityFacts, ServiceFacts, UpdateFacts, VehicleFacts};
 
 /// A comparison.
 pub struct CheckRow {
@@ -247,8 +247,41 @@ pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     if let Some(facts) = a.ultimate.made() {
         put("collapse", &facts.warnings, &facts.assumptions);
     }
+    if let Some(facts) = a.vehicles.made() {
+        put("vehicles", &facts.warnings, &facts.assumptions);
+    }
     if let Some(facts) = a.movement.made() {
         put("support movement", &facts.warnings, &[]);
     }
     (warnings, assumptions)
+}
+
+/// A vehicle that was moved over the bridge.
+pub struct VehicleRow {
+    pub code: String,
+    pub title: String,
+    pub adequacy: String,
+    pub class: &'static str,
+    pub width: String,
+    pub factor: String,
+    pub position: String,
+    pub case: String,
+}
+
+/// Vehicles, the least adequacy factor first.
+pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
+    let mut list: Vec<&assess::wire::SweptFacts> = facts.vehicles.iter().collect();
+    let size = |one: &assess::wire::SweptFacts| one.adequacy.unwrap_or(f64::INFINITY);
+    list.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.code.cmp(&b.code)));
+    let row = |one: &assess::wire::SweptFacts| VehicleRow {
+        code: one.code.clone(),
+        title: one.title.clone(),
+        adequacy: one.adequacy.map_or(one.status.clone(), digits),
+        class: if one.adequacy.is_none_or(|factor| factor >= 1.0) { "met" } else { "broken" },
+        width: digits(one.effective_width_m),
+        factor: digits(one.load_factor),
+        position: maybe(one.position_m),
+        case: one.case.clone(),
+    };
+    list.into_iter().map(row).collect()
 }

@@ -4,11 +4,14 @@ mod sensitivity;
 mod service;
 mod ultimate;
 mod updated;
+mod vehicles;
 
 pub use sensitivity::{SensitivityError, sensitivity};
 pub use service::{NoRule, ServiceError, Wanted, augment, probes, service, window};
 pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
 pub use updated::{facts as update_facts, with_parameters};
+
+pub use vehicles::vehicle_facts;
 
 use crate::warning::Warning;
 

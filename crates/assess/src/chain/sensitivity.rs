@@ -3,6 +3,7 @@
 
 use super::service::Wanted;
 use super::{at_position, service, window};
+use crate::analysis::vehicles::vehicle_sweep;
 use crate::assessment::{Assessment, Stage};
 use crate::checks::{self, CHECKS, Check, Finding};
 use crate::wire::{ChangeFacts, SensitivityFacts};
@@ -39,7 +40,7 @@ fn matters(code: &str, path: &str) -> bool {
     let body = ["span", "masonry", "joint", "cover", "backing"].contains(&section);
     let soil = ["fill", "haunch_fill", "abutment_fill", "mortar", "track"].contains(&section);
     match code {
-        "C201" | "C202" => {
+        "C201" | "C202" | "C204" => {
             body && [
                 "thickness",
                 "crown_thickness",
@@ -75,6 +76,7 @@ pub fn sensitivity(
     let how = match card.code {
         "C401" => return Err(SensitivityError::TooDear(card.title)),
         "C301" => "the method itself",
+        "C204" => "limit analysis of the governing vehicle alone",
         "C201" | "C202" => "limit analysis with the loads where they govern",
         _ => "finite elements, a few positions of the train about the one that governs",
     };
@@ -126,7 +128,10 @@ impl Probe<'_> {
             let mut edited = document.clone();
             edited.set(&varied.path, &varied.values.get(k)?.literal).ok()?;
             let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
-            // Vehicles of a file have been read already.
+            // What stands in files beside the bridge's has been read already.
+            if let (Some(new), Some(own)) = (&mut bridge.sweep, &self.own.bridge.sweep) {
+                new.texts.clone_from(&own.texts);
+            }
             if let (Some(new), Some(own)) = (&mut bridge.passage, &self.own.bridge.passage) {
                 new.train.clone_from(&own.train);
             }
@@ -147,6 +152,14 @@ impl Probe<'_> {
         a.bridge = bridge.clone();
         match code {
             "C301" => {}
+            "C204" => {
+                let mut alone = bridge.clone();
+                let plan = alone.sweep.as_mut()?;
+                plan.vehicles = vec![self.governing.load_model.clone()];
+                plan.confirm = false;
+                let found = vehicle_sweep(&alone, &mut mechanics::watch::Unwatched).ok()?;
+                a.vehicles = Stage::Made(super::vehicle_facts(&found));
+            }
             "C201" | "C202" => {
                 let mut facts = at_position(bridge, self.governing.position?).ok()?;
                 facts.load.clone_from(&self.governing.load_model);

@@ -11,6 +11,7 @@ mod movement;
 mod permissible;
 mod stress;
 mod thrust;
+mod vehicles;
 mod verdict;
 
 pub use verdict::{Verdict, governing, verdict};
@@ -95,6 +96,7 @@ pub const CHECKS: &[&dyn Check] = &[
     &adequacy::Adequacy,
     &permissible::PermissibleShare,
     &fatigue::StressRange,
+    &vehicles::Vehicles,
     &mexe_check::MexeAxle,
     &movement::SupportMovement,
 ];

@@ -59,6 +59,7 @@ fn assessment() -> Assessment {
         update: Stage::NotAsked("no records".into()),
         service: Stage::Made(service),
         ultimate: Stage::Made(ultimate),
+        vehicles: Stage::NotAsked("no sweep".into()),
         movement: Stage::NotAsked("no support moves".into()),
         sensitivity: Stage::NotAsked("later".into()),
     }

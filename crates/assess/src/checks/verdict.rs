@@ -37,7 +37,7 @@ pub fn verdict(checked: &[Checked]) -> Verdict {
             100.0 * finding.utilisation.min(1e6)
         )
     });
-    let most = most.unwrap_or_default();
+    let most = most.map(|words| capital(&words)).unwrap_or_default();
     let open = checked.iter().filter(|check| check.outcome.is_err()).count();
     let not_made = match open {
         0 => String::new(),
@@ -71,4 +71,10 @@ pub fn verdict(checked: &[Checked]) -> Verdict {
             ),
         },
     }
+}
+
+/// A sentence begins with a capital.
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -143,6 +143,44 @@ pub struct UltimateFacts {
     pub object: Value,
 }
 
+/// Vehicles moved over the bridge under the factors of a rule.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct VehicleFacts {
+    /// The rule: its name and where it is from.
+    pub rule: String,
+    /// Every factor of the rule: name, value, source.
+    pub factors: Vec<[String; 3]>,
+    /// One entry a vehicle.
+    pub vehicles: Vec<SweptFacts>,
+    /// Distance between positions [m].
+    pub step_m: f64,
+    /// Assumptions.
+    pub assumptions: Vec<String>,
+    /// Warnings: code and words.
+    pub warnings: Vec<[String; 2]>,
+}
+
+/// A vehicle that was moved over the bridge.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SweptFacts {
+    /// Its code.
+    pub code: String,
+    /// Its name.
+    pub title: String,
+    /// How the governing case ended.
+    pub status: String,
+    /// What all its factored loads may be multiplied by; 1 is just enough.
+    pub adequacy: Option<f64>,
+    /// Place of its first axle in the governing case [m].
+    pub position_m: Option<f64>,
+    /// The governing case in words: direction, axles, arrangement.
+    pub case: String,
+    /// Width of the barrel that carries an axle [m].
+    pub effective_width_m: f64,
+    /// Factor on every axle.
+    pub load_factor: f64,
+}
+
 /// The movement of a support that makes a mechanism.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MovementFacts {

@@ -12,6 +12,7 @@ mod passage;
 mod plan;
 mod service;
 mod structure;
+mod sweep;
 pub(crate) mod train;
 mod update;
 mod vary;
@@ -264,6 +265,20 @@ pub static FILE: Section = Section {
             .optional("no backing"),
         Field::new("dispersal", Kind::Table(&loading::DISPERSAL), "How loads spread through the cover.", "")
             .optional("possible only where there is no cover or no load"),
+        Field::new(
+            "fill_pressure",
+            Kind::Table(&sweep::FILL_PRESSURE),
+            "Horizontal pressure of the fill against movement, in limit analysis.",
+            "",
+        )
+        .optional("fill is weight and spreads loads, and does not press sideways"),
+        Field::new(
+            "sweep",
+            Kind::Table(&sweep::SWEEP),
+            "Vehicles that `extrados collapse --sweep` moves over the bridge.",
+            "",
+        )
+        .optional("`--sweep` moves the loads of the file"),
         Field::new(
             "load",
             Kind::Tables(&loading::LOAD),

@@ -13,6 +13,7 @@ mod plan;
 mod sensors;
 mod service;
 pub(crate) mod structure;
+mod sweep;
 pub(crate) mod train;
 mod update;
 mod vary;
@@ -48,6 +49,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
     let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
+    let fill_pressure = sweep::fill_pressure(file, findings);
+    let sweep = sweep::sweep(file, findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
     if let (Some(spans), Some(piers)) = (&spans, &piers) {
@@ -83,6 +86,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        fill_pressure: fill_pressure?,
+        sweep: sweep?,
         service: service?,
         passage: passage?,
     })

@@ -94,6 +94,7 @@ impl Done {
             a.update.made().map(|facts| &facts.warnings),
             a.service.made().map(|facts| &facts.warnings),
             a.ultimate.made().map(|facts| &facts.warnings),
+            a.vehicles.made().map(|facts| &facts.warnings),
             a.movement.made().map(|facts| &facts.warnings),
         ];
         let mut all: Vec<[String; 2]> = Vec::new();

@@ -15,7 +15,7 @@ use ::assess::analysis::update::{Means, Task, Threads, UpdateStatus};
 use ::assess::assessment::{Assessment, Stage};
 use ::assess::chain;
 use ::assess::checks::{self, Checked};
-use ::assess::wire::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts};
+use ::assess::wire::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
 use ::report::{Figure, StageLine};
 use bridge::Bridge;
 use bridge::edit::Document;
@@ -78,9 +78,10 @@ impl Chain<'_> {
         }
         let Some(service) = self.service(&bridge, &asked, &mut book) else { return Ok(None) };
         let Some(ultimate) = self.ultimate(&bridge, &mut book) else { return Ok(None) };
+        let Some(vehicles) = self.vehicles(&bridge, &mut book) else { return Ok(None) };
         let Some(movement) = self.movement(&bridge, &mut book) else { return Ok(None) };
         let sensitivity = Stage::NotAsked("made last".to_owned());
-        let mut assessment = Assessment { bridge, asked, update, service, ultimate, movement, sensitivity };
+        let mut assessment = Assessment { bridge, asked, update, service, ultimate, vehicles, movement, sensitivity };
         let checked = checks::run(&assessment);
         let Some(sensitivity) = self.sensitivity(&document, &assessment, &checked, &mut book) else { return Ok(None) };
         assessment.sensitivity = sensitivity;
@@ -230,6 +231,22 @@ impl Chain<'_> {
                 let figures = pictures::ultimate(&found, &bridge.name);
                 Ran::Made(found.facts, figures)
             }
+        })
+    }
+
+    fn vehicles(&self, bridge: &Bridge, book: &mut Book) -> Option<Stage<VehicleFacts>> {
+        if self.skipped(AssessStage::Vehicles) {
+            return Self::not_asked("vehicles", "left out by --skip vehicles", book);
+        }
+        if bridge.sweep.is_none() {
+            return Self::not_asked("vehicles", "the file has no [sweep] of vehicles", book);
+        }
+        self.stage("vehicles", bridge, book, || {
+            self.watched(|watch| match analysis::vehicles::vehicle_sweep(bridge, watch) {
+                _ if crate::watcher::asked_to_stop() => Ran::Cancelled,
+                Err(error) => Ran::Failed(error.to_string()),
+                Ok(found) => Ran::Made(chain::vehicle_facts(&found), pictures::vehicles(&found)),
+            })
         })
     }
 

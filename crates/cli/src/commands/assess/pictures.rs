@@ -2,6 +2,7 @@
 
 use ::assess::analysis::passage::Passage;
 use ::assess::analysis::update::Update;
+use ::assess::analysis::vehicles::{Swept, VehicleSweep};
 use ::assess::chain::Ultimate;
 use ::assess::outcome::Picture;
 use ::report::Figure;
@@ -39,6 +40,47 @@ pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     ];
     all.into_iter().flatten().collect()
 }
+
+/// Adequacy of the worst vehicles over their position, and the mechanism of the governing one.
+pub fn vehicles(found: &VehicleSweep) -> Vec<Figure> {
+    let mut worst: Vec<&Swept> = found.vehicles.iter().filter(|one| one.adequacy.is_some()).collect();
+    worst.sort_by(|a, b| a.adequacy.unwrap_or(0.0).total_cmp(&b.adequacy.unwrap_or(0.0)));
+    let curve = |one: &&Swept| {
+        let mut places: Vec<f64> = one.envelope.iter().map(|point| point.position).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let least = |x: f64| {
+            let here = one.envelope.iter().filter(|point| point.position == x);
+            here.filter_map(|point| point.adequacy).reduce(f64::min).unwrap_or(f64::NAN)
+        };
+        figures::Sweep { label: one.code.clone(), points: places.into_iter().map(|x| (x, least(x))).collect() }
+    };
+    let curves: Vec<figures::Sweep> = worst.iter().take(MOST_CURVES).map(curve).collect();
+    let envelope = figures::envelope(&found.bridge, figures::Quantity::Factor, &curves);
+    let mechanism = found.collapse.as_ref().and_then(|collapse| figures::mechanism(&collapse.picture));
+    let names: Vec<&str> = worst.iter().take(MOST_CURVES).map(|one| one.code.as_str()).collect();
+    let all = [
+        figure(
+            "vehicles",
+            "envelope",
+            format!(
+                "Adequacy factor over the position of the first axle, least of both ways and all runs of axles: {}.",
+                names.join(", ")
+            ),
+            envelope,
+        ),
+        figure(
+            "vehicles",
+            "mechanism",
+            "Mechanism under the governing vehicle, loads and weights with their factors.",
+            mechanism,
+        ),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// Curves in one drawing: as many as can be told apart in grey print.
+const MOST_CURVES: usize = 4;
 
 /// The mechanism of a support that moves.
 pub fn movement(picture: &Picture) -> Vec<Figure> {
