@@ -102,7 +102,8 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
                 model.vehicles.iter().filter(move |v| fits && (model.code != TRAINS || v.code == "paper-short"));
             vehicles.map(move |vehicle| of(model, vehicle))
         });
-        return Ok((rule, usual.collect()));
+        let usual: Vec<Chosen> = usual.collect();
+        return Ok((rule, usual));
     }
     let mut vehicles: Vec<Chosen> = Vec::new();
     for code in &plan.vehicles {

@@ -3,10 +3,12 @@
 mod passage;
 mod update;
 mod vary;
+mod vehicles;
 
 pub use passage::passage;
 pub use update::update;
 pub use vary::vary;
+pub use vehicles::vehicles;
 
 use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
 use assess::analysis::{Collapse, Combination, Sweep};
