@@ -11,6 +11,7 @@ mod sweep;
 mod tables;
 mod update;
 mod vary;
+mod vehicles;
 
 pub use assess::{AssessObject, checks_table};
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
@@ -25,6 +26,7 @@ pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 pub use update::{UpdateObject, histories_table, samples_table, sweeps_table};
 pub use vary::{VaryObject, collapse_numbers, run_from_record, run_record, vary_table};
+pub use vehicles::{VehicleSweepObject, vehicle_envelope_table, vehicle_sections_table, vehicles_table};
 
 use serde::Serialize;
 

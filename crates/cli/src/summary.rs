@@ -4,11 +4,13 @@ mod assess;
 mod passage;
 mod update;
 mod vary;
+mod vehicles;
 
 pub use self::assess::assessment;
 pub use passage::passage;
 pub use update::update;
 pub use vary::vary;
+pub use vehicles::vehicles;
 
 use ::assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
 use ::assess::analysis::{Collapse, Combination, Sweep};

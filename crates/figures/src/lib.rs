@@ -40,6 +40,7 @@ mod thinned;
 mod thrust;
 mod ticks;
 mod update;
+mod vehicles;
 pub mod vtk;
 mod words;
 
@@ -63,4 +64,5 @@ pub use stress::{most_compressive, stress};
 pub use study::{heat_map, name_and_unit, response, study, study_drawings, tornado};
 pub use thrust::thrust_line;
 pub use update::{update, update_drawings};
+pub use vehicles::vehicles;
 pub use words::four_digits;

@@ -178,6 +178,9 @@ impl Source {
         if let Some(particles) = read.bridge.as_mut().and_then(|bridge| bridge.particles.as_mut()) {
             take_packing(particles, path)?;
         }
+        if let Some(sweep) = read.bridge.as_mut().and_then(|bridge| bridge.sweep.as_mut()) {
+            take_vehicles(sweep, path)?;
+        }
         if let Some(passage) = read.bridge.as_mut().and_then(|bridge| bridge.passage.as_mut()) {
             take_train(&mut passage.train, path)?;
         }
@@ -234,6 +237,16 @@ fn take_train(train: &mut bridge::train::Train, beside: &Path) -> Result<(), Fai
         let said = render::findings(&path.display().to_string(), &text, &read.diagnostics, &Paint::new(false));
         read.vehicles.ok_or_else(|| unusable(format!("\n{said}")))?
     };
+    Ok(())
+}
+
+/// Reads the files of a rule and of vehicles that the bridge file names; their paths are relative to it.
+fn take_vehicles(sweep: &mut bridge::SweepPlan, beside: &Path) -> Result<(), Failure> {
+    for name in sweep.rule_file.iter().chain(&sweep.vehicle_files) {
+        let path = beside.parent().unwrap_or(Path::new("")).join(name);
+        let text = String::from_utf8_lossy(&read_file(&path)?).into_owned();
+        sweep.texts.push((path.display().to_string(), text));
+    }
     Ok(())
 }
 

@@ -1,0 +1,107 @@
+//! Adequacy factors of vehicles, worst first, and the factor of the governing one over its position.
+
+use crate::chart::Axis;
+use crate::elevation::INK;
+use crate::envelope::{Quantity, Sweep, envelope};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::words::four_digits;
+use assess::analysis::vehicles::{Direction, Swept, VehicleSweep};
+
+const ENOUGH: &str = "#1f5fa8";
+const SHORT: &str = "#a02020";
+const ROW: f64 = 20.0;
+
+/// Names and drawings of a sweep of vehicles.
+pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
+    let mut drawings = Vec::new();
+    if let Some(svg) = adequacy(found) {
+        drawings.push(("adequacy", svg));
+    }
+    if let Some(v) = found.governing.and_then(|k| found.vehicles.get(k))
+        && let Some(svg) = envelope(&format!("{}: {}", found.bridge, v.title), Quantity::Adequacy, &curves(v))
+    {
+        drawings.push(("envelope", svg));
+    }
+    drawings
+}
+
+/// The least factor over arrangements at every place of the first axle, one curve for each way.
+fn curves(v: &Swept) -> Vec<Sweep> {
+    let ways = [(Direction::Right, "driving to the right"), (Direction::Left, "driving to the left")];
+    let mut curves = Vec::new();
+    for (way, words) in ways {
+        let mut points: Vec<(f64, f64)> = v
+            .envelope
+            .iter()
+            .filter(|p| p.direction == way)
+            .map(|p| (p.position, p.adequacy.unwrap_or(f64::NAN)))
+            .collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points.dedup_by(|next, kept| {
+            let same = (next.0 - kept.0).abs() < 1e-9;
+            if same && (next.1 < kept.1 || kept.1.is_nan()) {
+                kept.1 = next.1;
+            }
+            same
+        });
+        if !points.is_empty() {
+            curves.push(Sweep { label: words.to_owned(), points });
+        }
+    }
+    // A vehicle that looks the same from both ends drives one way only, and needs no key.
+    if let [alone] = &mut curves[..] {
+        alone.label.clear();
+    }
+    curves
+}
+
+/// A bar for every vehicle, worst on top, with a line where the factor is one.
+fn adequacy(found: &VehicleSweep) -> Option<String> {
+    let mut bars: Vec<(&Swept, f64)> = found.vehicles.iter().filter_map(|v| Some((v, v.adequacy?))).collect();
+    bars.sort_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.code.cmp(&b.0.code)));
+    let least = bars.first()?.1;
+    let most = bars.iter().map(|b| b.1).fold(1.0, f64::max);
+    let mut sheet = Sheet::new("adequacy");
+    let top = sheet.title(
+        &found.bridge,
+        &format!("Adequacy factor of vehicles by limit analysis, rule \u{201c}{}\u{201d}", found.rule.code),
+    );
+    let small = Style { size: SMALL, ..Style::default() };
+    let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
+    let names = bars.iter().map(|b| wide(&b.0.code)).fold(60.0, f64::max);
+    let area = Area {
+        left: MARGIN + names + 10.0,
+        right: WIDTH - MARGIN - 46.0,
+        top: top + 8.0,
+        bottom: top + 8.0 + ROW * bars.len() as f64 + 8.0,
+    };
+    let axis = Axis::exact("adequacy factor [–]", 0.0, 1.05 * most, 7);
+    let x = |value: f64| area.left + (area.right - area.left) * value / axis.range[1];
+    sheet.open("axes");
+    for &value in &axis.ticks.values {
+        sheet.line([x(value), area.top], [x(value), area.bottom], Pen::line("#d8d8d8", HAIR));
+        sheet.text([x(value), area.bottom + 16.0], &axis.words(value), small.anchored(Anchor::Middle));
+    }
+    sheet.close();
+    for (k, (v, factor)) in bars.iter().enumerate() {
+        let middle = area.top + 4.0 + ROW * (k as f64 + 0.5);
+        let colour = if *factor < 1.0 { SHORT } else { ENOUGH };
+        let bar = Area { left: area.left, right: x(*factor), top: middle - 6.0, bottom: middle + 6.0 };
+        sheet.rectangle(bar, Pen::shape(colour, "none", 0.0).class("vehicle"));
+        sheet.text([area.left - 8.0, middle + 4.4], &v.code, small.anchored(Anchor::End));
+        sheet.text([x(*factor) + 6.0, middle + 4.4], &four_digits(*factor), small);
+    }
+    sheet.line([x(1.0), area.top - 4.0], [x(1.0), area.bottom], Pen::line(INK, MEDIUM).dashed("5 4").class("one"));
+    sheet.line([area.left, area.top], [area.left, area.bottom], Pen::line(INK, 0.9));
+    sheet.text(
+        [0.5 * (area.left + area.right), area.bottom + 36.0],
+        axis.name,
+        Style::default().anchored(Anchor::Middle),
+    );
+    let words = match least < 1.0 {
+        true => "left of the dashed line the bridge does not carry the vehicle with the rule's factors",
+        false => "right of the dashed line the bridge carries the vehicle with the rule's factors",
+    };
+    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, words, small);
+    Some(sheet.finish(bottom + 4.0))
+}
