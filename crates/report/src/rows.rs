@@ -222,7 +222,7 @@ pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
         let crosses = |value: Option<f64>| value.is_some_and(|value| (value > 1.0) != (facts.utilisation > 1.0));
         ChangeRow {
             path: one.path.clone(),
-            value: one.value.clone(),
+            value: short(&one.value),
             less: one.less.map_or("no answer".to_owned(), percent),
             more: one.more.map_or("no answer".to_owned(), percent),
             turns: crosses(one.less) || crosses(one.more),
@@ -284,4 +284,13 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
         case: one.case.clone(),
     };
     list.into_iter().map(row).collect()
+}
+
+/// A value of a file with no more digits than people read.
+fn short(value: &str) -> String {
+    let (number, unit) = value.split_once(' ').unwrap_or((value, ""));
+    match number.parse::<f64>() {
+        Ok(parsed) if number.len() > 8 => with_unit(parsed, unit),
+        _ => value.to_owned(),
+    }
 }

@@ -81,6 +81,10 @@ pub fn sensitivity(
         _ => "finite elements, a few positions of the train about the one that governs",
     };
     let probe = Probe { own, check: CHECKS[check], governing };
+    // What is sought stands between bounds that a tenth more may pass.
+    let mut plain = document.clone();
+    bridge::UPDATE_SECTIONS.iter().chain(&["vary", "expected"]).for_each(|section| plain.remove(section));
+    let document = &plain;
     let base = probe.utilisation(&own.bridge).ok_or(SensitivityError::NoBaseline(card.title))?;
     let list: Vec<Varied> = known(document)
         .into_iter()
@@ -179,7 +183,11 @@ impl Probe<'_> {
             }
         }
         let found = self.check.run(&a).ok()?;
-        let same = found.iter().filter(|finding| finding.load_model == self.governing.load_model);
+        // Compression and tension of one load have limits of opposite signs.
+        let same = found.iter().filter(|finding| {
+            finding.load_model == self.governing.load_model
+                && finding.limit.is_sign_negative() == self.governing.limit.is_sign_negative()
+        });
         same.map(|finding| finding.utilisation).reduce(f64::max)
     }
 }

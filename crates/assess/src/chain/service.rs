@@ -85,6 +85,16 @@ pub struct Probe {
     pub scale: f64,
 }
 
+/// How names of probes begin: no sensor of a file is called so by chance.
+const PROBE: &str = "place of the checks ";
+
+/// Why a moment is kept, in words that leave probes out.
+fn without_probes(name: &str) -> String {
+    let Some(list) = name.strip_prefix("peak of ") else { return name.to_owned() };
+    let own: Vec<&str> = list.split(", ").filter(|one| !one.starts_with(PROBE)).collect();
+    if own.is_empty() { "peak at a place of the checks".to_owned() } else { format!("peak of {}", own.join(", ")) }
+}
+
 /// Most spans that are watched, from the left: those beyond repeat what these do.
 const MOST_SPANS: usize = 6;
 
@@ -104,7 +114,7 @@ pub fn probes(bridge: &Bridge) -> Vec<Probe> {
         let gauge_length = GAUGE_LENGTH.min(0.8 * length / stones as f64);
         for (place, share) in [("crown", 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
             let mut put = |kind, face, scale| {
-                let name = format!("assess {} {place} {share} {face:?}", k + 1);
+                let name = format!("{PROBE}{} {place} {share} {face:?}", k + 1);
                 let sensor = Sensor { name, kind, place: Place::Span { span: k, share }, face };
                 list.push(Probe { sensor, place, span: k + 1, scale });
             };
@@ -195,6 +205,7 @@ pub fn service(
             }
         }
         found.channels.truncate(sensors);
+        found.moments.iter_mut().for_each(|moment| moment.name = without_probes(&moment.name));
         if let Some(influence) = &mut found.influence {
             influence.values.truncate(sensors);
         }
@@ -311,6 +322,14 @@ mod tests {
 
     fn pair(y: f64, normal: f64) -> Pair {
         Pair { at: [0.0, y], area: 0.25, normal, shear: 0.0, opening: 0.0, sliding: 0.0, state: PairState::Closed }
+    }
+
+    #[test]
+    fn probes_are_not_spoken_of() {
+        let name = format!("peak of crown, {PROBE}1 crown 0.5 Intrados, strain");
+        assert_eq!(without_probes(&name), "peak of crown, strain");
+        assert_eq!(without_probes(&format!("peak of {PROBE}1 pier")), "peak at a place of the checks");
+        assert_eq!(without_probes("self-weight"), "self-weight");
     }
 
     /// Four springs of a joint a metre deep: an even pressure stands in the middle, a triangle at two thirds of what a

@@ -2,7 +2,7 @@
 
 use ::assess::analysis::passage::Passage;
 use ::assess::analysis::update::Update;
-use ::assess::analysis::vehicles::{Swept, VehicleSweep};
+use ::assess::analysis::vehicles::VehicleSweep;
 use ::assess::chain::Ultimate;
 use ::assess::outcome::Picture;
 use ::report::Figure;
@@ -41,46 +41,21 @@ pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     all.into_iter().flatten().collect()
 }
 
-/// Adequacy of the worst vehicles over their position, and the mechanism of the governing one.
+/// Adequacy of every vehicle, that of the governing one over its position, and its mechanism.
 pub fn vehicles(found: &VehicleSweep) -> Vec<Figure> {
-    let mut worst: Vec<&Swept> = found.vehicles.iter().filter(|one| one.adequacy.is_some()).collect();
-    worst.sort_by(|a, b| a.adequacy.unwrap_or(0.0).total_cmp(&b.adequacy.unwrap_or(0.0)));
-    let curve = |one: &&Swept| {
-        let mut places: Vec<f64> = one.envelope.iter().map(|point| point.position).collect();
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let least = |x: f64| {
-            let here = one.envelope.iter().filter(|point| point.position == x);
-            here.filter_map(|point| point.adequacy).reduce(f64::min).unwrap_or(f64::NAN)
-        };
-        figures::Sweep { label: one.code.clone(), points: places.into_iter().map(|x| (x, least(x))).collect() }
+    let caption = |name: &str| match name {
+        "adequacy" => "Adequacy factor of every vehicle, worst first; 1 is just enough.",
+        _ => "Adequacy factor of the governing vehicle over the position of its first axle.",
     };
-    let curves: Vec<figures::Sweep> = worst.iter().take(MOST_CURVES).map(curve).collect();
-    let envelope = figures::envelope(&found.bridge, figures::Quantity::Factor, &curves);
+    let mut list: Vec<Figure> = figures::vehicles(found)
+        .into_iter()
+        .filter_map(|(name, svg)| figure("vehicles", name, caption(name), Some(svg)))
+        .collect();
     let mechanism = found.collapse.as_ref().and_then(|collapse| figures::mechanism(&collapse.picture));
-    let names: Vec<&str> = worst.iter().take(MOST_CURVES).map(|one| one.code.as_str()).collect();
-    let all = [
-        figure(
-            "vehicles",
-            "envelope",
-            format!(
-                "Adequacy factor over the position of the first axle, least of both ways and all runs of axles: {}.",
-                names.join(", ")
-            ),
-            envelope,
-        ),
-        figure(
-            "vehicles",
-            "mechanism",
-            "Mechanism under the governing vehicle, loads and weights with their factors.",
-            mechanism,
-        ),
-    ];
-    all.into_iter().flatten().collect()
+    let caption = "Mechanism under the governing vehicle, loads and weights with their factors.";
+    list.extend(figure("vehicles", "mechanism", caption, mechanism));
+    list
 }
-
-/// Curves in one drawing: as many as can be told apart in grey print.
-const MOST_CURVES: usize = 4;
 
 /// The mechanism of a support that moves.
 pub fn movement(picture: &Picture) -> Vec<Figure> {
