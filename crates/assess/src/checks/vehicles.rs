@@ -10,7 +10,7 @@ impl Check for Vehicles {
     fn card(&self) -> Card {
         Card {
             code: "C204",
-            title: "vehicles",
+            title: "adequacy of vehicles",
             clause: "adequacy factor of every vehicle under the factors of its rule",
             text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit analysis over every position, \
                    both ways and every run of neighbouring axles. Partial factors, impact, dispersal, effective width and condition are those of \

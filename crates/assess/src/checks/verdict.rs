@@ -31,7 +31,7 @@ pub fn verdict(checked: &[Checked]) -> Verdict {
     let most = governing(checked).map(|(c, k)| {
         let finding = &checked[c].outcome.as_ref().expect("a finding governs")[k];
         format!(
-            "{} of {} governs: {:.0} % of its limit is used",
+            "{} ({}) governs: {:.0} % of its limit is used",
             checked[c].card.title,
             finding.load_model,
             100.0 * finding.utilisation.min(1e6)
