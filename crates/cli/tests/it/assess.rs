@@ -327,5 +327,6 @@ fn a_thousand_bridges() {
     let (answer, _) = stage.object(&["assess", "bridges", "--out", "fleet", "--skip", "sensitivity"]);
     assert_eq!(answer["unusable"].as_array().map(Vec::len), Some(20));
     assert_eq!(answer["bridges"], 1000);
-    println!("{} s on {} threads", answer["wall_seconds"], answer["threads"]);
+    // Both cores of a small machine need under a minute; an hour is a machine that does something else.
+    assert!(number(&answer, "wall_seconds") < 3600.0);
 }
