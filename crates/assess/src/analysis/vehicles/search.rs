@@ -19,6 +19,9 @@ use rules::Rule;
 const CHUNK: usize = 24;
 /// Cases in which joints slide that are answered again without dilation, for each vehicle.
 const SLIDING: usize = 3;
+/// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
+/// associated load in walls of blocks (docs/theory/limit-analysis.md), less in arches.
+const DILATANCY: f64 = 2.0;
 /// Refinements of the worst position, each to a tenth.
 const REFINEMENTS: usize = 2;
 
@@ -354,6 +357,7 @@ impl Scene<'_> {
         swept.bounds = Some([worst.factor, worst.upper].map(|f| f * self.capacity));
         sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
         sliding.truncate(SLIDING);
+        sliding.retain(|answer| answer.factor <= DILATANCY * worst.factor);
         let mut governing = (worst.factor, worst.key);
         // The refined position comes first: it may slide too.
         for answer in std::iter::once(worst).chain(sliding) {
