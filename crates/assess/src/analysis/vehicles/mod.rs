@@ -10,6 +10,8 @@ mod confirm;
 mod factored;
 mod search;
 mod sections;
+#[cfg(test)]
+mod tests;
 
 pub use confirm::Confirmation;
 pub use sections::{Extreme, SectionEnvelope};
