@@ -27,18 +27,17 @@ pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
 
 /// The least factor over arrangements at every place of the first axle, one curve for each way.
 fn curves(v: &Swept) -> Vec<Sweep> {
+    // Beside the spans factors grow without bound; far above the governing one they are only a line that leaves the frame.
+    let least = v.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
+    let drawn = |a: Option<f64>| a.map_or(f64::NAN, |a| a.min(8.0 * least));
     let ways = [(Direction::Right, "driving to the right"), (Direction::Left, "driving to the left")];
     let mut curves = Vec::new();
     for (way, words) in ways {
-        let mut points: Vec<(f64, f64)> = v
-            .envelope
-            .iter()
-            .filter(|p| p.direction == way)
-            .map(|p| (p.position, p.adequacy.unwrap_or(f64::NAN)))
-            .collect();
+        let mut points: Vec<(f64, f64)> =
+            v.envelope.iter().filter(|p| p.direction == way).map(|p| (p.position, drawn(p.adequacy))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         points.dedup_by(|next, kept| {
-            let same = (next.0 - kept.0).abs() < 1e-9;
+            let same = (next.0 - kept.0).abs() < 1e-6;
             if same && (next.1 < kept.1 || kept.1.is_nan()) {
                 kept.1 = next.1;
             }

@@ -275,7 +275,8 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         walled(bridge, d, c);
         return;
     }
-    if bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some() {
+    let weighs = bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some();
+    if weighs && d.loading.restraints.is_empty() {
         c.warnings.push(Warning::new(
             warning::FILL_AS_WEIGHT,
             "fill and backing act by their weight alone; their resistance is left out",

@@ -8,6 +8,9 @@ const KEYS: &[(&str, &str, &str, &str, f64, f64)] = &[
     // A published load step: exact but for the division by the width.
     ("bridgemill", "case-1.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
     ("bridgemill", "case-2.toml", "collapsed", "last_stable_load_kn", 2700.0, 1e-12),
+    // Both bounds of limit analysis, by a program of its own and by another; docs/verification/fill-pressure.md.
+    ("prestwood", "limit.toml", "collapsed", "collapse_load_kn", 119.7, 1e-3),
+    ("bridgemill", "vehicles.toml", "collapsed", "reference_load_kn_per_m", 29.86, 1e-3),
     // The same ring, drawn with another program's library: the same load step.
     ("drawing", "bridge.toml", "collapsed", "last_stable_load_kn", 1700.0, 1e-12),
     // Milankovitch's continuous ring; 200 straight voussoirs are within 0.2 %.
@@ -32,6 +35,7 @@ const SLOW: &[(&str, &str)] = &[
     ("bridgemill", "case-4.toml"),
     ("bridgemill", "whole.toml"),
     ("bridgemill", "calibration.toml"),
+    ("prestwood", "particles.toml"),
     ("railway-arch", "passage.toml"),
     ("railway-arch", "update.toml"),
     ("railway-arch", "assess.toml"),

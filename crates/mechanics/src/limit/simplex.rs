@@ -29,6 +29,8 @@ pub(super) struct Corner {
     pub z: Vec<f64>,
     /// Rows of the basis and their multipliers.
     pub basis: Vec<(usize, f64)>,
+    /// The whole basis, to start from again. It holds more than rows where the load leaves some unknowns alone.
+    pub members: Vec<Member>,
     /// What the multipliers give: the upper bound.
     pub upper: f64,
     /// Exchanges of rows.
@@ -48,7 +50,8 @@ pub(super) enum Ended {
 
 /// A row of a basis: one of the rows, or a bound that only starts the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Member {
+pub(super) enum Member {
+    /// One of the rows.
     Row(usize),
     /// `z_j = 0`, in force until a row takes its place.
     Fixed(usize),
@@ -66,11 +69,16 @@ const PIVOT: f64 = 1e-9;
 const REFRESH: usize = 40;
 
 /// Finds the best corner. `last` is the last column; `start` the rows of a basis to begin with, where there is one.
-pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[usize]>) -> Ended {
+pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>) -> Ended {
     if let Some(start) = start {
-        let members: Vec<Member> = start.iter().map(|&k| Member::Row(k)).collect();
-        if let Some(search) = Search::new(rows, last, members)
-            && search.y.iter().all(|&y| y >= -1e-12)
+        // What is fixed has no multiplier; a basis that bounds nothing is none.
+        let may = |(member, y): (&Member, &f64)| match member {
+            Member::Row(_) => *y >= -1e-12,
+            Member::Fixed(_) => y.abs() <= 1e-12,
+            Member::Far => false,
+        };
+        if let Some(search) = Search::new(rows, last, start.to_vec())
+            && search.members.iter().zip(&search.y).all(may)
         {
             match search.run() {
                 Ended::Lost => {}
@@ -285,7 +293,7 @@ impl<'a> Search<'a> {
                 Member::Fixed(_) => {}
             }
         }
-        Ended::Best(Corner { z, basis, upper, pivots: self.pivots })
+        Ended::Best(Corner { z, basis, upper, members: self.members, pivots: self.pivots })
     }
 }
 
@@ -302,7 +310,8 @@ mod tests {
     fn a_triangle_has_its_top() {
         // y <= 2 - x, y <= 1 + x, y <= 10: the top is at x = 0.5, y = 1.5.
         let (rows, last) = rows(&[([1.0, 1.0], 2.0), ([-1.0, 1.0], 1.0), ([0.0, 1.0], 10.0)]);
-        for start in [None, Some(&[0, 1][..]), Some(&[0, 2][..])] {
+        let [a, b, c] = [0, 1, 2].map(Member::Row);
+        for start in [None, Some(&[a, b][..]), Some(&[a, c][..])] {
             let Ended::Best(corner) = greatest(&rows, &last, start) else { panic!("{start:?}") };
             assert!((corner.z[0] - 0.5).abs() < 1e-14 && (corner.z[1] - 1.5).abs() < 1e-14);
             assert!((corner.upper - 1.5).abs() < 1e-14);

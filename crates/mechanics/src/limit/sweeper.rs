@@ -10,7 +10,7 @@ use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
 use super::reduced::{Elastic, Row, alike, rows, self_stress, tangents};
 use super::settings::Settings;
-use super::simplex::{Corner, Ended, Rows, greatest};
+use super::simplex::{Corner, Ended, Member, Rows, greatest};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 
 /// Bounds that differ by more than this, relative, are left to the interior-point method: far above the round-off of a
@@ -149,6 +149,10 @@ impl<'a> Ground<'a> {
         Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting })
     }
 
+    fn crushes(&self) -> bool {
+        self.strengths.iter().any(|s| s.crushing.is_finite())
+    }
+
     /// The joints, in the order of all forces.
     pub fn interfaces(&self) -> &[Interface] {
         &self.interfaces
@@ -183,13 +187,29 @@ impl<'a> Ground<'a> {
     }
 }
 
+/// A mechanism to start from.
+struct Kept {
+    mechanism: Vec<(usize, f64)>,
+    members: Vec<Member>,
+}
+
+/// How far the fast method came with a load.
+enum Reached {
+    /// The best corner, and the factor of the load over its last unknown.
+    Corner(Corner, f64),
+    /// The load is carried however large it is.
+    Locks,
+    /// Nowhere.
+    Lost,
+}
+
 /// Answers loads one after the other.
 pub struct Sweeper<'a> {
     ground: &'a Ground<'a>,
     elastic: Option<Elastic<'a>>,
     reduced: Option<Reduced>,
-    /// Rows of mechanisms and their multipliers.
-    kept: Vec<Vec<(usize, f64)>>,
+    /// Mechanisms: rows with their multipliers, and the basis.
+    kept: Vec<Kept>,
     next: usize,
 }
 
@@ -224,7 +244,15 @@ impl Sweeper<'_> {
     /// The factor at which a load makes a mechanism, with dilatant friction.
     pub fn factor(&mut self, effect: &Effect) -> Factor {
         match self.corner(effect) {
-            Some((corner, scale)) => Factor {
+            Reached::Locks => Factor {
+                status: Status::Locks,
+                lower: None,
+                upper: None,
+                slides: false,
+                iterations: 0,
+                by_interior_point: false,
+            },
+            Reached::Corner(corner, scale) => Factor {
                 status: Status::Solved,
                 lower: corner.z.last().map(|z| z * scale),
                 upper: Some(corner.upper * scale),
@@ -232,7 +260,7 @@ impl Sweeper<'_> {
                 iterations: corner.pivots,
                 by_interior_point: false,
             },
-            None => {
+            Reached::Lost => {
                 let (equilibrium, found) = self.by_interior_point(effect);
                 let ground = self.ground;
                 let solved = found.status == Status::Solved;
@@ -281,13 +309,17 @@ impl Sweeper<'_> {
 
     fn found(&mut self, effect: &Effect) -> (Equilibrium, Found) {
         match self.corner(effect) {
-            Some((corner, _)) => (self.loaded(effect), self.solution(effect, &corner)),
-            None => self.by_interior_point(effect),
+            Reached::Corner(corner, _) => (self.loaded(effect), self.solution(effect, &corner)),
+            Reached::Locks | Reached::Lost => self.by_interior_point(effect),
         }
     }
 
-    /// Unknowns at the best corner, and the factor of the load over the last of them.
-    fn corner(&mut self, effect: &Effect) -> Option<(Corner, f64)> {
+    /// The best corner, and the factor of the load over its last unknown.
+    fn corner(&mut self, effect: &Effect) -> Reached {
+        self.try_corner(effect).unwrap_or(Reached::Lost)
+    }
+
+    fn try_corner(&mut self, effect: &Effect) -> Option<Reached> {
         let size = sum_of_sizes(&effect.load);
         if !(size > 0.0) || !size.is_finite() {
             return None;
@@ -296,11 +328,14 @@ impl Sweeper<'_> {
         for _ in 0..ROUNDS {
             let reduced = self.reduced.as_ref()?;
             let last: Vec<f64> = reduced.limits.iter().map(|row| -row.of(&effect.forces) / size).collect();
-            let Ended::Best(corner) = greatest(&reduced.rows, &last, start.as_deref()) else { return None };
+            let corner = match greatest(&reduced.rows, &last, start.as_deref()) {
+                Ended::Best(corner) => corner,
+                // Tangents of joints that crush may still be missing.
+                Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
+                Ended::Unbounded | Ended::Lost => return None,
+            };
             let factor = corner.z.last().copied()?;
-            if corner.basis.len() != reduced.rows.width + 1
-                || (corner.upper - factor).abs() > GAP * (1.0 + factor.abs())
-            {
+            if (corner.upper - factor).abs() > GAP * (1.0 + factor.abs()) {
                 return None;
             }
             let forces = forces_at(reduced, effect, &corner.z, 1.0 / size);
@@ -316,33 +351,35 @@ impl Sweeper<'_> {
                 if corner.pivots > 0 {
                     self.keep(&corner);
                 }
-                return Some((corner, 1.0 / size));
+                return Some(Reached::Corner(corner, 1.0 / size));
             }
-            start = Some(corner.basis.iter().map(|m| m.0).collect());
+            start = Some(corner.members);
             self.reduced.as_mut()?.extend(more);
         }
         None
     }
 
     /// The kept mechanism that gives the load the least upper bound.
-    fn best_kept(&self, effect: &Effect) -> Option<Vec<usize>> {
+    fn best_kept(&self, effect: &Effect) -> Option<Vec<Member>> {
         let reduced = self.reduced.as_ref()?;
         let (mut least, mut best) = (f64::INFINITY, None);
-        for (index, mechanism) in self.kept.iter().enumerate() {
+        for (index, Kept { mechanism, .. }) in self.kept.iter().enumerate() {
             let work: f64 = mechanism.iter().map(|&(k, y)| -y * reduced.limits[k].of(&effect.forces)).sum();
             let resistance: f64 = mechanism.iter().map(|&(k, y)| y * reduced.rows.b[k]).sum();
             if work > 1e-9 * sum_of_sizes(&effect.load) && resistance / work < least {
                 (least, best) = (resistance / work, Some(index));
             }
         }
-        best.map(|index| self.kept[index].iter().map(|m| m.0).collect())
+        best.map(|index| self.kept[index].members.clone())
     }
 
     fn keep(&mut self, corner: &Corner) {
+        let mechanism = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
+        let kept = Kept { mechanism, members: corner.members.clone() };
         if self.kept.len() < KEPT {
-            self.kept.push(corner.basis.clone());
+            self.kept.push(kept);
         } else {
-            self.kept[self.next] = corner.basis.clone();
+            self.kept[self.next] = kept;
             self.next = (self.next + 1) % KEPT;
         }
     }

@@ -20,13 +20,12 @@ pub struct Drive {
 }
 
 /// What the arches and their cover reach over [m]: where a load acts on them.
-pub fn reach(bridge: &Bridge, d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
+pub fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
     let free = || d.extrados.stretches.iter().filter(|s| !s.ground);
     let from = free().map(|s| s.left.x).fold(f64::INFINITY, f64::min);
     let to = free().map(|s| s.right.x).fold(f64::NEG_INFINITY, f64::max);
     let lowest = free().map(|s| s.left.y.min(s.right.y)).fold(f64::INFINITY, f64::min);
     let margin = 0.5 * footprint + (d.surface - lowest).max(0.0) / slope.max(0.1);
-    let _ = bridge;
     [from - margin, to + margin]
 }
 

@@ -10,6 +10,8 @@ mod confirm;
 mod factored;
 mod search;
 mod sections;
+#[cfg(test)]
+mod tests;
 
 pub use confirm::Confirmation;
 pub use sections::{Extreme, SectionEnvelope};
@@ -211,8 +213,8 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     ];
     if slides > 0 {
         found.assumptions.push(format!(
-            "For {slides} vehicles joints slide in some cases: the three worst of these were answered again without dilation, and \
-             the least factor counts."
+            "For {slides} vehicles joints slide in cases up to twice the least factor: the three worst of these were answered again \
+             without dilation, and the least factor counts."
         ));
     }
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) {

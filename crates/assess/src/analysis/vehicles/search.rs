@@ -19,6 +19,9 @@ use rules::Rule;
 const CHUNK: usize = 24;
 /// Cases in which joints slide that are answered again without dilation, for each vehicle.
 const SLIDING: usize = 3;
+/// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
+/// associated load in walls of blocks (docs/theory/limit-analysis.md), less in arches.
+const DILATANCY: f64 = 2.0;
 /// Refinements of the worst position, each to a tenth.
 const REFINEMENTS: usize = 2;
 
@@ -55,7 +58,6 @@ struct Part {
 
 /// What all cases share.
 struct Scene<'a> {
-    bridge: &'a Bridge,
     d: &'a Discretised,
     ground: &'a Ground<'a>,
     watched: &'a [Watched],
@@ -81,13 +83,12 @@ pub fn all(
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut all_drives = Vec::new();
     for (k, (chosen, foot)) in vehicles.iter().zip(&feet).enumerate() {
-        let own = reach(bridge, d, foot.length, foot.dispersal.slope);
+        let own = reach(d, foot.length, foot.dispersal.slope);
         range = [range[0].min(own[0]), range[1].max(own[1])];
         all_drives.extend(drives(k, &chosen.vehicle, plan, own, step));
     }
     let borders = borders(bridge, range);
     let scene = Scene {
-        bridge,
         d,
         ground: &ground,
         watched: &watched,
@@ -351,9 +352,18 @@ impl Scene<'_> {
         let mut sweeper = self.ground.sweeper();
         let worst = self.refined(&mut sweeper, worst, step);
         swept.status = Status::Collapsed;
+        let drive = &self.drives[worst.key.drive];
+        swept.envelope.push(EnvelopePoint {
+            arrangement: drive.pattern.label.clone(),
+            direction: drive.direction,
+            position: worst.key.position,
+            adequacy: Some(worst.factor * self.capacity),
+            axles: worst.key.axles,
+        });
         swept.bounds = Some([worst.factor, worst.upper].map(|f| f * self.capacity));
         sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
         sliding.truncate(SLIDING);
+        sliding.retain(|answer| answer.factor <= DILATANCY * worst.factor);
         let mut governing = (worst.factor, worst.key);
         // The refined position comes first: it may slide too.
         for answer in std::iter::once(worst).chain(sliding) {
@@ -371,7 +381,6 @@ impl Scene<'_> {
         }
         swept.adequacy = Some(governing.0 * self.capacity);
         swept.case = Some(self.told(&governing.1));
-        let _ = self.bridge;
         swept
     }
 
