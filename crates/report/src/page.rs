@@ -86,6 +86,7 @@ struct Page<'a> {
     vehicles: Vec<VehicleRow>,
     rule: String,
     factors: Vec<[String; 3]>,
+    confirmation: String,
     movement: Vec<[String; 2]>,
     changes: Vec<ChangeRow>,
     changes_words: String,
@@ -171,6 +172,7 @@ pub fn html(material: &Material<'_>) -> String {
         vehicles: a.vehicles.made().map(rows::vehicles).unwrap_or_default(),
         rule: a.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
         factors: a.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
+        confirmation: a.vehicles.made().and_then(|facts| facts.confirmation.clone()).unwrap_or_default(),
         movement: movement(a),
         changes: sensitivity.map(rows::changes).unwrap_or_default(),
         changes_words: sensitivity.map(|facts| format!(

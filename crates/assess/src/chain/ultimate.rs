@@ -56,7 +56,11 @@ pub fn ultimate(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
     let at_file = factor(&file);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
-        method: "limit analysis, rigid blocks as built, fill by its weight and dispersal alone".to_owned(),
+        method: match bridge.fill_pressure.is_some_and(|fill| fill.applies) {
+            true => "limit analysis, rigid blocks as built, fill that presses where the ring moves into it",
+            false => "limit analysis, rigid blocks as built, fill by its weight and dispersal alone",
+        }
+        .to_owned(),
         positions: sweep.points.len(),
         reference_load_kn_per_m: file.reference_load / 1e3,
         ..UltimateFacts::default()

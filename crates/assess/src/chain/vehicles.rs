@@ -1,7 +1,8 @@
 //! Vehicles of the file's [sweep], as facts.
 
 use super::spoken;
-use crate::analysis::vehicles::{Swept, VehicleSweep};
+use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep};
+use crate::warning;
 use crate::wire::{SweptFacts, VehicleFacts};
 
 /// The facts of a sweep of vehicles.
@@ -17,8 +18,34 @@ pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
             .collect(),
         vehicles: found.vehicles.iter().map(swept).collect(),
         step_m: found.step,
+        governing: found.governing.and_then(|k| found.vehicles.get(k)).map(|one| one.code.clone()),
+        confirmation: found.confirmation.as_ref().map(confirmed),
+        adequacy_by_discrete_elements: found.confirmation.as_ref().and_then(|confirmed| confirmed.adequacy),
         assumptions: found.assumptions.clone(),
-        warnings: spoken(&found.warnings),
+        warnings: spoken(&found.warnings).into_iter().chain(apart(found)).collect(),
+    }
+}
+
+/// Discrete elements above limit analysis by more than their load step: the reason must be found.
+fn apart(found: &VehicleSweep) -> Option<[String; 2]> {
+    let confirmed = found.confirmation.as_ref()?;
+    let (carried, limit) = (confirmed.adequacy?, confirmed.limit?);
+    let message = format!(
+        "the governing vehicle: discrete elements carry an adequacy factor of {carried:.3}, limit analysis {limit:.3}; the smaller one counts"
+    );
+    (carried > limit + confirmed.step).then(|| [warning::ABOVE_LIMIT.to_owned(), message])
+}
+
+/// What discrete elements say of the governing case.
+fn confirmed(found: &Confirmation) -> String {
+    let limit = found.limit.map_or(String::new(), |limit| format!("; limit analysis {limit:.3}"));
+    match (found.adequacy, &found.reason) {
+        (Some(adequacy), _) => format!(
+            "the last load step carried has an adequacy factor of {adequacy:.3}, in steps of {:.3}{limit}",
+            found.step
+        ),
+        (None, Some(reason)) => format!("could not be made: {reason}"),
+        (None, None) => format!("ended with {}{limit}", found.status.map_or("nothing", |status| status.word())),
     }
 }
 

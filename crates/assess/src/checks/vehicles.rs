@@ -15,7 +15,8 @@ impl Check for Vehicles {
             text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit analysis over every position, \
                    both ways and every run of neighbouring axles. Partial factors, impact, dispersal, effective width and condition are those of \
                    the rule of [sweep], each with its source in the report; the limit is therefore 1. Where it is not met, look at the governing case: \
-                   its position, its axles, and which factors are recalled and not read.",
+                   its position, its axles, and which factors are recalled and not read. \
+                   With confirm = true in [sweep] the governing case is made by discrete elements too, and the smaller number counts.",
             source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
         }
     }
@@ -28,7 +29,10 @@ impl Check for Vehicles {
         let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != "locks");
         let list: Vec<Finding> = bounded
             .map(|one| {
-                let value = one.adequacy.unwrap_or(0.0);
+                // Joints that deform carry less; the smaller number counts where both were found.
+                let governs = facts.governing.as_ref() == Some(&one.code);
+                let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
+                let value = one.adequacy.unwrap_or(0.0).min(second.unwrap_or(f64::INFINITY));
                 Finding {
                     load_model: one.code.clone(),
                     value,

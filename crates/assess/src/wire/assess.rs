@@ -1,6 +1,6 @@
 //! `extrados.assess/1`.
 
-use super::{SensitivityFacts, ServiceFacts};
+use super::{SensitivityFacts, ServiceFacts, VehicleFacts};
 use crate::assessment::{Assessment, Stage};
 use crate::checks::{Checked, Finding, Verdict, governing};
 use crate::condition::Condition;
@@ -22,6 +22,8 @@ pub struct AssessObject {
     service: Option<ServiceFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     collapse: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicles: Option<VehicleFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     support_movement: Option<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -116,6 +118,7 @@ impl AssessObject {
             sensitivity: a.sensitivity.made().cloned(),
             service: a.service.made().cloned(),
             collapse: a.ultimate.made().map(|facts| facts.object.clone()),
+            vehicles: a.vehicles.made().cloned(),
             support_movement: a.movement.made().map(|facts| facts.object.clone()),
             update: match &a.update {
                 Stage::Made(facts) => Some(facts.object.clone()),

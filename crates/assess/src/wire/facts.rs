@@ -154,6 +154,12 @@ pub struct VehicleFacts {
     pub vehicles: Vec<SweptFacts>,
     /// Distance between positions [m].
     pub step_m: f64,
+    /// The vehicle with the least adequacy factor.
+    pub governing: Option<String>,
+    /// Its governing case by discrete elements, in words, where the file asks for it.
+    pub confirmation: Option<String>,
+    /// The adequacy factor that these carried.
+    pub adequacy_by_discrete_elements: Option<f64>,
     /// Assumptions.
     pub assumptions: Vec<String>,
     /// Warnings: code and words.
