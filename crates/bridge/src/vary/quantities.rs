@@ -32,8 +32,8 @@ pub struct Known {
     pub doc: &'static str,
 }
 
-/// Sections that say how to vary, and are not varied themselves.
-const NOT_VARIED: [&str; 5] = ["vary", "records", "channel", "parameter", "update"];
+/// Sections that say how to vary, seek or sweep, and are not varied themselves.
+const NOT_VARIED: [&str; 6] = ["vary", "records", "channel", "parameter", "update", "sweep"];
 
 /// Paths shown at most in a message.
 const MOST_SHOWN: usize = 12;
