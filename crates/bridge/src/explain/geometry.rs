@@ -217,8 +217,8 @@ shear_stiffness = "0.573 GPa/m""#,
     Card {
         code: "B402",
         title: "nothing to analyse",
-        meaning: "The analysis of a load needs a [[load]], that of a support movement a [support_movement]. A file with a [passage] and \
-                  no [analysis] plans none of them and needs neither.",
+        meaning: "The analysis of a load needs a [[load]], that of a support movement a [support_movement]. A file with a [passage] or a \
+                  [sweep] and no [analysis] plans none of them and needs neither.",
         why: "Without it there is nothing to raise until the bridge collapses.",
         wrong: "# no load",
         right: r#"[[load]]

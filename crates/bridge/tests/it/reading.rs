@@ -128,6 +128,26 @@ fn a_calibration() {
     assert_eq!(codes, ["B107", "B107"]);
 }
 
+#[test]
+fn sweeps_and_fill_pressure_are_read_as_written() {
+    let bridge = good(VIADUCT);
+    let (sweep, fill) = (bridge.sweep.unwrap(), bridge.fill_pressure.unwrap());
+    assert_eq!((sweep.rule.as_str(), &sweep.vehicles[..]), ("cs-454", &["hb-45".to_owned(), "crane".to_owned()][..]));
+    assert_eq!((sweep.step, sweep.directions), (Some(0.25), bridge::Directions::Left));
+    assert!(!sweep.subsets && sweep.own_dispersal && sweep.confirm);
+    assert!(fill.applies && fill.least == bridge::LeastPressure::Active);
+    assert!((fill.friction_angle.to_degrees() - 32.0).abs() < 1e-9 && fill.cohesion == 2e3 && fill.mobilisation == 0.4);
+    let other = good(WALLS).sweep.unwrap();
+    assert_eq!((other.rule_file.as_deref(), other.vehicles.len(), other.subsets), (Some("own-rule.toml"), 0, true));
+    // Two rules are none; a sweep alone needs no load.
+    assert!(
+        show_all(&VIADUCT.replacen("rule = \"cs-454\"", "rule = \"cs-454\"\nrule_file = \"x.toml\"", 1))
+            .contains("B016")
+    );
+    let alone = CASE_1.split("[[load]]").next().unwrap().to_owned() + "[sweep]\n";
+    assert!(good(&alone).loads.is_empty());
+}
+
 /// Without particles slabs would carry nothing and not even weigh.
 #[test]
 fn bodies_of_cover_need_particles_to_stand_among() {

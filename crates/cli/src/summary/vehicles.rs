@@ -24,11 +24,12 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
         if let Some(level) = v.without_dilation {
             let _ = writeln!(page, "  without dilation         {level:.4}");
         }
-        let _ = writeln!(
-            page,
-            "  factors on its axles     {:.3}, and {:.3} more on the critical one; {:.2} m of the barrel carry it",
-            v.load_factors[0], v.load_factors[1], v.effective_width
-        );
+        let critical = match v.load_factors[1] {
+            1.0 => String::new(),
+            more => format!(", {more:.3} times that on the critical one"),
+        };
+        let _ = writeln!(page, "  factor on its axles      {:.3}{critical}", v.load_factors[0]);
+        let _ = writeln!(page, "  effective width          {:.2} m of the barrel carry an axle", v.effective_width);
     }
     if let Some(c) = &found.confirmation {
         let words = match (c.adequacy, &c.reason) {
