@@ -69,7 +69,7 @@ struct Page<'a> {
     bridge: &'a str,
     status: &'static str,
     headline: &'static str,
-    words: &'a str,
+    whole: String,
     checks: Vec<CheckRow>,
     every: Vec<CheckRow>,
     open: Vec<OpenRow>,
@@ -141,7 +141,8 @@ pub fn html(material: &Material<'_>) -> String {
             "inadequate" => "Not adequate",
             _ => "Undetermined",
         },
-        words: &material.verdict.words,
+        // A number and its sign of per cent stay on one line.
+        whole: material.verdict.words.replace(" %", "\u{a0}%"),
         checks: rows::worst(material.checked),
         every: rows::checks(material.checked),
         open: rows::open(material.checked),
