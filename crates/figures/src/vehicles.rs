@@ -104,3 +104,66 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
     let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, words, small);
     Some(sheet.finish(bottom + 4.0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use assess::analysis::Status;
+    use assess::analysis::vehicles::EnvelopePoint;
+
+    fn swept(code: &str, adequacy: Option<f64>) -> Swept {
+        let point = |k: usize, direction| EnvelopePoint {
+            arrangement: String::new(),
+            direction,
+            position: k as f64,
+            adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
+            axles: Some([0, 0]),
+        };
+        Swept {
+            code: code.to_owned(),
+            title: code.to_uppercase(),
+            model: code.to_owned(),
+            status: Status::Collapsed,
+            adequacy,
+            bounds: adequacy.map(|a| [a; 2]),
+            without_dilation: None,
+            case: None,
+            envelope: (0..11).flat_map(|k| [point(k, Direction::Right), point(k, Direction::Left)]).collect(),
+            sections: Vec::new(),
+            effective_width: 3.0,
+            load_factors: [1.0; 2],
+            cases: 22,
+            by_interior_point: 0,
+        }
+    }
+
+    fn sweep(vehicles: Vec<Swept>, governing: Option<usize>) -> VehicleSweep {
+        VehicleSweep {
+            bridge: "Bridge".into(),
+            rule: assess::rules::library().expect("library").rules.remove(0),
+            vehicles,
+            governing,
+            collapse: None,
+            confirmation: None,
+            step: 1.0,
+            warnings: Vec::new(),
+            assumptions: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn every_vehicle_has_a_bar_and_the_governing_one_its_curves() {
+        let found = sweep(vec![swept("strong", Some(4.0)), swept("locks", None), swept("weak", Some(0.8))], Some(2));
+        let drawings = vehicles(&found);
+        let names: Vec<&str> = drawings.iter().map(|d| d.0).collect();
+        assert_eq!(names, ["adequacy", "envelope"]);
+        let bars = &drawings[0].1;
+        assert_eq!(bars.matches("class=\"vehicle\"").count(), 2, "{bars}");
+        assert!(bars.find(">weak<") < bars.find(">strong<"), "worst on top");
+        assert!(bars.contains(SHORT) && bars.contains(ENOUGH) && !bars.contains(">locks<"));
+        let curves = &drawings[1].1;
+        assert_eq!(curves.matches("class=\"sweep\"").count(), 2);
+        assert!(curves.contains("governing: 0.8 at 5") || curves.contains("governing: 0.8000 at 5"), "{curves}");
+        assert!(vehicles(&sweep(vec![swept("locks", None)], None)).is_empty());
+    }
+}
