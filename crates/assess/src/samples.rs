@@ -63,6 +63,8 @@ pub fn bridgemill() -> Bridge {
             support_movement: None,
             seed: 0,
         },
+        fill_pressure: None,
+        sweep: None,
         service: Service::default(),
         passage: None,
     }

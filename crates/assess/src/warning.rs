@@ -146,6 +146,20 @@ cards! {
     UNTOLD = "A143", "what the data can tell could not be found out",
         "The model failed close to what was found, or the posterior could not be posed. The parameters stand; how well the records \
          tell them is not known. The message says why.";
+    /// Factors from memory.
+    RECALLED_FACTOR = "A150", "factors of the rule must be confirmed",
+        "A rule holds every factor with its source and how sure it is. Those in the message are recalled and not read in the \
+         document that the rule names: look them up there before a verdict rests on them, and put your own into a file of a rule \
+         (rule_file in [sweep]).";
+    /// A road rule for a train, or the other way round.
+    RULE_FOR_OTHER_WAYS = "A151", "the rule is not made for this vehicle",
+        "A rule says whether it is made for roads, for railways or for both. Impact, dispersal and partial factors of a road rule \
+         mean nothing for a train, and those of a railway rule nothing for a lorry. Choose another rule or other vehicles.";
+    /// A stage of an assessment that failed.
+    STAGE_FAILED = "A160", "a stage of the assessment came to no end",
+        "An analysis that the file asks for could not be set up or found no answer; the message says which and why. The other \
+         stages stand. Checks that rest on this one are not made, and as long as everything else is met the verdict is \
+         undetermined. Mend the cause and repeat the command: finished stages are taken up.";
 }
 
 impl Warning {

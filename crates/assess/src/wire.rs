@@ -1,23 +1,32 @@
 //! The formats others rely on: JSON objects and CSV tables. The only serialisable types; keys carry their unit, a meaning
 //! that stands never changes.
 
+mod assess;
 mod calibration;
 mod collapse;
+mod facts;
 mod particles;
 mod passage;
 mod sweep;
 mod tables;
 mod update;
 mod vary;
+mod vehicles;
 
+pub use assess::{AssessObject, checks_table};
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
 pub use collapse::CollapseObject;
+pub use facts::{
+    AugmentFacts, ChangeFacts, ChannelFacts, FitFacts, JointFacts, MovementFacts, ParameterFacts, PlaceFacts,
+    SensitivityFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts, UpdateFacts, VehicleFacts,
+};
 pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 pub use update::{UpdateObject, histories_table, samples_table, sweeps_table};
 pub use vary::{VaryObject, collapse_numbers, run_from_record, run_record, vary_table};
+pub use vehicles::{VehicleSweepObject, vehicle_envelope_table, vehicle_sections_table, vehicles_table};
 
 use serde::Serialize;
 

@@ -2,12 +2,14 @@
 //!
 //! Reading never fails and never computes: it returns what it understood together with everything that is wrong.
 
+pub mod assess;
 pub mod blocks;
 pub mod diagnostic;
 pub mod edit;
 pub mod explain;
 pub mod fields;
 mod findings;
+pub mod inputs;
 pub mod model;
 pub mod passage;
 pub mod path;
@@ -42,15 +44,20 @@ pub struct Read {
     pub vary: Vec<vary::Request>,
     /// What the file says of model updating; none where it says nothing, or nothing that can be used.
     pub update: Option<update::Update>,
+    /// The assessment that the file asks for; none where something is wrong with the file.
+    pub assess: Option<assess::Assess>,
     /// Every finding, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// What a bridge file means: the bridge, what is varied, what is sought.
-type Resolved = (Option<Bridge>, Vec<vary::Request>, Option<update::Update>);
+/// What a bridge file means: the bridge, what is varied, what is sought, what is asked of it.
+type Resolved = (Option<Bridge>, Vec<vary::Request>, Option<update::Update>, Option<assess::Assess>);
 
 /// Sections that say how to update a bridge, and are no part of it.
 pub const UPDATE_SECTIONS: [&str; 4] = resolve::UPDATE_SECTIONS;
+
+/// Sections that say how to assess a bridge, and are no part of it.
+pub const ASSESS_SECTIONS: [&str; 4] = resolve::ASSESS_SECTIONS;
 
 /// No bridge file is longer [bytes]; what is, is something else.
 const LONGEST: usize = 1 << 20;
@@ -61,10 +68,12 @@ const MOST_SYNTAX_ERRORS: usize = 20;
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let (bridge, vary, update) = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
+    let (bridge, vary, update, assess) =
+        read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
     let bridge = if findings.any_error() { None } else { bridge };
     let update = update.filter(|_| bridge.is_some());
-    Read { bridge, vary, update, diagnostics: findings.in_order(text.len()) }
+    let assess = assess.filter(|_| bridge.is_some());
+    Read { bridge, vary, update, assess, diagnostics: findings.in_order(text.len()) }
 }
 
 /// What reading a block model file gives.
@@ -125,7 +134,8 @@ fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -
         resolve::check_vary(&document, &vary, findings);
     }
     let update = resolve::update(text, file, bridge.as_ref(), findings);
-    (bridge, vary, update)
+    let assess = resolve::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
+    (bridge, vary, update, assess)
 }
 
 /// What a file of this kind means; nothing where the text is none of ours.

@@ -40,6 +40,10 @@ pub struct Bridge {
     pub plan: Plan,
     /// What only the finite element model reads.
     pub service: Service,
+    /// Horizontal pressure of the fill against movement, in limit analysis, where the file says so.
+    pub fill_pressure: Option<FillPressure>,
+    /// Vehicles that are moved over the bridge, and by which rule, where the file says so.
+    pub sweep: Option<SweepPlan>,
     /// The train that crosses, and what is measured meanwhile, where the file says so.
     pub passage: Option<crate::passage::Passage>,
 }
@@ -373,6 +377,70 @@ pub enum BackingBody {
     Particles,
     /// A block on the back of each voussoir.
     Blocks,
+}
+
+/// Horizontal pressure of the fill on backs that move against it, for limit analysis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FillPressure {
+    /// Whether it acts.
+    pub applies: bool,
+    /// Friction angle of the fill [rad].
+    pub friction_angle: f64,
+    /// Cohesion of the fill [Pa].
+    pub cohesion: f64,
+    /// Share of Rankine's passive pressure of friction that movement mobilises.
+    pub mobilisation: f64,
+    /// The same for the part of cohesion.
+    pub cohesion_mobilisation: f64,
+    /// Pressure that is there whatever moves.
+    pub least: LeastPressure,
+}
+
+/// Horizontal pressure of fill that nothing moves against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeastPressure {
+    /// At rest: 1 - sin(phi) of the vertical stress (Jaky).
+    AtRest,
+    /// Rankine's active pressure, without cohesion.
+    Active,
+    /// None.
+    None,
+}
+
+/// Vehicles that are moved over the bridge by limit analysis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepPlan {
+    /// The rule of the library, unless a file is given.
+    pub rule: String,
+    /// A file with a rule, relative to the bridge file.
+    pub rule_file: Option<String>,
+    /// Vehicles, load models or trains of the library, by their codes; empty for all.
+    pub vehicles: Vec<String>,
+    /// Files of vehicles, relative to the bridge file.
+    pub vehicle_files: Vec<String>,
+    /// Distance between positions [m]; from the spans where the file gives none.
+    pub step: Option<f64>,
+    /// Which ways vehicles drive.
+    pub directions: Directions,
+    /// Whether every run of neighbouring axles is tried.
+    pub subsets: bool,
+    /// Whether loads spread by the file's [dispersal] in place of the rule's.
+    pub own_dispersal: bool,
+    /// Whether the governing case is made by discrete elements too.
+    pub confirm: bool,
+    /// Names and texts of the files, the rule's first; empty until somebody reads them.
+    pub texts: Vec<(String, String)>,
+}
+
+/// Which ways vehicles drive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Directions {
+    /// To the right and to the left.
+    Both,
+    /// To the right.
+    Right,
+    /// To the left.
+    Left,
 }
 
 /// A load on the surface.

@@ -36,6 +36,8 @@ pub enum Command {
     Respond(Respond),
     /// Find the moduli of a bridge from the records of a train's passage, and what the records cannot tell
     Update(Update),
+    /// Judge a bridge, or a folder of bridges, against the limits of its file, with a report
+    Assess(Assess),
     /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
     CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
@@ -294,6 +296,56 @@ pub enum UpdateVariant {
     Both,
 }
 
+/// `extrados assess`.
+#[derive(Debug, Args)]
+pub struct Assess {
+    /// The bridge file (TOML), or a folder of bridge files
+    pub file: PathBuf,
+    /// Folder for report, results and finished stages [default: out/NAME; out/NAME-fleet for a folder]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Leave a stage out
+    #[arg(long, value_name = "STAGE")]
+    pub skip: Vec<AssessStage>,
+    /// Take up the finished stages of an interrupted run; they are taken up without it too
+    #[arg(long)]
+    pub resume: bool,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
+/// A stage of an assessment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum AssessStage {
+    /// Moduli from records; the file's own values count
+    Update,
+    /// The train that crosses
+    Service,
+    /// The loads of the file at collapse
+    Collapse,
+    /// The vehicles of [sweep]
+    Vehicles,
+    /// The support that moves
+    SupportMovement,
+    /// What would change the verdict
+    Sensitivity,
+}
+
+impl AssessStage {
+    /// As on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            AssessStage::Update => "update",
+            AssessStage::Service => "service",
+            AssessStage::Collapse => "collapse",
+            AssessStage::Vehicles => "vehicles",
+            AssessStage::SupportMovement => "support-movement",
+            AssessStage::Sensitivity => "sensitivity",
+        }
+    }
+}
+
 /// `extrados calibrate-fill`.
 #[derive(Debug, Args)]
 pub struct CalibrateFill {
@@ -524,6 +576,7 @@ impl Command {
             Command::Vary(vary) => &vary.speech,
             Command::Respond(respond) => &respond.speech,
             Command::Update(update) => &update.speech,
+            Command::Assess(assess) => &assess.speech,
             Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
             Command::Schema(schema) => &schema.speech,
@@ -542,6 +595,7 @@ impl Command {
             Command::Vary(_) => "vary",
             Command::Respond(_) => "respond",
             Command::Update(_) => "update",
+            Command::Assess(_) => "assess",
             Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
             Command::Schema(_) => "schema",

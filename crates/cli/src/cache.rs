@@ -60,7 +60,7 @@ impl Cache {
 }
 
 /// Version and bytes of the running program: another build may compute other bits.
-fn program() -> blake3::Hash {
+pub fn program() -> blake3::Hash {
     let mut hasher = blake3::Hasher::new();
     hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
     if let Ok(bytes) = std::env::current_exe().and_then(fs::read) {

@@ -53,13 +53,19 @@ pub const ALL: &[Example] = &[
         name: "bridgemill",
         about: "the Bridgemill bridge, 18.3 m, tested to collapse",
         main: "case-1.toml",
-        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "vary.toml"),
+        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "pressure.toml", "vehicles.toml", "vary.toml", "assess.toml"),
     },
     Example {
         name: "railway-arch",
         about: "a monitored railway arch of four spans, and the train that crosses it",
         main: "passage.toml",
-        files: files!("railway-arch": "passage.toml", "update.toml", "table-6.csv"),
+        files: files!("railway-arch": "passage.toml", "update.toml", "assess.toml", "table-6.csv"),
+    },
+    Example {
+        name: "prestwood",
+        about: "the Prestwood bridge, 6.55 m, tested to collapse: fill that presses against movement",
+        main: "limit.toml",
+        files: files!("prestwood": "limit.toml", "particles.toml"),
     },
     Example {
         name: "tiny",

@@ -21,6 +21,8 @@ pub enum Status {
     Cancelled,
     /// Done.
     Completed,
+    /// Every check that was made is met.
+    Adequate,
     /// A check is not met.
     Inadequate,
     /// No answer that can be vouched for.
@@ -32,7 +34,7 @@ pub enum Status {
 }
 
 /// Every status, in the order of the manual.
-pub const ALL: [Status; 13] = [
+pub const ALL: [Status; 14] = [
     Status::Collapsed,
     Status::StableToLastLoad,
     Status::Stalled,
@@ -42,6 +44,7 @@ pub const ALL: [Status; 13] = [
     Status::NotConverged,
     Status::Cancelled,
     Status::Completed,
+    Status::Adequate,
     Status::Inadequate,
     Status::Undetermined,
     Status::UnusableInput,
@@ -116,6 +119,12 @@ impl Status {
                  `vary` keeps finished runs, and the same command takes them up by itself.",
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
+            Status::Adequate => (
+                "adequate",
+                0,
+                "An assessment finished, and every check that could be made is met. Checks without a limit in the file are listed as not \
+                 made and do not count.",
+            ),
             Status::Inadequate => {
                 ("inadequate", 1, "The command finished, and a check or a verification case is not met.")
             }

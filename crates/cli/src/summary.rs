@@ -1,16 +1,20 @@
 //! The answer of a collapse analysis in an engineer's words.
 
+mod assess;
 mod passage;
 mod update;
 mod vary;
+mod vehicles;
 
+pub use self::assess::assessment;
 pub use passage::passage;
 pub use update::update;
 pub use vary::vary;
+pub use vehicles::vehicles;
 
-use assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
-use assess::analysis::{Collapse, Combination, Sweep};
-use assess::outcome::{Hinge, HingeAt};
+use ::assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
+use ::assess::analysis::{Collapse, Combination, Sweep};
+use ::assess::outcome::{Hinge, HingeAt};
 use bridge::{Analysis, Method};
 use std::fmt::Write;
 
@@ -140,6 +144,7 @@ fn loads(page: &mut String, found: &Collapse) {
         let own = |load: &f64| found.collapse_load != Some(*load);
         line("associated friction", limit.associated_load.filter(own));
         line("without dilation", limit.non_associated_load);
+        line("without fill pressure", limit.without_fill_pressure_load);
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
     factor(page, found);

@@ -12,6 +12,8 @@ use crate::words;
 pub enum Quantity {
     /// Collapse load over the load as described.
     Factor,
+    /// Adequacy factor of a vehicle under a rule.
+    Adequacy,
     /// Collapse load [N/m].
     Load,
 }
@@ -30,6 +32,7 @@ pub struct Sweep {
 const STYLES: [(&str, &str); 4] = [("#0b5394", ""), ("#a02020", "9 4"), ("#3d3d3d", "2.5 3"), ("#7a6a00", "10 3 2 3")];
 const HEIGHT: f64 = 340.0;
 const X_NAME: &str = "position of the reference point along the bridge [m]";
+const FIRST_AXLE: &str = "position of the first axle along the bridge [m]";
 
 /// The curves, with the least value of all marked as governing. None without a finite point.
 pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<String> {
@@ -46,15 +49,22 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
     let mut sheet = Sheet::new("envelope");
     let second = match quantity {
         Quantity::Factor => "Load factor at collapse over the position of the load",
+        Quantity::Adequacy => "Adequacy factor over the position of the vehicle, worst axles at each",
         Quantity::Load => "Collapse load over the position of the load",
     };
     let top = sheet.title(title, second);
     let y_name = match quantity {
         Quantity::Factor => "load factor at collapse [–]",
+        Quantity::Adequacy => "adequacy factor [–]",
         Quantity::Load => "collapse load [kN/m]",
     };
-    let (axes, mut bottom) =
-        Axes::draw(&mut sheet, top, HEIGHT, &Axis::exact(X_NAME, low_x, high_x, 8), &Axis::round(y_name, y));
+    let (axes, mut bottom) = Axes::draw(
+        &mut sheet,
+        top,
+        HEIGHT,
+        &Axis::exact(if quantity == Quantity::Adequacy { FIRST_AXLE } else { X_NAME }, low_x, high_x, 8),
+        &Axis::round(y_name, y),
+    );
     sheet.open_clipped("curves", "plane", axes.area);
     for (k, sweep) in sweeps.iter().enumerate() {
         let (colour, dashes) = STYLES[k % STYLES.len()];
@@ -79,7 +89,7 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
     sheet.avoid_line(&[at, [at[0], axes.area.bottom]]);
     Mark::Full.draw(&mut sheet, at, INK);
     let size = match quantity {
-        Quantity::Factor => words::four_digits(governing.1),
+        Quantity::Factor | Quantity::Adequacy => words::four_digits(governing.1),
         Quantity::Load => words::force(governing.1),
     };
     let room = Room { area: axes.area.grown(-5.0), towards: [0.5, 0.8], clear: 10.0 };

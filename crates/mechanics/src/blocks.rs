@@ -170,6 +170,22 @@ pub struct Movement {
     pub rotation: f64,
 }
 
+/// A force that answers movement: between `least` and `most`, and at `most` only where its point moves against it. Limit
+/// analysis alone knows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Restraint {
+    /// The block.
+    pub block: BlockId,
+    /// Where the force acts, on the block as built [m].
+    pub at: Vec2,
+    /// Direction of the force on the block; a unit vector.
+    pub direction: Vec2,
+    /// Force that is there whatever moves [N/m].
+    pub least: f64,
+    /// Force against a movement [N/m].
+    pub most: f64,
+}
+
 /// What acts on the blocks besides gravity.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Loading {
@@ -179,6 +195,8 @@ pub struct Loading {
     pub variable: Vec<PointForce>,
     /// Support movements that are multiplied by the load factor.
     pub movements: Vec<Movement>,
+    /// Forces that answer movement.
+    pub restraints: Vec<Restraint>,
 }
 
 /// Rigid blocks and particles, the laws of their contacts and gravity. Fixed once built.

@@ -3,7 +3,7 @@
 use super::places::{between_rings, edge_at, lines, point, scaled};
 use super::report::{Collapse, LimitReport, Status};
 use super::{AnalysisError, notes, picture};
-use crate::discretise::{Discretised, discretise};
+use crate::discretise::{Discretised, discretise, pressure};
 use crate::outcome::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
 use bridge::{Analysis, Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
@@ -43,10 +43,20 @@ pub fn single(bridge: &Bridge, d: &Discretised) -> limit::Settings {
     }
 }
 
-/// The load factor at which the blocks as built become a mechanism.
-pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
+/// The blocks as limit analysis sees them: with fill that presses against movement.
+pub(super) fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
+    // Walls and particles stand in place of the fill.
+    if d.road.is_none() && d.fill.is_none() {
+        d.loading.restraints = pressure::restraints(bridge, &d.extrados);
+    }
+    Ok(d)
+}
+
+/// The load factor at which the blocks as built become a mechanism.
+pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
+    let d = prepared(bridge)?;
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
@@ -57,6 +67,15 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         false => outcome.factor,
     };
     let mut c = report(bridge, &d, &outcome, unlimited);
+    if !d.loading.restraints.is_empty() {
+        let mut bare = d.clone();
+        bare.loading.restraints.clear();
+        let without = solve(&bare, &settings)?.factor.map(|f| d.load(f));
+        if let Some(report) = &mut c.limit {
+            report.without_fill_pressure_load = without;
+        }
+        notes::pressed(bridge, without, &mut c);
+    }
     // Walls of blocks lock where sliding dilates: their associated load never stands alone.
     if d.road.is_some() && settings.friction == limit::Friction::Associated {
         let settings = limit::Settings { friction: limit::Friction::NonAssociated, ..settings };
@@ -142,6 +161,7 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         upper_bound: load(outcome.upper_bound),
         associated_load: load(outcome.associated_factor),
         non_associated_load: None,
+        without_fill_pressure_load: None,
         spread: outcome.spread.map(|s| s.map(|f| d.load(f))),
         unlimited_strength_load: load(unlimited),
         equilibrium_residual: Some(outcome.equilibrium_residual),

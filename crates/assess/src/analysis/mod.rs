@@ -17,6 +17,7 @@ mod strips;
 mod sweep;
 mod thickness;
 pub mod update;
+pub mod vehicles;
 
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_fe::collapse_by_fe;
@@ -29,6 +30,7 @@ pub use report::{
 };
 pub use sweep::{Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
+pub use vehicles::{VehicleSweep, vehicle_sweep};
 
 use crate::discretise::{DiscretiseError, fill};
 use crate::outcome::Picture;
@@ -123,6 +125,9 @@ pub enum AnalysisError {
     /// The equations of a ring cannot be set up.
     #[error("the equations of the ring cannot be set up: {0}")]
     Equations(mechanics::fem::FactorError),
+    /// A vehicle or a rule of a sweep is not known.
+    #[error(transparent)]
+    Vehicles(#[from] crate::vehicles::Unknown),
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase; describe one with [[load]]")]
     NoLoad,

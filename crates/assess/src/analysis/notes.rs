@@ -1,7 +1,7 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
 use super::report::{Collapse, Status};
-use crate::discretise::{Discretised, Origin};
+use crate::discretise::{Discretised, Origin, pressure};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, ContactPoints, DispersalRule};
 
@@ -45,9 +45,32 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.extend(assumptions);
 }
 
+/// Notes on fill that presses against movement, with the load that is found without it [N/m].
+pub fn pressed(bridge: &Bridge, without: Option<f64>, c: &mut Collapse) {
+    let Some(fill) = &bridge.fill_pressure else { return };
+    let k = pressure::coefficients(fill);
+    let without = without.map_or("no load is found".to_owned(), |load| format!("the load is {:.2} kN/m", load / 1e3));
+    c.assumptions.push(format!(
+        "Fill presses sideways on the backs with {:.2} of its vertical stress, and with up to {:.2} of it and {:.1} kPa where a \
+         back moves against it: {:.0} % of Rankine's passive pressure of {:.1} degrees and {:.0} % of that of cohesion. It acts at \
+         once; real fill needs movement. Without it {without}.",
+        k.least,
+        k.most,
+        k.cohesion / 1e3,
+        100.0 * fill.mobilisation,
+        fill.friction_angle.to_degrees(),
+        100.0 * fill.cohesion_mobilisation,
+    ));
+}
+
 /// Notes on a discrete element run.
 pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
+    if bridge.fill_pressure.is_some_and(|fill| fill.applies) && d.fill.is_none() {
+        c.assumptions.push(
+            "[fill_pressure] belongs to limit analysis: here the fill is weight and does not press sideways.".into(),
+        );
+    }
     c.assumptions.push(
         "Rigid blocks in deformable point contact; loads follow their blocks and keep their direction; displacements are \
          large."
@@ -252,7 +275,8 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         walled(bridge, d, c);
         return;
     }
-    if bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some() {
+    let weighs = bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some();
+    if weighs && d.loading.restraints.is_empty() {
         c.warnings.push(Warning::new(
             warning::FILL_AS_WEIGHT,
             "fill and backing act by their weight alone; their resistance is left out",

@@ -37,6 +37,7 @@ impl LimitReport {
             upper_bound: None,
             associated_load: None,
             non_associated_load: None,
+            without_fill_pressure_load: None,
             spread: None,
             unlimited_strength_load: None,
             equilibrium_residual: None,
@@ -176,6 +177,8 @@ pub struct LimitReport {
     pub associated_load: Option<f64>,
     /// The non-associated collapse load, beside the other where walls are analysed with associated friction [N/m].
     pub non_associated_load: Option<f64>,
+    /// Load without the fill's pressure against movement [N/m]; only where the file has it act.
+    pub without_fill_pressure_load: Option<f64>,
     /// Lowest and highest non-associated load over the starts of the iteration [N/m].
     pub spread: Option<[f64; 2]>,
     /// Collapse load of joints that never crush [N/m]; the same as the collapse load where the file gives no strength.

@@ -2,7 +2,7 @@
 
 use super::report::Status;
 use super::{AnalysisError, by_limit};
-use crate::discretise::{Discretised, bridge_length, discretise, dispersal};
+use crate::discretise::{Discretised, bridge_length, dispersal};
 use bridge::{Bridge, LoadKind};
 use mechanics::limit;
 use rayon::prelude::*;
@@ -48,9 +48,8 @@ pub fn sweep(
     }
     let [from, to] = range.unwrap_or([0.0, bridge_length(bridge)]);
     let last = positions.max(2) - 1;
-    let mut d = discretise(bridge)?;
+    let mut d = by_limit::prepared(bridge)?;
     d.loading.variable.clear();
-    d.loading.movements.clear();
     let settings = by_limit::single(bridge, &d);
     let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
     let points: Vec<SweepPoint> = places

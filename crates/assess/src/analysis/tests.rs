@@ -407,3 +407,34 @@ fn a_wall_between_fixed_walls_locks() {
     b.plan.friction = bridge::Friction::Associated;
     assert_eq!(answer(&b).status, Status::Locks);
 }
+
+/// Backing to 1.5 m as weight and as blocks, under cover that is weight.
+#[test]
+fn backing_of_blocks_stands_on_the_ring_and_helps() {
+    let with = |body: bridge::BackingBody| {
+        let mut b = case_two();
+        b.cover.backing = Some(bridge::Backing {
+            height: 2.2,
+            density: 1890.0,
+            elastic_modulus: None,
+            poisson_ratio: None,
+            body,
+            friction_angle: None,
+            cohesion: None,
+        });
+        b
+    };
+    let (weight, blocks) = (with(bridge::BackingBody::Weight), with(bridge::BackingBody::Blocks));
+    let d = discretise(&blocks).unwrap();
+    let columns = d.origins.iter().filter(|o| matches!(o, crate::discretise::Origin::Backing { .. })).count();
+    assert!(columns > 10 && columns % 2 == 0, "{columns}");
+    // What was weight on backs is now weight of blocks and of what lies on them: of free blocks, the same sum, but for the
+    // slivers below 5 cm that stay without a column.
+    let total = |b: &Bridge| {
+        let d = discretise(b).unwrap();
+        d.model.free_weight() - d.loading.permanent.iter().map(|f| f.force.y).sum::<f64>()
+    };
+    assert!((total(&blocks) / total(&weight) - 1.0).abs() < 5e-3, "{} {}", total(&blocks), total(&weight));
+    let [light, solid] = [weight, blocks].map(|b| limit_load(b, ContactPoints::Rounded));
+    assert!(solid > 1.1 * light, "{solid} {light}");
+}

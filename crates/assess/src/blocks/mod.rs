@@ -152,7 +152,7 @@ impl Scene {
             loading: Loading {
                 permanent: of(true).map(force).collect(),
                 variable: of(false).map(force).collect(),
-                movements: Vec::new(),
+                ..Loading::default()
             },
             origins: (0..blocks.len()).map(|number| Origin::Block { number }).collect(),
             faces: (0..blocks.len()).map(|_| None).collect(),

@@ -1,7 +1,8 @@
 //! Weight of backing, fill and road on the extrados: vertical columns, integrated exactly.
 
 use super::extrados::{Extrados, Stretch};
-use bridge::{Bridge, Layer};
+use super::fill;
+use bridge::{BackingBody, Bridge, Layer};
 use mechanics::blocks::PointForce;
 use mechanics::plane::{Vec2, vec2};
 
@@ -11,7 +12,7 @@ pub fn surface(bridge: &Bridge, extrados: &Extrados) -> f64 {
 }
 
 /// Weight of the column above a level, per metre along the bridge [N/m per metre of width].
-struct Column {
+pub(super) struct Column {
     /// Top of backing [m] and its weight density [N/m^3].
     backing: Option<(f64, f64)>,
     /// Top of the lowest layer [m] and its weight density [N/m^3].
@@ -21,7 +22,27 @@ struct Column {
 }
 
 impl Column {
-    fn pressure(&self, level: f64) -> f64 {
+    /// The column of a bridge's cover.
+    pub fn of(bridge: &Bridge, extrados: &Extrados) -> Column {
+        let unit = |l: &Layer| if l.weighs { l.density * bridge.gravity } else { 0.0 };
+        let lowest = bridge.cover.layers.first();
+        let weight = bridge.cover.backing.filter(|b| b.body == BackingBody::Weight || fill::wanted(bridge).is_some());
+        Column {
+            backing: weight.map(|b| (b.height, b.density * bridge.gravity)),
+            fill: lowest.map_or((f64::NEG_INFINITY, 0.0), |l| (extrados.crown() + l.thickness, unit(l))),
+            above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
+        }
+    }
+    /// Level of the lowest layer's upper face [m].
+    pub fn top(&self) -> f64 {
+        self.fill.0
+    }
+    /// Level of the backing's upper face [m]; minus infinity where there is none.
+    pub fn backing_top(&self) -> f64 {
+        self.backing.map_or(f64::NEG_INFINITY, |b| b.0)
+    }
+    /// Weight of what lies above a level [Pa].
+    pub fn pressure(&self, level: f64) -> f64 {
         let (backing, floor) = match self.backing {
             Some((top, weight)) => (weight * (top - level).max(0.0), level.max(top)),
             None => (0.0, level),
@@ -35,13 +56,7 @@ impl Column {
 
 /// What the cover weighs on each stretch of the extrados: its resultant, at its point on the back [m].
 pub fn weight(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
-    let unit = |l: &Layer| if l.weighs { l.density * bridge.gravity } else { 0.0 };
-    let lowest = bridge.cover.layers.first();
-    let column = Column {
-        backing: bridge.cover.backing.map(|b| (b.height, b.density * bridge.gravity)),
-        fill: lowest.map_or((f64::NEG_INFINITY, 0.0), |l| (extrados.crown() + l.thickness, unit(l))),
-        above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
-    };
+    let column = Column::of(bridge, extrados);
     let mut forces = Vec::new();
     for stretch in extrados.stretches.iter().filter(|s| !s.ground) {
         // Pressure is linear in x between the ends and the places where a back passes a level.

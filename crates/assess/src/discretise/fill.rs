@@ -119,6 +119,38 @@ impl Build<'_> {
         Ok((FillRegion { outline, area, layers, slabs }, Extrados { stretches, line }))
     }
 
+    /// Backing as blocks under cover that is weight: a column on each back, up to its level or the crown. Cover and loads
+    /// then lie on its upper faces.
+    pub(super) fn solid_backing(&mut self) {
+        let backing = self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks);
+        let Some(backing) = backing else { return };
+        let level = backing.height.min(self.extrados.crown());
+        let group = self.groups.push("backing".into());
+        let mut upper = Vec::new();
+        let mut columns = 0;
+        for stretch in std::mem::take(&mut self.extrados.stretches) {
+            let Some(column) = column(&stretch, level) else {
+                upper.push(stretch);
+                continue;
+            };
+            let part = |left: f64, right: f64| Stretch { left: stretch.at(left), right: stretch.at(right), ..stretch };
+            if column.left > stretch.left.x {
+                upper.push(part(stretch.left.x, column.left));
+            }
+            let held = if stretch.ground { Held::FIXED } else { Held::FREE };
+            let block = self.block(column.outline, group, held, Origin::Backing { column: columns }, None);
+            self.blocks[block].density = backing.density;
+            columns += 1;
+            let (left, right) = (vec2(column.left, level), vec2(column.right, level));
+            upper.push(Stretch { block, left, right, ground: stretch.ground });
+            if column.right < stretch.right.x {
+                upper.push(part(column.right, stretch.right.x));
+            }
+        }
+        self.extrados.stretches = upper;
+        self.extrados.line.iter_mut().for_each(|p| p.y = p.y.max(level));
+    }
+
     /// Levels of the layers' upper faces; particles below slabs below what is weight alone.
     fn levels(&self) -> Result<Levels, DiscretiseError> {
         let cover = &self.bridge.cover;

@@ -7,6 +7,7 @@ pub mod extrados;
 pub mod fill;
 pub mod laws;
 pub mod mesh;
+pub mod pressure;
 pub mod ring_mesh;
 mod rings;
 mod supports;
@@ -472,6 +473,9 @@ impl<'a> Build<'a> {
 
     fn finish(mut self) -> Result<Discretised, DiscretiseError> {
         let bridge = self.bridge;
+        if bridge.plan.strip == Width::Fill && fill::wanted(bridge).is_none() {
+            self.solid_backing();
+        }
         let mut surface = cover::surface(bridge, &self.extrados);
         let mut road = None;
         if bridge.plan.strip != Width::Fill {
@@ -508,6 +512,7 @@ impl<'a> Build<'a> {
             },
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),
             movements: movements(bridge, &model, &self.origins)?,
+            restraints: Vec::new(),
         };
         let watched = watched(bridge, &extrados, &spreads, &model);
         Ok(Discretised {

@@ -225,7 +225,7 @@ impl Blocks {
         let groups = ["blocks".to_string()].into_iter().collect();
         let model =
             BlockModel { blocks, particles: Table::default(), groups, laws: LawTable::uniform(1, law), gravity };
-        Ok((model, Loading { permanent, variable, movements: Vec::new() }))
+        Ok((model, Loading { permanent, variable, ..Loading::default() }))
     }
 
     /// Runs the analysis and names what came of it.

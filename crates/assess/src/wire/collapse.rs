@@ -101,6 +101,8 @@ struct Limit {
     associated_load_kn_per_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     non_associated_load_kn_per_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    without_fill_pressure_load_kn_per_m: Option<f64>,
     non_associated_spread_kn_per_m: Option<[f64; 2]>,
     unlimited_strength_load_kn_per_m: Option<f64>,
     equilibrium_residual: Option<f64>,
@@ -246,6 +248,7 @@ impl CollapseObject {
                 upper_bound_kn_per_m: per_metre(l.upper_bound),
                 associated_load_kn_per_m: per_metre(l.associated_load),
                 non_associated_load_kn_per_m: per_metre(l.non_associated_load),
+                without_fill_pressure_load_kn_per_m: per_metre(l.without_fill_pressure_load),
                 non_associated_spread_kn_per_m: l.spread.map(|s| s.map(kilo)),
                 unlimited_strength_load_kn_per_m: per_metre(l.unlimited_strength_load),
                 equilibrium_residual: l.equilibrium_residual,

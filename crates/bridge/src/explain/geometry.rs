@@ -146,7 +146,7 @@ rise = "3.0 m""#,
     Card {
         code: "B216",
         title: "bodies of cover without particles",
-        meaning: "Layers and backing that are blocks or particles stand among particles: at least one layer of the cover must be modelled so.",
+        meaning: "Layers that are blocks, and backing that is particles, stand among particles: at least one layer of the cover must be modelled so.",
         why: "Without particles the cover is weight alone. What is described as bodies would carry nothing, and slabs would not even weigh.",
         wrong: "thickness = \"0.150 m\"\nas = \"blocks\"\nblock_length = \"1 m\"\ndensity = \"2200 kg/m^3\"",
         right: "thickness = \"0.150 m\"\nweighs = false",
@@ -217,8 +217,8 @@ shear_stiffness = "0.573 GPa/m""#,
     Card {
         code: "B402",
         title: "nothing to analyse",
-        meaning: "The analysis of a load needs a [[load]], that of a support movement a [support_movement]. A file with a [passage] and \
-                  no [analysis] plans none of them and needs neither.",
+        meaning: "The analysis of a load needs a [[load]], that of a support movement a [support_movement]. A file with a [passage] or a \
+                  [sweep] and no [analysis] plans none of them and needs neither.",
         why: "Without it there is nothing to raise until the bridge collapses.",
         wrong: "# no load",
         right: r#"[[load]]

@@ -64,7 +64,10 @@ pub(super) static COVER: Section = Section {
 const BACKINGS: &[Word] = &[
     Word { word: "weight", doc: "weight on the extrados" },
     Word { word: "particles", doc: "circular particles below its level, with properties of their own" },
-    Word { word: "blocks", doc: "a column of masonry on the back of each voussoir; strip \"fill\", method \"dem\"" },
+    Word {
+        word: "blocks",
+        doc: "a column of masonry on the back of each voussoir, joined as voussoirs are; strip \"fill\"",
+    },
 ];
 
 pub(super) static BACKING: Section = Section {
@@ -81,8 +84,13 @@ pub(super) static BACKING: Section = Section {
             .at_least(0.0)
             .at_most(0.4999)
             .optional("not needed for collapse"),
-        Field::new("as", Kind::Word(BACKINGS), "what the backing is in the discrete element method", "blocks")
-            .default("weight"),
+        Field::new(
+            "as",
+            Kind::Word(BACKINGS),
+            "what the backing is in limit analysis and in the discrete element method",
+            "blocks",
+        )
+        .default("weight"),
         Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction between its particles", "40 deg")
             .at_least(0.0)
             .at_most(1.5)

@@ -1,6 +1,7 @@
 //! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
+mod assess;
 pub mod blocks;
 mod calibration;
 mod cover;
@@ -11,6 +12,7 @@ mod passage;
 mod plan;
 mod service;
 mod structure;
+mod sweep;
 pub(crate) mod train;
 mod update;
 mod vary;
@@ -264,6 +266,20 @@ pub static FILE: Section = Section {
         Field::new("dispersal", Kind::Table(&loading::DISPERSAL), "How loads spread through the cover.", "")
             .optional("possible only where there is no cover or no load"),
         Field::new(
+            "fill_pressure",
+            Kind::Table(&sweep::FILL_PRESSURE),
+            "Horizontal pressure of the fill against movement, in limit analysis.",
+            "",
+        )
+        .optional("fill is weight and spreads loads, and does not press sideways"),
+        Field::new(
+            "sweep",
+            Kind::Table(&sweep::SWEEP),
+            "Vehicles that `extrados collapse --sweep` moves over the bridge.",
+            "",
+        )
+        .optional("`--sweep` moves the loads of the file"),
+        Field::new(
             "load",
             Kind::Tables(&loading::LOAD),
             "Loads on the surface; together they make the pattern that grows to collapse.",
@@ -304,6 +320,14 @@ pub static FILE: Section = Section {
             .optional("nothing is sought"),
         Field::new("update", Kind::Table(&update::UPDATE), "How `extrados update` seeks it.", "")
             .optional("the defaults"),
+        Field::new("assess", Kind::Table(&assess::ASSESS), "Limits that `extrados assess` compares with.", "")
+            .optional("nothing is compared that needs a limit"),
+        Field::new("service_load", Kind::Tables(&assess::SERVICE_LOAD), "Loads in service.", "")
+            .optional("the train as it is"),
+        Field::new("mexe", Kind::Table(&assess::MEXE), "Factors of the modified MEXE method.", "")
+            .optional("MEXE is not made"),
+        Field::new("expected", Kind::Tables(&assess::EXPECTED), "Where identified parameters are expected.", "")
+            .optional("identified parameters are listed without a verdict"),
     ],
 };
 

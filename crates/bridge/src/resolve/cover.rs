@@ -17,7 +17,7 @@ pub(super) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> 
         let slabs =
             tables.iter().zip(&layers).filter(|(_, layer)| layer.slabs.is_some()).map(|(table, _)| table.place("as"));
         slabs.for_each(|place| bodies_without_particles(place, findings));
-        if let Some(Some(Backing { body: BackingBody::Blocks | BackingBody::Particles, .. })) = backing
+        if let Some(Some(Backing { body: BackingBody::Particles, .. })) = backing
             && let Some(table) = file.table("backing", &mut Findings::default())
         {
             bodies_without_particles(table.place("as"), findings);

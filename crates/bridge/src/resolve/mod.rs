@@ -1,5 +1,6 @@
 //! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
 
+mod assess;
 pub(crate) mod blocks;
 mod calibration;
 mod cover;
@@ -12,6 +13,7 @@ mod plan;
 mod sensors;
 mod service;
 pub(crate) mod structure;
+mod sweep;
 pub(crate) mod train;
 mod update;
 mod vary;
@@ -22,6 +24,7 @@ use crate::model::Bridge;
 use crate::plausible;
 use crate::tree::Table;
 
+pub(crate) use assess::{SECTIONS as ASSESS_SECTIONS, assess};
 pub(crate) use loading::{read_share, read_slope, slope};
 pub(crate) use update::{SECTIONS as UPDATE_SECTIONS, update};
 pub(crate) use vary::{check as check_vary, vary};
@@ -46,6 +49,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
     let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
+    let fill_pressure = sweep::fill_pressure(file, findings);
+    let sweep = sweep::sweep(file, findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
     if let (Some(spans), Some(piers)) = (&spans, &piers) {
@@ -81,6 +86,8 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        fill_pressure: fill_pressure?,
+        sweep: sweep?,
         service: service?,
         passage: passage?,
     })

@@ -222,8 +222,10 @@ pub(super) fn check(
     let place = |section: &str, key: &str, unheard: &mut Findings| {
         file.table(section, unheard).map_or(file.range, |table| table.place(key))
     };
-    // A file that plans a passage and no collapse needs no load; `collapse` asks for one where it is told to run.
-    let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !file.has("passage"));
+    // A file that plans a passage or a sweep of vehicles, and no collapse, needs no load; `collapse` asks for one where it
+    // is told to run.
+    let plans_more = file.has("passage") || file.has("sweep");
+    let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !plans_more);
     if needs_load && loads.is_empty() && !file.has("load") {
         let range = place("analysis", "analysis", &mut unheard);
         findings.error(

@@ -32,8 +32,9 @@ pub struct Known {
     pub doc: &'static str,
 }
 
-/// Sections that say how to vary, and are not varied themselves.
-const NOT_VARIED: [&str; 5] = ["vary", "records", "channel", "parameter", "update"];
+/// Sections that say how to vary, seek, sweep or judge, and are not varied themselves.
+const NOT_VARIED: [&str; 10] =
+    ["vary", "records", "channel", "parameter", "update", "sweep", "assess", "service_load", "mexe", "expected"];
 
 /// Paths shown at most in a message.
 const MOST_SHOWN: usize = 12;

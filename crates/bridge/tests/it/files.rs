@@ -27,12 +27,15 @@ pub const TRAIN: &str = include_str!("files/train.toml");
 /// A train from a file.
 pub const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 
+/// Everything that an assessment may say.
+pub const ASSESS: &str = include_str!("files/assess.toml");
+
 /// Everything that only the finite element model reads.
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 12] =
-    [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, SERVICE, PASSAGE, TRAIN, TRAIN_FILE];
+pub const GOOD: [&str; 13] =
+    [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, SERVICE, PASSAGE, TRAIN, TRAIN_FILE, ASSESS];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

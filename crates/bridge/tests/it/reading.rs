@@ -128,7 +128,27 @@ fn a_calibration() {
     assert_eq!(codes, ["B107", "B107"]);
 }
 
-/// Without particles slabs and columns of backing would carry nothing, and slabs not even weigh.
+#[test]
+fn sweeps_and_fill_pressure_are_read_as_written() {
+    let bridge = good(VIADUCT);
+    let (sweep, fill) = (bridge.sweep.unwrap(), bridge.fill_pressure.unwrap());
+    assert_eq!((sweep.rule.as_str(), &sweep.vehicles[..]), ("cs-454", &["hb-45".to_owned(), "crane".to_owned()][..]));
+    assert_eq!((sweep.step, sweep.directions), (Some(0.25), bridge::Directions::Left));
+    assert!(!sweep.subsets && sweep.own_dispersal && sweep.confirm);
+    assert!(fill.applies && fill.least == bridge::LeastPressure::Active);
+    assert!((fill.friction_angle.to_degrees() - 32.0).abs() < 1e-9 && fill.cohesion == 2e3 && fill.mobilisation == 0.4);
+    let other = good(WALLS).sweep.unwrap();
+    assert_eq!((other.rule_file.as_deref(), other.vehicles.len(), other.subsets), (Some("own-rule.toml"), 0, true));
+    // Two rules are none; a sweep alone needs no load.
+    assert!(
+        show_all(&VIADUCT.replacen("rule = \"cs-454\"", "rule = \"cs-454\"\nrule_file = \"x.toml\"", 1))
+            .contains("B016")
+    );
+    let alone = CASE_1.split("[[load]]").next().unwrap().to_owned() + "[sweep]\n";
+    assert!(good(&alone).loads.is_empty());
+}
+
+/// Without particles slabs would carry nothing and not even weigh.
 #[test]
 fn bodies_of_cover_need_particles_to_stand_among() {
     let backed = |body: &str| {
@@ -136,9 +156,8 @@ fn bodies_of_cover_need_particles_to_stand_among() {
         CASE_1.replacen("[masonry]", &backing, 1)
     };
     assert_eq!(good(&backed("weight")).cover.backing.unwrap().body, BackingBody::Weight);
-    for body in ["blocks", "particles"] {
-        assert!(show_all(&backed(body)).contains("B216"), "{body}");
-    }
+    assert_eq!(good(&backed("blocks")).cover.backing.unwrap().body, BackingBody::Blocks, "they stand on the rings");
+    assert!(show_all(&backed("particles")).contains("B216"));
     let slabs = "thickness = \"0.150 m\"\ndensity = \"2200 kg/m^3\"\nas = \"blocks\"\nblock_length = \"1 m\"";
     let slabs = CASE_1.replacen("thickness = \"0.150 m\"\nweighs = false", slabs, 1);
     assert!(show_all(&slabs).contains("B216"), "{}", show_all(&slabs));

@@ -25,6 +25,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let width = bridge.width;
     plan(&mut bridge.plan, width, arguments)?;
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    if arguments.sweep && bridge.sweep.is_some() {
+        return vehicles(desk, arguments, &source, &mut bridge, &folder);
+    }
     if arguments.sweep {
         return sweep(desk, arguments, &source, &bridge, &folder);
     }
@@ -127,6 +130,42 @@ fn tables(found: &Collapse) -> Vec<figures::File> {
     ];
     let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
     filled.map(|(name, text)| table(name, text)).collect()
+}
+
+/// Vehicles of the library or of files, moved over the bridge as [sweep] says.
+fn vehicles(
+    desk: &mut Desk,
+    arguments: &Arguments,
+    source: &Source,
+    bridge: &mut Bridge,
+    folder: &Folder,
+) -> Result<Report, Failure> {
+    desk.schema = "extrados.sweep/1".to_owned();
+    if let (Some(text), Some(plan)) = (&arguments.sweep_step, &mut bridge.sweep) {
+        plan.step = Some(quantities::length("--sweep-step", text)?);
+    }
+    let found = analysis::vehicle_sweep(bridge, &mut mechanics::watch::Unwatched)
+        .map_err(|error| results::not_set_up(&error))?;
+    let mut report = source.report(Status::Completed);
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
+    report.fields = report::fields_of(wire::VehicleSweepObject::new(&found, &wire::Run::default()));
+    if found.governing.is_none() {
+        report.status = Status::Undetermined;
+    }
+    report.summary = summary::vehicles(&found, &folder.path().display().to_string());
+    let mut files = Vec::new();
+    if let Some(collapse) = &found.collapse {
+        files = figures::all(&collapse.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+    }
+    for (name, svg) in figures::vehicles(&found) {
+        files.extend(figures::both(name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
+    }
+    files.push(table("vehicles", wire::vehicles_table(&found)));
+    files.push(table("sweep", wire::vehicle_envelope_table(&found)));
+    files.push(table("sections", wire::vehicle_sections_table(&found)));
+    results::publish(desk, report, folder, &files)
 }
 
 fn table(name: &str, text: String) -> figures::File {

@@ -53,6 +53,10 @@ fn all() -> Vec<Card> {
     for card in assess::warning::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }
+    for card in assess::checks::cards() {
+        let text = format!("{}\n\nClause: {}\n\nSource: {}", card.text, card.clause, card.source);
+        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text });
+    }
     for card in drawing::cards::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }

@@ -1,5 +1,6 @@
 //! One file per command. Each gives a [`Report`] or says why it could not; speaking is done here, once.
 
+mod assess;
 mod bench;
 mod calibrate;
 mod check;
@@ -92,6 +93,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
         Command::Respond(arguments) => respond::run(desk, arguments).map(Answer::from),
+        Command::Assess(arguments) => assess::run(desk, arguments).map(Answer::from),
         Command::Update(arguments) => update::run(desk, arguments).map(Answer::from),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
@@ -161,20 +163,41 @@ struct Source {
 impl Source {
     /// Reads a file and shows what was found in it.
     fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
+        let source = Source::read(path)?;
+        if source.read.bridge.is_none() || !desk.screen.quiet {
+            let paint = Paint::for_stderr();
+            desk.screen.remark(&render::findings(&source.name, &source.text, &source.read.diagnostics, &paint));
+        }
+        Ok(source)
+    }
+
+    /// Reads a file and says nothing.
+    fn read(path: &Path) -> Result<Source, Failure> {
         let text = read_file(path)?;
         let mut read = bridge::read(&text);
         if let Some(particles) = read.bridge.as_mut().and_then(|bridge| bridge.particles.as_mut()) {
             take_packing(particles, path)?;
         }
+        if let Some(sweep) = read.bridge.as_mut().and_then(|bridge| bridge.sweep.as_mut()) {
+            take_vehicles(sweep, path)?;
+        }
         if let Some(passage) = read.bridge.as_mut().and_then(|bridge| bridge.passage.as_mut()) {
             take_train(&mut passage.train, path)?;
         }
-        let name = path.display().to_string();
-        let any_error = read.bridge.is_none();
-        if any_error || !desk.screen.quiet {
-            desk.screen.remark(&render::findings(&name, &text, &read.diagnostics, &Paint::for_stderr()));
+        Ok(Source { name: path.display().to_string(), text, read })
+    }
+
+    /// The bridge of an edited text, with what other files gave the one that was read.
+    fn again(&self, edited: &bridge::edit::Document) -> Option<bridge::Bridge> {
+        let own = self.read.bridge.as_ref()?;
+        let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
+        if let (Some(new), Some(old)) = (&mut bridge.passage, &own.passage) {
+            new.train.clone_from(&old.train);
         }
-        Ok(Source { name, text, read })
+        if let (Some(new), Some(old)) = (&mut bridge.particles, &own.particles) {
+            new.grains.clone_from(&old.grains);
+        }
+        Some(bridge)
     }
 
     /// An answer with what was found.
@@ -190,7 +213,7 @@ fn take_packing(particles: &mut bridge::Particles, beside: &Path) -> Result<(), 
     let Some(name) = &particles.file else { return Ok(()) };
     let path = beside.parent().unwrap_or(Path::new("")).join(name);
     let text = read_file(&path)?;
-    particles.grains = assess::packing_file::read(&text).map_err(|error| {
+    particles.grains = ::assess::packing_file::read(&text).map_err(|error| {
         let message = format!("cannot use the packing {}: {error}", path.display());
         Failure::input("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
     })?;
@@ -214,6 +237,16 @@ fn take_train(train: &mut bridge::train::Train, beside: &Path) -> Result<(), Fai
         let said = render::findings(&path.display().to_string(), &text, &read.diagnostics, &Paint::new(false));
         read.vehicles.ok_or_else(|| unusable(format!("\n{said}")))?
     };
+    Ok(())
+}
+
+/// Reads the files of a rule and of vehicles that the bridge file names; their paths are relative to it.
+fn take_vehicles(sweep: &mut bridge::SweepPlan, beside: &Path) -> Result<(), Failure> {
+    for name in sweep.rule_file.iter().chain(&sweep.vehicle_files) {
+        let path = beside.parent().unwrap_or(Path::new("")).join(name);
+        let text = String::from_utf8_lossy(&read_file(&path)?).into_owned();
+        sweep.texts.push((path.display().to_string(), text));
+    }
     Ok(())
 }
 

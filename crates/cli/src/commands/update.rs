@@ -1,6 +1,6 @@
 //! `extrados update`: from the records of a train's passage to the moduli of a bridge.
 
-mod log;
+pub(super) mod log;
 
 use super::{Desk, Source, read_file};
 use crate::args::{Update as Arguments, UpdateSearch, UpdateVariant};
@@ -78,7 +78,7 @@ fn chosen(plan: &mut Plan, arguments: &Arguments) {
 }
 
 /// The file's text as a tree that can be edited, without what it says of updating.
-fn document(source: &Source) -> Result<Document, Failure> {
+pub(super) fn document(source: &Source) -> Result<Document, Failure> {
     let text = std::str::from_utf8(&source.text).unwrap_or_default();
     let mut document = Document::parse(text).ok_or_else(|| {
         Failure::input("F114", format!("{} cannot be edited", source.name), "check it with extrados check")
@@ -88,7 +88,7 @@ fn document(source: &Source) -> Result<Document, Failure> {
 }
 
 /// The tables that the file names, beside it: one, or all of a folder in the order of their names.
-fn records(beside: &Path, place: &str) -> Result<Vec<RecordFile>, Failure> {
+pub(super) fn records(beside: &Path, place: &str) -> Result<Vec<RecordFile>, Failure> {
     let path = beside.parent().unwrap_or(Path::new("")).join(place);
     let mut paths = vec![path.clone()];
     if path.is_dir() {

@@ -160,6 +160,39 @@ fn a_sweep_finds_the_governing_position() {
 }
 
 #[test]
+fn vehicles_of_the_library_and_of_a_file_are_moved_over_the_bridge() {
+    let stage = Stage::with_example("answers-vehicles", "bridgemill");
+    let text = stage.read("bridge/vehicles.toml");
+    let own = "code = \"own\"\ntitle = \"Own\"\nways = \"road\"\n\
+        source = { text = \"a plate\", date = \"2026\", confidence = \"assumed\" }\n\n[[vehicle]]\ncode = \"crane\"\n\
+        title = \"Crane\"\naxle_loads_kn = [120.0, 120.0]\nspacings_m = [1.6]\naxles_may_be_dropped = true\n\
+        wheel_track_m = 2.0\ncontact_length_m = 0.30\n";
+    stage.write("bridge/crane.toml", own);
+    let asked = "vehicles = [\"crane\", \"lm1\"]\nvehicle_files = [\"crane.toml\"]\nstep = \"0.6 m\"\n\n[dispersal]";
+    stage.write("bridge/own.toml", text.replacen("[dispersal]", asked, 1).replace("confirm = true", "confirm = false"));
+    let (answer, ending) = stage.object(&["collapse", "bridge/own.toml", "--sweep"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert_eq!((answer["schema"].as_str(), answer["governing"].as_str()), (Some("extrados.sweep/1"), Some("lm1")));
+    let vehicles = answer["vehicles"].as_array().expect("vehicles");
+    assert_eq!(vehicles.len(), 2);
+    for v in vehicles {
+        let [lower, upper] = ["lower_bound", "upper_bound"].map(|key| v[key].as_f64().expect(key));
+        assert!((upper / lower - 1.0).abs() < 1e-6, "{v}");
+        assert_eq!(v["sections"].as_array().map(Vec::len), Some(5));
+    }
+    assert!(answer["rule"]["factors"].as_array().expect("factors").len() >= 8, "no factor is silent");
+    let names = stage.names("out/own");
+    let wanted = ["adequacy.svg", "envelope.svg", "mechanism.svg", "vehicles.csv", "sweep.csv", "sections.csv"];
+    assert!(wanted.iter().all(|name| names.contains(&(*name).to_owned())), "{names:?}");
+    // A mistake in the file of vehicles is told by file and key.
+    stage.write("bridge/crane.toml", own.replace("[1.6]", "[]"));
+    let (answer, ending) = stage.object(&["collapse", "bridge/own.toml", "--sweep"]);
+    assert_eq!(ending.code, Some(2));
+    let said = answer["errors"][0]["message"].as_str().expect("message").to_owned();
+    assert!(said.contains("crane.toml") && said.contains("spacings_m"), "{said}");
+}
+
+#[test]
 fn a_support_movement_ends_in_a_mechanism() {
     let stage = Stage::with_example("answers-movement", "settlement");
     for method in ["limit", "dem"] {

@@ -1,6 +1,7 @@
 //! The command as its users meet it: what it prints, what it leaves behind, how it ends.
 
 mod answers;
+mod assess;
 mod calibration;
 mod drawings;
 mod examples;

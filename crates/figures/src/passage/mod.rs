@@ -27,6 +27,16 @@ pub fn passage_drawings(passage: &Passage) -> Vec<(String, String)> {
     drawings
 }
 
+/// The records of the sensors alone.
+pub fn passage_records(passage: &Passage) -> Option<String> {
+    records::records(passage)
+}
+
+/// The ring at one moment that is kept.
+pub fn passage_ring(passage: &Passage, moment: usize) -> Option<String> {
+    if moment < passage.moments.len() { ring::ring(passage, moment) } else { None }
+}
+
 /// Every figure and ParaView file of a passage.
 pub fn passage(passage: &Passage) -> Result<Vec<File>, RasterError> {
     let mut files = Vec::new();

@@ -44,6 +44,9 @@ pub(super) fn yield_violation(
             worst = worst.max(forces[c + n].abs() - strength.friction * total - strength.cohesion / unit);
         }
     }
+    for r in &equilibrium.restraints {
+        worst = worst.max(-forces[r.column]).max(forces[r.column] - r.most);
+    }
     worst
 }
 
@@ -58,6 +61,10 @@ pub(super) fn upper(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
         let (d, v) = dissipation(strength, equilibrium.force, &deformations[c..c + joint.forces()]);
         work += d;
         violation = violation.max(v);
+    }
+    // A force that answers movement works where its point moves against it.
+    for r in &equilibrium.restraints {
+        work += r.most * (-deformations[r.column]).max(0.0);
     }
     Bound { factor: work / dot(&equilibrium.variable), violation }
 }

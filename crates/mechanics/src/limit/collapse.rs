@@ -77,6 +77,17 @@ pub(super) struct Carried {
     solution: Solution,
 }
 
+impl Carried {
+    /// Whether they are known to be carried.
+    pub fn is_carried(&self) -> bool {
+        self.carried == Some(true)
+    }
+    /// Scaled joint forces that carry them, or carry most of them.
+    pub fn forces(&self) -> &[f64] {
+        &self.solution.forces
+    }
+}
+
 /// Asks whether the permanent loads are carried. Any state of equilibrium within strength proves it; the elastic one
 /// is tried before a program looks for the best.
 pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Carried {
@@ -177,6 +188,7 @@ fn locks(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) ->
             ..*s
         })
         .collect();
+    let equilibrium = &equilibrium.unrestrained();
     let rest = vec![0.0; equilibrium.rows];
     let drive = &equilibrium.variable;
     let crushes = endless.iter().any(|s| s.crushing == 0.0);

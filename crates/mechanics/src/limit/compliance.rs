@@ -77,6 +77,8 @@ impl<'a> Stiffness<'a> {
             one[..n].copy_from_slice(&forces[c..c + n]);
             forces[c..c + n].copy_from_slice(&apply(resistance, one)[..n]);
         }
+        // What answers movement is no joint and has no stiffness.
+        forces[self.equilibrium.joint_columns()..].fill(0.0);
         forces
     }
 }

@@ -20,6 +20,8 @@ pub(super) struct Equilibrium {
     pub columns: Vec<Vec<Entry>>,
     /// First column of each joint.
     pub first_column: Vec<usize>,
+    /// Forces that answer movement, in columns after those of all joints. What is there anyway is a permanent load.
+    pub restraints: Vec<Restrained>,
     /// Scaled permanent loads.
     pub permanent: Vec<f64>,
     /// Scaled variable loads.
@@ -30,6 +32,15 @@ pub(super) struct Equilibrium {
     pub length: f64,
     /// The scaled factor is the factor divided by this.
     pub factor_scale: f64,
+}
+
+/// A force that answers movement: between zero and `most`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Restrained {
+    /// Its column.
+    pub column: usize,
+    /// Largest force, scaled.
+    pub most: f64,
 }
 
 impl Equilibrium {
@@ -65,6 +76,7 @@ impl Equilibrium {
             row,
             columns: Vec::with_capacity(3 * joints.len()),
             first_column: Vec::with_capacity(joints.len()),
+            restraints: Vec::new(),
             permanent: vec![0.0; rows],
             variable: vec![0.0; rows],
             force: 1.0,
@@ -82,6 +94,12 @@ impl Equilibrium {
                 this.columns.push(column);
             }
         }
+        for r in &loading.restraints {
+            let mut column = Vec::with_capacity(3);
+            this.act(r.block, r.at - centroids[r.block], r.direction, |i, v| column.push((i, v)));
+            this.restraints.push(Restrained { column: this.columns.len(), most: r.most - r.least });
+            this.columns.push(column);
+        }
         let mut permanent = vec![0.0; rows];
         for (id, block) in model.blocks.pairs() {
             this.act(id, Vec2::ZERO, model.gravity * block.mass(), |i, v| permanent[i] += v);
@@ -92,10 +110,27 @@ impl Equilibrium {
             }
         };
         add(&loading.permanent, &mut permanent);
+        for r in &loading.restraints {
+            this.act(r.block, r.at - centroids[r.block], r.direction * r.least, |i, v| permanent[i] += v);
+        }
         let mut variable = vec![0.0; rows];
         add(&loading.variable, &mut variable);
         this.scale(permanent, variable, least_strength(joints));
+        let force = this.force;
+        this.restraints.iter_mut().for_each(|r| r.most = (r.most / force).max(0.0));
         this
+    }
+
+    /// The same with nothing that answers movement.
+    pub fn unrestrained(&self) -> Equilibrium {
+        let mut this = self.clone();
+        this.restraints.iter_mut().for_each(|r| r.most = 0.0);
+        this
+    }
+
+    /// Number of columns of joints.
+    pub fn joint_columns(&self) -> usize {
+        self.columns.len() - self.restraints.len()
     }
 
     /// Adds a force on a block to the equations of that block.
@@ -123,16 +158,14 @@ impl Equilibrium {
         self.variable = variable.iter().map(|x| x * self.factor_scale / self.force).collect();
     }
 
-    /// Replaces the variable loads, keeping all units but that of the factor.
-    pub fn load(&mut self, model: &BlockModel, variable: &[PointForce]) {
+    /// What a load adds to the equations, in newtons per metre.
+    pub fn of_load(&self, model: &BlockModel, load: &[PointForce]) -> Vec<f64> {
         let mut p = vec![0.0; self.rows];
-        for f in variable {
+        for f in load {
             let centroid = model.blocks[f.block].outline.centroid();
             self.act(f.block, f.at - centroid, f.force, |i, v| p[i] += v);
         }
-        let size = p.iter().map(|x| x.abs()).sum::<f64>();
-        self.factor_scale = if size > 0.0 { self.force / size } else { 1.0 };
-        self.variable = p.iter().map(|x| x * self.factor_scale / self.force).collect();
+        p
     }
 
     /// `B f + factor p + w` for scaled forces.

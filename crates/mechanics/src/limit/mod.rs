@@ -22,9 +22,12 @@ mod mechanism;
 mod nonassociated;
 mod outcome;
 mod program;
+mod reduced;
 mod settings;
+mod simplex;
 mod support_movement;
 mod sweep;
+mod sweeper;
 mod thickness;
 mod thrust_zone;
 
@@ -33,5 +36,6 @@ pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForc
 pub use settings::{ContactPoints, Friction, Settings};
 pub use support_movement::{Increments, MovementOutcome, MovementStatus, MovementStep, support_movement};
 pub use sweep::{Place, Sweep, sweep};
+pub use sweeper::{Effect, Factor, Ground, Section, Sweeper};
 pub use thickness::{LeastThickness, ThicknessStatus, minimum_thickness};
 pub use thrust_zone::{ThrustZone, least_thrust, thrust_zone};

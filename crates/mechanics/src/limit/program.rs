@@ -185,6 +185,10 @@ impl Program<'_> {
                 }
             }
         }
+        for r in &self.equilibrium.restraints {
+            limit(&mut columns, &[(r.column, 1.0)], 0.0, false);
+            limit(&mut columns, &[(r.column, -1.0)], r.most, false);
+        }
         let mut cones = vec![ZeroConeT(equations), NonnegativeConeT(0)];
         for ((joint, strength), &c) in self.joints.iter().zip(self.strengths).zip(&self.equilibrium.first_column) {
             let curvature = strength.curvature(joint.points.len()) * unit;

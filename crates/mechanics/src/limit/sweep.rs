@@ -1,13 +1,8 @@
 //! Many places of a load on one model.
 
-use super::bounds;
-use super::collapse::{Found, carried, largest_factor_of_carried};
-use super::equilibrium::Equilibrium;
-use super::joints::joints;
-use super::mechanism::mechanism;
-use super::nonassociated::settle;
 use super::outcome::Status;
 use super::settings::{Friction, Settings};
+use super::sweeper::{Ground, Sweeper};
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 
 /// The answer for one place of the load.
@@ -41,21 +36,9 @@ pub fn sweep(
     loads: &[Vec<PointForce>],
     settings: &Settings,
 ) -> Result<Sweep, ModelError> {
-    if model.blocks.iter().all(|b| b.held.is_fixed()) {
-        return Err(ModelError::NothingFree);
-    }
-    let (_, joints) = joints(model, settings)?;
-    let permanent = Loading { variable: Vec::new(), ..loading.clone() };
-    let mut equilibrium = Equilibrium::new(model, &permanent, &joints);
-    let strengths: Vec<_> = joints.iter().map(|j| j.strength).collect();
-    let stands = carried(&equilibrium, &joints, &strengths);
-    let places: Vec<Place> = loads
-        .iter()
-        .map(|load| {
-            equilibrium.load(model, load);
-            place(model, &equilibrium, &joints, &strengths, settings, &stands)
-        })
-        .collect();
+    let ground = Ground::new(model, loading, settings)?;
+    let mut sweeper = ground.sweeper();
+    let places: Vec<Place> = loads.iter().map(|load| place(&mut sweeper, settings, load)).collect();
     let mut governing = None;
     let mut lowest = f64::INFINITY;
     for (i, place) in places.iter().enumerate() {
@@ -68,39 +51,25 @@ pub fn sweep(
     Ok(Sweep { places, governing })
 }
 
-fn place(
-    model: &BlockModel,
-    equilibrium: &Equilibrium,
-    joints: &[super::joints::Joint],
-    strengths: &[super::joints::Strength],
-    settings: &Settings,
-    stands: &super::collapse::Carried,
-) -> Place {
-    let Found { status, solution, .. } = largest_factor_of_carried(equilibrium, joints, strengths, stands);
-    let scale = equilibrium.factor_scale;
-    let mut place =
-        Place { status, factor: None, upper_bound: None, associated_factor: None, friction: Friction::Associated };
-    if status == Status::Solved {
-        place.factor = Some(solution.factor * scale);
-        place.associated_factor = place.factor;
-        place.upper_bound = Some(
-            bounds::least_upper(equilibrium, joints, strengths, &solution.forces, &solution.velocities).factor * scale,
-        );
-    }
+fn place(sweeper: &mut Sweeper, settings: &Settings, load: &[PointForce]) -> Place {
+    let effect = sweeper.effect(load);
+    let found = sweeper.factor(&effect);
+    let mut place = Place {
+        status: found.status,
+        factor: found.lower,
+        upper_bound: found.upper,
+        associated_factor: found.lower,
+        friction: Friction::Associated,
+    };
     let level = match settings.friction {
         Friction::Associated => false,
         Friction::NonAssociated => true,
-        Friction::Automatic => {
-            status == Status::Locks
-                || mechanism(model, equilibrium, joints, &solution.velocities).is_some_and(|m| !m.sliding.is_empty())
-        }
+        Friction::Automatic => found.status == Status::Locks || found.slides,
     };
-    if level && matches!(status, Status::Solved | Status::Locks) {
-        let forces = (status == Status::Solved).then_some(&solution.forces[..]);
-        let settled = settle(equilibrium, joints, strengths, forces);
+    if level && matches!(found.status, Status::Solved | Status::Locks) {
         place.friction = Friction::NonAssociated;
-        place.status = if settled.is_some() { Status::Solved } else { Status::NotConverged };
-        place.factor = settled.map(|s| s.solution.factor * scale);
+        place.factor = sweeper.level(&effect);
+        place.status = if place.factor.is_some() { Status::Solved } else { Status::NotConverged };
     }
     place
 }

@@ -121,7 +121,7 @@ pub fn bridgemill(fill: bool, stiffness: f64) -> (BlockModel, Loading) {
     let permanent = if fill { forces(0.0_f64.min(on_extrados(0).x), SPAN + 2.0, &weight) } else { Vec::new() };
     let laws = LawTable::uniform(1, law);
     let model = BlockModel { blocks, particles: Table::default(), groups, laws, gravity: vec2(0.0, -9.81) };
-    (model, Loading { permanent, variable: knife(), movements: Vec::new() })
+    (model, Loading { permanent, variable: knife(), ..Loading::default() })
 }
 
 pub fn program(resolution: Option<f64>) -> Program {

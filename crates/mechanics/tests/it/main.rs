@@ -37,6 +37,7 @@ mod limit_models;
 mod limit_movement;
 mod limit_oracle;
 mod limit_section;
+mod limit_sweeper;
 mod limit_thickness;
 mod limit_walls;
 mod particle_energy;

@@ -1,0 +1,95 @@
+//! What may stand where: positions of a vehicle, runs of its axles, runs of half spans with uniform loads.
+
+use super::Direction;
+use crate::discretise::Discretised;
+use bridge::{Bridge, Directions, SweepPlan};
+use rules::{Pattern, Vehicle};
+
+/// A vehicle in one arrangement, driving one way.
+pub struct Drive {
+    /// Which vehicle.
+    pub vehicle: usize,
+    /// The arrangement, as the vehicle drives: its first axle first.
+    pub pattern: Pattern,
+    /// Which way.
+    pub direction: Direction,
+    /// Whether every run of neighbouring axles is tried.
+    pub subsets: bool,
+    /// Places of the first axle [m].
+    pub positions: Vec<f64>,
+}
+
+/// What the arches and their cover reach over [m]: where a load acts on them.
+pub fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
+    let free = || d.extrados.stretches.iter().filter(|s| !s.ground);
+    let from = free().map(|s| s.left.x).fold(f64::INFINITY, f64::min);
+    let to = free().map(|s| s.right.x).fold(f64::NEG_INFINITY, f64::max);
+    let lowest = free().map(|s| s.left.y.min(s.right.y)).fold(f64::INFINITY, f64::min);
+    let margin = 0.5 * footprint + (d.surface - lowest).max(0.0) / slope.max(0.1);
+    [from - margin, to + margin]
+}
+
+/// Every drive of a vehicle. A vehicle that looks the same from both ends drives one way only.
+pub fn drives(index: usize, vehicle: &Vehicle, plan: &SweepPlan, [from, to]: [f64; 2], step: f64) -> Vec<Drive> {
+    let mut drives = Vec::new();
+    for pattern in vehicle.patterns() {
+        let ways: &[Direction] = match plan.directions {
+            Directions::Right => &[Direction::Right],
+            Directions::Left => &[Direction::Left],
+            Directions::Both if pattern.is_symmetric() => &[Direction::Right],
+            Directions::Both => &[Direction::Right, Direction::Left],
+        };
+        for &direction in ways {
+            let length = pattern.length();
+            let count = ((to - from + length) / step).ceil().max(1.0) as usize;
+            let positions = (0..=count).map(|k| match direction {
+                Direction::Right => from + step * k as f64,
+                Direction::Left => to - step * k as f64,
+            });
+            drives.push(Drive {
+                vehicle: index,
+                pattern: pattern.clone(),
+                direction,
+                subsets: plan.subsets && vehicle.axles_may_be_dropped,
+                positions: positions.collect(),
+            });
+        }
+    }
+    drives
+}
+
+impl Drive {
+    /// Place of an axle when the first one stands at `position` [m].
+    pub fn axle_at(&self, position: f64, axle: usize) -> f64 {
+        let behind = self.pattern.axles[axle].offset;
+        match self.direction {
+            Direction::Right => position - behind,
+            Direction::Left => position + behind,
+        }
+    }
+}
+
+/// Borders of half spans, and of what lies beside the spans [m].
+pub fn borders(bridge: &Bridge, [from, to]: [f64; 2]) -> Vec<f64> {
+    let mut borders = vec![from];
+    let mut x = 0.0;
+    for (k, span) in bridge.spans.iter().enumerate() {
+        borders.push(x + 0.5 * span.span);
+        x += span.span;
+        if let Some(pier) = bridge.piers.get(k) {
+            borders.push(x + 0.5 * pier.width);
+            x += pier.width;
+        }
+    }
+    borders.push(to);
+    borders
+}
+
+/// Every run of neighbours among `count`.
+pub fn runs(count: usize, all: bool) -> Vec<[usize; 2]> {
+    match (count, all) {
+        (0, _) => Vec::new(),
+        (_, false) => vec![[0, count - 1]],
+        (_, true) => (0..count).flat_map(|a| (a..count).map(move |b| [a, b])).collect(),
+    }
+}

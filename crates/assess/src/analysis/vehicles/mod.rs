@@ -1,0 +1,225 @@
+//! Vehicles moved over a bridge by limit analysis: every position, both ways, every run of neighbouring axles, under the
+//! factors of a rule.
+//!
+//! Read in the order of the method: `factored` gives loads and strengths their factors, `cases` lists what stands where,
+//! `search` answers every case, `sections` keeps what joints carry meanwhile, `confirm` makes the governing case by
+//! discrete elements.
+
+mod cases;
+mod confirm;
+mod factored;
+mod search;
+mod sections;
+#[cfg(test)]
+mod tests;
+
+pub use confirm::Confirmation;
+pub use sections::{Extreme, SectionEnvelope};
+
+use super::report::{Collapse, Status};
+use super::{AnalysisError, by_limit};
+use crate::vehicles::{Chosen, chosen};
+use crate::warning::{self, Warning};
+use bridge::Bridge;
+use mechanics::watch::Watch;
+use rules::Rule;
+
+/// Which way a vehicle drives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// To the right.
+    Right,
+    /// To the left.
+    Left,
+}
+
+impl Direction {
+    /// The word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Direction::Right => "right",
+            Direction::Left => "left",
+        }
+    }
+}
+
+/// What stands where.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Place of the vehicle's first axle, from the left springing of the first span [m].
+    pub position: f64,
+    /// Which way it drives.
+    pub direction: Direction,
+    /// Which arrangement: distances and lift-off; empty where there is only one.
+    pub arrangement: String,
+    /// First and last axle that stands on the bridge, counted from 0 from the front of the vehicle; none where uniform
+    /// loads stand alone.
+    pub axles: Option<[usize; 2]>,
+    /// The axle with the rule's factor for the critical one.
+    pub critical_axle: Option<usize>,
+    /// From where to where uniform loads stand [m].
+    pub uniform: Option<[f64; 2]>,
+    /// Sum of the loads with their factors on the effective width [N/m].
+    pub load: f64,
+}
+
+/// The least adequacy factor with a vehicle at a place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnvelopePoint {
+    /// Which arrangement.
+    pub arrangement: String,
+    /// Which way it drives.
+    pub direction: Direction,
+    /// Place of the vehicle's first axle [m].
+    pub position: f64,
+    /// Least adequacy factor over what may stand there.
+    pub adequacy: Option<f64>,
+    /// First and last axle of what governs.
+    pub axles: Option<[usize; 2]>,
+}
+
+/// What was found for one vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Swept {
+    /// Its code.
+    pub code: String,
+    /// Its name.
+    pub title: String,
+    /// Code of its load model.
+    pub model: String,
+    /// How the governing case ended.
+    pub status: Status,
+    /// Adequacy factor: what all its axle loads may be multiplied by; 1 is just enough.
+    pub adequacy: Option<f64>,
+    /// Bounds of the governing case with dilatant friction.
+    pub bounds: Option<[f64; 2]>,
+    /// Adequacy factor without dilation, of the worst cases in which joints slide; none where none does.
+    pub without_dilation: Option<f64>,
+    /// The governing case.
+    pub case: Option<Case>,
+    /// Worst case at every position.
+    pub envelope: Vec<EnvelopePoint>,
+    /// What critical joints carry under the vehicle, as elastic ones.
+    pub sections: Vec<SectionEnvelope>,
+    /// Width of the barrel that carries an axle [m].
+    pub effective_width: f64,
+    /// Factor on every axle: live load and impact; and what the critical axle has besides.
+    pub load_factors: [f64; 2],
+    /// How many cases were answered.
+    pub cases: usize,
+    /// How many of them had to be left to the interior-point method.
+    pub by_interior_point: usize,
+}
+
+/// What was found for all vehicles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VehicleSweep {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// The rule.
+    pub rule: Rule,
+    /// Every vehicle, in the order of the plan.
+    pub vehicles: Vec<Swept>,
+    /// The vehicle with the least adequacy factor.
+    pub governing: Option<usize>,
+    /// The governing case as a collapse analysis with its picture.
+    pub collapse: Option<Box<Collapse>>,
+    /// The governing case by discrete elements, where the plan asks for it.
+    pub confirmation: Option<Confirmation>,
+    /// Distance between positions [m].
+    pub step: f64,
+    /// What a reader should look at.
+    pub warnings: Vec<Warning>,
+    /// What was assumed.
+    pub assumptions: Vec<String>,
+}
+
+/// Moves the vehicles of the bridge's plan over it.
+pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
+    let plan = bridge.sweep.as_ref().ok_or(AnalysisError::Missing {
+        what: "[sweep]",
+        why: "it says which vehicles are moved, and by which rule",
+    })?;
+    let (rule, vehicles) = chosen(bridge, plan)?;
+    let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
+    let step = plan.step.unwrap_or(shortest / 60.0);
+    let factored = factored::bridge(bridge, &rule);
+    let d = by_limit::prepared(&factored)?;
+    let swept = search::all(&factored, &d, &rule, plan, &vehicles, step)?;
+    let governing = swept
+        .iter()
+        .enumerate()
+        .filter_map(|(k, s)| s.adequacy.map(|a| (k, a)))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(k, _)| k);
+    let mut found = VehicleSweep {
+        bridge: bridge.name.clone(),
+        rule,
+        vehicles: swept,
+        governing,
+        collapse: None,
+        confirmation: None,
+        step,
+        warnings: Vec::new(),
+        assumptions: Vec::new(),
+    };
+    if let Some((k, case)) = governing.and_then(|k| found.vehicles[k].case.clone().map(|case| (k, case))) {
+        let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k].vehicle, &case);
+        found.collapse = Some(Box::new(super::collapse_by_limit(&one)?));
+        if plan.confirm {
+            found.confirmation = Some(confirm::confirm(&one, &found.rule, found.vehicles[k].adequacy, watch));
+        }
+    }
+    notes(bridge, &vehicles, &mut found);
+    Ok(found)
+}
+
+fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
+    let rule = &found.rule;
+    let uncertain: Vec<String> = rule
+        .listed()
+        .iter()
+        .filter(|(_, f)| f.source.confidence == rules::Confidence::Recalled)
+        .map(|(name, f)| format!("{name} {}", f.value))
+        .collect();
+    if !uncertain.is_empty() {
+        found.warnings.push(Warning::new(
+            warning::RECALLED_FACTOR,
+            format!(
+                "factors of rule \"{}\" that must be confirmed in their source: {}",
+                rule.code,
+                uncertain.join(", ")
+            ),
+        ));
+    }
+    for chosen in vehicles.iter().filter(|chosen| !rule.ways.contains(&chosen.ways)) {
+        found.warnings.push(Warning::new(
+            warning::RULE_FOR_OTHER_WAYS,
+            format!("rule \"{}\" is not made for vehicle \"{}\"", rule.code, chosen.vehicle.code),
+        ));
+    }
+    let slides = found.vehicles.iter().filter(|v| v.without_dilation.is_some()).count();
+    found.assumptions = vec![
+        "The adequacy factor multiplies all loads of the vehicle together; weights keep their factors, also where they help."
+            .into(),
+        format!(
+            "Positions lie {:.3} m apart; the worst one is then sought to a hundredth of that. Between positions the factor changes \
+             steadily.",
+            found.step
+        ),
+        "Uniform loads that may be left out stand on any run of half spans; they spread over the same width as an axle.".into(),
+        "Concurrent values at critical joints are those of elastic joints that open nowhere, under the vehicle with its factors."
+            .into(),
+    ];
+    if slides > 0 {
+        found.assumptions.push(format!(
+            "For {slides} vehicles joints slide in cases up to twice the least factor: the three worst of these were answered again \
+             without dilation, and the least factor counts."
+        ));
+    }
+    if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
+        found.assumptions.push("Fill presses against movement as [fill_pressure] says.".into());
+    }
+    let factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
+    found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
+}

@@ -1,0 +1,193 @@
+//! Sweeps of vehicles against analyses of one case at a time.
+
+use super::*;
+use crate::samples;
+use bridge::{Directions, Layer, LayerKind, Method, Pier, Ring, Span, SweepPlan};
+use mechanics::watch::Unwatched;
+
+fn plan(vehicles: &[&str]) -> SweepPlan {
+    SweepPlan {
+        rule: "characteristic".into(),
+        rule_file: None,
+        vehicles: vehicles.iter().map(|v| v.to_string()).collect(),
+        vehicle_files: Vec::new(),
+        step: Some(0.5),
+        directions: Directions::Both,
+        subsets: true,
+        own_dispersal: false,
+        confirm: false,
+        texts: Vec::new(),
+    }
+}
+
+fn bridgemill(vehicles: &[&str]) -> Bridge {
+    let mut b = samples::bridgemill();
+    b.cover.layers = vec![Layer {
+        name: LayerKind::Fill,
+        thickness: 0.478,
+        density: 1890.0,
+        weighs: true,
+        particles: false,
+        slabs: None,
+        friction_angle: None,
+        cohesion: None,
+        elastic_modulus: None,
+    }];
+    b.plan.method = Method::Limit;
+    b.sweep = Some(plan(vehicles));
+    b
+}
+
+fn spans(count: usize) -> Bridge {
+    let mut b = bridgemill(&["cs454-bogie-10"]);
+    let ring = Ring { crown_thickness: 0.45, springing_thickness: 0.45, voussoirs: 21 };
+    let span = Span { span: 6.0, rise: 1.5, rings: vec![ring], ..b.spans[0].clone() };
+    b.spans = vec![span; count];
+    b.piers = vec![Pier { width: 1.0, base_width: 1.0, height: 3.0, courses: 6 }; count - 1];
+    b
+}
+
+fn swept(b: &Bridge) -> VehicleSweep {
+    vehicle_sweep(b, &mut Unwatched).unwrap()
+}
+
+/// The governing case once more, by itself, through the interior-point method.
+fn alone(b: &Bridge, found: &VehicleSweep, index: usize) -> f64 {
+    let plan = b.sweep.as_ref().unwrap();
+    let (rule, vehicles) = chosen(b, plan).unwrap();
+    let factored = factored::bridge(b, &rule);
+    let case = found.vehicles[index].case.as_ref().unwrap();
+    let mut one = factored::with_case(&factored, plan, &rule, &vehicles[index].vehicle, case);
+    one.plan.friction = bridge::Friction::Associated;
+    let c = crate::analysis::collapse_by_limit(&one).unwrap();
+    assert!((c.reference_load / case.load - 1.0).abs() < 1e-9, "{} {}", c.reference_load, case.load);
+    c.collapse_load.unwrap() / c.reference_load * rule.capacity_factor()
+}
+
+#[test]
+fn the_governing_case_by_itself_has_the_same_factor() {
+    let mut several = spans(3);
+    several.sweep = Some(plan(&["cs454-bogie-10", "lm71"]));
+    let mut factors = bridgemill(&["cs454-triple-8"]);
+    factors.sweep.as_mut().unwrap().rule = "cs-454".into();
+    for b in [bridgemill(&["hb-45", "lm71", "lm1", "cs454-bogie-9.5"]), several, factors] {
+        let found = swept(&b);
+        for (k, v) in found.vehicles.iter().enumerate() {
+            let [lower, upper] = v.bounds.unwrap();
+            assert!((upper / lower - 1.0).abs() < 1e-8, "{}: {lower} {upper}", v.code);
+            let one = alone(&b, &found, k);
+            assert!((lower / one - 1.0).abs() < 1e-6, "{}: {lower} {one}", v.code);
+            assert_eq!(v.by_interior_point, 0, "{}", v.code);
+            let least = v.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
+            assert!((least / lower - 1.0).abs() < 1e-12, "the envelope holds the worst position");
+        }
+    }
+}
+
+#[test]
+fn a_symmetric_bridge_has_the_same_factor_both_ways() {
+    let mut b = bridgemill(&["hl-93-truck"]);
+    // Positions of both ways mirror one another when they start from both ends.
+    let mut factor = |ways: Directions| {
+        b.sweep.as_mut().unwrap().directions = ways;
+        swept(&b).vehicles[0].adequacy.unwrap()
+    };
+    let [right, left, both] = [Directions::Right, Directions::Left, Directions::Both].map(&mut factor);
+    assert!((right / left - 1.0).abs() < 1e-6, "{right} {left}");
+    assert!((both / right.min(left) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn axles_that_help_are_left_out() {
+    let mut b = bridgemill(&["cooper-e80"]);
+    let all = swept(&b).vehicles[0].adequacy.unwrap();
+    b.sweep.as_mut().unwrap().subsets = false;
+    let whole = swept(&b).vehicles[0].adequacy.unwrap();
+    assert!(all < 0.98 * whole, "{all} {whole}");
+}
+
+#[test]
+fn factors_of_a_rule_divide_the_factor() {
+    let mut b = bridgemill(&["cs454-single"]);
+    let plain = swept(&b).vehicles[0].adequacy.unwrap();
+    let text = rules::FILES[1].iter().find(|f| f.0 == "characteristic").unwrap().1;
+    let twice = text.replacen("[factors.live_load]\nvalue = 1.0", "[factors.live_load]\nvalue = 2.0", 1);
+    let worse = twice.replacen("[factors.condition]\nvalue = 1.0", "[factors.condition]\nvalue = 0.8", 1);
+    let plan = b.sweep.as_mut().unwrap();
+    plan.rule_file = Some("own.toml".into());
+    plan.texts = vec![("own.toml".into(), worse)];
+    let found = swept(&b);
+    assert!((found.vehicles[0].adequacy.unwrap() / (plain / 2.0 * 0.8) - 1.0).abs() < 1e-9);
+    assert_eq!(found.vehicles[0].load_factors, [2.0, 1.0]);
+    // A factor left out is no factor of one.
+    b.sweep.as_mut().unwrap().texts[0].1 = text.replacen("[factors.live_load]", "[factors.lively_load]", 1);
+    let said = vehicle_sweep(&b, &mut Unwatched).unwrap_err().to_string();
+    assert!(said.contains("own.toml") && said.contains("lively_load"), "{said}");
+}
+
+#[test]
+fn unknown_names_are_answered_with_those_there_are() {
+    let mut b = bridgemill(&["hb45"]);
+    let said = vehicle_sweep(&b, &mut Unwatched).unwrap_err().to_string();
+    assert!(said.contains("\"hb45\"") && said.contains("hb-45") && said.contains("paper-short"), "{said}");
+    b.sweep = Some(SweepPlan { rule: "bd21".into(), ..plan(&[]) });
+    let said = vehicle_sweep(&b, &mut Unwatched).unwrap_err().to_string();
+    assert!(said.contains("cs-454"), "{said}");
+    b.sweep = None;
+    assert!(vehicle_sweep(&b, &mut Unwatched).is_err());
+}
+
+#[test]
+fn numbers_do_not_depend_on_threads() {
+    let b = spans(2);
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| swept(&b))
+    };
+    assert_eq!(with(1), with(3));
+}
+
+#[test]
+fn sections_balance_the_load_that_passes() {
+    let b = bridgemill(&["cs454-single"]);
+    let found = swept(&b);
+    let v = &found.vehicles[0];
+    let names: Vec<&str> = v.sections.iter().map(|s| s.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "span 1 left springing",
+            "span 1 quarter point",
+            "span 1 crown",
+            "span 1 three-quarter point",
+            "span 1 right springing"
+        ]
+    );
+    for s in &v.sections {
+        let of = |word: &str| s.extremes.iter().find(|e| e.of == word).unwrap();
+        let (large, small) = (of("largest thrust"), of("smallest thrust"));
+        assert!(large.thrust > small.thrust && small.thrust > 0.0, "{}", s.name);
+        assert!(of("outermost thrust").eccentricity >= of("innermost thrust").eccentricity);
+        // The thrust of the ring alone is some 700 kN/m; one axle of 30 kN/m adds less than its weight at 1 : 4.
+        assert!(large.thrust - small.thrust < 2.0 * large.case.load, "{}: {large:?} {small:?}", s.name);
+    }
+    // The crown is compressed most with the axle near it.
+    let crown = &v.sections[2].extremes[0];
+    assert!((crown.case.position - 9.15).abs() < 1.5, "{crown:?}");
+}
+
+#[test]
+fn discrete_elements_confirm_the_governing_case() {
+    let mut b = bridgemill(&["cs454-bogie-10"]);
+    b.sweep.as_mut().unwrap().confirm = true;
+    let found = swept(&b);
+    let c = found.confirmation.unwrap();
+    let (by_dem, by_limit) = (c.adequacy.unwrap(), c.limit.unwrap());
+    // Deformable joints carry up to 15 % less than rigid ones, and the last stable step lies up to a step below.
+    assert!(by_dem < by_limit && by_dem > 0.8 * by_limit, "{by_dem} {by_limit}");
+    // Without stiffness there is nothing to confirm with, and the sweep says so.
+    b.joint.normal_stiffness = None;
+    b.ring_joint.normal_stiffness = None;
+    let c = swept(&b).confirmation.unwrap();
+    assert!(c.adequacy.is_none() && c.reason.is_some_and(|r| r.contains("stiffness")));
+}

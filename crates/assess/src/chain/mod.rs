@@ -1,0 +1,21 @@
+//! The stages of an assessment: each makes one analysis and keeps its facts. Whoever calls them keeps finished ones.
+
+mod sensitivity;
+mod service;
+mod ultimate;
+mod updated;
+mod vehicles;
+
+pub use sensitivity::{SensitivityError, sensitivity};
+pub use service::{NoRule, ServiceError, Wanted, augment, probes, service, window};
+pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
+pub use updated::{facts as update_facts, with_parameters};
+
+pub use vehicles::vehicle_facts;
+
+use crate::warning::Warning;
+
+/// Warnings as code and words.
+fn spoken(warnings: &[Warning]) -> Vec<[String; 2]> {
+    warnings.iter().map(|warning| [warning.code.to_owned(), warning.message.clone()]).collect()
+}

@@ -1,0 +1,193 @@
+//! What would change the verdict: the governing utilisation with a tenth less and a tenth more of every quantity that may
+//! matter, by the cheapest analysis that shows it.
+
+use super::service::Wanted;
+use super::{at_position, service, window};
+use crate::analysis::vehicles::vehicle_sweep;
+use crate::assessment::{Assessment, Stage};
+use crate::checks::{self, CHECKS, Check, Finding};
+use crate::wire::{ChangeFacts, SensitivityFacts};
+use bridge::Bridge;
+use bridge::edit::Document;
+use bridge::vary::{Spread, Varied, find, known, settle};
+use mechanics::watch::{Progress, Watch, Wish};
+use rayon::prelude::*;
+use thiserror::Error;
+
+/// Share by which quantities are changed.
+const SHARE: f64 = 0.1;
+/// Most quantities: what comes first in the file is tried.
+const MOST: usize = 18;
+
+/// Why no sensitivity is made.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum SensitivityError {
+    /// Nothing governs.
+    #[error("no check could be made, so that none governs")]
+    NothingGoverns,
+    /// A whole analysis for every value.
+    #[error("{0} takes a whole analysis for every value: make them with extrados vary")]
+    TooDear(&'static str),
+    /// The check gives nothing for the file's own values.
+    #[error("the shortened analysis gives no utilisation of {0}")]
+    NoBaseline(&'static str),
+}
+
+/// Keys of quantities that may matter to an analysis.
+fn matters(code: &str, path: &str) -> bool {
+    let key = path.rsplit('.').next().unwrap_or_default();
+    let section = path.split(['.', '[']).next().unwrap_or_default();
+    let body = ["span", "masonry", "joint", "cover", "backing"].contains(&section);
+    let soil = ["fill", "haunch_fill", "abutment_fill", "mortar", "track"].contains(&section);
+    match code {
+        "C201" | "C202" | "C204" => {
+            body && [
+                "thickness",
+                "crown_thickness",
+                "rise",
+                "density",
+                "friction_angle",
+                "compressive_strength",
+                "height",
+            ]
+            .contains(&key)
+        }
+        "C301" => body && ["thickness", "crown_thickness", "rise"].contains(&key),
+        _ => {
+            let stiffness = ["elastic_modulus", "cohesion", "friction_angle", "effective_width"].contains(&key);
+            (soil && stiffness)
+                || (body
+                    && section != "joint"
+                    && ["thickness", "crown_thickness", "density", "elastic_modulus"].contains(&key))
+        }
+    }
+}
+
+/// Makes it for the check that governs. `document` is the text that the assessed bridge was read from.
+pub fn sensitivity(
+    document: &Document,
+    own: &Assessment,
+    checked: &[checks::Checked],
+    watch: &mut dyn Watch,
+) -> Result<Option<SensitivityFacts>, SensitivityError> {
+    let (check, finding) = checks::governing(checked).ok_or(SensitivityError::NothingGoverns)?;
+    let card = checked[check].card;
+    let governing = &checked[check].outcome.as_ref().map_err(|_| SensitivityError::NothingGoverns)?[finding];
+    let how = match card.code {
+        "C401" => return Err(SensitivityError::TooDear(card.title)),
+        "C301" => "the method itself",
+        "C204" => "limit analysis of the governing vehicle alone",
+        "C201" | "C202" => "limit analysis with the loads where they govern",
+        _ => "finite elements, a few positions of the train about the one that governs",
+    };
+    let probe = Probe { own, check: CHECKS[check], governing };
+    // What is sought stands between bounds that a tenth more may pass.
+    let mut plain = document.clone();
+    bridge::UPDATE_SECTIONS.iter().chain(&["vary", "expected"]).for_each(|section| plain.remove(section));
+    let document = &plain;
+    let base = probe.utilisation(&own.bridge).ok_or(SensitivityError::NoBaseline(card.title))?;
+    let list: Vec<Varied> = known(document)
+        .into_iter()
+        .filter(|quantity| matters(card.code, &quantity.path))
+        .filter_map(|quantity| {
+            let found = find(document, &quantity.path).ok()?;
+            let values = [1.0 - SHARE, 1.0 + SHARE].map(|share| format!("x{share}"));
+            settle(&found, &Spread::List(values.map(|value| format!("\"{value}\"")).to_vec())).ok()
+        })
+        .take(MOST)
+        .collect();
+    let mut quantities = Vec::new();
+    for (k, chunk) in list.chunks(4).enumerate() {
+        let share = 4.0 * k as f64 / list.len() as f64;
+        let steps = 4 * k as u64;
+        if watch.look(&Progress { stage: "sensitivities".to_owned(), fraction: Some(share), steps }) == Wish::Stop {
+            return Ok(None);
+        }
+        let found: Vec<ChangeFacts> = chunk.par_iter().map(|varied| probe.change(document, varied)).collect();
+        quantities.extend(found);
+    }
+    let told = |change: &ChangeFacts| {
+        [change.less, change.more].iter().flatten().map(|value| (value - base).abs()).fold(0.0, f64::max)
+    };
+    quantities.sort_by(|a, b| told(b).total_cmp(&told(a)).then(a.path.cmp(&b.path)));
+    Ok(Some(SensitivityFacts {
+        code: card.code.to_owned(),
+        utilisation: base,
+        how: how.to_owned(),
+        share: SHARE,
+        quantities,
+    }))
+}
+
+/// The governing check on other bridges.
+struct Probe<'a> {
+    own: &'a Assessment,
+    check: &'a dyn Check,
+    governing: &'a Finding,
+}
+
+impl Probe<'_> {
+    fn change(&self, document: &Document, varied: &Varied) -> ChangeFacts {
+        let value = |k: usize| {
+            let mut edited = document.clone();
+            edited.set(&varied.path, &varied.values.get(k)?.literal).ok()?;
+            let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
+            // What stands in files beside the bridge's has been read already.
+            if let (Some(new), Some(own)) = (&mut bridge.sweep, &self.own.bridge.sweep) {
+                new.texts.clone_from(&own.texts);
+            }
+            if let (Some(new), Some(own)) = (&mut bridge.passage, &self.own.bridge.passage) {
+                new.train.clone_from(&own.train);
+            }
+            self.utilisation(&bridge)
+        };
+        ChangeFacts {
+            path: varied.path.to_string(),
+            value: varied.own.as_ref().map(|own| own.text.clone()).unwrap_or_default(),
+            less: value(0),
+            more: value(1),
+        }
+    }
+
+    /// Largest utilisation of the check by the shortened analysis; none where that gives nothing.
+    fn utilisation(&self, bridge: &Bridge) -> Option<f64> {
+        let code = self.check.card().code;
+        let mut a = self.own.clone();
+        a.bridge = bridge.clone();
+        match code {
+            "C301" => {}
+            "C204" => {
+                let mut alone = bridge.clone();
+                let plan = alone.sweep.as_mut()?;
+                plan.vehicles = vec![self.governing.load_model.clone()];
+                plan.confirm = false;
+                let found = vehicle_sweep(&alone, &mut mechanics::watch::Unwatched).ok()?;
+                a.vehicles = Stage::Made(super::vehicle_facts(&found));
+            }
+            "C201" | "C202" => {
+                let mut facts = at_position(bridge, self.governing.position?).ok()?;
+                facts.load.clone_from(&self.governing.load_model);
+                a.ultimate = Stage::Made(facts);
+            }
+            _ => {
+                let mut short = bridge.clone();
+                window(&mut short, self.governing.position?);
+                let mut asked = self.own.asked.clone();
+                asked.service_loads.retain(|load| self.governing.load_model.starts_with(&load.name));
+                let wanted = if code == "C105" || code == "C106" { Wanted::Everything } else { Wanted::Sensors };
+                let (facts, _) = service(&short, &asked, wanted, &mut mechanics::watch::Unwatched).ok()?;
+                if facts.loads.iter().any(|load| load.status != "completed") {
+                    return None;
+                }
+                a.service = Stage::Made(facts);
+            }
+        }
+        let found = self.check.run(&a).ok()?;
+        // Compression and tension of one load have limits of opposite signs.
+        let same = found.iter().filter(|finding| {
+            finding.load_model == self.governing.load_model
+                && finding.limit.is_sign_negative() == self.governing.limit.is_sign_negative()
+        });
+        same.map(|finding| finding.utilisation).reduce(f64::max)
+    }
+}

@@ -1,0 +1,347 @@
+//! Loads in service: the file's train crosses with the axles of each load, and the places that are checked are watched.
+
+use super::spoken;
+use crate::analysis::AnalysisError;
+use crate::analysis::passage::{self, Passage, PassageError, PassageStatus, outcome};
+use crate::wire::{AugmentFacts, ChannelFacts, JointFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts};
+use bridge::Bridge;
+use bridge::assess::{Assess, ServiceLoad};
+use bridge::passage::{Direction, Face, GAUGE_LENGTH, Place, Sensor, SensorKind, default_sensors};
+use bridge::ring::Intrados;
+use bridge::train::AxleLoads;
+use mechanics::watch::Watch;
+use outcome::{Moment, Pair, RowKind};
+use thiserror::Error;
+
+/// The coefficients of dynamic augment of the file's rule: in full, and as a cushion of fill lessens it. Without a rule
+/// nothing is added.
+pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> {
+    let longest = bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max);
+    let length = asked.limits.loaded_length.unwrap_or(longest);
+    let cushion = asked.limits.cushion.unwrap_or(bridge.cover.depth).max(0.0);
+    let mut facts = AugmentFacts { loaded_length_m: length, cushion_m: cushion, ..AugmentFacts::default() };
+    let Some(code) = &asked.limits.rule else {
+        facts.source = "none: the file names no rule, and nothing is added to loads at rest".to_owned();
+        return Ok(facts);
+    };
+    let library = rules::library().map_err(|_| NoRule { code: code.clone(), known: String::new() })?;
+    let rule = library.rule(code).ok_or_else(|| NoRule {
+        code: code.clone(),
+        known: library.rules.iter().map(|rule| rule.code.as_str()).collect::<Vec<_>>().join(", "),
+    })?;
+    let say = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
+    let [all, critical] = rule.impact.factors(length, cushion);
+    facts.design = all * critical - 1.0;
+    facts.total = rule.impact.total_augment(length).unwrap_or(facts.design);
+    facts.source = match &rule.impact {
+        rules::Impact::Augment { source, fill: Some(fill), .. } => format!("{}; {}", say(source), say(&fill.source)),
+        rules::Impact::Augment { source, .. } => say(source),
+        rules::Impact::AllAxles { factor } | rules::Impact::CriticalAxle { factor } => say(&factor.source),
+    };
+    facts.source = format!("{}: {}", rule.title, facts.source);
+    Ok(facts)
+}
+
+/// The file names a rule that the library does not have.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("there is no rule \"{code}\": write rule in [assess] as one of {known}")]
+pub struct NoRule {
+    /// The rule.
+    pub code: String,
+    /// Those that there are.
+    pub known: String,
+}
+
+/// Why loads in service cannot be analysed.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ServiceError {
+    /// The rule.
+    #[error(transparent)]
+    Rule(#[from] NoRule),
+    /// The passage.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+}
+
+/// How much of a passage is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// Sensors, joints at their peaks, influence lines.
+    Everything,
+    /// Sensors alone.
+    Sensors,
+}
+
+/// A sensor of the assessment's own: where it sits, and what is made of its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Probe {
+    /// The sensor.
+    pub sensor: Sensor,
+    /// "crown", "abutment" or "pier".
+    pub place: &'static str,
+    /// Span, from 1.
+    pub span: usize,
+    /// From the sensor's value [SI] to millimetres or megapascals.
+    pub scale: f64,
+}
+
+/// How names of probes begin: no sensor of a file is called so by chance.
+const PROBE: &str = "place of the checks ";
+
+/// Why a moment is kept, in words that leave probes out.
+fn without_probes(name: &str) -> String {
+    let Some(list) = name.strip_prefix("peak of ") else { return name.to_owned() };
+    let own: Vec<&str> = list.split(", ").filter(|one| !one.starts_with(PROBE)).collect();
+    if own.is_empty() { "peak at a place of the checks".to_owned() } else { format!("peak of {}", own.join(", ")) }
+}
+
+/// Most spans that are watched, from the left: those beyond repeat what these do.
+const MOST_SPANS: usize = 6;
+
+/// Crowns and springings of the first spans: the crown's deflection, and strains on the stones of both faces at crown and
+/// springings. At the free intrados the stress along the ring is E / (1 - nu^2) times the strain, exactly; on the extrados
+/// the pressure of the fill adds nu / (1 - nu) of itself, which is left out.
+pub fn probes(bridge: &Bridge) -> Vec<Probe> {
+    let modulus = bridge.masonry.elastic_modulus.unwrap_or(0.0);
+    let poisson = bridge.masonry.poisson_ratio.unwrap_or(0.0);
+    let scale = 1e-6 * modulus / (1.0 - poisson * poisson);
+    let last = bridge.spans.len() - 1;
+    let mut list = Vec::new();
+    for (k, span) in bridge.spans.iter().enumerate().take(MOST_SPANS) {
+        let end = |edge: bool| if edge { "abutment" } else { "pier" };
+        let length = Intrados::new(&span.profile, span.span, span.rise).map_or(span.span, |curve| curve.length());
+        let stones = span.rings.iter().map(|ring| ring.voussoirs).max().unwrap_or(1).max(1);
+        let gauge_length = GAUGE_LENGTH.min(0.8 * length / stones as f64);
+        for (place, share) in [("crown", 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
+            let mut put = |kind, face, scale| {
+                let name = format!("{PROBE}{} {place} {share} {face:?}", k + 1);
+                let sensor = Sensor { name, kind, place: Place::Span { span: k, share }, face };
+                list.push(Probe { sensor, place, span: k + 1, scale });
+            };
+            if place == "crown" {
+                put(SensorKind::Displacement(Direction::Vertical), Face::Intrados, 1e3);
+            }
+            for face in [Face::Intrados, Face::Extrados] {
+                put(SensorKind::Strain { gauge_length }, face, scale);
+            }
+        }
+    }
+    list
+}
+
+/// The bridge with a load's axles and the probes behind its own sensors.
+fn prepared(bridge: &Bridge, load: &ServiceLoad, probes: &[Probe]) -> Result<(Bridge, usize), AnalysisError> {
+    let mut own = bridge.clone();
+    let spans = own.spans.len();
+    let passage = own.passage.as_mut().ok_or(PassageError::NoTrain)?;
+    if passage.sensors.is_empty() {
+        passage.sensors = default_sensors(spans);
+    }
+    let sensors = passage.sensors.len();
+    passage.sensors.extend(probes.iter().map(|probe| probe.sensor.clone()));
+    if let Some(mass) = load.axle_load {
+        for vehicle in &mut passage.train.vehicles {
+            let axles = match &vehicle.loads {
+                AxleLoads::Masses(list) | AxleLoads::Forces(list) => list.len(),
+            };
+            vehicle.loads = AxleLoads::Masses(vec![mass; axles]);
+        }
+    }
+    Ok((own, sensors))
+}
+
+/// Cuts the passage to a stretch about these places of the first axle [m]: what is needed to see one peak again.
+pub fn window(bridge: &mut Bridge, at: f64) {
+    if let Some(passage) = &mut bridge.passage {
+        let step = passage.plan.speed * passage.plan.time_step;
+        passage.plan.from = Some(at - 2.0 * step);
+        passage.plan.to = Some(at + 2.0 * step);
+    }
+}
+
+/// The loads one after the other: facts, and each passage without the probes, for drawing.
+pub fn service(
+    bridge: &Bridge,
+    asked: &Assess,
+    wanted: Wanted,
+    watch: &mut dyn Watch,
+) -> Result<(ServiceFacts, Vec<Passage>), ServiceError> {
+    let probes = probes(bridge);
+    let coefficient = augment(bridge, asked)?;
+    let alone = [ServiceLoad { name: "train of the file".to_owned(), axle_load: None, source: None }];
+    let loads = if asked.service_loads.is_empty() { &alone[..] } else { &asked.service_loads[..] };
+    let (mut facts, mut passages) = (ServiceFacts::default(), Vec::new());
+    facts.augment = coefficient.clone();
+    for load in loads {
+        let (own, sensors) = prepared(bridge, load, &probes)?;
+        let setup = passage::setup(&own)?;
+        let solution = match wanted {
+            Wanted::Everything => passage::solve(&own, &setup, watch)?,
+            Wanted::Sensors => passage::records(&own, &setup, watch)?,
+        };
+        let mut found = passage::report(&own, &setup, solution);
+        let gravity = own.gravity;
+        let axles = own.passage.as_ref().map(|passage| passage.train.axles(gravity)).unwrap_or_default();
+        let heaviest = axles.iter().map(|axle| axle.force).fold(0.0, f64::max) / gravity / 1e3;
+        facts.train.clone_from(&found.train);
+        facts.loads.push(ServiceLoadFacts {
+            name: load.name.clone(),
+            heaviest_axle_t: heaviest,
+            source: load.source.clone(),
+            status: found.status.word().to_owned(),
+            channels: found.channels[..sensors].iter().map(channel).collect(),
+            places: places(&found, sensors, &probes),
+            joints: [("design", coefficient.design), ("total", coefficient.total)]
+                .into_iter()
+                .map(|(reading, augment)| joints(&found.moments, reading, augment))
+                .collect(),
+        });
+        if facts.assumptions.is_empty() {
+            facts.assumptions.clone_from(&found.assumptions);
+        }
+        for warning in spoken(&found.warnings) {
+            if !facts.warnings.contains(&warning) {
+                facts.warnings.push(warning);
+            }
+        }
+        found.channels.truncate(sensors);
+        found.moments.iter_mut().for_each(|moment| moment.name = without_probes(&moment.name));
+        if let Some(influence) = &mut found.influence {
+            influence.values.truncate(sensors);
+        }
+        let cancelled = found.status == PassageStatus::Cancelled;
+        passages.push(found);
+        if cancelled {
+            break;
+        }
+    }
+    Ok((facts, passages))
+}
+
+fn channel(channel: &outcome::Channel) -> ChannelFacts {
+    let scale = channel.quantity.scale();
+    let [minimum, maximum] = channel.range().map(|value| scale * value);
+    ChannelFacts {
+        name: channel.name.clone(),
+        unit: channel.quantity.unit().to_owned(),
+        minimum,
+        maximum,
+        peak: scale * channel.peak_value(),
+        self_weight: scale * channel.self_weight,
+    }
+}
+
+fn places(found: &Passage, sensors: usize, probes: &[Probe]) -> Vec<PlaceFacts> {
+    let one = |(probe, channel): (&Probe, &outcome::Channel)| {
+        let extreme = |better: fn(f64, f64) -> bool| {
+            let values = &channel.values;
+            (0..values.len()).reduce(|best, k| if better(values[k], values[best]) { k } else { best })
+        };
+        let (low, high) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
+        let value = |k: Option<usize>| k.map_or(0.0, |k| probe.scale * channel.values[k]);
+        let at = |k: Option<usize>| k.and_then(|k| found.positions.get(k)).copied().unwrap_or(0.0);
+        PlaceFacts {
+            place: probe.place.to_owned(),
+            quantity: if matches!(probe.sensor.kind, SensorKind::Displacement(_)) { "deflection" } else { "stress" }
+                .to_owned(),
+            about: channel.about.clone(),
+            span: probe.span,
+            face: if probe.sensor.face == Face::Intrados { "intrados" } else { "extrados" }.to_owned(),
+            self_weight: probe.scale * channel.self_weight,
+            minimum: value(low),
+            minimum_at_m: at(low),
+            maximum: value(high),
+            maximum_at_m: at(high),
+        }
+    };
+    probes.iter().zip(&found.channels[sensors..]).map(one).collect()
+}
+
+/// The worst joints over the moments that are kept: those at which a sensor or a probe peaks. The first moment is
+/// self-weight alone; what the train adds to its tractions is increased.
+fn joints(moments: &[Moment], reading: &str, augment: f64) -> JointFacts {
+    let mut worst = JointFacts { reading: reading.to_owned(), augment, ..JointFacts::default() };
+    let Some((rest, passing)) = moments.split_first() else { return worst };
+    for (moment, increase) in passing.iter().map(|moment| (moment, 1.0 + augment)).chain([(rest, 0.0)]) {
+        for (now, before) in moment.rows.iter().zip(&rest.rows) {
+            let RowKind::Joint { span, joint } = now.kind else { continue };
+            let pairs: Vec<Pair> = now
+                .pairs
+                .iter()
+                .zip(&before.pairs)
+                .map(|(now, own)| Pair {
+                    normal: own.normal + increase * (now.normal - own.normal),
+                    shear: own.shear + increase * (now.shear - own.shear),
+                    ..*now
+                })
+                .collect();
+            let place = format!("joint {joint} of span {}, {}", span + 1, when(moment));
+            let shear = pairs.iter().map(|pair| pair.shear.abs()).fold(0.0, f64::max) / 1e6;
+            if shear > worst.shear_mpa {
+                (worst.shear_mpa, worst.shear_position_m) = (shear, moment.position);
+                worst.shear_at.clone_from(&place);
+            }
+            if let Some(eccentricity) = eccentricity(&pairs)
+                && eccentricity > worst.eccentricity
+            {
+                (worst.eccentricity, worst.eccentricity_position_m) = (eccentricity, moment.position);
+                worst.eccentricity_at = place;
+            }
+        }
+    }
+    worst
+}
+
+fn when(moment: &Moment) -> String {
+    match moment.axles.is_empty() {
+        true => "under self-weight".to_owned(),
+        false => format!("first axle at {:.2} m", moment.position),
+    }
+}
+
+/// Distance of the thrust from the middle of a joint over the joint's depth; none where it carries no compression.
+fn eccentricity(pairs: &[Pair]) -> Option<f64> {
+    let depth: f64 = pairs.iter().map(|pair| pair.area).sum();
+    let thrust: f64 = pairs.iter().map(|pair| -pair.normal * pair.area).sum();
+    let (first, last) = (pairs.first()?, pairs.last()?);
+    let along = [last.at[0] - first.at[0], last.at[1] - first.at[1]];
+    let length = along[0].hypot(along[1]);
+    if !(thrust > 0.0 && depth > 0.0 && length > 0.0) {
+        return None;
+    }
+    let place = |pair: &Pair| ((pair.at[0] - first.at[0]) * along[0] + (pair.at[1] - first.at[1]) * along[1]) / length;
+    let middle = pairs.iter().map(|pair| pair.area * place(pair)).sum::<f64>() / depth;
+    let centre = pairs.iter().map(|pair| -pair.normal * pair.area * place(pair)).sum::<f64>() / thrust;
+    Some((centre - middle).abs() / depth)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use outcome::PairState;
+
+    fn pair(y: f64, normal: f64) -> Pair {
+        Pair { at: [0.0, y], area: 0.25, normal, shear: 0.0, opening: 0.0, sliding: 0.0, state: PairState::Closed }
+    }
+
+    #[test]
+    fn probes_are_not_spoken_of() {
+        let name = format!("peak of crown, {PROBE}1 crown 0.5 Intrados, strain");
+        assert_eq!(without_probes(&name), "peak of crown, strain");
+        assert_eq!(without_probes(&format!("peak of {PROBE}1 pier")), "peak at a place of the checks");
+        assert_eq!(without_probes("self-weight"), "self-weight");
+    }
+
+    /// Four springs of a joint a metre deep: an even pressure stands in the middle, a triangle at two thirds of what a
+    /// continuous one has, for springs see it at their own places.
+    #[test]
+    fn eccentricity_is_that_of_the_tractions() {
+        let ys = [0.125, 0.375, 0.625, 0.875];
+        let even: Vec<Pair> = ys.iter().map(|y| pair(*y, -2e5)).collect();
+        assert!(eccentricity(&even).unwrap().abs() < 1e-12);
+        let edge: Vec<Pair> = ys.iter().map(|y| pair(*y, if *y > 0.8 { -1e5 } else { 0.0 })).collect();
+        assert!((eccentricity(&edge).unwrap() - 0.375).abs() < 1e-12);
+        let open: Vec<Pair> = ys.iter().map(|y| pair(*y, 0.0)).collect();
+        assert_eq!(eccentricity(&open), None);
+    }
+}

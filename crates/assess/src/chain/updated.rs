@@ -1,0 +1,71 @@
+//! Facts of an update, and the bridge with what it found.
+
+use super::spoken;
+use crate::analysis::update::Update;
+use crate::wire::{FitFacts, ParameterFacts, UpdateFacts, UpdateObject};
+use bridge::edit::Document;
+use bridge::update::Parameter;
+
+/// The facts of an update.
+pub fn facts(update: &Update) -> UpdateFacts {
+    let found = update.found();
+    let parameter = |(k, parameter): (usize, &calibrate::Parameter)| {
+        let end = found.map(|found| &found.parameters[k]);
+        let left = update.posterior.as_ref().and_then(|report| report.posterior.parameters.get(k));
+        let told = update.identifiability.as_ref().and_then(|told| told.identifiable.get(k).copied());
+        ParameterFacts {
+            name: parameter.name.clone(),
+            path: update.places[k].path.clone(),
+            unit: parameter.unit.clone(),
+            start: parameter.start,
+            value: end.map(|end| end.value),
+            lower: parameter.lower,
+            upper: parameter.upper,
+            at_bound: end.is_some_and(|end| end.at_bound),
+            identifiable: left.map_or(told, |left| Some(left.identifiable && told.unwrap_or(true))),
+            interval_95: left.map(|left| left.summary.interval_95),
+        }
+    };
+    let largest = |values: &[f64]| {
+        values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
+    };
+    let fit = |(k, histories): (usize, &crate::analysis::update::Histories)| {
+        let end = found.and_then(|found| found.channels.get(k));
+        FitFacts {
+            name: histories.name.clone(),
+            unit: histories.unit.to_owned(),
+            measured: end.and_then(|end| end.measured_peak).or_else(|| largest(&histories.measured)),
+            start: largest(&histories.start),
+            updated: end.map(|end| end.model_peak),
+            shape: end.and_then(|end| end.shape_correlation),
+            left_out: histories.left_out.clone(),
+        }
+    };
+    let done = update.records.done.iter().map(|done| {
+        let place = [done.run.as_str(), done.channel.as_str()].join(" ");
+        format!("{}: {}", place.trim(), done.what)
+    });
+    let findings = update.records.findings.iter().map(records::Finding::words);
+    UpdateFacts {
+        status: update.status.word().to_owned(),
+        parameters: update.problem.parameters().iter().enumerate().map(parameter).collect(),
+        initial_error_norm: update.basis.as_ref().map(|basis| basis.start.norm),
+        error_norm: found.map(|found| found.norm),
+        channels: update.channels.iter().enumerate().map(fit).collect(),
+        runs: update.records.runs.iter().map(|run| (run.name.clone(), run.synthetic.clone())).collect(),
+        records: done.chain(findings).collect(),
+        told: update.identifiability.as_ref().map(|told| told.words.clone()).unwrap_or_default(),
+        assumptions: update.assumptions.clone(),
+        warnings: spoken(&update.warnings),
+        object: serde_json::to_value(UpdateObject::new(update)).unwrap_or_default(),
+    }
+}
+
+/// The file's text with the values that were found in the place of its own; none where a value finds no place.
+pub fn with_parameters(document: &Document, asked: &[Parameter], facts: &UpdateFacts) -> Option<Document> {
+    let mut edited = document.clone();
+    for (parameter, found) in asked.iter().zip(&facts.parameters) {
+        edited.set(&parameter.path, &parameter.literal(found.value?)).ok()?;
+    }
+    Some(edited)
+}

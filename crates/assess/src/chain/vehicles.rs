@@ -1,0 +1,72 @@
+//! Vehicles of the file's [sweep], as facts.
+
+use super::spoken;
+use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep};
+use crate::warning;
+use crate::wire::{SweptFacts, VehicleFacts};
+
+/// The facts of a sweep of vehicles.
+pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
+    let source = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
+    VehicleFacts {
+        rule: format!("{}: {}", found.rule.title, source(&found.rule.source)),
+        factors: found
+            .rule
+            .listed()
+            .into_iter()
+            .map(|(name, factor)| [name.to_owned(), factor.value.to_string(), source(&factor.source)])
+            .collect(),
+        vehicles: found.vehicles.iter().map(swept).collect(),
+        step_m: found.step,
+        governing: found.governing.and_then(|k| found.vehicles.get(k)).map(|one| one.code.clone()),
+        confirmation: found.confirmation.as_ref().map(confirmed),
+        adequacy_by_discrete_elements: found.confirmation.as_ref().and_then(|confirmed| confirmed.adequacy),
+        assumptions: found.assumptions.clone(),
+        warnings: spoken(&found.warnings).into_iter().chain(apart(found)).collect(),
+    }
+}
+
+/// Discrete elements above limit analysis by more than their load step: the reason must be found.
+fn apart(found: &VehicleSweep) -> Option<[String; 2]> {
+    let confirmed = found.confirmation.as_ref()?;
+    let (carried, limit) = (confirmed.adequacy?, confirmed.limit?);
+    let message = format!(
+        "the governing vehicle: discrete elements carry an adequacy factor of {carried:.3}, limit analysis {limit:.3}; the smaller one counts"
+    );
+    (carried > limit + confirmed.step).then(|| [warning::ABOVE_LIMIT.to_owned(), message])
+}
+
+/// What discrete elements say of the governing case.
+fn confirmed(found: &Confirmation) -> String {
+    let limit = found.limit.map_or(String::new(), |limit| format!("; limit analysis {limit:.3}"));
+    match (found.adequacy, &found.reason) {
+        (Some(adequacy), _) => format!(
+            "the last load step carried has an adequacy factor of {adequacy:.3}, in steps of {:.3}{limit}",
+            found.step
+        ),
+        (None, Some(reason)) => format!("could not be made: {reason}"),
+        (None, None) => format!("ended with {}{limit}", found.status.map_or("nothing", |status| status.word())),
+    }
+}
+
+fn swept(one: &Swept) -> SweptFacts {
+    let case = one.case.as_ref().map_or(String::new(), |case| {
+        let axles = match case.axles {
+            Some([first, last]) if first == last => format!("axle {}", first + 1),
+            Some([first, last]) => format!("axles {} to {}", first + 1, last + 1),
+            None => "uniform loads alone".to_owned(),
+        };
+        let arrangement = if case.arrangement.is_empty() { String::new() } else { format!(", {}", case.arrangement) };
+        format!("{axles}, driving to the {}{arrangement}", case.direction.word())
+    });
+    SweptFacts {
+        code: one.code.clone(),
+        title: one.title.clone(),
+        status: one.status.word().to_owned(),
+        adequacy: one.adequacy,
+        position_m: one.case.as_ref().map(|case| case.position),
+        case,
+        effective_width_m: one.effective_width,
+        load_factor: one.load_factors[0],
+    }
+}

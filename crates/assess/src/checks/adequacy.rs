@@ -1,0 +1,49 @@
+//! Adequacy factor at ultimate.
+
+use super::{Card, Check, Finding, NotMade, limit, of};
+use crate::assessment::Assessment;
+
+/// The check.
+pub struct Adequacy;
+
+impl Check for Adequacy {
+    fn card(&self) -> Card {
+        Card {
+            code: "C201",
+            title: "adequacy factor",
+            clause: "factor on loads at collapse",
+            text: "The factor by which the loads of the file must grow to make a mechanism of the bridge, by limit analysis, over all positions \
+                   and over every run of neighbouring axles: an axle on the far side helps an arch. It is compared with adequacy_factor of \
+                   [assess]. Loads count as the file has them: no partial factor and no impact is added here. Where it is not met, ask the discrete element method for a second \
+                   opinion (extrados collapse --method dem), and look at what fill and backing could add.",
+            source: "plastic theory of masonry arches: Heyman, The Safety of Masonry Arches (1969)",
+        }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = 1.0")?;
+        let facts = of(&a.ultimate)?;
+        let value = match (facts.load_factor, facts.status.as_str()) {
+            (Some(factor), _) => factor,
+            (None, "locks") => {
+                return Err(NotMade::because("no load makes a mechanism of the bridge: the factor has no bound"));
+            }
+            (None, "unstable-under-self-weight") => 0.0,
+            (None, status) => return Err(NotMade { why: format!("limit analysis ended with {status}"), failed: true }),
+        };
+        Ok(vec![Finding {
+            load_model: facts.load.clone(),
+            value,
+            limit,
+            unit: "",
+            utilisation: if value > 0.0 { limit / value } else { f64::MAX },
+            basis: match (value > 0.0, facts.position_m) {
+                (false, _) => "the bridge does not stand under its own weight as rigid blocks".to_owned(),
+                (true, Some(x)) => format!("{}; worst of {} positions at {x:.2} m", facts.method, facts.positions),
+                (true, None) => facts.method.clone(),
+            },
+            position: facts.position_m,
+            columns: None,
+        }])
+    }
+}

@@ -1,0 +1,49 @@
+//! Deflection of crowns in service.
+
+use super::stress::{columns, readings};
+use super::{Card, Check, Finding, NotMade, limit, of, used};
+use crate::assessment::Assessment;
+
+/// The check.
+pub struct CrownDeflection;
+
+impl Check for CrownDeflection {
+    fn card(&self) -> Card {
+        Card {
+            code: "C101",
+            title: "crown deflection",
+            clause: "deflection of the crown, self-weight and live load",
+            text: "The vertical displacement of every crown under self-weight and under the train, which is increased by the coefficient of \
+                   dynamic augment: once the design value, lessened by the cushion, and once the total. The increase multiplies what the train \
+                   adds at rest; the analysis is not repeated with heavier axles. The sum is compared with deflection_limit of [assess]. \
+                   Self-weight counts from the bare, stress-free bridge, which no record can show: read the columns of the report apart. Where the \
+                   check is not met, look at the moduli first: a record of a train (extrados update) tells more than any table.",
+            source: "Table 7 of the railway paper, row 1: 1.25 mm",
+        }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        let limit = 1e3 * limit(a.asked.limits.deflection, "deflection_limit = \"1.25 mm\"")?;
+        let facts = of(&a.service)?;
+        let mut list = Vec::new();
+        for load in &facts.loads {
+            for (reading, augment) in readings(facts) {
+                let places = load.places.iter().filter(|place| place.quantity == "deflection");
+                let down = |place: &&crate::wire::PlaceFacts| -(place.self_weight + (1.0 + augment) * place.minimum);
+                let Some(place) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
+                let value = down(&place);
+                list.push(Finding {
+                    load_model: format!("{}, {reading}", load.name),
+                    value: -value,
+                    limit: -limit,
+                    unit: "mm",
+                    utilisation: used(value, limit),
+                    basis: format!("{}; first axle at {:.2} m", place.about, place.minimum_at_m),
+                    position: Some(place.minimum_at_m),
+                    columns: Some(columns(facts, place.self_weight, place.minimum)),
+                });
+            }
+        }
+        if list.is_empty() { Err(NotMade::because("no crown was watched while the train crossed")) } else { Ok(list) }
+    }
+}

@@ -1,0 +1,41 @@
+//! Shear stress in joints in service.
+
+use super::{Card, Check, Finding, NotMade, limit, of, used};
+use crate::assessment::Assessment;
+
+/// The check.
+pub struct JointShear;
+
+impl Check for JointShear {
+    fn card(&self) -> Card {
+        Card {
+            code: "C105",
+            title: "joint shear",
+            clause: "shear stress in joints of the ring",
+            text: "The largest shear stress of any point of any joint of the ring, at the moments at which a sensor or a place of the checks \
+                   peaks; what the train adds is increased by the coefficient of dynamic augment. It is compared with joint_shear_limit of \
+                   [assess]. Points are compared and not the mean over the joint, which is lower. Where it is not met, look whether the joint \
+                   carries compression there: friction, not adhesion, then holds it.",
+            source: "the railway paper, section 3.4: shear strength of mortar joints 1 MPa",
+        }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        let limit = limit(a.asked.limits.joint_shear, "joint_shear_limit = \"1 MPa\"")? / 1e6;
+        let facts = of(&a.service)?;
+        let mut list = Vec::new();
+        for load in &facts.loads {
+            list.extend(load.joints.iter().map(|joint| Finding {
+                load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, joint.augment),
+                value: joint.shear_mpa,
+                limit,
+                unit: "MPa",
+                utilisation: used(joint.shear_mpa, limit),
+                basis: joint.shear_at.clone(),
+                position: Some(joint.shear_position_m),
+                columns: None,
+            }));
+        }
+        if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
+    }
+}

@@ -1,0 +1,42 @@
+//! Tolerance of settlement.
+
+use super::{Card, Check, Finding, NotMade, limit, of, used};
+use crate::assessment::Assessment;
+
+/// The check.
+pub struct SupportMovement;
+
+impl Check for SupportMovement {
+    fn card(&self) -> Card {
+        Card {
+            code: "C401",
+            title: "settlement tolerance",
+            clause: "support movement over the movement that makes a mechanism",
+            text: "expected_movement of [assess], times movement_factor, over the last movement of [support_movement] at which the bridge still stood. \
+                   Masonry arches follow large movements of their supports by opening joints: what this check guards is collapse, not cracks. \
+                   Where it is not met, measure again and look for the cause of the movement.",
+            source: "McInerney and DeJong, Discrete element modeling of groin vault displacement capacity (2015), for the method [recalled]",
+        }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        let limits = &a.asked.limits;
+        let expected = 1e3 * limit(limits.expected_movement, "expected_movement = \"20 mm\"")?;
+        let facts = of(&a.movement)?;
+        let stood = facts.last_stable_mm.ok_or_else(|| NotMade {
+            why: format!("the analysis of the movement ended with {}", facts.status),
+            failed: facts.status != "locks",
+        })?;
+        let allowed = stood / limits.movement_factor;
+        Ok(vec![Finding {
+            load_model: format!("{} moves", facts.support),
+            value: expected,
+            limit: allowed,
+            unit: "mm",
+            utilisation: used(expected, allowed),
+            basis: format!("the bridge stood at {stood:.1} mm; safety on the movement {:.2}", limits.movement_factor),
+            position: None,
+            columns: None,
+        }])
+    }
+}

@@ -1,0 +1,41 @@
+//! Permissible limit: share of the ultimate load in service.
+
+use super::{Card, Check, Finding, NotMade, limit, of, used};
+use crate::assessment::Assessment;
+
+/// The check.
+pub struct PermissibleShare;
+
+impl Check for PermissibleShare {
+    fn card(&self) -> Card {
+        Card {
+            code: "C202",
+            title: "share of the ultimate load",
+            clause: "permissible limit: load in service over load at collapse",
+            text: "The reciprocal of the adequacy factor of the file's loads: how much of the collapse load is there in service. It is compared \
+                   with permissible_share of [assess]. Above about half of the ultimate load repeated loading harms masonry arches: joints open \
+                   and close, mortar falls out, rings part.",
+            source: "Melbourne, Wang and Tomor, A new masonry arch bridge assessment strategy (SMART), Proc. ICE Bridge Engineering 160 (2007): \
+                     about 50 % of the ultimate load [recalled]",
+        }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        let limit = limit(a.asked.limits.permissible_share, "permissible_share = 0.5")?;
+        let facts = of(&a.ultimate)?;
+        let factor = facts
+            .load_factor
+            .filter(|factor| *factor > 0.0)
+            .ok_or_else(|| NotMade::because(format!("limit analysis ended with {}", facts.status)))?;
+        Ok(vec![Finding {
+            load_model: facts.load.clone(),
+            value: 1.0 / factor,
+            limit,
+            unit: "of the ultimate load",
+            utilisation: used(1.0 / factor, limit),
+            basis: format!("adequacy factor {factor:.3}"),
+            position: facts.position_m,
+            columns: None,
+        }])
+    }
+}

@@ -1,0 +1,112 @@
+//! Stresses along the ring in service: crown, abutments, piers.
+
+use super::{Card, Check, Finding, NotMade, limit, of, used};
+use crate::assessment::Assessment;
+use crate::wire::{PlaceFacts, ServiceFacts};
+
+/// At crowns.
+pub struct Crown;
+/// At springings on abutments.
+pub struct Abutment;
+/// At springings on piers.
+pub struct Pier;
+
+const TEXT: &str = "The stress along the ring on the faces of the stones at this place, tension positive: from the strain of a stone, times \
+     E / (1 - nu^2), under self-weight and under the train, which is increased by the design and by the total coefficient of dynamic augment. \
+     The largest compression and the largest tension over all spans and both faces are compared with compression_limit and tension_limit of \
+     [assess]. A stone between joints that carry no tension sees little tension whatever the load; where this check shows tension of more than \
+     the mortar can take, the gauge looks at a stone that bends between its joints. Where compression is not met, look at the line of thrust: \
+     it runs close to a face.";
+
+const SOURCE: &str = "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 2.64 in tension";
+
+/// Both readings of the augment, in words.
+pub(super) fn readings(facts: &ServiceFacts) -> [(String, f64); 2] {
+    [("design", facts.augment.design), ("total", facts.augment.total)]
+        .map(|(word, augment)| (format!("{word} CDA {augment:.3}"), augment))
+}
+
+/// The columns of Table 7: self-weight, live load with design augment, sum, live load with total augment, sum.
+pub(super) fn columns(facts: &ServiceFacts, own: f64, live: f64) -> [f64; 5] {
+    let (design, total) = ((1.0 + facts.augment.design) * live, (1.0 + facts.augment.total) * live);
+    [own, design, own + design, total, own + total]
+}
+
+fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
+    let limits = &a.asked.limits;
+    if limits.compression.is_none() && limits.tension.is_none() {
+        limit(None, "compression_limit and tension_limit")?;
+    }
+    let facts = of(&a.service)?;
+    let mut list = Vec::new();
+    for load in &facts.loads {
+        for (reading, augment) in readings(facts) {
+            let here = || load.places.iter().filter(|at| at.quantity == "stress" && at.place == place);
+            let pressed = |at: &&PlaceFacts| -(at.self_weight + (1.0 + augment) * at.minimum);
+            let pulled = |at: &&PlaceFacts| at.self_weight + (1.0 + augment) * at.maximum;
+            let sides = [
+                (limits.compression, -1.0, here().max_by(|x, y| pressed(x).total_cmp(&pressed(y)))),
+                (limits.tension, 1.0, here().max_by(|x, y| pulled(x).total_cmp(&pulled(y)))),
+            ];
+            for (limit, sign, worst) in sides {
+                let (Some(limit), Some(at)) = (limit.map(|pascals| pascals / 1e6), worst) else { continue };
+                let compression = sign < 0.0;
+                let (size, live, position) = match compression {
+                    true => (pressed(&at), at.minimum, at.minimum_at_m),
+                    false => (pulled(&at), at.maximum, at.maximum_at_m),
+                };
+                let word = if compression { "compression" } else { "tension" };
+                list.push(Finding {
+                    load_model: format!("{}, {reading}", load.name),
+                    value: sign * size,
+                    limit: sign * limit,
+                    unit: "MPa",
+                    utilisation: used(size, limit),
+                    basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
+                    position: Some(position),
+                    columns: Some(columns(facts, at.self_weight, live)),
+                });
+            }
+        }
+    }
+    match list.is_empty() {
+        true => Err(NotMade::because(format!("the bridge has no {place} of this kind that was watched"))),
+        false => Ok(list),
+    }
+}
+
+impl Check for Crown {
+    fn card(&self) -> Card {
+        let clause = "longitudinal stress at the crown";
+        Card { code: "C102", title: "crown stress", clause, text: TEXT, source: SOURCE }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        run(a, "crown")
+    }
+}
+
+impl Check for Abutment {
+    fn card(&self) -> Card {
+        let clause = "longitudinal stress at the abutments";
+        Card { code: "C103", title: "abutment stress", clause, text: TEXT, source: SOURCE }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        run(a, "abutment")
+    }
+}
+
+impl Check for Pier {
+    fn card(&self) -> Card {
+        let clause = "longitudinal stress at the piers";
+        Card { code: "C104", title: "pier stress", clause, text: TEXT, source: SOURCE }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        if a.bridge.spans.len() < 2 {
+            return Err(NotMade::because("the bridge has no pier"));
+        }
+        run(a, "pier")
+    }
+}

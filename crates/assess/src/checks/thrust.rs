@@ -1,0 +1,47 @@
+//! The line of thrust in service.
+
+use super::{Card, Check, Finding, NotMade, of, used};
+use crate::assessment::Assessment;
+
+/// The check.
+pub struct ThrustZone;
+
+impl Check for ThrustZone {
+    fn card(&self) -> Card {
+        Card {
+            code: "C106",
+            title: "line of thrust",
+            clause: "thrust within the middle third or the middle half of the ring",
+            text: "The distance of the resultant from the middle of a joint over the joint's depth, from the tractions of the finite element \
+                   model, at the moments at which a sensor or a place of the checks peaks; what the train adds is increased by the coefficient \
+                   of dynamic augment. Within the middle third (0.167) a joint stays closed; within the middle half (0.25) it stays closed over \
+                   three quarters of its depth. thrust_zone of [assess] says which is asked for. Many sound arches leave the middle third under \
+                   a heavy axle: this is a check on cracking and on the life of joints, not on strength.",
+            source: "Heyman, The Masonry Arch (1982): middle third rule; the middle half is the serviceability rule of UIC practice [recalled]",
+        }
+    }
+
+    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+        let zone = a.asked.limits.thrust_zone.ok_or_else(|| {
+            NotMade::because(
+                "the file gives no zone: write thrust_zone = \"middle-third\" or \"middle-half\" in [assess]",
+            )
+        })?;
+        let limit = 0.5 * zone;
+        let facts = of(&a.service)?;
+        let mut list = Vec::new();
+        for load in &facts.loads {
+            list.extend(load.joints.iter().map(|joint| Finding {
+                load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, joint.augment),
+                value: joint.eccentricity,
+                limit,
+                unit: "of the depth",
+                utilisation: used(joint.eccentricity, limit),
+                basis: joint.eccentricity_at.clone(),
+                position: Some(joint.eccentricity_position_m),
+                columns: None,
+            }));
+        }
+        if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
+    }
+}

@@ -1,0 +1,188 @@
+//! `extrados.assess/1`.
+
+use super::{SensitivityFacts, ServiceFacts, VehicleFacts};
+use crate::assessment::{Assessment, Stage};
+use crate::checks::{Checked, Finding, Verdict, governing};
+use crate::condition::Condition;
+use serde::Serialize;
+use serde_json::Value;
+
+/// The result of an assessment. Status, warnings and times are those of the command.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AssessObject {
+    bridge: String,
+    verdict: String,
+    checks: Vec<CheckObject>,
+    not_made: Vec<NotMadeObject>,
+    governing: Option<GoverningObject>,
+    condition: Vec<ConditionObject>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivity: Option<SensitivityFacts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    service: Option<ServiceFacts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    collapse: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicles: Option<VehicleFacts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    support_movement: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    update: Option<Value>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct CheckObject {
+    code: &'static str,
+    title: &'static str,
+    clause: &'static str,
+    load_model: String,
+    value: f64,
+    limit: f64,
+    unit: &'static str,
+    utilisation: f64,
+    met: bool,
+    basis: String,
+    position_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    columns: Option<ColumnsObject>,
+}
+
+/// The columns of the railway paper's Table 7, in the check's unit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct ColumnsObject {
+    self_weight: f64,
+    live_load_design_cda: f64,
+    total_design_cda: f64,
+    live_load_total_cda: f64,
+    total_total_cda: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct NotMadeObject {
+    code: &'static str,
+    title: &'static str,
+    why: String,
+    analysis_failed: bool,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct GoverningObject {
+    code: &'static str,
+    title: &'static str,
+    load_model: String,
+    utilisation: f64,
+    met: bool,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct ConditionObject {
+    parameter: String,
+    unit: String,
+    before: Option<f64>,
+    value: Option<f64>,
+    expected_lower: Option<f64>,
+    expected_upper: Option<f64>,
+    verdict: &'static str,
+    words: String,
+}
+
+impl AssessObject {
+    /// The object for a report.
+    pub fn new(a: &Assessment, checked: &[Checked], verdict: &Verdict, condition: &[Condition]) -> AssessObject {
+        let found = checked.iter().flat_map(|check| {
+            let list = check.outcome.as_ref().map_or(&[][..], |list| list);
+            list.iter().map(|finding| object(check, finding))
+        });
+        let not_made = checked.iter().filter_map(|check| {
+            let why = check.outcome.as_ref().err()?;
+            let (code, title) = (check.card.code, check.card.title);
+            Some(NotMadeObject { code, title, why: why.why.clone(), analysis_failed: why.failed })
+        });
+        let worst = governing(checked).and_then(|(check, finding)| {
+            let finding = checked[check].outcome.as_ref().ok()?.get(finding)?;
+            Some(GoverningObject {
+                code: checked[check].card.code,
+                title: checked[check].card.title,
+                load_model: finding.load_model.clone(),
+                utilisation: finding.utilisation,
+                met: finding.met(),
+            })
+        });
+        AssessObject {
+            bridge: a.bridge.name.clone(),
+            verdict: verdict.words.clone(),
+            checks: found.collect(),
+            not_made: not_made.collect(),
+            governing: worst,
+            condition: condition.iter().map(judged).collect(),
+            sensitivity: a.sensitivity.made().cloned(),
+            service: a.service.made().cloned(),
+            collapse: a.ultimate.made().map(|facts| facts.object.clone()),
+            vehicles: a.vehicles.made().cloned(),
+            support_movement: a.movement.made().map(|facts| facts.object.clone()),
+            update: match &a.update {
+                Stage::Made(facts) => Some(facts.object.clone()),
+                _ => None,
+            },
+        }
+    }
+}
+
+fn object(check: &Checked, finding: &Finding) -> CheckObject {
+    CheckObject {
+        code: check.card.code,
+        title: check.card.title,
+        clause: check.card.clause,
+        load_model: finding.load_model.clone(),
+        value: finding.value,
+        limit: finding.limit,
+        unit: finding.unit,
+        utilisation: finding.utilisation,
+        met: finding.met(),
+        basis: finding.basis.clone(),
+        position_m: finding.position,
+        columns: finding.columns.map(|[own, design, sum, total, whole]| ColumnsObject {
+            self_weight: own,
+            live_load_design_cda: design,
+            total_design_cda: sum,
+            live_load_total_cda: total,
+            total_total_cda: whole,
+        }),
+    }
+}
+
+fn judged(one: &Condition) -> ConditionObject {
+    ConditionObject {
+        parameter: one.parameter.clone(),
+        unit: one.unit.clone(),
+        before: Some(one.before).filter(|value| value.is_finite()),
+        value: one.after,
+        expected_lower: one.expected.map(|range| range[0]),
+        expected_upper: one.expected.map(|range| range[1]),
+        verdict: one.standing.word(),
+        words: one.words.clone(),
+    }
+}
+
+/// The checks as a table.
+pub fn checks_table(checked: &[Checked]) -> String {
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let mut csv = String::from("code,title,load_model,value,limit,unit,utilisation,met,basis\n");
+    for check in checked {
+        for finding in check.outcome.iter().flatten() {
+            csv += &format!(
+                "{},{},{},{},{},{},{},{},{}\n",
+                check.card.code,
+                quoted(check.card.title),
+                quoted(&finding.load_model),
+                finding.value,
+                finding.limit,
+                finding.unit,
+                finding.utilisation,
+                finding.met(),
+                quoted(&finding.basis)
+            );
+        }
+    }
+    csv
+}

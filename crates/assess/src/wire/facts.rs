@@ -1,0 +1,304 @@
+//! What the stages of an assessment leave behind: plain numbers with their units in their names. Checks and reports read
+//! nothing else, and a finished stage is kept in this form.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// The train in service: what the bridge answers to each load.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ServiceFacts {
+    /// Name of the train.
+    pub train: String,
+    /// Dynamic augment.
+    pub augment: AugmentFacts,
+    /// One entry a load.
+    pub loads: Vec<ServiceLoadFacts>,
+    /// What the analysis assumes.
+    pub assumptions: Vec<String>,
+    /// What a reader should look at: code and words.
+    pub warnings: Vec<[String; 2]>,
+}
+
+/// Coefficients of dynamic augment and where they are from.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct AugmentFacts {
+    /// Length that it is taken for [m].
+    pub loaded_length_m: f64,
+    /// Depth of cushion that lessens it [m].
+    pub cushion_m: f64,
+    /// Without the cushion's effect.
+    pub total: f64,
+    /// With it.
+    pub design: f64,
+    /// Where the formula is from.
+    pub source: String,
+}
+
+/// What the bridge answers to one load.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ServiceLoadFacts {
+    /// Name of the load.
+    pub name: String,
+    /// Heaviest axle [t].
+    pub heaviest_axle_t: f64,
+    /// Where the load is from.
+    pub source: Option<String>,
+    /// How its passage ended.
+    pub status: String,
+    /// The file's own sensors.
+    pub channels: Vec<ChannelFacts>,
+    /// Deflections and stresses at the places that are checked.
+    pub places: Vec<PlaceFacts>,
+    /// Joints, by reading of the dynamic augment.
+    pub joints: Vec<JointFacts>,
+}
+
+/// A sensor of the file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ChannelFacts {
+    /// Name.
+    pub name: String,
+    /// Unit of the numbers.
+    pub unit: String,
+    /// Least value of the passage, self-weight taken off.
+    pub minimum: f64,
+    /// Greatest.
+    pub maximum: f64,
+    /// Value of largest size.
+    pub peak: f64,
+    /// Value under self-weight alone.
+    pub self_weight: f64,
+}
+
+/// A quantity at a place of the ring: displacement upwards [mm] or stress along the ring [MPa], tension positive.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PlaceFacts {
+    /// "crown", "abutment" or "pier".
+    pub place: String,
+    /// "deflection" or "stress".
+    pub quantity: String,
+    /// The place in words, with span and face.
+    pub about: String,
+    /// Span, from 1.
+    pub span: usize,
+    /// "intrados" or "extrados".
+    pub face: String,
+    /// Under self-weight.
+    pub self_weight: f64,
+    /// Least value of the passage, self-weight taken off.
+    pub minimum: f64,
+    /// Place of the first axle then [m].
+    pub minimum_at_m: f64,
+    /// Greatest.
+    pub maximum: f64,
+    /// Place of the first axle then [m].
+    pub maximum_at_m: f64,
+}
+
+/// The worst joints of a passage, live load increased by an augment.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct JointFacts {
+    /// "design" or "total".
+    pub reading: String,
+    /// Its coefficient.
+    pub augment: f64,
+    /// Largest shear stress of a point of a joint [MPa].
+    pub shear_mpa: f64,
+    /// Which joint and when.
+    pub shear_at: String,
+    /// Place of the first axle then [m].
+    pub shear_position_m: f64,
+    /// Largest distance of the thrust from the middle of a joint over its depth.
+    pub eccentricity: f64,
+    /// Which joint and when.
+    pub eccentricity_at: String,
+    /// Place of the first axle then [m].
+    pub eccentricity_position_m: f64,
+}
+
+/// The file's own loads at collapse, where they stand and moved over the bridge.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct UltimateFacts {
+    /// What the loads are called.
+    pub load: String,
+    /// How the analysis ended.
+    pub status: String,
+    /// Method in words.
+    pub method: String,
+    /// Least factor on the loads of the file.
+    pub load_factor: Option<f64>,
+    /// Position of the first load or axle then [m].
+    pub position_m: Option<f64>,
+    /// Collapse load there [kN/m].
+    pub collapse_load_kn_per_m: Option<f64>,
+    /// Loads of the file [kN/m].
+    pub reference_load_kn_per_m: f64,
+    /// Positions that were tried.
+    pub positions: usize,
+    /// Assumptions.
+    pub assumptions: Vec<String>,
+    /// Warnings: code and words.
+    pub warnings: Vec<[String; 2]>,
+    /// The object of `extrados collapse` at the governing position.
+    pub object: Value,
+}
+
+/// Vehicles moved over the bridge under the factors of a rule.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct VehicleFacts {
+    /// The rule: its name and where it is from.
+    pub rule: String,
+    /// Every factor of the rule: name, value, source.
+    pub factors: Vec<[String; 3]>,
+    /// One entry a vehicle.
+    pub vehicles: Vec<SweptFacts>,
+    /// Distance between positions [m].
+    pub step_m: f64,
+    /// The vehicle with the least adequacy factor.
+    pub governing: Option<String>,
+    /// Its governing case by discrete elements, in words, where the file asks for it.
+    pub confirmation: Option<String>,
+    /// The adequacy factor that these carried.
+    pub adequacy_by_discrete_elements: Option<f64>,
+    /// Assumptions.
+    pub assumptions: Vec<String>,
+    /// Warnings: code and words.
+    pub warnings: Vec<[String; 2]>,
+}
+
+/// A vehicle that was moved over the bridge.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SweptFacts {
+    /// Its code.
+    pub code: String,
+    /// Its name.
+    pub title: String,
+    /// How the governing case ended.
+    pub status: String,
+    /// What all its factored loads may be multiplied by; 1 is just enough.
+    pub adequacy: Option<f64>,
+    /// Place of its first axle in the governing case [m].
+    pub position_m: Option<f64>,
+    /// The governing case in words: direction, axles, arrangement.
+    pub case: String,
+    /// Width of the barrel that carries an axle [m].
+    pub effective_width_m: f64,
+    /// Factor on every axle.
+    pub load_factor: f64,
+}
+
+/// The movement of a support that makes a mechanism.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct MovementFacts {
+    /// How the analysis ended.
+    pub status: String,
+    /// Last movement at which the bridge stood [mm].
+    pub last_stable_mm: Option<f64>,
+    /// Movement at which it fell [mm].
+    pub collapse_mm: Option<f64>,
+    /// Which support, in words.
+    pub support: String,
+    /// Warnings: code and words.
+    pub warnings: Vec<[String; 2]>,
+    /// The object of `extrados collapse`.
+    pub object: Value,
+}
+
+/// What updating found.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct UpdateFacts {
+    /// How it ended.
+    pub status: String,
+    /// Parameters.
+    pub parameters: Vec<ParameterFacts>,
+    /// Error norm of the start model.
+    pub initial_error_norm: Option<f64>,
+    /// Error norm at the end.
+    pub error_norm: Option<f64>,
+    /// Channels.
+    pub channels: Vec<FitFacts>,
+    /// Runs of records: name, and what the file says where it is synthetic.
+    pub runs: Vec<(String, Option<String>)>,
+    /// What was done to the records and found in them.
+    pub records: Vec<String>,
+    /// What the data can tell, in words.
+    pub told: Vec<String>,
+    /// Assumptions.
+    pub assumptions: Vec<String>,
+    /// Warnings: code and words.
+    pub warnings: Vec<[String; 2]>,
+    /// The object of `extrados update`.
+    pub object: Value,
+}
+
+/// A parameter that was sought.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ParameterFacts {
+    /// Its name.
+    pub name: String,
+    /// Its path in the file.
+    pub path: String,
+    /// Unit of the numbers.
+    pub unit: String,
+    /// Value of the start model.
+    pub start: f64,
+    /// Value at the end.
+    pub value: Option<f64>,
+    /// Lower end of the range that was searched.
+    pub lower: f64,
+    /// Upper end.
+    pub upper: f64,
+    /// Whether it stands on a bound.
+    pub at_bound: bool,
+    /// Whether the records tell it.
+    pub identifiable: Option<bool>,
+    /// Interval that holds it with 95 %.
+    pub interval_95: Option<[f64; 2]>,
+}
+
+/// How well a channel is met.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FitFacts {
+    /// Its name.
+    pub name: String,
+    /// Unit of the numbers.
+    pub unit: String,
+    /// Measured peak.
+    pub measured: Option<f64>,
+    /// Peak of the start model.
+    pub start: Option<f64>,
+    /// Peak of the updated model.
+    pub updated: Option<f64>,
+    /// Shape correlation of the updated model.
+    pub shape: Option<f64>,
+    /// Why it takes no part.
+    pub left_out: Option<String>,
+}
+
+/// What changes the governing utilisation.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SensitivityFacts {
+    /// Code of the check.
+    pub code: String,
+    /// Its utilisation as this stage computes it for the file's own values.
+    pub utilisation: f64,
+    /// How the stage differs from the full one, in words.
+    pub how: String,
+    /// Share by which every quantity was changed, both ways.
+    pub share: f64,
+    /// One entry a quantity, the most telling first.
+    pub quantities: Vec<ChangeFacts>,
+}
+
+/// A quantity that was changed.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ChangeFacts {
+    /// Its path.
+    pub path: String,
+    /// Its value as the file has it.
+    pub value: String,
+    /// Utilisation with less of it.
+    pub less: Option<f64>,
+    /// Utilisation with more of it.
+    pub more: Option<f64>,
+}

@@ -1,0 +1,316 @@
+//! The objects of a sweep of vehicles.
+
+use super::collapse::CollapseObject;
+use super::tables::row;
+use super::{Run, WarningObject, kilo};
+use crate::analysis::vehicles::{Case, Confirmation, Extreme, SectionEnvelope, Swept, VehicleSweep};
+use rules::{Factor, Source};
+use serde::Serialize;
+
+/// What `collapse --sweep` prints for a file with [sweep].
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct VehicleSweepObject {
+    schema: &'static str,
+    status: &'static str,
+    bridge: String,
+    rule: RuleObject,
+    step_m: f64,
+    governing: Option<String>,
+    adequacy_factor: Option<f64>,
+    vehicles: Vec<VehicleObject>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    confirmation: Option<ConfirmationObject>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    collapse: Option<CollapseObject>,
+    assumptions: Vec<String>,
+    warnings: Vec<WarningObject>,
+    threads: usize,
+    wall_seconds: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct RuleObject {
+    code: String,
+    title: String,
+    source: SourceObject,
+    factors: Vec<FactorObject>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct FactorObject {
+    name: &'static str,
+    value: f64,
+    source: SourceObject,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct SourceObject {
+    text: String,
+    date: String,
+    confidence: &'static str,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    note: String,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct VehicleObject {
+    code: String,
+    title: String,
+    model: String,
+    status: &'static str,
+    adequacy_factor: Option<f64>,
+    lower_bound: Option<f64>,
+    upper_bound: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    without_dilation: Option<f64>,
+    effective_width_m: f64,
+    load_factor: f64,
+    critical_axle_factor: f64,
+    case: Option<CaseObject>,
+    sections: Vec<SectionObject>,
+    cases: usize,
+    by_interior_point: usize,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct CaseObject {
+    position_m: f64,
+    direction: &'static str,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    arrangement: String,
+    first_axle: Option<usize>,
+    last_axle: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_axle: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uniform_load_m: Option<[f64; 2]>,
+    load_kn_per_m: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct SectionObject {
+    name: String,
+    x_m: f64,
+    y_m: f64,
+    depth_m: f64,
+    extremes: Vec<ExtremeObject>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct ExtremeObject {
+    of: &'static str,
+    thrust_kn_per_m: f64,
+    eccentricity_m: f64,
+    shear_kn_per_m: f64,
+    case: CaseObject,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct ConfirmationObject {
+    method: &'static str,
+    status: Option<&'static str>,
+    adequacy_factor: Option<f64>,
+    limit_adequacy_factor: Option<f64>,
+    step: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+}
+
+impl VehicleSweepObject {
+    /// The object of a sweep.
+    pub fn new(found: &VehicleSweep, run: &Run) -> VehicleSweepObject {
+        let governing = found.governing.and_then(|k| found.vehicles.get(k));
+        VehicleSweepObject {
+            schema: "extrados.sweep/1",
+            status: if governing.is_some() { "completed" } else { "undetermined" },
+            bridge: found.bridge.clone(),
+            rule: RuleObject {
+                code: found.rule.code.clone(),
+                title: found.rule.title.clone(),
+                source: source(&found.rule.source),
+                factors: found.rule.listed().into_iter().map(factor).collect(),
+            },
+            step_m: found.step,
+            governing: governing.map(|v| v.code.clone()),
+            adequacy_factor: governing.and_then(|v| v.adequacy),
+            vehicles: found.vehicles.iter().map(vehicle).collect(),
+            confirmation: found.confirmation.as_ref().map(confirmation),
+            collapse: found.collapse.as_ref().map(|c| CollapseObject::new(c, &Run::default())),
+            assumptions: found.assumptions.clone(),
+            warnings: run.file_warnings.iter().cloned().chain(found.warnings.iter().map(WarningObject::from)).collect(),
+            threads: run.threads,
+            wall_seconds: run.wall_seconds,
+        }
+    }
+}
+
+fn source(s: &Source) -> SourceObject {
+    let (text, date, note) = (s.text.clone(), s.date.clone(), s.note.clone());
+    SourceObject { text, date, confidence: s.confidence.word(), note }
+}
+
+fn factor((name, f): (&'static str, &Factor)) -> FactorObject {
+    FactorObject { name, value: f.value, source: source(&f.source) }
+}
+
+fn vehicle(v: &Swept) -> VehicleObject {
+    VehicleObject {
+        code: v.code.clone(),
+        title: v.title.clone(),
+        model: v.model.clone(),
+        status: v.status.word(),
+        adequacy_factor: v.adequacy,
+        lower_bound: v.bounds.map(|b| b[0]),
+        upper_bound: v.bounds.map(|b| b[1]),
+        without_dilation: v.without_dilation,
+        effective_width_m: v.effective_width,
+        load_factor: v.load_factors[0],
+        critical_axle_factor: v.load_factors[1],
+        case: v.case.as_ref().map(case),
+        sections: v.sections.iter().map(section).collect(),
+        cases: v.cases,
+        by_interior_point: v.by_interior_point,
+    }
+}
+
+fn case(c: &Case) -> CaseObject {
+    CaseObject {
+        position_m: c.position,
+        direction: c.direction.word(),
+        arrangement: c.arrangement.clone(),
+        first_axle: c.axles.map(|a| a[0] + 1),
+        last_axle: c.axles.map(|a| a[1] + 1),
+        critical_axle: c.critical_axle.map(|a| a + 1),
+        uniform_load_m: c.uniform,
+        load_kn_per_m: kilo(c.load),
+    }
+}
+
+fn section(s: &SectionEnvelope) -> SectionObject {
+    SectionObject {
+        name: s.name.clone(),
+        x_m: s.at[0],
+        y_m: s.at[1],
+        depth_m: s.depth,
+        extremes: s.extremes.iter().map(extreme).collect(),
+    }
+}
+
+fn extreme(e: &Extreme) -> ExtremeObject {
+    ExtremeObject {
+        of: e.of,
+        thrust_kn_per_m: kilo(e.thrust),
+        eccentricity_m: e.eccentricity,
+        shear_kn_per_m: kilo(e.shear),
+        case: case(&e.case),
+    }
+}
+
+fn confirmation(c: &Confirmation) -> ConfirmationObject {
+    ConfirmationObject {
+        method: "dem",
+        status: c.status.map(|s| s.word()),
+        adequacy_factor: c.adequacy,
+        limit_adequacy_factor: c.limit,
+        step: c.step,
+        reason: c.reason.clone(),
+    }
+}
+
+fn number(v: Option<f64>) -> String {
+    v.map_or(String::new(), |v| v.to_string())
+}
+
+/// Vehicles with their adequacy factors.
+pub fn vehicles_table(found: &VehicleSweep) -> String {
+    let mut csv = String::from(
+        "vehicle,model,status,adequacy_factor,lower_bound,upper_bound,without_dilation,position_m,direction,first_axle,last_axle,\
+         critical_axle,uniform_from_m,uniform_to_m,load_kn_per_m,effective_width_m,arrangement\n",
+    );
+    for v in &found.vehicles {
+        let c = v.case.as_ref();
+        let axle = |k: Option<usize>| k.map_or(String::new(), |k| (k + 1).to_string());
+        row(
+            &mut csv,
+            format_args!(
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"",
+                v.code,
+                v.model,
+                v.status.word(),
+                number(v.adequacy),
+                number(v.bounds.map(|b| b[0])),
+                number(v.bounds.map(|b| b[1])),
+                number(v.without_dilation),
+                number(c.map(|c| c.position)),
+                c.map_or("", |c| c.direction.word()),
+                axle(c.and_then(|c| c.axles).map(|a| a[0])),
+                axle(c.and_then(|c| c.axles).map(|a| a[1])),
+                axle(c.and_then(|c| c.critical_axle)),
+                number(c.and_then(|c| c.uniform).map(|u| u[0])),
+                number(c.and_then(|c| c.uniform).map(|u| u[1])),
+                number(c.map(|c| kilo(c.load))),
+                v.effective_width,
+                c.map_or("", |c| &c.arrangement),
+            ),
+        );
+    }
+    csv
+}
+
+/// The least adequacy factor at every position of every vehicle.
+pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
+    let mut csv = String::from("vehicle,direction,position_m,adequacy_factor,first_axle,last_axle,arrangement\n");
+    for v in &found.vehicles {
+        for p in &v.envelope {
+            let axle = |k: usize| p.axles.map_or(String::new(), |a| (a[k] + 1).to_string());
+            row(
+                &mut csv,
+                format_args!(
+                    "{},{},{},{},{},{},\"{}\"",
+                    v.code,
+                    p.direction.word(),
+                    p.position,
+                    number(p.adequacy),
+                    axle(0),
+                    axle(1),
+                    p.arrangement
+                ),
+            );
+        }
+    }
+    csv
+}
+
+/// Extremes at critical joints, each with the values and the position that go with it.
+pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
+    let mut csv = String::from(
+        "vehicle,section,x_m,y_m,depth_m,extreme,thrust_kn_per_m,eccentricity_m,shear_kn_per_m,position_m,direction,first_axle,last_axle\n",
+    );
+    for v in &found.vehicles {
+        for s in &v.sections {
+            for e in &s.extremes {
+                let axle = |k: usize| e.case.axles.map_or(String::new(), |a| (a[k] + 1).to_string());
+                row(
+                    &mut csv,
+                    format_args!(
+                        "{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                        v.code,
+                        s.name,
+                        s.at[0],
+                        s.at[1],
+                        s.depth,
+                        e.of,
+                        kilo(e.thrust),
+                        e.eccentricity,
+                        kilo(e.shear),
+                        e.case.position,
+                        e.case.direction.word(),
+                        axle(0),
+                        axle(1)
+                    ),
+                );
+            }
+        }
+    }
+    csv
+}

@@ -1,0 +1,116 @@
+//! Cards of an assessment: limits, loads in service, MEXE, expected ranges.
+
+use super::{Field, Kind, Section, Word};
+use crate::quantity::Dimension::{Length, Mass, Stress};
+
+const ZONES: &[Word] = &[
+    Word { word: "middle-third", doc: "the joint stays closed" },
+    Word { word: "middle-half", doc: "the joint stays closed over three quarters of its depth" },
+];
+
+pub(super) static ASSESS: Section = Section {
+    path: "assess",
+    doc: "Limits that `extrados assess` compares with. None has a default: a check whose limit is not given is listed as not made.",
+    fields: &[
+        Field::new("source", Kind::Text, "where the limits come from", "Table 7 of the railway paper")
+            .optional("the report says that the file names no source"),
+        Field::new("rule", Kind::Text, "rule of the library whose dynamic augment counts", "irs-bridge-rules")
+            .optional("nothing is added to loads at rest, and the report says so"),
+        Field::new("loaded_length", Kind::Quantity(Length), "length of the coefficient of dynamic augment", "6 m")
+            .positive()
+            .optional("the longest span"),
+        Field::new("cushion", Kind::Quantity(Length), "depth between load and ring that lessens it", "0.48 m")
+            .at_least(0.0)
+            .optional("the cover's depth"),
+        Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "1.25 mm")
+            .positive()
+            .optional("deflections are not checked"),
+        Field::new("compression_limit", Kind::Quantity(Stress), "largest compression along the ring", "2.589 MPa")
+            .positive()
+            .optional("compression is not checked"),
+        Field::new("tension_limit", Kind::Quantity(Stress), "largest tension along the ring", "0.2589 MPa")
+            .at_least(0.0)
+            .optional("tension is not checked"),
+        Field::new("joint_shear_limit", Kind::Quantity(Stress), "shear strength of joints", "1 MPa")
+            .positive()
+            .optional("shear in joints is not checked"),
+        Field::new("thrust_zone", Kind::Word(ZONES), "where the line of thrust must stay in service", "middle-half")
+            .optional("the line of thrust is not checked"),
+        Field::new("adequacy_factor", Kind::Number, "least factor on loads at ultimate", "1.0")
+            .positive()
+            .optional("factors are listed and not checked"),
+        Field::new("permissible_share", Kind::Number, "largest share of the ultimate load in service", "0.5")
+            .above(0.0)
+            .at_most(1.0)
+            .optional("the share is not checked"),
+        Field::new("load_cycles", Kind::Number, "cycles of load in the life that is asked for", "1e7")
+            .at_least(1.0)
+            .at_most(1e12)
+            .optional("the range of stress is not checked"),
+        Field::new("expected_movement", Kind::Quantity(Length), "support movement, expected or measured", "20 mm")
+            .at_least(0.0)
+            .optional("movements are not checked"),
+        Field::new("movement_factor", Kind::Number, "safety on that movement", "2").at_least(1.0).default("1"),
+    ],
+};
+
+pub(super) static SERVICE_LOAD: Section = Section {
+    path: "service_load",
+    doc: "A load in service: the train of [train] with another mass on all its axles.",
+    fields: &[
+        Field::new("name", Kind::Text, "what results call it", "25t HML"),
+        Field::new("axle_load", Kind::Quantity(Mass), "mass on every axle", "25 t")
+            .positive()
+            .optional("axles as the train has them"),
+        Field::new("source", Kind::Text, "where it comes from", "Table 7 of the railway paper")
+            .optional("the report says that the file names no source"),
+    ],
+};
+
+const fn factor(key: &'static str, doc: &'static str, example: &'static str) -> Field {
+    Field::new(key, Kind::Number, doc, example).above(0.0).at_most(2.0)
+}
+
+pub(super) static MEXE: Section = Section {
+    path: "mexe",
+    doc: "The modified MEXE method: what its modifying factors are for this bridge. Span, rise, ring and cover are those of the file.",
+    fields: &[
+        Field::new("span", Kind::Count, "which span, counted from 1", "1").at_least(1.0).at_most(200.0).default("1"),
+        factor("barrel_factor", "F_b: material of the barrel; 1.5 granite to 0.7 poor masonry", "1.2"),
+        factor("fill_factor", "F_f: fill; 1.0 concrete to 0.5 weak", "0.7"),
+        factor("width_factor", "F_w: width of joints; 1.0 up to 6 mm, 0.9 up to 12.5 mm, 0.8 beyond", "0.9"),
+        factor("depth_factor", "F_d: depth of joints without mortar; 1.0 pointed, 0.9 up to 12.5 mm, 0.8 more", "1.0"),
+        factor("mortar_factor", "F_mo: mortar; 1.0 good, 0.9 loose", "0.9"),
+        factor("condition_factor", "F_cM: condition of the barrel, as its inspector judges", "0.9"),
+        factor("span_rise_factor", "F_sr: read off the method's figure", "0.9")
+            .optional("1 up to a span of four rises; needed beyond"),
+        Field::new("quarter_rise", Kind::Quantity(Length), "rise at the quarter points", "1.373 m")
+            .positive()
+            .optional("that of the profile"),
+        Field::new("ring_thickness", Kind::Quantity(Length), "thickness of the ring that counts", "0.34 m")
+            .positive()
+            .optional("that of all rings at the crown"),
+        Field::new("fill_depth", Kind::Quantity(Length), "depth of fill at the crown", "0.40 m")
+            .at_least(0.0)
+            .optional("the cover's depth"),
+        Field::new("axle_load", Kind::Quantity(Mass), "mass on a single axle that must be allowed", "11.5 t")
+            .positive()
+            .optional("the allowable axle load is listed and not checked"),
+    ],
+};
+
+pub(super) static EXPECTED: Section = Section {
+    path: "expected",
+    doc: "The range in which a sound bridge of this kind has an identified parameter, and what it says when it has not.",
+    fields: &[
+        Field::new("parameter", Kind::Text, "name of a [[parameter]]", "mortar"),
+        Field::new("lower", Kind::Value, "lower end", "1 GPa"),
+        Field::new("upper", Kind::Value, "upper end", "2 GPa"),
+        Field::new("source", Kind::Text, "where the range comes from", "Table 2 of the railway paper")
+            .optional("the report says that the file names no source"),
+        Field::new("below", Kind::Text, "what a lower value says, for the owner", "the mortar has lost stiffness")
+            .optional("that it is lower than expected"),
+        Field::new("above", Kind::Text, "what a higher value says, for the owner", "joints may have been repointed")
+            .optional("that it is higher than expected"),
+    ],
+};

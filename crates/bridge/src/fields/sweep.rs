@@ -1,0 +1,85 @@
+//! Cards of vehicles that are moved over the bridge, and of fill that helps.
+
+use super::{Field, Kind, Section, Word};
+use crate::quantity::Dimension::{Angle, Length, Stress};
+
+const WAYS: &[Word] = &[
+    Word { word: "both", doc: "to the right and to the left" },
+    Word { word: "right", doc: "to the right" },
+    Word { word: "left", doc: "to the left" },
+];
+
+const SPREADS: &[Word] = &[
+    Word { word: "rule", doc: "as the rule says, at the rule's footprint" },
+    Word { word: "file", doc: "as [dispersal] says, at each vehicle's footprint" },
+];
+
+pub(super) static SWEEP: Section = Section {
+    path: "sweep",
+    doc: "Vehicles that `extrados collapse --sweep` moves over the bridge by limit analysis: every position, both ways, every run of \
+          neighbouring axles, loads and weights with the factors of a rule. Vehicles and rules of the library are listed in \
+          docs/theory/load-rules.md.",
+    fields: &[
+        Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454")
+            .optional("\"characteristic\": no safety, for comparisons; or given by `rule_file`"),
+        Field::new("rule_file", Kind::Text, "file with a rule, relative to the bridge file", "our-rule.toml")
+            .optional("a rule of the library"),
+        Field::new(
+            "vehicles",
+            Kind::Values,
+            "codes of vehicles, load models or trains of the library, or of `vehicle_files`",
+            "[\"hb-45\", \"cs-454\"]",
+        )
+        .optional("all of the library, and of `vehicle_files`"),
+        Field::new(
+            "vehicle_files",
+            Kind::Values,
+            "files with vehicles, relative to the bridge file",
+            "[\"our-crane.toml\"]",
+        )
+        .optional("none"),
+        Field::new("step", Kind::Quantity(Length), "distance between positions", "0.25 m")
+            .positive()
+            .optional("a sixtieth of the shortest span; the worst position is then sought in between"),
+        Field::new("directions", Kind::Word(WAYS), "which ways vehicles drive", "both").default("both"),
+        Field::new("subsets", Kind::Flag, "whether every run of neighbouring axles is tried", "true").default("true"),
+        Field::new("dispersal", Kind::Word(SPREADS), "how axles spread through the cover", "rule").default("rule"),
+        Field::new("confirm", Kind::Flag, "whether the governing case is made by discrete elements too", "true")
+            .default("false"),
+    ],
+};
+
+const LEAST: &[Word] = &[
+    Word { word: "at-rest", doc: "at rest: 1 - sin(phi) of the vertical stress (Jaky)" },
+    Word { word: "active", doc: "Rankine's active pressure, without cohesion" },
+    Word { word: "none", doc: "nothing" },
+];
+
+pub(super) static FILL_PRESSURE: Section = Section {
+    path: "fill_pressure",
+    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis: between what is there at rest and a share of \
+          Rankine's passive pressure, which acts only where a back moves against the fill. docs/theory/fill-pressure.md tells \
+          where the shares come from. Particles press by themselves: the discrete element method does not read this table.",
+    fields: &[
+        Field::new("applies", Kind::Flag, "whether it acts", "true").default("true"),
+        Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
+            .at_least(0.0)
+            .at_most(1.2),
+        Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "5 kPa").at_least(0.0).default("0 kPa"),
+        Field::new(
+            "mobilisation",
+            Kind::Number,
+            "share of the passive pressure of friction that movement mobilises",
+            "0.5",
+        )
+        .at_least(0.0)
+        .at_most(1.0)
+        .default("0.5"),
+        Field::new("cohesion_mobilisation", Kind::Number, "share of the passive pressure of cohesion", "0.05")
+            .at_least(0.0)
+            .at_most(1.0)
+            .default("0.05"),
+        Field::new("least", Kind::Word(LEAST), "pressure on backs that nothing moves against the fill", "at-rest")
+            .default("at-rest"),
+    ],
+};

@@ -1,0 +1,75 @@
+//! What a bridge file says, line by line with the remarks beside it: where engineers write down where a value is from.
+
+use toml_edit::{DocumentMut, Item, TableLike, Value};
+
+/// A value of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Input {
+    /// Section, with its number where it stands several times: `cover[2]`.
+    pub section: String,
+    /// Key.
+    pub key: String,
+    /// Value as written, without quotes.
+    pub value: String,
+    /// The comment behind it; empty where there is none.
+    pub remark: String,
+}
+
+/// Every value of a file in its order; nothing where it is not TOML.
+pub fn inputs(text: &str) -> Vec<Input> {
+    let mut found = Vec::new();
+    if let Ok(document) = text.parse::<DocumentMut>() {
+        table(document.as_table(), "", &mut found);
+    }
+    found
+}
+
+fn table(table: &dyn TableLike, section: &str, found: &mut Vec<Input>) {
+    let inside = |key: &str| if section.is_empty() { key.to_owned() } else { format!("{section}.{key}") };
+    for (key, item) in table.iter() {
+        match item {
+            Item::Value(value) => found.push(Input {
+                section: section.to_owned(),
+                key: key.to_owned(),
+                value: plain(value),
+                remark: remark(value),
+            }),
+            Item::Table(inner) => self::table(inner, &inside(key), found),
+            Item::ArrayOfTables(list) => {
+                for (k, inner) in list.iter().enumerate() {
+                    let number = if list.len() > 1 { format!("[{}]", k + 1) } else { String::new() };
+                    self::table(inner, &format!("{}{number}", inside(key)), found);
+                }
+            }
+            Item::None => {}
+        }
+    }
+}
+
+fn plain(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.value().clone(),
+        other => crate::edit::literal(other),
+    }
+}
+
+fn remark(value: &Value) -> String {
+    let behind = value.decor().suffix().and_then(|suffix| suffix.as_str()).unwrap_or_default();
+    behind.split('#').skip(1).map(str::trim).filter(|words| !words.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_come_with_their_remarks() {
+        let text =
+            "[bridge]\nwidth = \"4 m\" # [paper] Table 1\n[[cover]]\nas = true\n[[cover]]\nlist = [1, 2] # two\n";
+        let found = inputs(text);
+        let shown: Vec<String> =
+            found.iter().map(|one| format!("{}.{}={}|{}", one.section, one.key, one.value, one.remark)).collect();
+        assert_eq!(shown, ["bridge.width=4 m|[paper] Table 1", "cover[1].as=true|", "cover[2].list=[1, 2]|two"]);
+        assert!(inputs("no [toml").is_empty());
+    }
+}

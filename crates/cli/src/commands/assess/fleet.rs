@@ -1,0 +1,177 @@
+//! A folder of bridge files: each is assessed into a folder of its own, side by side over the cores, and one table lists them,
+//! worst first. A file that cannot be used is a row and stops nothing. What is finished is taken up by the next run.
+
+use super::kept::Program;
+use super::{assessed, command};
+use crate::args::Assess as Arguments;
+use crate::commands::{Desk, Source};
+use crate::failure::Failure;
+use crate::folder::{Folder, SEAL};
+use crate::report::{self, Report};
+use crate::results;
+use crate::status::Status;
+use crate::watcher;
+use ::report::FleetRow;
+use bridge::Severity;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Every bridge file of the folder, in the order of their names.
+pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    let files = bridge_files(&arguments.file)?;
+    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| default_for(&arguments.file)))?;
+    let program = Program::running();
+    let bar = watcher::count(desk.screen.quiet, files.len());
+    let rows: Vec<Option<FleetRow>> = files
+        .par_iter()
+        .map(|file| {
+            if watcher::asked_to_stop() {
+                return None;
+            }
+            let row = one(file, arguments, &folder, &program);
+            bar.inc(1);
+            row
+        })
+        .collect();
+    bar.finish_and_clear();
+    desk.schema = "extrados.fleet/1".to_owned();
+    if rows.iter().any(Option::is_none) {
+        let said = "interrupted; finished bridges are kept, and the same command takes them up\n";
+        return Ok(Report::new(Status::Cancelled).saying(said));
+    }
+    let rows: Vec<FleetRow> = rows.into_iter().flatten().collect();
+    let count = |status: Status| rows.iter().filter(|row| row.status == status.name()).count();
+    let (broken, open, met) = (count(Status::Inadequate), count(Status::Undetermined), count(Status::Adequate));
+    let unusable: Vec<&FleetRow> =
+        rows.iter().filter(|row| !["inadequate", "undetermined", "adequate"].contains(&row.status.as_str())).collect();
+    let mut report = Report::new(match (broken, open, unusable.len()) {
+        (1.., _, _) => Status::Inadequate,
+        (0, 0, 0) => Status::Adequate,
+        _ => Status::Undetermined,
+    });
+    let listed = |row: &&FleetRow| json!({ "file": row.file, "status": row.status, "message": row.words });
+    report = report
+        .with("bridges", rows.len())
+        .with("inadequate", broken)
+        .with("undetermined", open)
+        .with("adequate", met)
+        .with("unusable", unusable.iter().map(listed).collect::<Vec<Value>>());
+    report.summary = format!(
+        "{} bridges: {broken} not adequate, {open} undetermined, {met} adequate, {} that could not be assessed\n\n",
+        rows.len(),
+        unusable.len()
+    );
+    for row in unusable.iter().take(MOST_LISTED) {
+        report.summary += &format!("  {}: {}\n", row.file, row.words);
+    }
+    if unusable.len() > MOST_LISTED {
+        report.summary += &format!("  and {} more, in the table\n", unusable.len() - MOST_LISTED);
+    }
+    report.summary += &format!("\nfleet.html and fleet.csv are in {}\n", folder.path().display());
+    let made = format!(
+        "Made by extrados {}: {}",
+        env!("CARGO_PKG_VERSION"),
+        command(arguments, &arguments.file.display().to_string())
+    );
+    let title = arguments.file.display().to_string();
+    let tables = vec![
+        figures::File { name: "fleet.csv".into(), bytes: ::report::fleet_csv(&rows).into_bytes() },
+        figures::File { name: "fleet.html".into(), bytes: ::report::fleet_html(&title, &rows, &made).into_bytes() },
+    ];
+    results::publish(desk, report, &folder, &tables)
+}
+
+/// Files named one by one on the screen; the table has all.
+const MOST_LISTED: usize = 40;
+
+/// out/NAME-fleet beside the current folder.
+fn default_for(folder: &Path) -> PathBuf {
+    let name =
+        folder.canonicalize().ok().and_then(|path| path.file_name().map(|name| name.to_string_lossy().into_owned()));
+    Path::new("out").join(format!("{}-fleet", name.unwrap_or_else(|| "bridges".to_owned())))
+}
+
+/// Bridge files of a folder: every .toml that is no block model and no list of vehicles, not looked for in folders below.
+fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let entries = fs::read_dir(folder).map_err(|error| Failure::unreadable(folder, &error))?;
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    files.retain(|path| path.is_file() && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
+    files.retain(|path| fs::read(path).map_or(true, |text| !bridge::is_block_file(&text)));
+    files.sort();
+    if files.is_empty() {
+        let message = format!("the folder {} holds no bridge file (.toml)", folder.display());
+        return Err(Failure::input("F101", message, "put one file for each bridge into it"));
+    }
+    Ok(files)
+}
+
+/// One bridge; none where somebody asked to stop.
+fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) -> Option<FleetRow> {
+    let stem = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let blank = |status: Status, words: String| FleetRow {
+        file: file.clone(),
+        name: String::new(),
+        status: status.name().to_owned(),
+        utilisation: None,
+        governing: String::new(),
+        load_model: String::new(),
+        broken: 0,
+        words,
+        report: String::new(),
+    };
+    let refused = |failure: Failure| blank(failure.status, format!("{} ({})", failure.message, failure.code));
+    let source = match Source::read(path) {
+        Ok(source) => source,
+        Err(failure) => return Some(refused(failure)),
+    };
+    if source.read.bridge.is_none() {
+        let errors = source.read.diagnostics.iter().filter(|finding| finding.severity == Severity::Error);
+        let words = errors.map(|finding| {
+            let place = bridge::text::position(&source.text, finding.range.start);
+            format!("line {}: {} ({})", place.line, finding.message, finding.code)
+        });
+        return Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; ")));
+    }
+    let folder = match Folder::prepare(&fleet.file(&stem)) {
+        Ok(folder) => folder,
+        Err(failure) => return Some(refused(failure)),
+    };
+    let done = match assessed(&source, path, &folder, program, arguments, true) {
+        Ok(done) => done?,
+        Err(failure) => return Some(refused(failure)),
+    };
+    let mut report = done.report(&source);
+    let written = folder.fill(
+        |staging| done.files().iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
+        |names| {
+            report.fields.insert("files".to_owned(), json!(names));
+            report::text_of(&report.object("extrados.assess/1", crate::clock::Clock::start()))
+        },
+    );
+    if let Err(failure) = written {
+        return Some(refused(failure));
+    }
+    debug_assert!(folder.file(SEAL).exists());
+    let worst = ::assess::checks::governing(&done.checked);
+    let finding = worst.and_then(|(c, k)| done.checked[c].outcome.as_ref().ok()?.get(k).map(|finding| (c, finding)));
+    let all = done.checked.iter().flat_map(|check| check.outcome.iter().flatten());
+    Some(FleetRow {
+        name: done.assessment.bridge.name.clone(),
+        utilisation: finding.map(|(_, finding)| finding.utilisation),
+        governing: finding
+            .map_or(String::new(), |(c, _)| format!("{} {}", done.checked[c].card.code, done.checked[c].card.title)),
+        load_model: finding.map_or(String::new(), |(_, finding)| finding.load_model.clone()),
+        broken: all.filter(|finding| !finding.met()).count(),
+        report: format!("{}/report.html", web(&stem)),
+        ..blank(Status::named(done.verdict.status).unwrap_or(Status::Undetermined), done.verdict.words.clone())
+    })
+}
+
+/// A name as a link has it.
+fn web(name: &str) -> String {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~".contains(&byte);
+    name.bytes().map(|byte| if plain(byte) { (byte as char).to_string() } else { format!("%{byte:02X}") }).collect()
+}

@@ -1,0 +1,104 @@
+//! Which drawings of a stage stand in the report, and what is said under them.
+
+use ::assess::analysis::passage::Passage;
+use ::assess::analysis::update::Update;
+use ::assess::analysis::vehicles::VehicleSweep;
+use ::assess::chain::Ultimate;
+use ::assess::outcome::Picture;
+use ::report::Figure;
+
+/// Most drawings of an update: histories, residuals, then sensitivity curves and surfaces in their order.
+const MOST_OF_UPDATE: usize = 12;
+
+fn figure(stage: &str, name: &str, caption: impl Into<String>, svg: Option<String>) -> Option<Figure> {
+    Some(Figure { stage: stage.to_owned(), name: name.to_owned(), caption: caption.into(), svg: svg? })
+}
+
+/// The bridge as its file describes it.
+pub fn built(picture: &Picture) -> Vec<Figure> {
+    let svg = figures::bridge_as_drawn(picture);
+    figure("built", "bridge", "The bridge as its file describes it.", Some(svg)).into_iter().collect()
+}
+
+/// Mechanism, line of thrust, envelope.
+pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
+    let picture = &found.collapse.picture;
+    let envelope = found.sweep.as_ref().and_then(|sweep| {
+        let points = sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
+        let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
+        figures::envelope(bridge, figures::Quantity::Factor, &[curve])
+    });
+    let all = [
+        figure(
+            "ultimate",
+            "mechanism",
+            "Mechanism at collapse, loads where they are worst.",
+            figures::mechanism(picture),
+        ),
+        figure("ultimate", "thrust-line", "Line of thrust at collapse.", figures::thrust_line(picture)),
+        figure("ultimate", "envelope", "Factor on the loads of the file over their position.", envelope),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// Adequacy of every vehicle, that of the governing one over its position, and its mechanism.
+pub fn vehicles(found: &VehicleSweep) -> Vec<Figure> {
+    let caption = |name: &str| match name {
+        "adequacy" => "Adequacy factor of every vehicle, worst first; 1 is just enough.",
+        _ => "Adequacy factor of the governing vehicle over the position of its first axle.",
+    };
+    let mut list: Vec<Figure> = figures::vehicles(found)
+        .into_iter()
+        .filter_map(|(name, svg)| figure("vehicles", name, caption(name), Some(svg)))
+        .collect();
+    let mechanism = found.collapse.as_ref().and_then(|collapse| figures::mechanism(&collapse.picture));
+    let caption = "Mechanism under the governing vehicle, loads and weights with their factors.";
+    list.extend(figure("vehicles", "mechanism", caption, mechanism));
+    list
+}
+
+/// The mechanism of a support that moves.
+pub fn movement(picture: &Picture) -> Vec<Figure> {
+    let svg = figures::mechanism(picture).or_else(|| figures::thrust_line(picture));
+    figure("movement", "mechanism", "The bridge when its support has moved as far as it stands.", svg)
+        .into_iter()
+        .collect()
+}
+
+/// Records of the sensors under every load, and the ring of the last one where its first sensor peaks.
+pub fn service(passages: &[Passage], names: &[String]) -> Vec<Figure> {
+    let mut list = Vec::new();
+    for (k, (passage, name)) in passages.iter().zip(names).enumerate() {
+        let caption = format!("Records of the sensors under {name}, at rest, self-weight taken off.");
+        list.extend(figure("service", &format!("records-{k}"), caption, figures::passage_records(passage)));
+    }
+    let last = passages.last().zip(names.last());
+    if let Some((passage, name)) = last
+        && let Some(peak) = passage.channels.first().and_then(|channel| channel.peak())
+        && let Some(at) = passage.positions.get(peak)
+    {
+        let near = |k: &usize| (passage.moments[*k].position - at).abs();
+        let moment = (1..passage.moments.len()).min_by(|a, b| near(a).total_cmp(&near(b)));
+        let channel = passage.channels.first().map_or("", |channel| channel.name.as_str());
+        let caption = format!(
+            "Joints and line of thrust under {name} and self-weight, first axle at {at:.2} m, where {channel} peaks; no dynamic augment."
+        );
+        list.extend(moment.and_then(|k| figure("service", "ring", caption, figures::passage_ring(passage, k))));
+    }
+    list
+}
+
+/// Histories, residuals, sensitivity curves and surfaces, what the records leave open.
+pub fn update(found: &Update) -> Vec<Figure> {
+    let drawings = figures::update_drawings(found).into_iter().take(MOST_OF_UPDATE);
+    let caption = |name: &str| match name.split('-').next().unwrap_or_default() {
+        "histories" => "Histories as measured, before and after the update.",
+        "residuals" => "What is left between records and model, channel by channel.",
+        "sensitivity" => "Misfit over each parameter alone.",
+        "surface" => "Misfit over two parameters, with the path of the search.",
+        "posterior" => "What the records leave open of each parameter.",
+        "correlation" => "How parameters go together.",
+        _ => "Model updating.",
+    };
+    drawings.filter_map(|(name, svg)| figure("update", &name, caption(&name), Some(svg))).collect()
+}

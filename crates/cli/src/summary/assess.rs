@@ -1,0 +1,67 @@
+//! An assessment in a few lines: the same verdict as the report's.
+
+use ::assess::assessment::Assessment;
+use ::assess::checks::{Checked, Verdict};
+use ::assess::condition::Condition;
+use std::fmt::Write;
+use std::path::Path;
+
+/// The verdict, the comparisons, the condition, what is missing.
+pub fn assessment(
+    a: &Assessment,
+    checked: &[Checked],
+    verdict: &Verdict,
+    condition: &[Condition],
+    folder: &Path,
+) -> String {
+    let mut text = format!("{}: {}\n\n{}\n", a.bridge.name, verdict.status.to_uppercase(), verdict.words);
+    let _ = writeln!(
+        text,
+        "\n  {:<5}{:<27}{:<34}{:>11}{:>11}  {:<22}{:>8}",
+        "", "check", "load", "value", "limit", "unit", "used"
+    );
+    for check in checked {
+        for finding in check.outcome.iter().flatten() {
+            let mark = if finding.met() { "" } else { "  NOT MET" };
+            let _ = writeln!(
+                text,
+                "  {:<5}{:<27}{:<34}{:>11.4}{:>11.4}  {:<22}{:>6.1} %{mark}",
+                check.card.code,
+                check.card.title,
+                finding.load_model,
+                finding.value,
+                finding.limit,
+                finding.unit,
+                100.0 * finding.utilisation.min(1e6)
+            );
+        }
+    }
+    for check in checked {
+        if let Err(why) = &check.outcome {
+            let _ = writeln!(text, "  {:<5}{:<27}not made: {}", check.card.code, check.card.title, why.why);
+        }
+    }
+    if !condition.is_empty() {
+        text += "\n  condition\n";
+        for one in condition {
+            let value = one.after.map_or("–".to_owned(), |value| format!("{value:.4} {}", one.unit));
+            let _ = writeln!(text, "    {:<20}{:<18}{}: {}", one.parameter, value, one.standing.word(), one.words);
+        }
+    }
+    if let Some(facts) = a.sensitivity.made() {
+        let _ = writeln!(
+            text,
+            "\n  what would change {} ({:.1} % of its limit; with a tenth less, with a tenth more)",
+            facts.code,
+            100.0 * facts.utilisation
+        );
+        let percent = |value: Option<f64>| {
+            value.map_or("no answer".to_owned(), |value| format!("{:.1} %", 100.0 * value.min(1e6)))
+        };
+        for one in facts.quantities.iter().take(6) {
+            let _ = writeln!(text, "    {:<34}{:>12}{:>12}", one.path, percent(one.less), percent(one.more));
+        }
+    }
+    let _ = writeln!(text, "\nreport.html, checks.csv and result.json are in {}", folder.display());
+    text
+}

@@ -1,0 +1,67 @@
+//! A sweep of vehicles in words.
+
+use assess::analysis::vehicles::{Case, VehicleSweep};
+use std::fmt::Write;
+
+/// Every vehicle with its adequacy factor, worst first, and the governing case.
+pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
+    let mut page = format!("{}: {} vehicles by rule \"{}\"\n\n", found.bridge, found.vehicles.len(), found.rule.code);
+    let mut order: Vec<usize> = (0..found.vehicles.len()).collect();
+    let size = |k: &usize| found.vehicles[*k].adequacy.unwrap_or(f64::INFINITY);
+    order.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let _ = writeln!(page, "  {:<22}  {:>8}  first axle at, way, axles on the bridge", "vehicle", "adequacy");
+    for k in order {
+        let v = &found.vehicles[k];
+        let factor = v.adequacy.map_or(v.status.word().to_owned(), |a| format!("{a:.3}"));
+        let place = v.case.as_ref().map_or(String::new(), place);
+        let _ = writeln!(page, "  {:<22}  {factor:>8}  {place}", v.code);
+    }
+    if let Some(v) = found.governing.map(|k| &found.vehicles[k]) {
+        let _ = writeln!(page, "\n  governing vehicle        {}", v.title);
+        if let Some([lower, upper]) = v.bounds {
+            let _ = writeln!(page, "  bounds of its factor     {lower:.6} to {upper:.6}");
+        }
+        if let Some(level) = v.without_dilation {
+            let _ = writeln!(page, "  without dilation         {level:.4}");
+        }
+        let critical = match v.load_factors[1] {
+            1.0 => String::new(),
+            more => format!(", {more:.3} times that on the critical one"),
+        };
+        let _ = writeln!(page, "  factor on its axles      {:.3}{critical}", v.load_factors[0]);
+        let _ = writeln!(page, "  effective width          {:.2} m of the barrel carry an axle", v.effective_width);
+    }
+    if let Some(c) = &found.confirmation {
+        let words = match (c.adequacy, &c.reason) {
+            (Some(a), _) => format!("{a:.3} at the last stable step of {:.3}", c.step),
+            (None, Some(reason)) => format!("not made: {reason}"),
+            (None, None) => c.status.map_or("not made".to_owned(), |s| s.word().to_owned()),
+        };
+        let _ = writeln!(page, "  by discrete elements     {words}");
+    }
+    page += "\nThis assumes:\n";
+    for line in &found.assumptions {
+        let _ = writeln!(page, "  - {line}");
+    }
+    let _ = writeln!(page, "\nFigures, the mechanism and tables of vehicles, positions and sections are in {out}");
+    page
+}
+
+fn place(c: &Case) -> String {
+    let mut words = format!("{:.2} m, {}", c.position, c.direction.word());
+    match c.axles {
+        Some([a, b]) if a == b => words += &format!(", {}", a + 1),
+        Some([a, b]) => words += &format!(", {} to {}", a + 1, b + 1),
+        None => {}
+    }
+    if let Some(k) = c.critical_axle {
+        words += &format!(", critical {}", k + 1);
+    }
+    if let Some([a, b]) = c.uniform {
+        words += &format!(", uniform load {a:.2} to {b:.2} m");
+    }
+    if !c.arrangement.is_empty() {
+        words += &format!(", {}", c.arrangement);
+    }
+    words
+}

@@ -1,0 +1,332 @@
+//! An assessment as its users meet it: a verdict with an exit code, a report, stages that are kept, fleets.
+
+use crate::stage::{Stage, number};
+use serde_json::Value;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+/// A bridge under one wagon of ten tonnes, of a hundred elements; what is compared stands in [`LIMITS`].
+const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" } # a bridge of a test
+span = { profile = "segmental", span = "4 m", rise = "1 m", thickness = "0.5 m", voussoirs = 9 }
+abutment = { top_width = "1 m", height = "1 m" }
+joint = { friction_angle = "35 deg", cohesion = "0 kPa" }
+load = { kind = "knife-edge", force = "10 kN/m", length = "0.3 m", at = "1/4 of span 1" }
+
+[masonry]
+density = "2200 kg/m^3"        # weighed
+elastic_modulus = "10 GPa"
+poisson_ratio = 0.2
+compressive_strength = "10 MPa"
+
+[[cover]]
+layer = "fill"
+thickness = "0.4 m"
+density = "1800 kg/m^3"
+
+[dispersal]
+rule = "uniform"
+slope = "2:1"
+
+[mesh]
+size = "0.6 m"
+ring_nodes = 3
+
+[fill]
+elastic_modulus = "100 MPa"
+poisson_ratio = 0.2
+density = "1800 kg/m^3"
+friction_angle = "30 deg"
+cohesion = "50 kPa"
+
+[mortar]
+elastic_modulus = "1 GPa"
+thickness = "10 mm"
+lift_off = "100 kN"
+
+[fill_contact]
+friction_coefficient = 0.6
+separation = false
+
+[train]
+name = "one wagon"
+
+[[train.vehicle]]
+axle_loads = ["10 t"]
+axle_spacings = ["2.0 m"]
+front_overhang = "1 m"
+rear_overhang = "1 m"
+
+[track]
+rail_bending_stiffness = "4 MNm^2"
+track_modulus = "30 MPa"
+sleeper_spacing = "0.60 m"
+sleeper_breadth = "0.25 m"
+sleeper_length = "2.75 m"
+ballast_depth = "0.25 m"
+ballast_slope = "2:1"
+dead_load = "3 kPa"
+
+[passage]
+speed = "36 km/h"
+time_step = "0.04 s"
+from = "-3 m"
+to = "9 m"
+
+[[sensor]]
+name = "crown"
+kind = "displacement"
+direction = "vertical"
+place = "crown"
+
+[[sensor]]
+name = "quarter"
+kind = "displacement"
+direction = "vertical"
+at = "1/4 of span 1"
+
+[[sensor]]
+name = "strain"
+kind = "strain"
+gauge_length = "100 mm"
+place = "left-springing"
+"#;
+
+/// Everything that can be compared on it.
+const LIMITS: &str = r#"
+[assess]
+rule = "irs-bridge-rules"
+source = "a test"
+deflection_limit = "5 mm"
+compression_limit = "5 MPa"
+tension_limit = "2 MPa"
+joint_shear_limit = "2 MPa"
+adequacy_factor = 1.5
+permissible_share = 0.9
+load_cycles = 1e6
+
+[[service_load]]
+name = "heavy"
+axle_load = "12 t"
+
+[mexe]
+barrel_factor = 1.2
+fill_factor = 0.7
+width_factor = 0.9
+depth_factor = 1.0
+mortar_factor = 0.9
+condition_factor = 0.9
+axle_load = "11.5 t"
+"#;
+
+/// A machine that needs longer than this for a second's work is not going to finish.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+fn stage(name: &str, limits: &str) -> Stage {
+    let stage = Stage::new(name);
+    stage.write("bridge.toml", format!("{BRIDGE}{limits}"));
+    stage
+}
+
+fn check<'a>(answer: &'a Value, code: &str) -> &'a Value {
+    let list = answer["checks"].as_array().expect("checks");
+    list.iter().find(|one| one["code"] == code).unwrap_or_else(|| panic!("no {code}"))
+}
+
+fn states(answer: &Value) -> Vec<(String, String)> {
+    let list = answer["stages"].as_array().expect("stages");
+    let text = |one: &Value, key: &str| one[key].as_str().expect("text").to_owned();
+    list.iter().map(|one| (text(one, "name"), text(one, "state"))).collect()
+}
+
+/// Verdict, exit code, object and report say the same; a second run takes every stage up and ends in the same numbers.
+#[test]
+fn a_bridge_is_judged_and_every_stage_is_kept() {
+    let stage = stage("assess-tiny", LIMITS);
+    let (answer, ending) = stage.object(&["assess", "bridge.toml", "--out", "out"]);
+    assert_eq!((ending.code, &answer["status"]), (Some(0), &Value::from("adequate")), "{answer}");
+    for code in ["C101", "C102", "C103", "C105", "C201", "C202", "C203", "C301"] {
+        let found = check(&answer, code);
+        assert!(found["met"] == true && number(found, "utilisation") > 0.0, "{found}");
+    }
+    assert!(answer["governing"]["code"].is_string() && answer["sensitivity"]["quantities"][0]["path"].is_string());
+    // The design augment of 4 m under a cushion of 0.4 m: 0.95 of full, lessened by 0.4 / 1.8.
+    let augment = &answer["service"]["augment"];
+    assert!((number(augment, "total") - 0.95).abs() < 1e-12);
+    assert!((number(augment, "design") - 0.95 * (1.0 - 0.4 / 1.8)).abs() < 1e-12);
+    let page = stage.read("out/report.html");
+    for words in ["Adequate", "weighed", "C101", "irs-bridge-rules", "bridge.toml", "<svg"] {
+        assert!(page.contains(words), "the report does not say {words}");
+    }
+    for outside in ["<script", "<link", "<img", "@import", "src="] {
+        assert!(!page.contains(outside), "the report needs something beside it: {outside}");
+    }
+    let (again, _) = stage.object(&["assess", "bridge.toml", "--out", "out"]);
+    let kept = states(&again).into_iter().filter(|(_, state)| state == "taken from an earlier run").count();
+    assert_eq!(kept, 4, "{:?}", states(&again));
+    assert_eq!((&again["checks"], &again["sensitivity"]), (&answer["checks"], &answer["sensitivity"]));
+}
+
+/// The live part of a column is the passage's own number times one and the augment.
+#[test]
+fn columns_are_those_of_the_passage() {
+    let stage = stage("assess-columns", &LIMITS.replace("axle_load = \"12 t\"", "source = \"as it is\""));
+    let (passage, _) = stage.object(&["respond", "bridge.toml", "--out", "respond"]);
+    let (answer, _) = stage.object(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]);
+    let crown = &passage["channels"][0];
+    let columns = &check(&answer, "C101")["columns"];
+    let design = number(&answer["service"]["augment"], "design");
+    let live = (1.0 + design) * number(crown, "minimum");
+    assert!((number(columns, "live_load_design_cda") - live).abs() < 1e-9 * live.abs(), "{columns}");
+    assert!((number(columns, "self_weight") - number(crown, "self_weight")).abs() < 1e-9);
+}
+
+#[test]
+fn a_limit_that_is_not_met_is_exit_code_one() {
+    let stage = stage("assess-broken", &LIMITS.replace("\"5 mm\"", "\"0.001 mm\""));
+    let (answer, ending) = stage.object(&["assess", "bridge.toml", "--skip", "sensitivity"]);
+    assert_eq!((ending.code, &answer["status"]), (Some(1), &Value::from("inadequate")));
+    assert_eq!(check(&answer, "C101")["met"], false);
+    assert!(stage.read("out/bridge/report.html").contains("Not adequate"));
+}
+
+/// No equilibrium in a single iteration: the passage fails, the rest stands, nothing is settled.
+#[test]
+fn a_stage_that_fails_leaves_the_rest_and_says_so() {
+    let stage = Stage::new("assess-fails");
+    let broken = BRIDGE.replace("speed = \"36 km/h\"", "speed = \"36 km/h\"\niterations = 1\nload_steps = 1");
+    stage.write("bridge.toml", format!("{}{LIMITS}", broken.replace("\"50 kPa\"", "\"0.01 kPa\"")));
+    let (answer, ending) = stage.object(&["assess", "bridge.toml", "--skip", "sensitivity"]);
+    assert_eq!((ending.code, &answer["status"]), (Some(3), &Value::from("undetermined")), "{:?}", states(&answer));
+    assert!(check(&answer, "C201")["met"] == true && answer["service"].is_null());
+    let codes: Vec<&str> =
+        answer["warnings"].as_array().into_iter().flatten().filter_map(|one| one["code"].as_str()).collect();
+    assert!(codes.contains(&"A160"), "{codes:?}");
+}
+
+#[test]
+fn a_file_without_limits_is_undetermined_and_says_what_to_write() {
+    let stage = stage("assess-open", "");
+    let (answer, ending) = stage.object(&["assess", "bridge.toml"]);
+    assert_eq!((ending.code, &answer["status"]), (Some(3), &Value::from("undetermined")));
+    let open = answer["not_made"].as_array().expect("a list");
+    assert!(open.iter().any(|one| one["why"].as_str().is_some_and(|why| why.contains("deflection_limit"))), "{open:?}");
+}
+
+/// Records of a twin: the update runs, its parameters are judged, and the assessed bridge has its values.
+#[test]
+fn records_lead_to_a_condition() {
+    let stage = Stage::new("assess-update");
+    stage.write("truth.toml", BRIDGE.replace("\"100 MPa\"", "\"170 MPa\""));
+    let (_, ending) = stage.object(&["respond", "truth.toml", "--out", "truth", "--quiet"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    stage.write("records.csv", format!("# synthetic: twin\n{}", stage.read("truth/channels.csv")));
+    let sought = r#"
+[records]
+place = "records.csv"
+zero = false
+
+[[parameter]]
+quantity = "fill.elastic_modulus"
+name = "fill"
+lower = "20 MPa"
+upper = "300 MPa"
+
+[update]
+starts = 1
+
+[[expected]]
+parameter = "fill"
+lower = "50 MPa"
+upper = "120 MPa"
+above = "It was grouted."
+"#;
+    stage.write("bridge.toml", format!("{BRIDGE}{LIMITS}{sought}"));
+    let (answer, ending) = stage.object(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    let fill = &answer["condition"][0];
+    // The records are exact: the search ends where it can no longer tell values apart.
+    assert!((number(fill, "value") - 170.0).abs() < 0.5, "{fill}");
+    assert_eq!(
+        (fill["verdict"].as_str(), fill["words"].as_str()),
+        (Some("higher-than-expected"), Some("It was grouted."))
+    );
+    let (own, _) =
+        stage.object(&["assess", "bridge.toml", "--out", "own", "--skip", "sensitivity", "--skip", "update"]);
+    assert_ne!(check(&own, "C101")["value"], check(&answer, "C101")["value"]);
+    let page = stage.read("out/report.html");
+    assert!(page.contains("SYNTHETIC") && page.contains("It was grouted."));
+}
+
+/// A small bridge of a fleet, with its own geometry; every fiftieth file is broken.
+fn fleet_file(number: usize) -> String {
+    if number % 50 == 7 {
+        return match number % 3 {
+            0 => "bridge = [".to_owned(),
+            1 => "[bridge]\nname = \"half a file\"\n".to_owned(),
+            _ => "\u{1}\u{2} no bridge".to_owned(),
+        };
+    }
+    let (span, rise) = (4.0 + (number % 7) as f64, 1.0 + 0.1 * (number % 5) as f64);
+    let thickness = 0.3 + 0.02 * (number % 11) as f64;
+    format!(
+        "[bridge]\nname = \"Bridge {number}\"\nwidth = \"4 m\"\n\n[[span]]\nprofile = \"segmental\"\nspan = \"{span} m\"\n\
+         rise = \"{rise} m\"\nthickness = \"{thickness:.2} m\"\nvoussoirs = 21\n\n[masonry]\ndensity = \"2200 kg/m^3\"\n\
+         compressive_strength = \"8 MPa\"\n\n[joint]\nfriction_angle = \"33 deg\"\ncohesion = \"0 kPa\"\n\n\
+         [[load]]\nkind = \"knife-edge\"\nforce = \"{} kN/m\"\nlength = \"0.3 m\"\nat = \"1/4 of span 1\"\n\n\
+         [assess]\nadequacy_factor = 1.5\n",
+        5 + number % 9
+    )
+}
+
+fn fleet(name: &str, count: usize) -> Stage {
+    let stage = Stage::new(name);
+    std::fs::create_dir_all(stage.folder.join("bridges")).expect("a folder");
+    for number in 0..count {
+        stage.write(&format!("bridges/{number:04}.toml"), fleet_file(number));
+    }
+    stage
+}
+
+/// Broken files are rows and stop nothing; the worst bridge stands first; a killed run is taken up to the same table.
+#[test]
+fn a_fleet_survives_broken_files_and_a_kill() {
+    let stage = fleet("assess-fleet", 60);
+    let words = ["assess", "bridges", "--out", "fleet", "--skip", "sensitivity"];
+    let mut child =
+        stage.command(&words).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the program starts");
+    let begun = Instant::now();
+    while stage.names("fleet").len() < 8 && begun.elapsed() < PATIENCE {
+        if child.try_wait().expect("a status").is_some() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    let (answer, ending) = stage.object(&words);
+    assert_eq!(answer["bridges"], 60, "{answer}");
+    let broken = answer["unusable"].as_array().expect("a list");
+    let names: Vec<&str> = broken.iter().filter_map(|one| one["file"].as_str()).collect();
+    assert_eq!(names, ["0007.toml", "0057.toml"]);
+    assert!(broken.iter().all(|one| one["message"].as_str().is_some_and(|words| words.len() > 10)), "{broken:?}");
+    assert!(matches!(ending.code, Some(1 | 3)), "{:?}", ending.code);
+    let table = stage.read("fleet/fleet.csv");
+    assert_eq!(table.lines().count(), 61);
+    let page = stage.read("fleet/fleet.html");
+    assert!(page.contains("href=\"0000/report.html\"") && stage.read("fleet/0000/report.html").contains("Bridge 0"));
+    // An undisturbed run on one core ends in the same table.
+    let (_, _) = stage.object(&["assess", "bridges", "--out", "calm", "--skip", "sensitivity", "--threads", "1"]);
+    assert_eq!(stage.read("calm/fleet.csv"), table);
+}
+
+/// Slow: a thousand bridges, twenty of them broken. `cargo test --release -p cli --test it -- --ignored a_thousand`
+#[test]
+#[ignore = "a thousand bridges take about a minute"]
+fn a_thousand_bridges() {
+    let stage = fleet("assess-thousand", 1000);
+    let (answer, _) = stage.object(&["assess", "bridges", "--out", "fleet", "--skip", "sensitivity"]);
+    assert_eq!(answer["unusable"].as_array().map(Vec::len), Some(20));
+    assert_eq!(answer["bridges"], 1000);
+    // Both cores of a small machine need under a minute; an hour is a machine that does something else.
+    assert!(number(&answer, "wall_seconds") < 3600.0);
+}

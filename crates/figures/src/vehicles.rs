@@ -1,0 +1,169 @@
+//! Adequacy factors of vehicles, worst first, and the factor of the governing one over its position.
+
+use crate::chart::Axis;
+use crate::elevation::INK;
+use crate::envelope::{Quantity, Sweep, envelope};
+use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::words::four_digits;
+use assess::analysis::vehicles::{Direction, Swept, VehicleSweep};
+
+const ENOUGH: &str = "#1f5fa8";
+const SHORT: &str = "#a02020";
+const ROW: f64 = 20.0;
+
+/// Names and drawings of a sweep of vehicles.
+pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
+    let mut drawings = Vec::new();
+    if let Some(svg) = adequacy(found) {
+        drawings.push(("adequacy", svg));
+    }
+    if let Some(v) = found.governing.and_then(|k| found.vehicles.get(k))
+        && let Some(svg) = envelope(&format!("{}: {}", found.bridge, v.title), Quantity::Adequacy, &curves(v))
+    {
+        drawings.push(("envelope", svg));
+    }
+    drawings
+}
+
+/// The least factor over arrangements at every place of the first axle, one curve for each way.
+fn curves(v: &Swept) -> Vec<Sweep> {
+    // Beside the spans factors grow without bound; far above the governing one they are only a line that leaves the frame.
+    let least = v.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
+    let drawn = |a: Option<f64>| a.map_or(f64::NAN, |a| a.min(8.0 * least));
+    let ways = [(Direction::Right, "driving to the right"), (Direction::Left, "driving to the left")];
+    let mut curves = Vec::new();
+    for (way, words) in ways {
+        let mut points: Vec<(f64, f64)> =
+            v.envelope.iter().filter(|p| p.direction == way).map(|p| (p.position, drawn(p.adequacy))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points.dedup_by(|next, kept| {
+            let same = (next.0 - kept.0).abs() < 1e-6;
+            if same && (next.1 < kept.1 || kept.1.is_nan()) {
+                kept.1 = next.1;
+            }
+            same
+        });
+        if !points.is_empty() {
+            curves.push(Sweep { label: words.to_owned(), points });
+        }
+    }
+    // A vehicle that looks the same from both ends drives one way only, and needs no key.
+    if let [alone] = &mut curves[..] {
+        alone.label.clear();
+    }
+    curves
+}
+
+/// A bar for every vehicle, worst on top, with a line where the factor is one.
+fn adequacy(found: &VehicleSweep) -> Option<String> {
+    let mut bars: Vec<(&Swept, f64)> = found.vehicles.iter().filter_map(|v| Some((v, v.adequacy?))).collect();
+    bars.sort_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.code.cmp(&b.0.code)));
+    let least = bars.first()?.1;
+    let most = bars.iter().map(|b| b.1).fold(1.0, f64::max);
+    let mut sheet = Sheet::new("adequacy");
+    let top = sheet.title(
+        &found.bridge,
+        &format!("Adequacy factor of vehicles by limit analysis, rule \u{201c}{}\u{201d}", found.rule.code),
+    );
+    let small = Style { size: SMALL, ..Style::default() };
+    let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
+    let names = bars.iter().map(|b| wide(&b.0.code)).fold(60.0, f64::max);
+    let area = Area {
+        left: MARGIN + names + 10.0,
+        right: WIDTH - MARGIN - 46.0,
+        top: top + 8.0,
+        bottom: top + 8.0 + ROW * bars.len() as f64 + 8.0,
+    };
+    let axis = Axis::exact("adequacy factor [–]", 0.0, 1.05 * most, 7);
+    let x = |value: f64| area.left + (area.right - area.left) * value / axis.range[1];
+    sheet.open("axes");
+    for &value in &axis.ticks.values {
+        sheet.line([x(value), area.top], [x(value), area.bottom], Pen::line("#d8d8d8", HAIR));
+        sheet.text([x(value), area.bottom + 16.0], &axis.words(value), small.anchored(Anchor::Middle));
+    }
+    sheet.close();
+    for (k, (v, factor)) in bars.iter().enumerate() {
+        let middle = area.top + 4.0 + ROW * (k as f64 + 0.5);
+        let colour = if *factor < 1.0 { SHORT } else { ENOUGH };
+        let bar = Area { left: area.left, right: x(*factor), top: middle - 6.0, bottom: middle + 6.0 };
+        sheet.rectangle(bar, Pen::shape(colour, "none", 0.0).class("vehicle"));
+        sheet.text([area.left - 8.0, middle + 4.4], &v.code, small.anchored(Anchor::End));
+        sheet.text([x(*factor) + 6.0, middle + 4.4], &four_digits(*factor), small);
+    }
+    sheet.line([x(1.0), area.top - 4.0], [x(1.0), area.bottom], Pen::line(INK, MEDIUM).dashed("5 4").class("one"));
+    sheet.line([area.left, area.top], [area.left, area.bottom], Pen::line(INK, 0.9));
+    sheet.text(
+        [0.5 * (area.left + area.right), area.bottom + 36.0],
+        axis.name,
+        Style::default().anchored(Anchor::Middle),
+    );
+    let words = match least < 1.0 {
+        true => "left of the dashed line the bridge does not carry the vehicle with the rule's factors",
+        false => "right of the dashed line the bridge carries the vehicle with the rule's factors",
+    };
+    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, words, small);
+    Some(sheet.finish(bottom + 4.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use assess::analysis::Status;
+    use assess::analysis::vehicles::EnvelopePoint;
+
+    fn swept(code: &str, adequacy: Option<f64>) -> Swept {
+        let point = |k: usize, direction| EnvelopePoint {
+            arrangement: String::new(),
+            direction,
+            position: k as f64,
+            adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
+            axles: Some([0, 0]),
+        };
+        Swept {
+            code: code.to_owned(),
+            title: code.to_uppercase(),
+            model: code.to_owned(),
+            status: Status::Collapsed,
+            adequacy,
+            bounds: adequacy.map(|a| [a; 2]),
+            without_dilation: None,
+            case: None,
+            envelope: (0..11).flat_map(|k| [point(k, Direction::Right), point(k, Direction::Left)]).collect(),
+            sections: Vec::new(),
+            effective_width: 3.0,
+            load_factors: [1.0; 2],
+            cases: 22,
+            by_interior_point: 0,
+        }
+    }
+
+    fn sweep(vehicles: Vec<Swept>, governing: Option<usize>) -> VehicleSweep {
+        VehicleSweep {
+            bridge: "Bridge".into(),
+            rule: assess::rules::library().expect("library").rules.remove(0),
+            vehicles,
+            governing,
+            collapse: None,
+            confirmation: None,
+            step: 1.0,
+            warnings: Vec::new(),
+            assumptions: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn every_vehicle_has_a_bar_and_the_governing_one_its_curves() {
+        let found = sweep(vec![swept("strong", Some(4.0)), swept("locks", None), swept("weak", Some(0.8))], Some(2));
+        let drawings = vehicles(&found);
+        let names: Vec<&str> = drawings.iter().map(|d| d.0).collect();
+        assert_eq!(names, ["adequacy", "envelope"]);
+        let bars = &drawings[0].1;
+        assert_eq!(bars.matches("class=\"vehicle\"").count(), 2, "{bars}");
+        assert!(bars.find(">weak<") < bars.find(">strong<"), "worst on top");
+        assert!(bars.contains(SHORT) && bars.contains(ENOUGH) && !bars.contains(">locks<"));
+        let curves = &drawings[1].1;
+        assert_eq!(curves.matches("class=\"sweep\"").count(), 2);
+        assert!(curves.contains("governing: 0.8 at 5") || curves.contains("governing: 0.8000 at 5"), "{curves}");
+        assert!(vehicles(&sweep(vec![swept("locks", None)], None)).is_empty());
+    }
+}

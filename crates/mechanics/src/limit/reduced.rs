@@ -1,0 +1,211 @@
+//! Joint forces as a state of equilibrium and what may be added to it without any load.
+//!
+//! All forces in equilibrium with the permanent loads and `factor` times a load are
+//! `f = f0 + factor f_p + N x`: `f0` carries the permanent loads within strength, `f_p` balances the load, and the columns
+//! of `N` are states of self-stress, three for every ring that is clamped at both ends. So limit analysis of a load is a
+//! linear program in `x` and the factor alone, a handful of unknowns, whose rows change with the load in one column only.
+//! `f0`, `N` and the factorisation behind `f_p` are made once for all loads.
+
+use super::compliance::{Resistance, Stiffness};
+use super::equilibrium::{Entry, Equilibrium};
+use super::joints::{Joint, Strength};
+
+/// Beyond this many states of self-stress dense rows cost more than a sparse interior-point method.
+const MOST_STATES: usize = 160;
+/// Out-of-balance forces, relative to all permanent loads, that a state may leave: round-off of a refined solution.
+const BALANCED: f64 = 1e-11;
+
+/// Resistance of one to everything.
+const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A row that forces must keep: `entries . f + constant >= 0`.
+#[derive(Debug, Clone)]
+pub(super) struct Row {
+    /// Column and coefficient.
+    pub entries: Vec<Entry>,
+    /// Constant, scaled force.
+    pub constant: f64,
+    /// Whether a joint slides where the row is reached.
+    pub slides: bool,
+}
+
+impl Row {
+    /// `entries . f`.
+    pub fn of(&self, forces: &[f64]) -> f64 {
+        self.entries.iter().map(|&(c, v)| v * forces[c]).sum()
+    }
+}
+
+/// Elastic joints, all alike: states that balance loads, and motions that deformations belong to.
+pub(super) struct Elastic<'a> {
+    equilibrium: &'a Equilibrium,
+    stiffness: Stiffness<'a>,
+}
+
+impl<'a> Elastic<'a> {
+    /// Factorises; `resistances` are [`alike`] for the joints.
+    pub fn new(equilibrium: &'a Equilibrium, joints: &'a [Joint], resistances: &'a [Resistance]) -> Option<Self> {
+        Some(Elastic { equilibrium, stiffness: Stiffness::new(equilibrium, joints, resistances)? })
+    }
+
+    /// Forces `f` of elastic joints with `B f = -load`; none where round-off spoils them.
+    pub fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
+        let mut forces = vec![0.0; self.equilibrium.columns.len()];
+        let mut left: Vec<f64> = load.iter().map(|p| -p).collect();
+        // Each pass takes out what the one before left of the load.
+        for _ in 0..3 {
+            let velocities = self.stiffness.solve(&left);
+            for (f, d) in forces.iter_mut().zip(self.stiffness.forces(&velocities)) {
+                *f += d;
+            }
+            left = load.iter().map(|p| -p).collect();
+            self.subtract(&forces, &mut left);
+        }
+        let worst = left.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+        (worst <= BALANCED).then_some(forces)
+    }
+
+    /// Velocities whose deformations are `wanted`, as nearly as may be.
+    pub fn motion(&mut self, wanted: &[f64]) -> Vec<f64> {
+        let mut velocities = vec![0.0; self.equilibrium.rows];
+        for _ in 0..2 {
+            let have = self.equilibrium.deformations(&velocities);
+            let mut out = vec![0.0; self.equilibrium.rows];
+            let mut missing: Vec<f64> = wanted.iter().zip(&have).map(|(w, h)| h - w).collect();
+            missing[self.equilibrium.joint_columns()..].fill(0.0);
+            self.subtract(&missing, &mut out);
+            for (u, d) in velocities.iter_mut().zip(self.stiffness.solve(&out)) {
+                *u += d;
+            }
+        }
+        velocities
+    }
+
+    fn subtract(&self, forces: &[f64], from: &mut [f64]) {
+        for (column, f) in self.equilibrium.columns.iter().zip(forces) {
+            for &(i, v) in column {
+                from[i] -= v * f;
+            }
+        }
+    }
+}
+
+/// A resistance of one for every joint.
+pub(super) fn alike(joints: &[Joint]) -> Vec<Resistance> {
+    joints.iter().map(|_| ALIKE).collect()
+}
+
+/// States of self-stress, as many as there are columns more than equations: orthonormal ones of the joints, then each force
+/// that answers movement with the joint forces that balance it. None where they are too many, or where round-off would
+/// spoil them.
+pub(super) fn self_stress(elastic: &mut Elastic) -> Option<Vec<Vec<f64>>> {
+    let (all, columns) = (elastic.equilibrium.columns.len(), elastic.equilibrium.joint_columns());
+    let states = columns.checked_sub(elastic.equilibrium.rows)?;
+    if all == elastic.equilibrium.rows || all - elastic.equilibrium.rows > MOST_STATES {
+        return None;
+    }
+    // Rows of the projector on self-stress, taken largest first (a pivoted Cholesky factorisation of it).
+    let mut project = |v: &[f64]| -> Option<Vec<f64>> {
+        let mut load = vec![0.0; elastic.equilibrium.rows];
+        for (column, f) in elastic.equilibrium.columns.iter().zip(v) {
+            for &(i, c) in column {
+                load[i] += c * f;
+            }
+        }
+        let balance = elastic.balance(&load)?;
+        Some(v.iter().zip(balance).map(|(a, b)| a + b).collect())
+    };
+    let unit = |c: usize| (0..all).map(|k| if k == c { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+    let mut left = Vec::with_capacity(columns);
+    for c in 0..columns {
+        left.push(project(&unit(c))?[c]);
+    }
+    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(states);
+    for _ in 0..states {
+        let mut largest = 0;
+        for c in 1..columns {
+            if left[c] > left[largest] {
+                largest = c;
+            }
+        }
+        let mut state = unit(largest);
+        // Twice is enough: what the first pass leaves of the others is round-off.
+        for _ in 0..2 {
+            state = project(&state)?;
+            for other in &basis {
+                let along: f64 = state.iter().zip(other).map(|(a, b)| a * b).sum();
+                for (a, b) in state.iter_mut().zip(other) {
+                    *a -= along * b;
+                }
+            }
+            let size = state.iter().map(|a| a * a).sum::<f64>().sqrt();
+            if !(size > 1e-6) {
+                return None;
+            }
+            state.iter_mut().for_each(|a| *a /= size);
+        }
+        for (l, a) in left.iter_mut().zip(&state) {
+            *l -= a * a;
+        }
+        basis.push(state);
+    }
+    for c in columns..all {
+        basis.push(project(&unit(c))?);
+    }
+    Some(basis)
+}
+
+/// What the strength of all joints asks of their forces, linear: without the parabolas of joints that crush.
+pub(super) fn rows(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength]) -> Vec<Row> {
+    let unit = equilibrium.force;
+    let mut rows = Vec::new();
+    for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
+        let n = joint.points.len();
+        // Tension also bounds joints that crush: their parabola lies within.
+        for k in 0..n {
+            rows.push(Row { entries: vec![(c + k, 1.0)], constant: strength.tension / unit, slides: false });
+        }
+        if strength.friction.is_finite() {
+            for sign in [1.0, -1.0] {
+                let mut entries = vec![(c + n, sign)];
+                entries.extend((0..n).map(|k| (c + k, strength.friction)));
+                rows.push(Row { entries, constant: strength.cohesion / unit, slides: true });
+            }
+        }
+    }
+    for restraint in &equilibrium.restraints {
+        rows.push(Row { entries: vec![(restraint.column, 1.0)], constant: 0.0, slides: false });
+        rows.push(Row { entries: vec![(restraint.column, -1.0)], constant: restraint.most, slides: false });
+    }
+    rows
+}
+
+/// Tangents, at these forces, to the parabolas of joints that crush, where the forces lie outside by more than `allowed`.
+pub(super) fn tangents(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    forces: &[f64],
+    allowed: f64,
+) -> Vec<Row> {
+    let unit = equilibrium.force;
+    let mut rows = Vec::new();
+    for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
+        let curvature = strength.curvature(joint.points.len()) * unit;
+        if curvature == 0.0 {
+            continue;
+        }
+        let tension = strength.tension / unit;
+        let total = forces[c] + forces[c + 1] + 2.0 * tension;
+        for k in 0..2 {
+            if forces[c + k] + tension - curvature * total * total < -allowed {
+                // n' >= curvature (2 total0 total' - total0^2), with n' and total' shifted by the tension.
+                let slope = 2.0 * curvature * total;
+                let entries = vec![(c + k, 1.0 - slope), (c + 1 - k, -slope)];
+                let constant = tension - 2.0 * slope * tension + curvature * total * total;
+                rows.push(Row { entries, constant, slides: false });
+            }
+        }
+    }
+    rows
+}

@@ -1,0 +1,461 @@
+//! Many loads on one model, one after the other: everything that does not depend on the load is made once, and the
+//! mechanism of one load is the start for the next.
+
+use super::bounds;
+use super::collapse::{Carried, Found, carried, largest_factor_of_carried, report};
+use super::compliance::Resistance;
+use super::equilibrium::Equilibrium;
+use super::joints::{Joint, Strength, joints};
+use super::outcome::{Outcome, Status};
+use super::program::{Ending, Solution};
+use super::reduced::{Elastic, Row, alike, rows, self_stress, tangents};
+use super::settings::Settings;
+use super::simplex::{Corner, Ended, Member, Rows, greatest};
+use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
+
+/// Bounds that differ by more than this, relative, are left to the interior-point method: far above the round-off of a
+/// refined corner, far below the 1e-6 to which both bounds must agree.
+const GAP: f64 = 1e-9;
+/// Force by which a joint may lie outside its parabola, scaled: as far as the interior-point method leaves it.
+const OUTSIDE: f64 = 1e-10;
+/// Most rounds of tangents for one load; each squares the distance to the parabolas.
+const ROUNDS: usize = 40;
+/// Mechanisms that are kept as starts.
+const KEPT: usize = 48;
+
+/// What all loads have in common.
+pub struct Ground<'a> {
+    model: &'a BlockModel,
+    interfaces: Vec<Interface>,
+    joints: Vec<Joint>,
+    strengths: Vec<Strength>,
+    resistances: Vec<Resistance>,
+    equilibrium: Equilibrium,
+    stands: Carried,
+    reduced: Option<Reduced>,
+    /// Forces of elastic joints under the permanent loads, scaled.
+    resting: Option<Vec<f64>>,
+}
+
+/// What a joint carries, as an elastic one that opens nowhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Compression of the whole joint [N/m].
+    pub compression: f64,
+    /// Shear [N/m], positive when the force on the second block acts along `normal.left()`.
+    pub shear: f64,
+    /// Where the compression acts, from the middle of the joint along `normal.left()` [m].
+    pub eccentricity: f64,
+}
+
+/// The linear program of few unknowns.
+struct Reduced {
+    /// A state that balances the permanent loads.
+    start: Vec<f64>,
+    /// States of self-stress.
+    states: Vec<Vec<f64>>,
+    /// What strength asks.
+    limits: Vec<Row>,
+    /// The same in terms of the unknowns.
+    rows: Rows,
+}
+
+impl Reduced {
+    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, limits: Vec<Row>, stands: &Carried) -> Option<Reduced> {
+        let states = self_stress(elastic)?;
+        let mut start = stands.forces().to_vec();
+        // What the proof leaves out of balance is taken out.
+        let left = equilibrium.residual(&start, 0.0);
+        for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
+            *f += d;
+        }
+        let mut this =
+            Reduced { start, rows: Rows { width: states.len(), ..Rows::default() }, states, limits: Vec::new() };
+        this.extend(limits);
+        Some(this)
+    }
+
+    fn extend(&mut self, limits: Vec<Row>) {
+        for row in limits {
+            self.rows.a.extend(self.states.iter().map(|state| -row.of(state)));
+            self.rows.b.push(row.of(&self.start) + row.constant);
+            self.limits.push(row);
+        }
+    }
+
+    fn clone_rows(&self) -> Reduced {
+        Reduced {
+            start: self.start.clone(),
+            states: self.states.clone(),
+            limits: self.limits.clone(),
+            rows: self.rows.clone(),
+        }
+    }
+}
+
+/// What a load does to the joints. Effects of loads add up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effect {
+    load: Vec<f64>,
+    forces: Vec<f64>,
+}
+
+impl Effect {
+    /// Adds so many times another effect.
+    pub fn add(&mut self, other: &Effect, times: f64) {
+        for (a, b) in self.load.iter_mut().zip(&other.load).chain(self.forces.iter_mut().zip(&other.forces)) {
+            *a += times * b;
+        }
+    }
+}
+
+/// A load factor and how sure it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factor {
+    /// How it ended.
+    pub status: Status,
+    /// Factor of the returned forces; a lower bound.
+    pub lower: Option<f64>,
+    /// Factor of the mechanism by the work equation; an upper bound.
+    pub upper: Option<f64>,
+    /// Whether joints slide in the mechanism.
+    pub slides: bool,
+    /// Exchanges of the simplex method, or iterations of the interior-point method.
+    pub iterations: usize,
+    /// Whether the interior-point method had to help.
+    pub by_interior_point: bool,
+}
+
+impl<'a> Ground<'a> {
+    /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
+    pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
+        if model.blocks.iter().all(|b| b.held.is_fixed()) {
+            return Err(ModelError::NothingFree);
+        }
+        let (interfaces, joints) = joints(model, settings)?;
+        let permanent = Loading { variable: Vec::new(), ..loading.clone() };
+        let equilibrium = Equilibrium::new(model, &permanent, &joints);
+        let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
+        let stands = carried(&equilibrium, &joints, &strengths);
+        let resistances = alike(&joints);
+        let limits = rows(&equilibrium, &joints, &strengths);
+        let resting = Elastic::new(&equilibrium, &joints, &resistances)
+            .and_then(|mut elastic| elastic.balance(&equilibrium.permanent));
+        let reduced = match stands.is_carried() {
+            true => Elastic::new(&equilibrium, &joints, &resistances)
+                .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
+            false => None,
+        };
+        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting })
+    }
+
+    fn crushes(&self) -> bool {
+        self.strengths.iter().any(|s| s.crushing.is_finite())
+    }
+
+    /// The joints, in the order of all forces.
+    pub fn interfaces(&self) -> &[Interface] {
+        &self.interfaces
+    }
+
+    /// What a joint carries under the permanent loads and so many times a load, if joints were elastic, all alike, and
+    /// opened nowhere. None for joints of one point and where nothing is compressed.
+    pub fn section(&self, effect: &Effect, factor: f64, joint: usize) -> Option<Section> {
+        let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
+        let of = &self.joints[joint];
+        let force = |k: usize| (resting[c + k] + factor * effect.forces[c + k]) * self.equilibrium.force;
+        let [a, b] = [force(0), force(1)];
+        let compression = a + b;
+        (of.points.len() == 2 && compression > 0.0).then(|| Section {
+            compression,
+            shear: force(2),
+            eccentricity: 0.5 * of.length * (b - a) / compression,
+        })
+    }
+
+    /// Whether loads are answered by the fast method; where not, by the interior-point method one by one.
+    pub fn is_fast(&self) -> bool {
+        self.reduced.is_some()
+    }
+
+    /// A sweep over loads. Results do not depend on other sweepers of the same ground.
+    pub fn sweeper(&self) -> Sweeper<'_> {
+        let elastic =
+            self.reduced.as_ref().and_then(|_| Elastic::new(&self.equilibrium, &self.joints, &self.resistances));
+        let reduced = self.reduced.as_ref().filter(|_| elastic.is_some()).map(Reduced::clone_rows);
+        Sweeper { ground: self, elastic, reduced, kept: Vec::new(), next: 0 }
+    }
+}
+
+/// A mechanism to start from.
+struct Kept {
+    mechanism: Vec<(usize, f64)>,
+    members: Vec<Member>,
+}
+
+/// How far the fast method came with a load.
+enum Reached {
+    /// The best corner, and the factor of the load over its last unknown.
+    Corner(Corner, f64),
+    /// The load is carried however large it is.
+    Locks,
+    /// Nowhere.
+    Lost,
+}
+
+/// Answers loads one after the other.
+pub struct Sweeper<'a> {
+    ground: &'a Ground<'a>,
+    elastic: Option<Elastic<'a>>,
+    reduced: Option<Reduced>,
+    /// Mechanisms: rows with their multipliers, and the basis.
+    kept: Vec<Kept>,
+    next: usize,
+}
+
+impl Sweeper<'_> {
+    /// What a load does.
+    pub fn effect(&mut self, load: &[PointForce]) -> Effect {
+        let ground = self.ground;
+        let mut equilibrium = Loads { equilibrium: &ground.equilibrium, model: ground.model };
+        let scaled = equilibrium.scaled(load);
+        let columns = ground.equilibrium.columns.len();
+        let forces = self.elastic.as_mut().and_then(|elastic| {
+            let size = sum_of_sizes(&scaled);
+            if size == 0.0 {
+                return Some(vec![0.0; columns]);
+            }
+            let unit: Vec<f64> = scaled.iter().map(|p| p / size).collect();
+            elastic.balance(&unit).map(|forces| forces.iter().map(|f| f * size).collect())
+        });
+        if forces.is_none() {
+            // Round-off spoils this load: the interior-point method takes over for all that follow.
+            self.reduced = None;
+        }
+        Effect { load: scaled, forces: forces.unwrap_or_else(|| vec![0.0; columns]) }
+    }
+
+    /// The effect of no load.
+    pub fn nothing(&self) -> Effect {
+        let equilibrium = &self.ground.equilibrium;
+        Effect { load: vec![0.0; equilibrium.rows], forces: vec![0.0; equilibrium.columns.len()] }
+    }
+
+    /// The factor at which a load makes a mechanism, with dilatant friction.
+    pub fn factor(&mut self, effect: &Effect) -> Factor {
+        match self.corner(effect) {
+            Reached::Locks => Factor {
+                status: Status::Locks,
+                lower: None,
+                upper: None,
+                slides: false,
+                iterations: 0,
+                by_interior_point: false,
+            },
+            Reached::Corner(corner, scale) => Factor {
+                status: Status::Solved,
+                lower: corner.z.last().map(|z| z * scale),
+                upper: Some(corner.upper * scale),
+                slides: self.slides(&corner),
+                iterations: corner.pivots,
+                by_interior_point: false,
+            },
+            Reached::Lost => {
+                let (equilibrium, found) = self.by_interior_point(effect);
+                let ground = self.ground;
+                let solved = found.status == Status::Solved;
+                let scale = equilibrium.factor_scale;
+                let mechanism =
+                    super::mechanism::mechanism(ground.model, &equilibrium, &ground.joints, &found.solution.velocities);
+                let upper = solved.then(|| {
+                    let s = &found.solution;
+                    bounds::least_upper(&equilibrium, &ground.joints, &ground.strengths, &s.forces, &s.velocities)
+                        .factor
+                        * scale
+                });
+                Factor {
+                    status: found.status,
+                    lower: solved.then_some(found.solution.factor * scale),
+                    upper,
+                    slides: solved && mechanism.is_some_and(|m| !m.sliding.is_empty()),
+                    iterations: found.iterations as usize,
+                    by_interior_point: true,
+                }
+            }
+        }
+    }
+
+    /// Forces, resultants and mechanism at that factor.
+    pub fn outcome(&mut self, effect: &Effect) -> Outcome {
+        let ground = self.ground;
+        let (equilibrium, found) = self.found(effect);
+        report(ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
+    }
+
+    /// The factor without dilation, where the iteration for it settles.
+    pub(super) fn level(&mut self, effect: &Effect) -> Option<f64> {
+        let (equilibrium, found) = self.found(effect);
+        let ground = self.ground;
+        let forces = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
+        let settled = super::nonassociated::settle(&equilibrium, &ground.joints, &ground.strengths, forces);
+        settled.map(|s| s.solution.factor * equilibrium.factor_scale)
+    }
+
+    /// The factor at which a load makes a mechanism where sliding does not dilate; the other one where nothing slides.
+    pub fn level_factor(&mut self, effect: &Effect) -> Option<f64> {
+        let factor = self.factor(effect);
+        if factor.slides || factor.status == Status::Locks { self.level(effect) } else { factor.lower }
+    }
+
+    fn found(&mut self, effect: &Effect) -> (Equilibrium, Found) {
+        match self.corner(effect) {
+            Reached::Corner(corner, _) => (self.loaded(effect), self.solution(effect, &corner)),
+            Reached::Locks | Reached::Lost => self.by_interior_point(effect),
+        }
+    }
+
+    /// The best corner, and the factor of the load over its last unknown.
+    fn corner(&mut self, effect: &Effect) -> Reached {
+        self.try_corner(effect).unwrap_or(Reached::Lost)
+    }
+
+    fn try_corner(&mut self, effect: &Effect) -> Option<Reached> {
+        let size = sum_of_sizes(&effect.load);
+        if !(size > 0.0) || !size.is_finite() {
+            return None;
+        }
+        let mut start = self.best_kept(effect);
+        for _ in 0..ROUNDS {
+            let reduced = self.reduced.as_ref()?;
+            let last: Vec<f64> = reduced.limits.iter().map(|row| -row.of(&effect.forces) / size).collect();
+            let corner = match greatest(&reduced.rows, &last, start.as_deref()) {
+                Ended::Best(corner) => corner,
+                // Tangents of joints that crush may still be missing.
+                Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
+                Ended::Unbounded | Ended::Lost => return None,
+            };
+            let factor = corner.z.last().copied()?;
+            if (corner.upper - factor).abs() > GAP * (1.0 + factor.abs()) {
+                return None;
+            }
+            let forces = forces_at(reduced, effect, &corner.z, 1.0 / size);
+            let ground = self.ground;
+            let more = tangents(
+                &ground.equilibrium,
+                &ground.joints,
+                &ground.strengths,
+                &forces,
+                OUTSIDE * (1.0 + factor.abs()),
+            );
+            if more.is_empty() {
+                if corner.pivots > 0 {
+                    self.keep(&corner);
+                }
+                return Some(Reached::Corner(corner, 1.0 / size));
+            }
+            start = Some(corner.members);
+            self.reduced.as_mut()?.extend(more);
+        }
+        None
+    }
+
+    /// The kept mechanism that gives the load the least upper bound.
+    fn best_kept(&self, effect: &Effect) -> Option<Vec<Member>> {
+        let reduced = self.reduced.as_ref()?;
+        let (mut least, mut best) = (f64::INFINITY, None);
+        for (index, Kept { mechanism, .. }) in self.kept.iter().enumerate() {
+            let work: f64 = mechanism.iter().map(|&(k, y)| -y * reduced.limits[k].of(&effect.forces)).sum();
+            let resistance: f64 = mechanism.iter().map(|&(k, y)| y * reduced.rows.b[k]).sum();
+            if work > 1e-9 * sum_of_sizes(&effect.load) && resistance / work < least {
+                (least, best) = (resistance / work, Some(index));
+            }
+        }
+        best.map(|index| self.kept[index].members.clone())
+    }
+
+    fn keep(&mut self, corner: &Corner) {
+        let mechanism = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
+        let kept = Kept { mechanism, members: corner.members.clone() };
+        if self.kept.len() < KEPT {
+            self.kept.push(kept);
+        } else {
+            self.kept[self.next] = kept;
+            self.next = (self.next + 1) % KEPT;
+        }
+    }
+
+    fn slides(&self, corner: &Corner) -> bool {
+        let largest = corner.basis.iter().map(|m| m.1).fold(0.0, f64::max);
+        let limits = self.reduced.as_ref().map_or(&[][..], |r| &r.limits[..]);
+        corner.basis.iter().any(|&(k, y)| limits[k].slides && y > 1e-6 * largest)
+    }
+
+    /// The loads' equilibrium with this effect as the variable load.
+    fn loaded(&self, effect: &Effect) -> Equilibrium {
+        let mut equilibrium = self.ground.equilibrium.clone();
+        let size = sum_of_sizes(&effect.load);
+        equilibrium.factor_scale = if size > 0.0 { 1.0 / size } else { 1.0 };
+        equilibrium.variable = effect.load.iter().map(|p| p * equilibrium.factor_scale).collect();
+        equilibrium
+    }
+
+    fn by_interior_point(&self, effect: &Effect) -> (Equilibrium, Found) {
+        let ground = self.ground;
+        let equilibrium = self.loaded(effect);
+        let found = largest_factor_of_carried(&equilibrium, &ground.joints, &ground.strengths, &ground.stands);
+        (equilibrium, found)
+    }
+
+    /// Forces and velocities of a corner.
+    fn solution(&mut self, effect: &Effect, corner: &Corner) -> Found {
+        let equilibrium = &self.ground.equilibrium;
+        let mut solution = Solution {
+            ending: Ending::Solved,
+            forces: vec![0.0; equilibrium.columns.len()],
+            factor: corner.z.last().copied().unwrap_or(0.0),
+            velocities: vec![0.0; equilibrium.rows],
+            iterations: corner.pivots as u32,
+        };
+        if let (Some(reduced), Some(elastic)) = (&self.reduced, &mut self.elastic) {
+            solution.forces = forces_at(reduced, effect, &corner.z, 1.0 / sum_of_sizes(&effect.load));
+            let mut deformations = vec![0.0; equilibrium.columns.len()];
+            for &(k, y) in &corner.basis {
+                for &(c, v) in &reduced.limits[k].entries {
+                    deformations[c] += y * v;
+                }
+            }
+            solution.velocities = elastic.motion(&deformations);
+        }
+        Found { status: Status::Solved, iterations: solution.iterations, solution }
+    }
+}
+
+fn forces_at(reduced: &Reduced, effect: &Effect, z: &[f64], scale: f64) -> Vec<f64> {
+    let (x, factor) = z.split_at(reduced.states.len());
+    let mut forces: Vec<f64> =
+        reduced.start.iter().zip(&effect.forces).map(|(f0, p)| f0 + factor[0] * scale * p).collect();
+    for (state, x) in reduced.states.iter().zip(x) {
+        for (f, s) in forces.iter_mut().zip(state) {
+            *f += x * s;
+        }
+    }
+    forces
+}
+
+/// Loads in the equations' units of force.
+struct Loads<'a> {
+    equilibrium: &'a Equilibrium,
+    model: &'a BlockModel,
+}
+
+impl Loads<'_> {
+    fn scaled(&mut self, load: &[PointForce]) -> Vec<f64> {
+        let mut scaled = self.equilibrium.of_load(self.model, load);
+        scaled.iter_mut().for_each(|p| *p /= self.equilibrium.force);
+        scaled
+    }
+}
+
+fn sum_of_sizes(values: &[f64]) -> f64 {
+    values.iter().map(|v| v.abs()).sum()
+}

@@ -1,0 +1,128 @@
+//! Many loads by the fast method, against the interior-point method one by one, and against themselves.
+
+use crate::limit_models::Ring;
+use mechanics::blocks::{BlockModel, Loading, PointForce, Restraint};
+use mechanics::ids::{BlockId, Id};
+use mechanics::limit::{Friction, Ground, Settings, Status, collapse_load};
+use mechanics::plane::{Vec2, vec2};
+
+fn bridgemill() -> (Ring, BlockModel, Loading) {
+    let ring = Ring::bridgemill();
+    let model = ring.model();
+    let loading = Loading { permanent: ring.fill(0.203, 1890.0), ..Loading::default() };
+    (ring, model, loading)
+}
+
+fn places(ring: &Ring) -> Vec<Vec<PointForce>> {
+    (0..41).map(|k| ring.dispersed_knife(-9.0 + 0.45 * k as f64, 0.75, 0.478)).collect()
+}
+
+fn agree(model: &BlockModel, loading: &Loading, loads: &[Vec<PointForce>], settings: &Settings, within: f64) {
+    let ground = Ground::new(model, loading, settings).unwrap();
+    assert!(ground.is_fast());
+    let mut sweeper = ground.sweeper();
+    for (k, load) in loads.iter().enumerate() {
+        let effect = sweeper.effect(load);
+        let found = sweeper.factor(&effect);
+        let whole = Loading { variable: load.clone(), ..loading.clone() };
+        let outcome = collapse_load(model, &whole, &Settings { friction: Friction::Associated, ..*settings }).unwrap();
+        assert_eq!(found.status, outcome.status, "place {k}");
+        if found.status != Status::Solved {
+            continue;
+        }
+        let (lower, upper, factor) = (found.lower.unwrap(), found.upper.unwrap(), outcome.factor.unwrap());
+        assert!(!found.by_interior_point, "place {k}");
+        assert!((upper / lower - 1.0).abs() < 1e-9, "place {k}: {lower} {upper}");
+        assert!((lower / factor - 1.0).abs() < within, "place {k}: {lower} {factor}");
+        let own = sweeper.outcome(&effect);
+        assert!(own.equilibrium_residual < 1e-10 && own.yield_violation < 1e-8, "place {k}: {own:?}");
+        assert!((own.lower_bound.unwrap() / lower - 1.0).abs() < 1e-9);
+        assert!((own.upper_bound.unwrap() / lower - 1.0).abs() < 1e-6, "place {k}: {:?} {lower}", own.upper_bound);
+        assert!(own.flow_violation < 1e-8, "place {k}: {}", own.flow_violation);
+    }
+}
+
+#[test]
+fn every_place_has_the_factor_of_the_interior_point_method() {
+    let (ring, model, loading) = bridgemill();
+    // The interior-point method stops at 1e-9 of its own measure, which is up to 1e-7 of a factor.
+    agree(&model, &loading, &places(&ring), &Settings::default(), 1e-7);
+}
+
+#[test]
+fn joints_that_crush_are_met_by_tangents() {
+    let (ring, mut model, loading) = bridgemill();
+    model.laws.iter_mut().for_each(|law| law.crushing = 8e6);
+    let settings = Settings { crushing: true, ..Settings::default() };
+    agree(&model, &loading, &places(&ring), &settings, 1e-7);
+}
+
+#[test]
+fn forces_that_answer_movement_help_and_only_against_it() {
+    let (ring, model, loading) = bridgemill();
+    let pushed = |least: f64, most: f64| {
+        let restraints = (0..ring.voussoirs)
+            .map(|i| {
+                let at = ring.at(i as f64 + 0.5, ring.extrados());
+                let inwards = if at.x < 0.0 { 1.0 } else { -1.0 };
+                Restraint { block: BlockId::new(i + 1), at, direction: vec2(inwards, 0.0), least, most }
+            })
+            .collect();
+        Loading { restraints, ..loading.clone() }
+    };
+    let load = ring.quarter_knife().variable;
+    let factor = |loading: &Loading| {
+        let ground = Ground::new(&model, loading, &Settings::default()).unwrap();
+        let mut sweeper = ground.sweeper();
+        let effect = sweeper.effect(&load);
+        let found = sweeper.factor(&effect);
+        let outcome = sweeper.outcome(&effect);
+        let (lower, upper) = (found.lower.unwrap(), outcome.upper_bound.unwrap());
+        assert!((lower / upper - 1.0).abs() < 1e-6, "{lower} {upper}");
+        let whole = Loading { variable: load.clone(), ..loading.clone() };
+        let other = collapse_load(&model, &whole, &Settings::default()).unwrap();
+        assert!((lower / other.factor.unwrap() - 1.0).abs() < 1e-7, "{lower} {other:?}");
+        assert!((other.upper_bound.unwrap() / other.lower_bound.unwrap() - 1.0).abs() < 1e-6);
+        lower
+    };
+    let without = factor(&loading);
+    assert_eq!(factor(&pushed(0.0, 0.0)).to_bits(), factor(&pushed(0.0, 0.0)).to_bits());
+    assert!((factor(&pushed(0.0, 0.0)) / without - 1.0).abs() < 1e-9, "nothing is added by nothing");
+    let with = factor(&pushed(0.0, 2e3));
+    assert!(with > 1.02 * without, "{with} {without}");
+    // A narrower range is a smaller set of forces: never stronger.
+    assert!(factor(&pushed(1e3, 2e3)) <= with * (1.0 + 1e-9));
+    // The work equation by hand: what is gained is done by the forces against their own movement.
+    let small = factor(&pushed(0.0, 1e-3)) - without;
+    let outcome = collapse_load(&model, &Loading { variable: load.clone(), ..loading.clone() }, &Settings::default());
+    let mechanism = outcome.unwrap().mechanism.unwrap();
+    let velocity = |block: BlockId, at: Vec2| {
+        let (v, w) = mechanism.velocities[block];
+        v + (at - model.blocks[block].outline.centroid()).left() * w
+    };
+    let work: f64 = load.iter().map(|f| f.force.dot(velocity(f.block, f.at))).sum();
+    let against: f64 = pushed(0.0, 1e-3)
+        .restraints
+        .iter()
+        .map(|r| r.most * (-r.direction.dot(velocity(r.block, r.at))).max(0.0))
+        .sum();
+    assert!((small / (against / work) - 1.0).abs() < 1e-3, "{small} {}", against / work);
+}
+
+#[test]
+fn effects_add_up() {
+    let (ring, model, loading) = bridgemill();
+    let ground = Ground::new(&model, &loading, &Settings::default()).unwrap();
+    let mut sweeper = ground.sweeper();
+    let [a, b] = [-4.0, -2.8].map(|x| ring.dispersed_knife(x, 0.3, 0.478));
+    let mut sum = sweeper.nothing();
+    for (load, times) in [(&a, 1.0), (&b, 2.0)] {
+        let effect = sweeper.effect(load);
+        sum.add(&effect, times);
+    }
+    let twice = b.iter().map(|f| PointForce { force: f.force * 2.0, ..*f });
+    let both: Vec<PointForce> = a.iter().copied().chain(twice).collect();
+    let whole = sweeper.effect(&both);
+    let [one, other] = [sum, whole].map(|effect| sweeper.factor(&effect).lower.unwrap());
+    assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+}

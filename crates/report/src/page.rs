@@ -1,0 +1,249 @@
+//! The report of one bridge.
+
+use crate::figure::Figure;
+use crate::numbers::{digits, maybe};
+use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
+use askama::Template;
+use assess::assessment::Assessment;
+use assess::checks::{Checked, Verdict};
+use assess::condition::Condition;
+use bridge::inputs::Input;
+
+/// Everything that a report is made of.
+#[derive(Debug, Clone, Copy)]
+pub struct Material<'a> {
+    /// The bridge and the facts of its stages.
+    pub assessment: &'a Assessment,
+    /// Its checks.
+    pub checked: &'a [Checked],
+    /// The verdict.
+    pub verdict: &'a Verdict,
+    /// Its condition.
+    pub condition: &'a [Condition],
+    /// Drawings of the stages.
+    pub figures: &'a [Figure],
+    /// The file, value by value.
+    pub inputs: &'a [Input],
+    /// What was found in the file: code, words, place.
+    pub findings: &'a [[String; 3]],
+    /// How to make it again.
+    pub appendix: &'a Appendix,
+}
+
+/// How every number can be made again.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Appendix {
+    /// Version of the program.
+    pub version: String,
+    /// Hash of the program's bytes.
+    pub program: String,
+    /// The bridge file.
+    pub file: String,
+    /// Hash of its bytes.
+    pub input: String,
+    /// The command line.
+    pub command: String,
+    /// The day, as year-month-day.
+    pub day: String,
+    /// Stages.
+    pub stages: Vec<StageLine>,
+}
+
+/// A stage in the appendix.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct StageLine {
+    /// Its name.
+    pub name: String,
+    /// "made", "taken from an earlier run", or why not.
+    pub state: String,
+    /// How long it took when it was made.
+    pub seconds: String,
+    /// Hash of its inputs.
+    pub key: String,
+}
+
+#[derive(Template)]
+#[template(path = "report.html")]
+struct Page<'a> {
+    style: &'static str,
+    bridge: &'a str,
+    status: &'static str,
+    headline: &'static str,
+    whole: String,
+    checks: Vec<CheckRow>,
+    every: Vec<CheckRow>,
+    open: Vec<OpenRow>,
+    columns: Vec<ColumnRow>,
+    augment: String,
+    limits_source: String,
+    condition: Vec<ConditionRow>,
+    update_words: Vec<String>,
+    fit: Vec<FitRow>,
+    runs: Vec<String>,
+    channels: Vec<ChannelRow>,
+    loads: Vec<[String; 4]>,
+    collapse: Vec<[String; 2]>,
+    vehicles: Vec<VehicleRow>,
+    rule: String,
+    factors: Vec<[String; 3]>,
+    confirmation: String,
+    movement: Vec<[String; 2]>,
+    changes: Vec<ChangeRow>,
+    changes_words: String,
+    notes: Vec<[String; 2]>,
+    findings: &'a [[String; 3]],
+    warnings: Vec<[String; 3]>,
+    assumptions: Vec<[String; 2]>,
+    inputs: &'a [Input],
+    appendix: &'a Appendix,
+    figures: Figures,
+}
+
+/// Drawings by the section that they stand in: caption and SVG.
+#[derive(Default)]
+struct Figures {
+    built: Vec<[String; 2]>,
+    update: Vec<[String; 2]>,
+    service: Vec<[String; 2]>,
+    ultimate: Vec<[String; 2]>,
+    vehicles: Vec<[String; 2]>,
+    movement: Vec<[String; 2]>,
+}
+
+fn figures(list: &[Figure]) -> Figures {
+    let mut all = Figures::default();
+    for figure in list {
+        let section = match figure.stage.as_str() {
+            "built" => &mut all.built,
+            "update" => &mut all.update,
+            "service" => &mut all.service,
+            "vehicles" => &mut all.vehicles,
+            "movement" => &mut all.movement,
+            _ => &mut all.ultimate,
+        };
+        section.push([figure.caption.clone(), figure.inlined()]);
+    }
+    all
+}
+
+/// The page as HTML: one file, nothing beside it.
+pub fn html(material: &Material<'_>) -> String {
+    let a = material.assessment;
+    let (warnings, assumptions) = rows::said(a);
+    let update = a.update.made();
+    let sensitivity = a.sensitivity.made();
+    let page = Page {
+        style: include_str!("../templates/style.css"),
+        bridge: &a.bridge.name,
+        status: material.verdict.status,
+        headline: match material.verdict.status {
+            "adequate" => "Adequate",
+            "inadequate" => "Not adequate",
+            _ => "Undetermined",
+        },
+        // A number and its sign of per cent stay on one line.
+        whole: material.verdict.words.replace(" %", "\u{a0}%"),
+        checks: rows::worst(material.checked),
+        every: rows::checks(material.checked),
+        open: rows::open(material.checked),
+        columns: rows::columns(material.checked),
+        augment: augment(a),
+        limits_source: a.asked.limits.source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
+        condition: rows::condition(material.condition, update),
+        update_words: update.map(|facts| {
+            let norm = format!(
+                "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
+                maybe(facts.initial_error_norm), maybe(facts.error_norm)
+            );
+            std::iter::once(norm).chain(facts.told.clone()).chain(facts.records.clone()).collect()
+        }).unwrap_or_default(),
+        fit: update.map(rows::fit).unwrap_or_default(),
+        runs: update.map(|facts| facts.runs.iter().map(|(name, synthetic)| match synthetic {
+            Some(_) => format!("{name}: SYNTHETIC, computed and not measured"),
+            None => format!("{name}: measured"),
+        }).collect()).unwrap_or_default(),
+        channels: a.service.made().map(rows::channels).unwrap_or_default(),
+        loads: a.service.made().map(|facts| facts.loads.iter().map(|load| [
+            load.name.clone(),
+            format!("{} t", digits(load.heaviest_axle_t)),
+            load.status.clone(),
+            load.source.clone().unwrap_or_else(|| "the file names no source".to_owned()),
+        ]).collect()).unwrap_or_default(),
+        collapse: collapse(a),
+        vehicles: a.vehicles.made().map(rows::vehicles).unwrap_or_default(),
+        rule: a.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
+        factors: a.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
+        confirmation: a.vehicles.made().and_then(|facts| facts.confirmation.clone()).unwrap_or_default(),
+        movement: movement(a),
+        changes: sensitivity.map(rows::changes).unwrap_or_default(),
+        changes_words: sensitivity.map(|facts| format!(
+            "Utilisation of the governing check ({}), {} for the file's own values by {}, with {:.0} % less and {:.0} % more of each quantity.",
+            facts.code, crate::numbers::percent(facts.utilisation), facts.how, 100.0 * facts.share, 100.0 * facts.share
+        )).unwrap_or_default(),
+        notes: notes(a),
+        findings: material.findings,
+        warnings,
+        assumptions,
+        inputs: material.inputs,
+        appendix: material.appendix,
+        figures: figures(material.figures),
+    };
+    // Writing to a text never fails.
+    page.render().unwrap_or_default()
+}
+
+fn augment(a: &Assessment) -> String {
+    let Some(facts) = a.service.made() else { return String::new() };
+    let augment = &facts.augment;
+    format!(
+        "Train: {}. Live load is increased by the coefficient of dynamic augment (CDA): {:.3} in total for a loaded length of {} m, {:.3} \
+         by design with a cushion of {} m. Source: {}.",
+        facts.train,
+        augment.total,
+        digits(augment.loaded_length_m),
+        augment.design,
+        digits(augment.cushion_m),
+        augment.source
+    )
+}
+
+fn collapse(a: &Assessment) -> Vec<[String; 2]> {
+    let Some(facts) = a.ultimate.made() else { return Vec::new() };
+    let mut rows = vec![
+        ["loads".to_owned(), facts.load.clone()],
+        ["method".to_owned(), facts.method.clone()],
+        ["ended".to_owned(), facts.status.clone()],
+    ];
+    let mut put = |what: &str, value: Option<f64>, unit: &str| {
+        rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, unit)]));
+    };
+    put("factor on the loads of the file", facts.load_factor, "");
+    put("worst position of the first load or axle", facts.position_m, "m");
+    put("load at collapse there, per metre of width", facts.collapse_load_kn_per_m, "kN/m");
+    put("loads of the file, per metre of width", Some(facts.reference_load_kn_per_m), "kN/m");
+    rows
+}
+
+fn movement(a: &Assessment) -> Vec<[String; 2]> {
+    let Some(facts) = a.movement.made() else { return Vec::new() };
+    let mut rows = vec![["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.clone()]];
+    let mut put = |what: &str, value: Option<f64>| {
+        rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, "mm")]));
+    };
+    put("last movement at which the bridge stood", facts.last_stable_mm);
+    put("movement at which it fell", facts.collapse_mm);
+    rows
+}
+
+/// Stages without facts, in words.
+fn notes(a: &Assessment) -> Vec<[String; 2]> {
+    let all = [
+        ("update", a.update.why_not()),
+        ("service", a.service.why_not()),
+        ("collapse", a.ultimate.why_not()),
+        ("vehicles", a.vehicles.why_not()),
+        ("support movement", a.movement.why_not()),
+        ("sensitivities", a.sensitivity.why_not()),
+    ];
+    all.into_iter().filter_map(|(stage, why)| Some([stage.to_owned(), why?.to_owned()])).collect()
+}

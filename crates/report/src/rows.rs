@@ -1,0 +1,298 @@
+//! Rows of the report's tables, made of text.
+
+use crate::numbers::{digits, maybe, percent, with_unit};
+use assess::assessment::Assessment;
+use assess::checks::{Checked, governing};
+use assess::condition::{Condition, Standing};
+use assess::wire::{ChangeFacts, SensitivityFacts, ServiceFacts, UpdateFacts, VehicleFacts};
+
+/// A comparison.
+pub struct CheckRow {
+    pub code: &'static str,
+    pub title: &'static str,
+    pub load: String,
+    pub value: String,
+    pub limit: String,
+    pub unit: &'static str,
+    pub used: String,
+    /// Width of the bar in per cent, at most 100.
+    pub bar: u32,
+    pub met: bool,
+    pub governs: bool,
+    pub basis: String,
+    /// How many comparisons it stands for, in words.
+    pub of: String,
+}
+
+/// A check that was not made.
+pub struct OpenRow {
+    pub code: &'static str,
+    pub title: &'static str,
+    pub why: String,
+    pub failed: bool,
+}
+
+/// Every comparison, worst of each check first within it as made.
+pub fn checks(checked: &[Checked]) -> Vec<CheckRow> {
+    let worst = governing(checked);
+    let mut rows = Vec::new();
+    for (c, check) in checked.iter().enumerate() {
+        for (k, finding) in check.outcome.iter().flatten().enumerate() {
+            rows.push(CheckRow {
+                code: check.card.code,
+                title: check.card.title,
+                load: finding.load_model.clone(),
+                value: digits(finding.value),
+                limit: digits(finding.limit),
+                unit: finding.unit,
+                used: percent(finding.utilisation),
+                bar: (100.0 * finding.utilisation).clamp(0.0, 100.0) as u32,
+                met: finding.met(),
+                governs: worst == Some((c, k)),
+                basis: finding.basis.clone(),
+                of: String::new(),
+            });
+        }
+    }
+    rows
+}
+
+/// Of each check the comparison that uses most of its limit.
+pub fn worst(checked: &[Checked]) -> Vec<CheckRow> {
+    let one = |check: &Checked| {
+        let list = check.outcome.as_ref().ok()?;
+        let most = list.iter().reduce(|worst, next| if next.utilisation > worst.utilisation { next } else { worst })?;
+        Some(Checked { card: check.card, outcome: Ok(vec![most.clone()]) })
+    };
+    let mut rows = checks(&checked.iter().filter_map(one).collect::<Vec<_>>());
+    let broken = |code: &str| {
+        let of = checked.iter().filter(|check| check.card.code == code);
+        let all: Vec<bool> = of.flat_map(|check| check.outcome.iter().flatten()).map(|finding| finding.met()).collect();
+        (all.iter().filter(|met| !**met).count(), all.len())
+    };
+    for row in &mut rows {
+        row.of = match broken(row.code) {
+            (_, 1) => String::new(),
+            (0, all) => format!("worst of {all}, all met"),
+            (some, all) => format!("worst of {all}, {some} not met"),
+        };
+    }
+    rows
+}
+
+/// Every check without a comparison.
+pub fn open(checked: &[Checked]) -> Vec<OpenRow> {
+    let row = |check: &Checked| {
+        let why = check.outcome.as_ref().err()?;
+        Some(OpenRow { code: check.card.code, title: check.card.title, why: why.why.clone(), failed: why.failed })
+    };
+    checked.iter().filter_map(row).collect()
+}
+
+/// A row of the table of responses: self-weight, live load with design augment, sum, with total augment, sum, allowable.
+pub struct ColumnRow {
+    pub what: String,
+    pub cells: [String; 5],
+    pub limit: String,
+    pub unit: &'static str,
+    pub place: String,
+}
+
+/// Rows with columns: those with the total augment, whose place they are taken at.
+pub fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
+    let mut rows = Vec::new();
+    for check in checked {
+        for finding in check.outcome.iter().flatten().filter(|finding| finding.load_model.contains("total CDA")) {
+            let Some(columns) = finding.columns else { continue };
+            let load = finding.load_model.split(", total CDA").next().unwrap_or_default();
+            rows.push(ColumnRow {
+                what: format!("{}, {load}", check.card.title),
+                cells: columns.map(digits),
+                limit: digits(finding.limit),
+                unit: finding.unit,
+                place: finding.basis.clone(),
+            });
+        }
+    }
+    rows
+}
+
+/// A parameter before and after.
+pub struct ConditionRow {
+    pub parameter: String,
+    pub before: String,
+    pub after: String,
+    pub interval: String,
+    pub expected: String,
+    pub standing: &'static str,
+    pub class: &'static str,
+    pub words: String,
+    pub source: String,
+}
+
+/// Rows of the table of condition.
+pub fn condition(list: &[Condition], update: Option<&UpdateFacts>) -> Vec<ConditionRow> {
+    let row = |one: &Condition| {
+        let facts = update.and_then(|facts| facts.parameters.iter().find(|facts| facts.name == one.parameter));
+        let interval = facts.and_then(|facts| facts.interval_95);
+        ConditionRow {
+            parameter: one.parameter.clone(),
+            before: with_unit(one.before, &one.unit),
+            after: one.after.map_or("–".to_owned(), |value| with_unit(value, &one.unit)),
+            interval: interval
+                .map_or("not sampled".to_owned(), |[low, high]| format!("{} to {}", digits(low), digits(high))),
+            expected: one
+                .expected
+                .map_or("–".to_owned(), |[low, high]| format!("{} to {} {}", digits(low), digits(high), one.unit)),
+            standing: match one.standing {
+                Standing::AsExpected => "as expected",
+                Standing::Lower => "lower than expected",
+                Standing::Higher => "higher than expected",
+                Standing::Untold => "not told by the records",
+                Standing::NothingExpected => "nothing expected",
+            },
+            class: match one.standing {
+                Standing::AsExpected => "met",
+                Standing::Lower => "broken",
+                _ => "open",
+            },
+            words: one.words.clone(),
+            source: one.source.clone().unwrap_or_else(|| "the file names no source".to_owned()),
+        }
+    };
+    list.iter().map(row).collect()
+}
+
+/// A channel of the records.
+pub struct FitRow {
+    pub name: String,
+    pub unit: String,
+    pub measured: String,
+    pub start: String,
+    pub updated: String,
+    pub shape: String,
+    pub remark: String,
+}
+
+/// Fit per channel.
+pub fn fit(update: &UpdateFacts) -> Vec<FitRow> {
+    let row = |one: &assess::wire::FitFacts| FitRow {
+        name: one.name.clone(),
+        unit: one.unit.clone(),
+        measured: maybe(one.measured),
+        start: maybe(one.start),
+        updated: maybe(one.updated),
+        shape: one.shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),
+        remark: one.left_out.as_ref().map_or(String::new(), |why| format!("left out: {why}")),
+    };
+    update.channels.iter().map(row).collect()
+}
+
+/// A sensor under one load.
+pub struct ChannelRow {
+    pub load: String,
+    pub name: String,
+    pub unit: String,
+    pub cells: [String; 4],
+}
+
+/// The file's sensors under every load.
+pub fn channels(service: &ServiceFacts) -> Vec<ChannelRow> {
+    let rows = service.loads.iter().flat_map(|load| {
+        load.channels.iter().map(|channel| ChannelRow {
+            load: load.name.clone(),
+            name: channel.name.clone(),
+            unit: channel.unit.clone(),
+            cells: [channel.self_weight, channel.minimum, channel.maximum, channel.peak].map(digits),
+        })
+    });
+    rows.collect()
+}
+
+/// A quantity that was changed.
+pub struct ChangeRow {
+    pub path: String,
+    pub value: String,
+    pub less: String,
+    pub more: String,
+    pub turns: bool,
+}
+
+/// What would change the verdict; the least telling quantities are left out.
+pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
+    let row = |one: &ChangeFacts| {
+        let crosses = |value: Option<f64>| value.is_some_and(|value| (value > 1.0) != (facts.utilisation > 1.0));
+        ChangeRow {
+            path: one.path.clone(),
+            value: short(&one.value),
+            less: one.less.map_or("no answer".to_owned(), percent),
+            more: one.more.map_or("no answer".to_owned(), percent),
+            turns: crosses(one.less) || crosses(one.more),
+        }
+    };
+    facts.quantities.iter().map(row).collect()
+}
+
+/// Warnings and assumptions of every stage: what said it, and what.
+pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
+    let (mut warnings, mut assumptions): (Vec<[String; 3]>, Vec<[String; 2]>) = (Vec::new(), Vec::new());
+    let mut put = |stage: &str, list: &[[String; 2]], words: &[String]| {
+        warnings.extend(list.iter().map(|[code, text]| [stage.to_owned(), code.clone(), text.clone()]));
+        assumptions.extend(words.iter().map(|words| [stage.to_owned(), words.clone()]));
+    };
+    if let Some(facts) = a.update.made() {
+        put("update", &facts.warnings, &facts.assumptions);
+    }
+    if let Some(facts) = a.service.made() {
+        put("service", &facts.warnings, &facts.assumptions);
+    }
+    if let Some(facts) = a.ultimate.made() {
+        put("collapse", &facts.warnings, &facts.assumptions);
+    }
+    if let Some(facts) = a.vehicles.made() {
+        put("vehicles", &facts.warnings, &facts.assumptions);
+    }
+    if let Some(facts) = a.movement.made() {
+        put("support movement", &facts.warnings, &[]);
+    }
+    (warnings, assumptions)
+}
+
+/// A vehicle that was moved over the bridge.
+pub struct VehicleRow {
+    pub code: String,
+    pub title: String,
+    pub adequacy: String,
+    pub class: &'static str,
+    pub width: String,
+    pub factor: String,
+    pub position: String,
+    pub case: String,
+}
+
+/// Vehicles, the least adequacy factor first.
+pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
+    let mut list: Vec<&assess::wire::SweptFacts> = facts.vehicles.iter().collect();
+    let size = |one: &assess::wire::SweptFacts| one.adequacy.unwrap_or(f64::INFINITY);
+    list.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.code.cmp(&b.code)));
+    let row = |one: &assess::wire::SweptFacts| VehicleRow {
+        code: one.code.clone(),
+        title: one.title.clone(),
+        adequacy: one.adequacy.map_or(one.status.clone(), digits),
+        class: if one.adequacy.is_none_or(|factor| factor >= 1.0) { "met" } else { "broken" },
+        width: digits(one.effective_width_m),
+        factor: digits(one.load_factor),
+        position: maybe(one.position_m),
+        case: one.case.clone(),
+    };
+    list.into_iter().map(row).collect()
+}
+
+/// A value of a file with no more digits than people read.
+fn short(value: &str) -> String {
+    let (number, unit) = value.split_once(' ').unwrap_or((value, ""));
+    match number.parse::<f64>() {
+        Ok(parsed) if number.len() > 8 => with_unit(parsed, unit),
+        _ => value.to_owned(),
+    }
+}

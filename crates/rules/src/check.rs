@@ -1,0 +1,59 @@
+//! Published numbers against what the vehicles give.
+
+use crate::{LoadModel, Pattern, Quantity, Rule, equivalent_uniform_load, greatest_bending, greatest_shear};
+
+/// A published number beside what the vehicle gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checked {
+    /// The vehicle.
+    pub vehicle: String,
+    /// What it is.
+    pub quantity: Quantity,
+    /// Span [m].
+    pub span: f64,
+    /// Published [kN, kN m or none].
+    pub published: f64,
+    /// Found, in the same unit; the greatest over the vehicle's arrangements.
+    pub found: f64,
+    /// Most difference, relative.
+    pub tolerance: f64,
+}
+
+impl Checked {
+    /// Relative difference of the found from the published number.
+    pub fn difference(&self) -> f64 {
+        self.found / self.published - 1.0
+    }
+    /// Whether they agree.
+    pub fn agrees(&self) -> bool {
+        self.difference().abs() <= self.tolerance
+    }
+}
+
+/// Every published number of a model that its vehicles should give. Dynamic augments are those of `rule`, where one is given.
+pub fn check(model: &LoadModel, rule: Option<&Rule>) -> Vec<Checked> {
+    let mut rows = Vec::new();
+    for table in model.published.iter().filter(|table| table.not_from_vehicle.is_empty()) {
+        let Some(vehicle) = model.vehicle(&table.vehicle) else { continue };
+        let mut patterns = vehicle.patterns();
+        if !table.with_uniform {
+            patterns.iter_mut().for_each(|pattern| pattern.stretches.clear());
+        }
+        for (&span, &published) in table.spans_m.iter().zip(&table.values) {
+            let greatest = |of: &dyn Fn(&Pattern) -> f64| patterns.iter().map(of).fold(0.0, f64::max);
+            let found = match table.quantity {
+                Quantity::EudlBending => 1e-3 * greatest(&|p| equivalent_uniform_load(p, span)[0]),
+                Quantity::EudlShear => 1e-3 * greatest(&|p| equivalent_uniform_load(p, span)[1]),
+                Quantity::Bending => 1e-3 * greatest(&|p| greatest_bending(p, span).value),
+                Quantity::Shear => 1e-3 * greatest(&|p| greatest_shear(p, span).value),
+                Quantity::DynamicAugment => match rule.and_then(|rule| rule.impact.total_augment(span)) {
+                    Some(augment) => augment,
+                    None => continue,
+                },
+            };
+            let (vehicle, quantity, tolerance) = (table.vehicle.clone(), table.quantity, table.tolerance);
+            rows.push(Checked { vehicle, quantity, span, published, found, tolerance });
+        }
+    }
+    rows
+}

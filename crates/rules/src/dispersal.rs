@@ -1,0 +1,51 @@
+//! How far a wheel's or sleeper's load has spread at a depth below the surface.
+
+use crate::Source;
+use serde::Deserialize;
+
+/// Length and width over which an axle's load has spread at a depth: a base, plus so much of the depth.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dispersal {
+    /// Length along the bridge at the surface [m].
+    pub length_base_m: f64,
+    /// Growth of the length with depth, both sides together.
+    pub length_per_depth: f64,
+    /// Added to the distance between the wheels of an axle at the surface [m].
+    pub width_base_m: f64,
+    /// Growth of the width with depth, both sides together.
+    pub width_per_depth: f64,
+    /// How the pressure is shared out over the length.
+    pub pressure: Pressure,
+    /// Where it is from.
+    pub source: Source,
+}
+
+/// How pressure is shared out over a dispersed length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Pressure {
+    /// Alike everywhere.
+    Uniform,
+    /// At the ends inversely proportional to their depth, linear in between.
+    InverseDepth,
+    /// As Boussinesq's strip, cut off at the slope.
+    Boussinesq,
+}
+
+impl Dispersal {
+    /// Length along the bridge at a depth [m].
+    pub fn length_at(&self, depth: f64) -> f64 {
+        self.length_base_m + self.length_per_depth * depth
+    }
+
+    /// Width across the bridge at a depth for wheels so far apart [m].
+    pub fn width_at(&self, depth: f64, wheel_track: f64) -> f64 {
+        wheel_track + self.width_base_m + self.width_per_depth * depth
+    }
+
+    /// Vertical to one horizontal, on each side along the bridge; infinite where the length does not grow.
+    pub fn slope(&self) -> f64 {
+        2.0 / self.length_per_depth
+    }
+}

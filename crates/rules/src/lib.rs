@@ -1,0 +1,32 @@
+//! Load models and rules of assessment as data: every number stands in a file of `crates/rules/data/` with its source, its
+//! date and how sure it is. Nothing here knows a bridge.
+//!
+//! A [`LoadModel`] holds [`Vehicle`]s and the tables that were published for them; [`check`] compares the two. A [`Rule`]
+//! holds every factor between a vehicle's axle and the number that is compared with a limit. [`library`] reads all of them;
+//! [`read_load_model`] and [`read_rule`] read an engineer's own.
+
+mod check;
+mod dispersal;
+mod factor;
+mod impact;
+mod library;
+mod model;
+mod pattern;
+mod read;
+mod rule;
+mod simple_span;
+mod source;
+mod vehicle;
+
+pub use check::{Checked, check};
+pub use dispersal::{Dispersal, Pressure};
+pub use factor::Factor;
+pub use impact::{FillReduction, Impact};
+pub use library::{FILES, Library, library};
+pub use model::{LoadModel, Published, Quantity, Ways};
+pub use pattern::{Axle, Pattern, Stretch};
+pub use read::{Problem, read_load_model, read_rule};
+pub use rule::{EffectiveWidth, Factors, Rule};
+pub use simple_span::{Greatest, equivalent_uniform_load, greatest_bending, greatest_shear};
+pub use source::{Confidence, Source};
+pub use vehicle::{Place, Spacing, Uniform, Vehicle};

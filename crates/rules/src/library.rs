@@ -1,0 +1,64 @@
+//! Every load model and rule that comes with the program.
+
+use crate::{LoadModel, Problem, Rule, Vehicle, read_load_model, read_rule};
+
+/// Load models and rules.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Library {
+    /// Load models.
+    pub models: Vec<LoadModel>,
+    /// Rules.
+    pub rules: Vec<Rule>,
+}
+
+macro_rules! files {
+    ($folder:literal: $($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../data/", $folder, "/", $name, ".toml")))),*]
+    };
+}
+
+/// A file: its name without ending, and its text.
+pub type File = (&'static str, &'static str);
+
+/// The texts of all files: load models, then rules.
+pub const FILES: [&[File]; 2] = [
+    files!("loads": "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454"),
+    files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025"),
+];
+
+/// Reads the library. A test reads it too, so that complaints reach users only from files of their own.
+pub fn library() -> Result<Library, Vec<Problem>> {
+    let (mut library, mut problems) = (Library::default(), Vec::new());
+    for (name, text) in FILES[0] {
+        match read_load_model(&format!("{name}.toml"), text) {
+            Ok(model) => library.models.push(model),
+            Err(mut found) => problems.append(&mut found),
+        }
+    }
+    for (name, text) in FILES[1] {
+        match read_rule(&format!("{name}.toml"), text) {
+            Ok(rule) => library.rules.push(rule),
+            Err(mut found) => problems.append(&mut found),
+        }
+    }
+    if problems.is_empty() { Ok(library) } else { Err(problems) }
+}
+
+impl Library {
+    /// The load model of this code.
+    pub fn model(&self, code: &str) -> Option<&LoadModel> {
+        self.models.iter().find(|model| model.code == code)
+    }
+    /// The vehicle of this code and its load model.
+    pub fn vehicle(&self, code: &str) -> Option<(&LoadModel, &Vehicle)> {
+        self.models.iter().find_map(|model| model.vehicle(code).map(|vehicle| (model, vehicle)))
+    }
+    /// The rule of this code.
+    pub fn rule(&self, code: &str) -> Option<&Rule> {
+        self.rules.iter().find(|rule| rule.code == code)
+    }
+    /// Every vehicle with its load model, in the order of the files.
+    pub fn vehicles(&self) -> impl Iterator<Item = (&LoadModel, &Vehicle)> {
+        self.models.iter().flat_map(|model| model.vehicles.iter().map(move |vehicle| (model, vehicle)))
+    }
+}

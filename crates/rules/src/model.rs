@@ -1,0 +1,99 @@
+//! A load model: vehicles, and what was published of them.
+
+use crate::{Source, Vehicle};
+use serde::Deserialize;
+
+/// Vehicles of one standard, and the tables that were published for them.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LoadModel {
+    /// Its name: `25t-2008`.
+    pub code: String,
+    /// Its name in reports.
+    pub title: String,
+    /// On what it drives.
+    pub ways: Ways,
+    /// Where it is from.
+    pub source: Source,
+    /// Its vehicles.
+    #[serde(default, rename = "vehicle")]
+    pub vehicles: Vec<Vehicle>,
+    /// Published numbers.
+    #[serde(default)]
+    pub published: Vec<Published>,
+}
+
+/// On what vehicles drive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ways {
+    /// On rails; loads are those of one track.
+    Rail,
+    /// On a road; loads are those of one lane.
+    Road,
+}
+
+/// A table of numbers that were published, or worked out by hand, over spans.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Published {
+    /// The vehicle.
+    pub vehicle: String,
+    /// What the numbers are.
+    pub quantity: Quantity,
+    /// Whether the vehicle's uniform loads take part.
+    pub with_uniform: bool,
+    /// Spans [m].
+    pub spans_m: Vec<f64>,
+    /// The numbers, in the unit of the quantity.
+    pub values: Vec<f64>,
+    /// How far the vehicle may be from them, relative.
+    pub tolerance: f64,
+    /// Why this tolerance.
+    pub reason: String,
+    /// Why the vehicle alone does not give these numbers, where it does not; they are then read and not checked.
+    #[serde(default)]
+    pub not_from_vehicle: String,
+    /// Where they are from.
+    pub source: Source,
+}
+
+/// What published numbers are: all of a simply supported span.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantity {
+    /// Uniform load with the same greatest bending moment, as a total [kN].
+    EudlBending,
+    /// Uniform load with the same greatest shear, as a total [kN].
+    EudlShear,
+    /// Greatest bending moment [kN m].
+    Bending,
+    /// Greatest shear, at a support [kN].
+    Shear,
+    /// Coefficient of dynamic augment of the rule that goes with the model.
+    DynamicAugment,
+}
+
+impl LoadModel {
+    /// The vehicle of this code.
+    pub fn vehicle(&self, code: &str) -> Option<&Vehicle> {
+        self.vehicles.iter().find(|vehicle| vehicle.code == code)
+    }
+
+    /// The published number at a span [m], linear between the spans of the table; none outside of it.
+    pub fn published(&self, quantity: Quantity, span: f64) -> Option<f64> {
+        let mut rows: Vec<(f64, f64)> = self
+            .published
+            .iter()
+            .filter(|table| table.quantity == quantity)
+            .flat_map(|table| table.spans_m.iter().copied().zip(table.values.iter().copied()))
+            .collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some(row) = rows.iter().find(|row| row.0 == span) {
+            return Some(row.1);
+        }
+        rows.windows(2)
+            .find(|pair| pair[0].0 < span && span < pair[1].0)
+            .map(|pair| pair[0].1 + (pair[1].1 - pair[0].1) * (span - pair[0].0) / (pair[1].0 - pair[0].0))
+    }
+}

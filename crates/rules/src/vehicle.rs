@@ -1,0 +1,166 @@
+//! A vehicle: axles, distances that may vary, what stands beside it.
+
+use crate::Source;
+use crate::pattern::{Axle, Pattern, Stretch};
+use serde::Deserialize;
+
+/// A vehicle as its standard describes it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Vehicle {
+    /// The name in bridge files: `hb-45`.
+    pub code: String,
+    /// The name in reports.
+    pub title: String,
+    /// Load of each axle [kN], from the first one back.
+    pub axle_loads_kn: Vec<f64>,
+    /// Distances between neighbouring axles [m]: one fewer than axles.
+    pub spacings_m: Vec<Spacing>,
+    /// Factors on the axles where some lift off, one list a case; the vehicle without lift-off is always tried as well.
+    #[serde(default)]
+    pub lift_off: Vec<Vec<f64>>,
+    /// Uniform loads that belong to the vehicle.
+    #[serde(default)]
+    pub uniform: Vec<Uniform>,
+    /// Whether an assessment may leave out axles whose weight helps: every run of neighbouring axles is then tried.
+    pub axles_may_be_dropped: bool,
+    /// Distance between the wheels, or rails, of an axle across the bridge [m].
+    pub wheel_track_m: f64,
+    /// Length of a wheel's or sleeper's footprint along the bridge [m].
+    pub contact_length_m: f64,
+    /// Where this vehicle is from, if not from where its file is.
+    #[serde(default)]
+    pub source: Option<Source>,
+}
+
+/// A distance between two axles: one, or a range.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Spacing {
+    /// One distance [m].
+    Fixed(f64),
+    /// Every distance of a range is possible; those that are tried lie a step apart, both ends among them.
+    Range {
+        /// Least [m].
+        from: f64,
+        /// Largest [m].
+        to: f64,
+        /// Between those that are tried [m].
+        step: f64,
+    },
+}
+
+/// A uniform load that moves with the vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Uniform {
+    /// Load along the bridge [kN/m].
+    pub load_kn_per_m: f64,
+    /// Where it stands.
+    pub place: Place,
+    /// From the outermost axle to where it begins [m]; not for `everywhere`.
+    #[serde(default)]
+    pub gap_m: f64,
+    /// Whether it may be left out where it helps.
+    pub may_be_dropped: bool,
+}
+
+/// Where a uniform load stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Place {
+    /// Before the first axle.
+    Ahead,
+    /// Behind the last axle.
+    Behind,
+    /// Along the whole bridge, under the axles too.
+    Everywhere,
+}
+
+impl Spacing {
+    /// The distances that are tried [m].
+    pub fn tried(self) -> Vec<f64> {
+        match self {
+            Spacing::Fixed(value) => vec![value],
+            Spacing::Range { from, to, step } => {
+                let steps = ((to - from) / step - 1e-9).ceil().max(1.0) as usize;
+                (0..=steps).map(|k| if k == steps { to } else { from + step * k as f64 }).collect()
+            }
+        }
+    }
+
+    /// Least and largest distance [m].
+    pub fn range(self) -> [f64; 2] {
+        match self {
+            Spacing::Fixed(value) => [value; 2],
+            Spacing::Range { from, to, .. } => [from, to],
+        }
+    }
+}
+
+impl Vehicle {
+    /// The vehicle of fixed axle forces [N] and offsets behind the first axle [m]; for trains and axles from elsewhere.
+    pub fn of_axles(code: &str, title: &str, axles: &[(f64, f64)], contact_length: f64, wheel_track: f64) -> Vehicle {
+        Vehicle {
+            code: code.to_owned(),
+            title: title.to_owned(),
+            axle_loads_kn: axles.iter().map(|a| 1e-3 * a.0).collect(),
+            spacings_m: axles.windows(2).map(|pair| Spacing::Fixed(pair[1].1 - pair[0].1)).collect(),
+            lift_off: Vec::new(),
+            uniform: Vec::new(),
+            axles_may_be_dropped: true,
+            wheel_track_m: wheel_track,
+            contact_length_m: contact_length,
+            source: None,
+        }
+    }
+
+    /// Every arrangement that is to be tried: each combination of distances, without lift-off and with each case of it.
+    pub fn patterns(&self) -> Vec<Pattern> {
+        let mut spacings: Vec<Vec<f64>> = vec![Vec::new()];
+        for spacing in &self.spacings_m {
+            let tried = spacing.tried();
+            spacings = spacings
+                .iter()
+                .flat_map(|before| tried.iter().map(move |&next| before.iter().copied().chain([next]).collect()))
+                .collect();
+        }
+        let level = vec![1.0; self.axle_loads_kn.len()];
+        let cases: Vec<&Vec<f64>> = std::iter::once(&level).chain(&self.lift_off).collect();
+        let mut patterns = Vec::new();
+        for distances in &spacings {
+            for (case, factors) in cases.iter().enumerate() {
+                patterns.push(self.pattern(distances, factors, case > 0));
+            }
+        }
+        patterns
+    }
+
+    fn pattern(&self, distances: &[f64], factors: &[f64], lifted: bool) -> Pattern {
+        let mut offset = 0.0;
+        let mut axles = Vec::new();
+        for (k, (load, factor)) in self.axle_loads_kn.iter().zip(factors).enumerate() {
+            axles.push(Axle { force: 1e3 * load * factor, offset });
+            offset += distances.get(k).copied().unwrap_or(0.0);
+        }
+        let last = axles.last().map_or(0.0, |axle| axle.offset);
+        let stretches = self.uniform.iter().map(|u| {
+            let [from, to] = match u.place {
+                Place::Ahead => [f64::NEG_INFINITY, -u.gap_m],
+                Place::Behind => [last + u.gap_m, f64::INFINITY],
+                Place::Everywhere => [f64::NEG_INFINITY, f64::INFINITY],
+            };
+            Stretch { force: 1e3 * u.load_kn_per_m, from, to, may_be_dropped: u.may_be_dropped }
+        });
+        let mut words = Vec::new();
+        let varied = self.spacings_m.iter().zip(distances).filter(|(s, _)| s.range()[0] < s.range()[1]);
+        for (_, distance) in varied {
+            words.push(format!("spacing {distance} m"));
+        }
+        if lifted {
+            let list: Vec<String> = factors.iter().map(|f| f.to_string()).collect();
+            words.push(format!("lift-off {}", list.join("/")));
+        }
+        Pattern { label: words.join(", "), axles, stretches: stretches.collect() }
+    }
+}
