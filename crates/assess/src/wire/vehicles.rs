@@ -15,8 +15,7 @@ pub struct VehicleSweepObject {
     bridge: String,
     rule: RuleObject,
     step_m: f64,
-    governing: Option<String>,
-    adequacy_factor: Option<f64>,
+    governing: Option<GoverningObject>,
     vehicles: Vec<VehicleObject>,
     #[serde(skip_serializing_if = "Option::is_none")]
     confirmation: Option<ConfirmationObject>,
@@ -26,6 +25,15 @@ pub struct VehicleSweepObject {
     warnings: Vec<WarningObject>,
     threads: usize,
     wall_seconds: f64,
+}
+
+/// The governing position, as in sweeps of the file's own loads, with its vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct GoverningObject {
+    vehicle: String,
+    adequacy_factor: Option<f64>,
+    #[serde(flatten)]
+    case: Option<CaseObject>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -131,8 +139,11 @@ impl VehicleSweepObject {
                 factors: found.rule.listed().into_iter().map(factor).collect(),
             },
             step_m: found.step,
-            governing: governing.map(|v| v.code.clone()),
-            adequacy_factor: governing.and_then(|v| v.adequacy),
+            governing: governing.map(|v| GoverningObject {
+                vehicle: v.code.clone(),
+                adequacy_factor: v.adequacy,
+                case: v.case.as_ref().map(case),
+            }),
             vehicles: found.vehicles.iter().map(vehicle).collect(),
             confirmation: found.confirmation.as_ref().map(confirmation),
             collapse: found.collapse.as_ref().map(|c| CollapseObject::new(c, &Run::default())),
