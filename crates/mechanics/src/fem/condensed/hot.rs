@@ -2,7 +2,7 @@
 //! forces of their rows, `1 - S G` with `S` the slopes of the parts' excess.
 
 use super::parts::{Part, ROWS};
-use super::rows::Rows;
+use super::rows::{Rows, add_multiples};
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatMut};
 
@@ -84,9 +84,7 @@ impl Hot {
     /// Changes of the hot rows' values by forces on them.
     pub fn moves(&self, forces: &[f64]) -> Vec<f64> {
         let mut moves = vec![0.0; self.rows.len()];
-        for (answers, force) in self.answers.iter().zip(forces).filter(|(_, force)| **force != 0.0) {
-            moves.iter_mut().zip(answers).for_each(|(moves, answer)| *moves += force * answer);
-        }
+        add_multiples(&mut moves, self.answers.iter().map(Vec::as_slice).zip(forces.iter().copied()));
         moves
     }
 
@@ -147,12 +145,14 @@ impl Hot {
         steep.iter().for_each(|&p| step[p] = 0.0);
         let given = self.moves(&step);
         let mut rest: Vec<f64> = steep.iter().map(|&p| right[p]).collect();
+        // Transposed: the rows of the tangent lie in columns, and so do those of `G`.
         let mut tangent = Mat::<f64>::identity(steep.len(), steep.len());
+        let mut looked: Vec<Option<Vec<f64>>> = vec![None; self.rows.len()];
         for &(p, q, s) in &slopes {
             rest[among[p]] += s * given[q];
-            for (j, &column) in steep.iter().enumerate() {
-                tangent[(among[p], j)] -= s * self.answers[q][column];
-            }
+            let answers = looked[q].get_or_insert_with(|| steep.iter().map(|&p| self.answers[q][p]).collect());
+            let row = tangent.col_as_slice_mut(among[p]);
+            row.iter_mut().zip(answers).for_each(|(entry, answer)| *entry -= s * *answer);
         }
         let lu = tangent.partial_piv_lu();
         solve_with(&lu, &mut rest);
@@ -162,7 +162,8 @@ impl Hot {
     }
 }
 
+/// Solves with the transpose of what was factorised.
 fn solve_with(lu: &PartialPivLu<f64>, x: &mut [f64]) {
     let rows = x.len();
-    lu.solve_in_place(MatMut::from_column_major_slice_mut(x, rows, 1));
+    lu.solve_transpose_in_place(MatMut::from_column_major_slice_mut(x, rows, 1));
 }

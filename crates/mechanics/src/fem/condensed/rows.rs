@@ -110,16 +110,33 @@ impl Rows {
     /// How far loads alone move each row.
     pub fn moved(&self, amplitudes: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.list.len()];
-        for (moved, a) in self.moved.iter().zip(amplitudes).filter(|(_, a)| **a != 0.0) {
-            sums.iter_mut().zip(moved).for_each(|(sum, moved)| *sum += a * moved);
-        }
+        add_multiples(&mut sums, self.moved.iter().map(Vec::as_slice).zip(amplitudes.iter().copied()));
         sums
     }
 
     /// Adds to `values` what forces on rows do to all of them.
     pub fn add_moves(&self, values: &mut [f64], forces: impl Iterator<Item = (usize, f64)>) {
-        for (row, force) in forces.filter(|(_, force)| *force != 0.0) {
-            values.iter_mut().zip(&self.answers[row]).for_each(|(value, answer)| *value += force * answer);
+        add_multiples(values, forces.map(|(row, force)| (self.answers[row].as_slice(), force)));
+    }
+}
+
+/// Adds multiples of columns, four at a time: what they are added to is read and written once for four. Columns of which nothing is added are not
+/// read.
+pub(super) fn add_multiples<'c>(sums: &mut [f64], columns: impl Iterator<Item = (&'c [f64], f64)>) {
+    let mut some = columns.filter(|(_, factor)| *factor != 0.0).fuse();
+    loop {
+        match [some.next(), some.next(), some.next(), some.next()] {
+            [Some((a, fa)), Some((b, fb)), Some((c, fc)), Some((d, fd))] => {
+                for ((((sum, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                    *sum += (fa * a + fb * b) + (fc * c + fd * d);
+                }
+            }
+            few => {
+                for (column, factor) in few.into_iter().flatten() {
+                    sums.iter_mut().zip(column).for_each(|(sum, entry)| *sum += factor * entry);
+                }
+                return;
+            }
         }
     }
 }
