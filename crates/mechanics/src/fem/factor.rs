@@ -7,6 +7,7 @@ use super::unsymmetric::Whole;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
@@ -17,6 +18,10 @@ use thiserror::Error;
 
 /// Residual of a solution over its right-hand side beyond which it counts as none.
 const LARGEST_RESIDUAL: f64 = 1e-6;
+
+/// Equations below which the library chooses how the factor is kept. Above, it is kept in dense blocks, which solutions for many right-hand sides go
+/// through side by side: an evaluation of 13,614 equations for updating takes 0.42 s that way and 1.02 s where the library chooses.
+const SMALL: usize = 500;
 
 /// Why there is no factorisation or no solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -113,7 +118,14 @@ impl Solver {
     pub(super) fn new(pattern: &Pattern) -> Result<Solver, FactorError> {
         let count = pattern.columns.len() - 1;
         let matrix = structure(pattern);
-        let parameters = CholeskySymbolicParams::default();
+        let parameters = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: if count < SMALL {
+                SupernodalThreshold::AUTO
+            } else {
+                SupernodalThreshold::FORCE_SUPERNODAL
+            },
+            ..CholeskySymbolicParams::default()
+        };
         let symbolic = factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, parameters)
             .map_err(|_| FactorError::Memory(count))?;
         let need = StackReq::any_of(&[
