@@ -80,7 +80,7 @@ pub const TOLERANCE: f64 = 1e-10;
 /// all positions are gone through twice; at one half twice as many rows join as are needed.
 const AHEAD: f64 = 0.2;
 
-/// Iterations allowed in one position.
+/// Iterations allowed in one position where nobody says how many.
 const ITERATIONS: u32 = 60;
 
 /// A model around one state, ready for many load positions.
@@ -111,6 +111,8 @@ pub struct Condensed<'a> {
     at: Place,
     /// Most that loads have moved a row of the linear system from one position to the next [m].
     most_moved: f64,
+    /// Iterations allowed in one position.
+    iterations: u32,
 }
 
 /// A position in balance.
@@ -170,9 +172,17 @@ impl<'a> Condensed<'a> {
             },
             observed,
             most_moved: 0.0,
+            iterations: ITERATIONS,
             model,
             start,
         })
+    }
+
+    /// Allows so many iterations in one position.
+    #[must_use]
+    pub fn with_iterations(mut self, iterations: u32) -> Condensed<'a> {
+        self.iterations = iterations;
+        self
     }
 
     /// Balances loads on top of what was there at the start, from the last position, with the active parts. What parts remembered before

@@ -1,7 +1,7 @@
 //! Newton's method on the forces of the hot rows.
 
 use super::rows::dot;
-use super::{Condensed, ITERATIONS, Position, TOLERANCE};
+use super::{Condensed, Position, TOLERANCE};
 
 /// Iterations without a smaller change after which a position is given up.
 const IDLE: u32 = 15;
@@ -50,7 +50,7 @@ impl Condensed<'_> {
     pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
         let Some(mut right) = self.unbalanced(trial) else { return false };
         let (mut best, mut idle) = (f64::INFINITY, 0);
-        while position.iterations < ITERATIONS {
+        while position.iterations < self.iterations {
             let change = self.hot.moves(&right);
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             position.left = change.iter().fold(0.0_f64, |most, l| most.max(l.abs())) / size;

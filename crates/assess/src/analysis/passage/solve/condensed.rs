@@ -34,7 +34,8 @@ pub fn pass(
     let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
     let loads: Vec<Vec<f64>> = std::iter::once(rest.weight.to_vec()).chain(patterns(rest)).collect();
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
-    let mut condensed = Condensed::new(rest.model, State::new(rest.model), &loads, &observed).map_err(failed)?;
+    let condensed = Condensed::new(rest.model, State::new(rest.model), &loads, &observed).map_err(failed)?;
+    let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
     if !stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)? {
         end_of_weight(solution);
         return Ok(());

@@ -45,7 +45,8 @@ pub fn slices(
     let train = positions.iter().map(|&position| with_train(&rest, position));
     let loads: Vec<Vec<f64>> = std::iter::once(weight.clone()).chain(train).collect();
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
-    let mut condensed = Condensed::new(&model, State::new(&model), &loads, &observed).map_err(failed)?;
+    let condensed = Condensed::new(&model, State::new(&model), &loads, &observed).map_err(failed)?;
+    let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
     let mut found = Slices {
         status: PassageStatus::Completed,
         reason: None,
