@@ -86,15 +86,17 @@ fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
     };
     let range = wanted.map(|wanted| [wanted.lower / size, wanted.upper / size]);
     let (standing, words) = match (one.value, range, wanted) {
-        (None, _, _) => (Standing::Untold, "No search came to an end, so that nothing is known of it.".to_owned()),
+        (None, _, _) => (Standing::Untold, "No value was found that fits the measurements, so that nothing is known of it.".to_owned()),
         (Some(_), _, _) if one.at_bound => (
             Standing::Untold,
-            "It stands on a bound of the range that was searched: the records ask for more, or do not see it. Nothing is concluded from it."
+            "The measurements led to the end of the range that was allowed for it, so that its true value is not known. Nothing is concluded \
+             from it: have the range reviewed, or this part inspected."
                 .to_owned(),
         ),
         (Some(_), _, _) if one.identifiable == Some(false) => (
             Standing::Untold,
-            "The records hardly change with it: other values would fit as well. Nothing is concluded from it.".to_owned(),
+            "The measurements cannot tell: very different values of it would fit them as well. Nothing is concluded from it, neither good \
+             nor bad; sensors closer to this part would tell more.".to_owned(),
         ),
         (Some(_), None, _) => (Standing::NothingExpected, "The file says nothing of what is expected of it.".to_owned()),
         (Some(value), Some([lower, _]), Some(wanted)) if value < lower => (

@@ -5,7 +5,7 @@ use crate::numbers::{digits, maybe};
 use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
 use assess::assessment::Assessment;
-use assess::checks::{Checked, Verdict};
+use assess::checks::{self, Checked, Verdict};
 use assess::condition::Condition;
 use bridge::inputs::Input;
 
@@ -77,6 +77,10 @@ struct Page<'a> {
     augment: String,
     limits_source: String,
     condition: Vec<ConditionRow>,
+    no_update: &'a str,
+    no_service: &'a str,
+    no_collapse: &'a str,
+    no_changes: &'a str,
     update_words: Vec<String>,
     fit: Vec<FitRow>,
     runs: Vec<String>,
@@ -150,6 +154,10 @@ pub fn html(material: &Material<'_>) -> String {
         augment: augment(a),
         limits_source: a.asked.limits.source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
         condition: rows::condition(material.condition, update),
+        no_update: a.update.why_not().unwrap_or("the stage has no result"),
+        no_service: a.service.why_not().unwrap_or("the stage has no result"),
+        no_collapse: a.ultimate.why_not().unwrap_or("the stage has no result"),
+        no_changes: a.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
         update_words: update.map(|facts| {
             let norm = format!(
                 "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
@@ -177,8 +185,12 @@ pub fn html(material: &Material<'_>) -> String {
         movement: movement(a),
         changes: sensitivity.map(rows::changes).unwrap_or_default(),
         changes_words: sensitivity.map(|facts| format!(
-            "Utilisation of the governing check ({}), {} for the file's own values by {}, with {:.0} % less and {:.0} % more of each quantity.",
-            facts.code, crate::numbers::percent(facts.utilisation), facts.how, 100.0 * facts.share, 100.0 * facts.share
+            "Utilisation of the governing check ({}) with {:.0} % less and {:.0} % more of each quantity, by {}. With the file's own values \
+             that gives {}, the check itself {}: compare the rows with the first of the two.",
+            facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, crate::numbers::percent(facts.utilisation),
+            checks::governing(material.checked)
+                .and_then(|(check, k)| material.checked[check].outcome.as_ref().ok()?.get(k))
+                .map_or_else(|| "nothing".to_owned(), |finding| crate::numbers::percent(finding.utilisation))
         )).unwrap_or_default(),
         notes: notes(a),
         findings: material.findings,

@@ -118,3 +118,13 @@ fn the_stress_range_follows_its_bound() {
 fn a_limit_of_nothing_is_met_by_nothing_else() {
     assert_eq!((used(0.0, 0.0), used(-1.0, 0.0), used(1.0, 0.0)), (0.0, 0.0, f64::MAX));
 }
+
+#[test]
+fn a_thrust_without_a_zone_is_told_and_not_judged() {
+    let mut a = assessment();
+    a.asked.limits.thrust_zone = None;
+    let why = thrust::ThrustZone.run(&a).unwrap_err();
+    assert!(!why.failed && why.why.contains("thrust_zone =") && why.why.contains("0.200 of the depth"), "{}", why.why);
+    a.service = Stage::NotAsked("no train".into());
+    assert!(!thrust::ThrustZone.run(&a).unwrap_err().why.contains("in service"));
+}

@@ -22,11 +22,7 @@ impl Check for ThrustZone {
     }
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let zone = a.asked.limits.thrust_zone.ok_or_else(|| {
-            NotMade::because(
-                "the file gives no zone: write thrust_zone = \"middle-third\" or \"middle-half\" in [assess]",
-            )
-        })?;
+        let zone = a.asked.limits.thrust_zone.ok_or_else(|| NotMade::because(no_zone(a)))?;
         let limit = 0.5 * zone;
         let facts = of(&a.service)?;
         let mut list = Vec::new();
@@ -43,5 +39,19 @@ impl Check for ThrustZone {
             }));
         }
         if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
+    }
+}
+
+/// What to write, and how far the thrust goes where that is known: a reader should not have to ask for a limit to see it.
+fn no_zone(a: &Assessment) -> String {
+    let write = "the file gives no zone: write thrust_zone = \"middle-third\" or \"middle-half\" in [assess]";
+    let loads = a.service.made().map_or(&[][..], |facts| &facts.loads);
+    let farthest = loads.iter().flat_map(|load| &load.joints).map(|joint| joint.eccentricity).fold(0.0, f64::max);
+    match farthest > 0.0 {
+        true => format!(
+            "{write}; in service the thrust goes {farthest:.3} of the depth from the middle of a joint (middle third 0.167, middle \
+             half 0.25, face 0.5)"
+        ),
+        false => write.to_owned(),
     }
 }

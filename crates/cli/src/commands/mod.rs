@@ -8,6 +8,7 @@ mod collapse;
 mod convert;
 mod explain;
 mod model;
+mod names;
 mod new;
 mod respond;
 mod schema;
@@ -184,6 +185,7 @@ impl Source {
         if let Some(passage) = read.bridge.as_mut().and_then(|bridge| bridge.passage.as_mut()) {
             take_train(&mut passage.train, path)?;
         }
+        names::look_up(&mut read, &text);
         Ok(Source { name: path.display().to_string(), text, read })
     }
 
@@ -196,6 +198,9 @@ impl Source {
         }
         if let (Some(new), Some(old)) = (&mut bridge.particles, &own.particles) {
             new.grains.clone_from(&old.grains);
+        }
+        if let (Some(new), Some(old)) = (&mut bridge.sweep, &own.sweep) {
+            new.texts.clone_from(&old.texts);
         }
         Some(bridge)
     }

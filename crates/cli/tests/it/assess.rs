@@ -189,12 +189,12 @@ fn a_limit_that_is_not_met_is_exit_code_one() {
     assert!(stage.read("out/bridge/report.html").contains("Not adequate"));
 }
 
-/// No equilibrium in a single iteration: the passage fails, the rest stands, nothing is settled.
+/// Axles of 300 t on loose fill: no balance is found, the rest stands, nothing is settled.
 #[test]
 fn a_stage_that_fails_leaves_the_rest_and_says_so() {
     let stage = Stage::new("assess-fails");
-    let broken = BRIDGE.replace("speed = \"36 km/h\"", "speed = \"36 km/h\"\niterations = 1\nload_steps = 1");
-    stage.write("bridge.toml", format!("{}{LIMITS}", broken.replace("\"50 kPa\"", "\"0.01 kPa\"")));
+    let limits = LIMITS.replace("\"12 t\"", "\"300 t\"");
+    stage.write("bridge.toml", format!("{}{limits}", BRIDGE.replace("\"50 kPa\"", "\"0.01 kPa\"")));
     let (answer, ending) = stage.object(&["assess", "bridge.toml", "--skip", "sensitivity"]);
     assert_eq!((ending.code, &answer["status"]), (Some(3), &Value::from("undetermined")), "{:?}", states(&answer));
     assert!(check(&answer, "C201")["met"] == true && answer["service"].is_null());
@@ -329,4 +329,34 @@ fn a_thousand_bridges() {
     assert_eq!(answer["bridges"], 1000);
     // Both cores of a small machine need under a minute; an hour is a machine that does something else.
     assert!(number(&answer, "wall_seconds") < 3600.0);
+}
+
+/// A rule and a vehicle that the library lacks are found before anything is computed, both at once, each with its line.
+#[test]
+fn names_that_the_library_lacks_are_findings_with_a_place() {
+    let stage = stage("assess-names", &LIMITS.replace("irs-bridge-rules", "irs-bridge-rule"));
+    let whole = stage.read("bridge.toml") + "\n[sweep]\nrule = \"characteristic\"\nvehicles = [\"lm71\", \"hb-55\"]\n";
+    stage.write("bridge.toml", &whole);
+    for command in ["assess", "check", "collapse"] {
+        let (answer, ending) = stage.object(&[command, "bridge.toml"]);
+        assert_eq!((ending.code, &answer["status"]), (Some(2), &Value::from("unusable-input")), "{command}");
+        for (word, remedy) in [("irs-bridge-rule", "irs-bridge-rules"), ("hb-55", "hb-45")] {
+            let line = 1 + whole.lines().position(|line| line.contains(&format!("\"{word}\""))).expect("a line");
+            let said = ending.stderr.contains(&format!("bridge.toml:{line}:")) && ending.stderr.contains(remedy);
+            assert!(said, "{command}, {word}: {}", ending.stderr);
+        }
+    }
+}
+
+/// What was left out is no lack of records: each section says why it is empty.
+#[test]
+fn an_empty_section_of_the_report_says_why() {
+    let stage = stage("assess-empty", LIMITS);
+    let words = ["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity", "--skip", "service"];
+    let _ = stage.object(&words);
+    let page = stage.read("out/report.html");
+    for why in ["No train crossed: left out by --skip service", "holds: the file names no [records]"] {
+        assert!(page.contains(why), "the report does not say: {why}");
+    }
+    assert!(page.contains("No sensitivities were made: left out by --skip sensitivity"));
 }
