@@ -1,6 +1,8 @@
 //! Reports as PDF: the strings of a report (`report::data`) are set by Typst in this process. Nothing is read but what is
 //! handed over, no file and no network; the same bytes for the same strings.
 
+#[cfg(test)]
+mod tests;
 mod world;
 
 use serde_json::Value;
