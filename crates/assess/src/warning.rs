@@ -160,6 +160,16 @@ cards! {
         "An analysis that the file asks for could not be set up or found no answer; the message says which and why. The other \
          stages stand. Checks that rest on this one are not made, and as long as everything else is met the verdict is \
          undetermined. Mend the cause and repeat the command: finished stages are taken up.";
+    /// Built without the typesetter.
+    WITHOUT_PDF = "A161", "this program writes no report.pdf",
+        "The typesetter behind report.pdf is some 200 packages, so that it is built only where it is asked for: \
+         cargo install --path crates/cli --features pdf. report.html holds the same and prints on A4; verdict and numbers do \
+         not depend on it.";
+    /// The report could not be set.
+    UNSET_PDF = "A162", "the report could not be typeset as PDF",
+        "The typesetter refused the report; the message holds its words. report.html and result.json are complete, verdict and \
+         numbers stand. The usual cause is a drawing that is no valid SVG, which is a mistake of this program: please report it with \
+         the bridge file.";
 }
 
 impl Warning {

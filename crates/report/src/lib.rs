@@ -1,12 +1,14 @@
 //! Assessments as pages: one self-contained HTML file a bridge, and a table of many bridges. Plain data goes in, text comes
-//! out; the same text for the same data.
+//! out; the same text for the same data. The strings of a report are also given as data, for another typesetter.
 
+mod data;
 mod figure;
 mod fleet;
 mod numbers;
 mod page;
 mod rows;
 
+pub use data::data;
 pub use figure::Figure;
 pub use fleet::{FleetRow, fleet_csv, fleet_html};
 pub use page::{Appendix, Material, StageLine, html};

@@ -62,59 +62,60 @@ pub struct StageLine {
     pub key: String,
 }
 
+/// Every string of a report, by section.
 #[derive(Template)]
 #[template(path = "report.html")]
-struct Page<'a> {
-    style: &'static str,
-    bridge: &'a str,
-    status: &'static str,
-    headline: &'static str,
-    whole: String,
-    checks: Vec<CheckRow>,
-    every: Vec<CheckRow>,
-    open: Vec<OpenRow>,
-    columns: Vec<ColumnRow>,
-    augment: String,
-    limits_source: String,
-    condition: Vec<ConditionRow>,
-    no_update: &'a str,
-    no_service: &'a str,
-    no_collapse: &'a str,
-    no_changes: &'a str,
-    update_words: Vec<String>,
-    fit: Vec<FitRow>,
-    runs: Vec<String>,
-    channels: Vec<ChannelRow>,
-    loads: Vec<[String; 4]>,
-    collapse: Vec<[String; 2]>,
-    vehicles: Vec<VehicleRow>,
-    rule: String,
-    factors: Vec<[String; 3]>,
-    confirmation: String,
-    movement: Vec<[String; 2]>,
-    changes: Vec<ChangeRow>,
-    changes_words: String,
-    notes: Vec<[String; 2]>,
-    findings: &'a [[String; 3]],
-    warnings: Vec<[String; 3]>,
-    assumptions: Vec<[String; 2]>,
-    inputs: &'a [Input],
-    appendix: &'a Appendix,
-    figures: Figures,
+pub struct Page<'a> {
+    pub style: &'static str,
+    pub bridge: &'a str,
+    pub status: &'static str,
+    pub headline: &'static str,
+    pub whole: String,
+    pub checks: Vec<CheckRow>,
+    pub every: Vec<CheckRow>,
+    pub open: Vec<OpenRow>,
+    pub columns: Vec<ColumnRow>,
+    pub augment: String,
+    pub limits_source: String,
+    pub condition: Vec<ConditionRow>,
+    pub no_update: &'a str,
+    pub no_service: &'a str,
+    pub no_collapse: &'a str,
+    pub no_changes: &'a str,
+    pub update_words: Vec<String>,
+    pub fit: Vec<FitRow>,
+    pub runs: Vec<String>,
+    pub channels: Vec<ChannelRow>,
+    pub loads: Vec<[String; 4]>,
+    pub collapse: Vec<[String; 2]>,
+    pub vehicles: Vec<VehicleRow>,
+    pub rule: String,
+    pub factors: Vec<[String; 3]>,
+    pub confirmation: String,
+    pub movement: Vec<[String; 2]>,
+    pub changes: Vec<ChangeRow>,
+    pub changes_words: String,
+    pub notes: Vec<[String; 2]>,
+    pub findings: &'a [[String; 3]],
+    pub warnings: Vec<[String; 3]>,
+    pub assumptions: Vec<[String; 2]>,
+    pub inputs: &'a [Input],
+    pub appendix: &'a Appendix,
+    pub figures: Figures<'a>,
 }
 
-/// Drawings by the section that they stand in: caption and SVG.
+/// Drawings by the section that they stand in.
 #[derive(Default)]
-struct Figures {
-    built: Vec<[String; 2]>,
-    update: Vec<[String; 2]>,
-    service: Vec<[String; 2]>,
-    ultimate: Vec<[String; 2]>,
-    vehicles: Vec<[String; 2]>,
-    movement: Vec<[String; 2]>,
+pub struct Figures<'a> {
+    pub built: Vec<&'a Figure>,
+    pub update: Vec<&'a Figure>,
+    pub service: Vec<&'a Figure>,
+    pub ultimate: Vec<&'a Figure>,
+    pub vehicles: Vec<&'a Figure>,
+    pub movement: Vec<&'a Figure>,
 }
 
-fn figures(list: &[Figure]) -> Figures {
+fn figures(list: &[Figure]) -> Figures<'_> {
     let mut all = Figures::default();
     for figure in list {
         let section = match figure.stage.as_str() {
@@ -125,18 +126,24 @@ fn figures(list: &[Figure]) -> Figures {
             "movement" => &mut all.movement,
             _ => &mut all.ultimate,
         };
-        section.push([figure.caption.clone(), figure.inlined()]);
+        section.push(figure);
     }
     all
 }
 
 /// The page as HTML: one file, nothing beside it.
 pub fn html(material: &Material<'_>) -> String {
+    // Writing to a text never fails.
+    page(material).render().unwrap_or_default()
+}
+
+/// Every string of the page.
+pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
     let a = material.assessment;
     let (warnings, assumptions) = rows::said(a);
     let update = a.update.made();
     let sensitivity = a.sensitivity.made();
-    let page = Page {
+    Page {
         style: include_str!("../templates/style.css"),
         bridge: &a.bridge.name,
         status: material.verdict.status,
@@ -199,9 +206,7 @@ pub fn html(material: &Material<'_>) -> String {
         inputs: material.inputs,
         appendix: material.appendix,
         figures: figures(material.figures),
-    };
-    // Writing to a text never fails.
-    page.render().unwrap_or_default()
+    }
 }
 
 fn augment(a: &Assessment) -> String {

@@ -3,6 +3,7 @@
 mod chain;
 mod fleet;
 mod kept;
+mod pdf;
 mod pictures;
 
 use super::{Desk, Source};
@@ -17,7 +18,8 @@ use ::assess::assessment::Assessment;
 use ::assess::checks::{self, Checked, Verdict};
 use ::assess::condition::{Condition, condition};
 use ::assess::wire;
-use ::report::{Appendix, Material, StageLine};
+use ::report::{Appendix, Figure, Material, StageLine};
+use bridge::inputs::Input;
 use chain::Chain;
 use kept::{Kept, Program};
 use std::path::Path;
@@ -51,9 +53,14 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
             );
         }
     }
+    let mut files = done.files();
+    match pdf::pdf(&done.material()) {
+        Ok(bytes) => files.push(figures::File { name: "report.pdf".to_owned(), bytes }),
+        Err([code, message]) => report.warn(&mut desk.screen, &code, &message),
+    }
     report.summary =
         summary::assessment(&done.assessment, &done.checked, &done.verdict, &done.condition, folder.path());
-    results::publish(desk, report, &folder, &done.files())
+    results::publish(desk, report, &folder, &files)
 }
 
 /// A bridge that was judged.
@@ -66,13 +73,31 @@ pub struct Done {
     pub verdict: Verdict,
     /// Its condition.
     pub condition: Vec<Condition>,
-    /// Its report.
-    pub page: String,
+    /// Drawings of its stages.
+    pub figures: Vec<Figure>,
+    /// Its file, value by value.
+    pub inputs: Vec<Input>,
+    /// What was found in the file.
+    pub findings: Vec<[String; 3]>,
     /// How it was made.
     pub appendix: Appendix,
 }
 
 impl Done {
+    /// What its report is made of.
+    fn material(&self) -> Material<'_> {
+        Material {
+            assessment: &self.assessment,
+            checked: &self.checked,
+            verdict: &self.verdict,
+            condition: &self.condition,
+            figures: &self.figures,
+            inputs: &self.inputs,
+            findings: &self.findings,
+            appendix: &self.appendix,
+        }
+    }
+
     /// The answer for scripts.
     pub fn report(&self, source: &Source) -> Report {
         let mut report = source.report(Status::named(self.verdict.status).unwrap_or(Status::Undetermined));
@@ -108,7 +133,10 @@ impl Done {
 
     /// Report and tables.
     pub fn files(&self) -> Vec<figures::File> {
-        let mut files = vec![figures::File { name: "report.html".to_owned(), bytes: self.page.clone().into_bytes() }];
+        let mut files = vec![figures::File {
+            name: "report.html".to_owned(),
+            bytes: ::report::html(&self.material()).into_bytes(),
+        }];
         files.extend(results::tables([("checks", wire::checks_table(&self.checked))]));
         files
     }
@@ -148,18 +176,8 @@ fn assessed(
             [finding.code.to_owned(), finding.message.clone(), format!("line {}", place.line)]
         })
         .collect();
-    let material = Material {
-        assessment: &assessment,
-        checked: &checked,
-        verdict: &verdict,
-        condition: &condition,
-        figures: &figures,
-        inputs: &bridge::inputs::inputs(&text),
-        findings: &findings,
-        appendix: &appendix,
-    };
-    let page = ::report::html(&material);
-    Ok(Some(Done { assessment, checked, verdict, condition, page, appendix }))
+    let inputs = bridge::inputs::inputs(&text);
+    Ok(Some(Done { assessment, checked, verdict, condition, figures, inputs, findings, appendix }))
 }
 
 /// The command that makes this bridge's report by itself.

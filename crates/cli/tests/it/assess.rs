@@ -189,6 +189,31 @@ fn a_limit_that_is_not_met_is_exit_code_one() {
     assert!(stage.read("out/bridge/report.html").contains("Not adequate"));
 }
 
+/// With the feature report.pdf says the verdict that the page says; without it a warning says how to have it.
+#[test]
+fn the_report_as_pdf_or_the_way_to_it() {
+    let stage = stage("assess-pdf", LIMITS);
+    let (answer, ending) = stage.object(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    let file = stage.folder.join("out/report.pdf");
+    let warnings = answer["warnings"].as_array().expect("a list");
+    let told = warnings.iter().find(|one| one["code"] == "A161");
+    if !cfg!(feature = "pdf") {
+        assert!(told.is_some_and(|one| one["message"].as_str().is_some_and(|words| words.contains("--features pdf"))));
+        assert!(!file.exists());
+        return;
+    }
+    assert!(told.is_none() && std::fs::read(&file).expect("report.pdf").starts_with(b"%PDF-"), "{warnings:?}");
+    // Texts of a PDF are glyphs of a font; poppler reads them where it is installed, and the typesetter's own tests in any case.
+    let Ok(read) = std::process::Command::new("pdftotext").arg(&file).arg("-").output() else { return };
+    let text = String::from_utf8_lossy(&read.stdout);
+    // Every page ends in a form feed.
+    assert!(text.matches('\u{c}').count() > 1, "{text}");
+    for words in ["Adequate", "C101", "weighed", "Every comparison", "extrados assess bridge.toml"] {
+        assert!(text.contains(words), "report.pdf does not say {words}: {text}");
+    }
+}
+
 /// Axles of 300 t on loose fill: no balance is found, the rest stands, nothing is settled.
 #[test]
 fn a_stage_that_fails_leaves_the_rest_and_says_so() {
