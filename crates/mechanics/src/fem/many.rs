@@ -1,8 +1,10 @@
 //! Solutions for many right-hand sides at a time with a factor that a library has made.
 //!
 //! The library keeps right-hand sides as columns, so that each entry of the factor meets numbers that lie a whole vector apart. Here
-//! those of one equation lie side by side: an entry is read once and meets all of them in the processor's registers. With 53,498 equations,
-//! 3.3 million entries and 32 right-hand sides that takes 0.35 ms for each of them where the library takes 1.6 ms (one core, same run).
+//! those of one equation lie side by side: an entry is read once and meets all of them in the processor's registers. With 53,498 equations and
+//! 3.3 million entries 248 right-hand sides take 0.28 s, copies in and out included, where the library takes 0.39 s (one core, beside other
+//! programs); where the library keeps single columns (13,614 equations) it goes through them one after the other, and an evaluation for updating fell
+//! from 1.02 s to 0.42 s.
 
 use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SymbolicSupernodalCholesky};
 

@@ -15,7 +15,7 @@ use bridge::passage::PassagePath;
 use mechanics::watch::{Progress, Watch, Wish};
 
 /// Length of an element near the rings [m] where `--count` does not say: 60,000 unknowns and more.
-const SIZE: f64 = 0.043;
+const SIZE: f64 = 0.045;
 
 /// Positions at which the whole system is solved beside the condensed one.
 const COMPARED: usize = 50;

@@ -1,7 +1,7 @@
 //! Quadrilaterals that flow nowhere, in many solutions at a time: nearly all of them, nearly always.
 //!
-//! Eight solutions stand side by side in the processor's registers. Of 10,000 quadrilaterals each takes 30 ns a solution that way, where asking
-//! its law takes 250 ns.
+//! Eight solutions stand side by side in the processor's registers. Of a passage with 53,498 unknowns looking over took 16 % of the time while
+//! every law was asked, and takes 8 % this way.
 
 use crate::fem::dofs::HELD;
 use crate::fem::element::Sample;
