@@ -177,7 +177,7 @@ pub fn service(
         let setup = passage::setup(&own)?;
         let solution = match wanted {
             Wanted::Everything => passage::solve(&own, &setup, watch)?,
-            Wanted::Sensors => passage::records(&own, &setup, watch)?,
+            Wanted::Sensors => passage::records(&own, &setup, &[], watch)?,
         };
         let mut found = passage::report(&own, &setup, solution);
         let gravity = own.gravity;

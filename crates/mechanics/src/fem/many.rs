@@ -25,7 +25,9 @@ pub(super) fn solve(symbolic: &SymbolicSupernodalCholesky<u32>, values: &[f64], 
 fn solve_lanes<const W: usize>(factor: SupernodalLltRef<'_, u32, f64>, x: &mut [[f64; W]]) {
     let mut work = Work { factor, x };
     #[cfg(target_arch = "x86_64")]
-    if let Some(v3) = pulp::x86::V3::try_new() {
+    if let Some(v4) = pulp::x86::V4::try_new() {
+        return v4.vectorize(Fused(work));
+    } else if let Some(v3) = pulp::x86::V3::try_new() {
         return v3.vectorize(Fused(work));
     }
     work.forward::<false>();

@@ -11,6 +11,8 @@ use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
 use mechanics::watch::Unwatched;
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A bridge whose quantities are sought.
 #[derive(Debug)]
@@ -21,13 +23,21 @@ pub struct Model<'a> {
     setup: Setup,
     /// Whether a parameter moves the mesh, the loads or the sensors.
     moves: bool,
+    /// What took part in the start model's answers, by the positions that were asked for; `None` for all of them.
+    usual: Mutex<BTreeMap<Asked, Arc<OnceLock<Vec<usize>>>>>,
 }
+
+/// Positions of slices, or `None` for a whole passage.
+type Asked = Option<Vec<usize>>;
+
+/// Answers of the sensors, and what took part in them.
+type Answers = (Vec<Vec<f64>>, Vec<usize>);
 
 impl<'a> Model<'a> {
     /// The model of a file: `document` is its text without the sections of updating.
     pub fn new(own: &'a Bridge, document: &'a Document, parameters: &'a [Parameter]) -> Result<Self, AnalysisError> {
         let setup = setup(own)?;
-        let mut model = Self { own, document, parameters, setup, moves: false };
+        let mut model = Self { own, document, parameters, setup, moves: false, usual: Mutex::default() };
         for k in 0..parameters.len() {
             let mut point: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
             point[k] = if point[k] == parameters[k].lower { parameters[k].upper } else { parameters[k].lower };
@@ -68,6 +78,27 @@ impl<'a> Model<'a> {
         Ok(bridge)
     }
 
+    /// Answers of a model. What took part in those of the start model is expected of every other; the start model's own are found without, so that
+    /// answers do not depend on what was asked before.
+    fn answer(&self, point: &[f64], bridge: &Bridge, setup: &Setup, asked: Asked) -> Result<Vec<Vec<f64>>, Failure> {
+        let usual = {
+            let mut usual = self.usual.lock().unwrap_or_else(PoisonError::into_inner);
+            usual.entry(asked.clone()).or_default().clone()
+        };
+        if self.moves {
+            return Ok(answers(bridge, setup, &asked, &[])?.0);
+        }
+        if self.parameters.iter().zip(point).all(|(parameter, value)| parameter.start == *value) {
+            let (values, took_part) = answers(bridge, setup, &asked, &[])?;
+            usual.get_or_init(|| took_part);
+            return Ok(values);
+        }
+        let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
+        let at_start = || answers(&self.bridge_at(&start)?, setup, &asked, &[]);
+        let took_part = || at_start().map_or_else(|_| Vec::new(), |(_, took_part)| took_part);
+        Ok(answers(bridge, setup, &asked, usual.get_or_init(took_part))?.0)
+    }
+
     fn setup_of(&self, bridge: &Bridge) -> Result<Cow<'_, Setup>, Failure> {
         if !self.moves {
             return Ok(Cow::Borrowed(&self.setup));
@@ -84,27 +115,34 @@ fn not_set_up(error: AnalysisError) -> Failure {
 
 /// Static answers at some positions alone, in ascending order. Stresses are no functionals of displacements: with them the train
 /// goes from one of these positions to the next.
-fn at_places(bridge: &Bridge, setup: &Setup, places: &[usize]) -> Result<Vec<Vec<f64>>, Failure> {
+fn at_places(bridge: &Bridge, setup: &Setup, places: &[usize], expected: &[usize]) -> Result<Answers, Failure> {
     let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
     if setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress) {
         let times = places.iter().map(|k| setup.times[*k]).collect();
         let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
         let some = Setup { times, positions, plan, ..setup.clone() };
-        return whole(bridge, &some);
+        return whole(bridge, &some, &[]);
     }
-    let found = slices(bridge, setup, &positions, &mut Unwatched).map_err(not_set_up)?;
-    completed(found.status, found.reason, found.values)
+    let found = slices(bridge, setup, &positions, expected, &mut Unwatched).map_err(not_set_up)?;
+    completed(found.status, found.reason, (found.values, found.taking_part))
 }
 
 /// Answers at every position of the passage.
-fn whole(bridge: &Bridge, setup: &Setup) -> Result<Vec<Vec<f64>>, Failure> {
-    let found = records(bridge, setup, &mut Unwatched).map_err(not_set_up)?;
-    completed(found.status, found.reason, found.values)
+fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize]) -> Result<Answers, Failure> {
+    let found = records(bridge, setup, expected, &mut Unwatched).map_err(not_set_up)?;
+    completed(found.status, found.reason, (found.values, found.taking_part))
 }
 
-fn completed(status: PassageStatus, reason: Option<String>, values: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, Failure> {
+fn answers(bridge: &Bridge, setup: &Setup, asked: &Asked, expected: &[usize]) -> Result<Answers, Failure> {
+    match asked {
+        None => whole(bridge, setup, expected),
+        Some(places) => at_places(bridge, setup, places, expected),
+    }
+}
+
+fn completed(status: PassageStatus, reason: Option<String>, answers: Answers) -> Result<Answers, Failure> {
     match status {
-        PassageStatus::Completed => Ok(values),
+        PassageStatus::Completed => Ok(answers),
         status => Err(Failure::new(status.word(), reason.unwrap_or_default())),
     }
 }
@@ -116,12 +154,12 @@ impl Forward for Model<'_> {
         let scales: Vec<f64> = setup.sensors.iter().map(|sensor| sensor.quantity.scale()).collect();
         let scaled = |(values, scale): (Vec<f64>, &f64)| values.into_iter().map(|value| scale * value).collect();
         let values = match &request.samples {
-            Samples::All => whole(&bridge, &setup)?,
+            Samples::All => self.answer(point, &bridge, &setup, None)?,
             Samples::At(places) => {
                 let mut all: Vec<usize> = places.concat();
                 all.sort_unstable();
                 all.dedup();
-                let found = at_places(&bridge, &setup, &all)?;
+                let found = self.answer(point, &bridge, &setup, Some(all.clone()))?;
                 let at = |k: &usize| all.binary_search(k).unwrap_or_default();
                 let of = |(wanted, values): (&Vec<usize>, &Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
                 places.iter().zip(&found).map(of).collect()

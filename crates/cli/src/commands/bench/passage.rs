@@ -33,7 +33,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         let clock = Clock::start();
         let setup = set_up()?;
         let seconds_mesh = clock.seconds();
-        let found = records(&bridge, &setup, &mut onlooker).map_err(|error| results::not_set_up(&error))?;
+        let found = records(&bridge, &setup, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
         runs.push([clock.seconds(), seconds_mesh, onlooker.until_positions.unwrap_or_default()]);
         onlooker.spectator.finish();
         last = Some((setup, found));
@@ -117,7 +117,7 @@ fn compare(bridge: &Bridge, setup: &Setup, quiet: bool) -> Result<Compared, Fail
     let go = |few: &Setup| -> Result<(Solution, f64), Failure> {
         let mut onlooker = Timed::new(quiet);
         let clock = Clock::start();
-        let found = records(bridge, few, &mut onlooker).map_err(|error| results::not_set_up(&error))?;
+        let found = records(bridge, few, &[], &mut onlooker).map_err(|error| results::not_set_up(&error))?;
         onlooker.spectator.finish();
         Ok((found, clock.seconds() - onlooker.until_positions.unwrap_or_default()))
     };

@@ -21,6 +21,8 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let base = setup(&bridge).map_err(|error| results::not_set_up(&error))?;
     let count = base.positions.len();
     let positions: Vec<f64> = (1..=SLICES).map(|k| base.positions[k * count / (SLICES + 2)]).collect();
+    let start = slices(&bridge, &base, &positions, &[], &mut mechanics::watch::Unwatched);
+    let usual = start.map_err(|error| results::not_set_up(&error))?.taking_part;
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let (mut seconds, mut iterations, mut completed) = (Vec::new(), 0, true);
     for k in 0..arguments.repeats {
@@ -32,7 +34,8 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         onlooker.look(&Progress { stage: "evaluations".into(), fraction: Some(share), steps: u64::from(k) });
         let clock = Clock::start();
         let mut unwatched = mechanics::watch::Unwatched;
-        let found = slices(&other, &base, &positions, &mut unwatched).map_err(|error| results::not_set_up(&error))?;
+        let found = slices(&other, &base, &positions, &usual, &mut unwatched);
+        let found = found.map_err(|error| results::not_set_up(&error))?;
         seconds.push(clock.seconds());
         iterations += found.iterations;
         completed &= found.status == PassageStatus::Completed;

@@ -100,7 +100,7 @@ pub struct Condensed<'a> {
     /// Parts whose excess differs or differed from that of the start, in the order in which they joined.
     active: Vec<usize>,
     is_active: Vec<bool>,
-    /// When a part has last not answered linearly, in positions since the run began.
+    /// When a part has last not answered linearly, by the clock, which counts positions.
     moved_at: Vec<u64>,
     clock: u64,
     rows: Rows,
@@ -113,6 +113,15 @@ pub struct Condensed<'a> {
     most_moved: f64,
     /// Iterations allowed in one position.
     iterations: u32,
+}
+
+/// How positions are looked at together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Look {
+    /// One after the other on a way: what comes after one that does not stand, counts for nothing.
+    Way,
+    /// Each for itself.
+    Each,
 }
 
 /// A position in balance.
@@ -160,7 +169,7 @@ impl<'a> Condensed<'a> {
             active: Vec::new(),
             is_active: vec![false; parts.len()],
             moved_at: vec![0; parts.len()],
-            clock: 0,
+            clock: passage::COOLS + 1,
             parts,
             rows: Rows::new(patterns.len()),
             row_of: vec![None; model.dofs().count()],
@@ -233,8 +242,31 @@ impl<'a> Condensed<'a> {
         }
     }
 
-    /// These parts take part from now on: one solution for each of their rows.
+    /// Parts that take part, by number in ascending order: what [`Condensed::expect`] of a model with other moduli wants to hear.
+    #[must_use]
+    pub fn taking_part(&self) -> Vec<usize> {
+        let mut parts = self.active.clone();
+        parts.sort_unstable();
+        parts
+    }
+
+    /// These parts will take part sooner or later: the solutions for their rows are found side by side, before any is asked for. What
+    /// is expected in vain costs its solutions and changes nothing.
+    pub fn expect(&mut self, parts: &[usize]) {
+        let known: Vec<usize> = parts.iter().copied().filter(|&index| index < self.parts.len()).collect();
+        self.join(&known);
+    }
+
+    /// These parts take part from now on, and iterate at once.
     fn activate(&mut self, joining: &[usize]) {
+        self.join(joining);
+        for &index in joining {
+            self.moved_at[index] = self.clock;
+        }
+    }
+
+    /// These parts take part from now on: one solution for each of their rows.
+    fn join(&mut self, joining: &[usize]) {
         let mut fresh = Vec::new();
         for &index in joining.iter().filter(|&&index| !self.is_active[index]) {
             self.active.push(index);
@@ -262,7 +294,6 @@ impl<'a> Condensed<'a> {
         }
         for &index in joining {
             self.is_active[index] = true;
-            self.moved_at[index] = self.clock;
         }
         self.rows.join(fresh, &self.patterns, &mut self.work, &mut self.block);
         self.complete();
@@ -284,30 +315,37 @@ impl<'a> Condensed<'a> {
         self.work.solve_block(&right, &mut self.block);
     }
 
-    /// Parts that would have to take part somewhere in these positions or soon after, and the first of the positions in which one would.
-    fn joining(&mut self, places: &[Place]) -> Result<(Vec<usize>, usize), CondensedError> {
+    /// Parts that would have to take part somewhere in these positions, and whether each of the positions stands as it is. Positions on a
+    /// way are looked at up to the first that does not stand, and a little beyond their end.
+    fn joining(&mut self, places: &[Place], look: Look) -> Result<(Vec<usize>, Vec<bool>), CondensedError> {
         self.displace(places);
         let count = places.len();
-        let beyond = count > 1 && count < self.block.width();
+        let beyond = look == Look::Way && count > 1 && count < self.block.width();
         if beyond {
             self.block.extend_beyond(count, AHEAD);
         }
         let lanes = count + usize::from(beyond);
-        let (mut joining, mut first) = (Vec::new(), count);
+        let (mut joining, mut stands) = (Vec::new(), vec![true; lanes]);
         for (index, part) in self.parts.iter_mut().enumerate().filter(|(index, _)| !self.is_active[*index]) {
             if part.surely_still(self.model, &self.block) {
                 continue;
             }
+            let mut joins = false;
             for lane in 0..lanes {
                 part.answer_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
                 if part.changes() {
-                    joining.push(index);
-                    first = first.min(lane);
-                    break;
+                    (joins, stands[lane]) = (true, false);
+                    if look == Look::Way {
+                        break;
+                    }
                 }
             }
+            if joins {
+                joining.push(index);
+            }
         }
-        Ok((joining, first))
+        stands.truncate(count);
+        Ok((joining, stands))
     }
 
     /// Values of the observed functionals in one of the solutions found last.

@@ -1,7 +1,7 @@
 //! A run of positions, found a stretch at a time and then looked over at all of them at once.
 
 use super::parts::Remembered;
-use super::{Condensed, CondensedError, Counts, Place, Position, Reached};
+use super::{Condensed, CondensedError, Counts, Look, Mark, Place, Position, Reached};
 use crate::fem::many::WIDTHS;
 use crate::watch::{Progress, Watch, Wish};
 
@@ -9,7 +9,7 @@ use crate::watch::{Progress, Watch, Wish};
 const HALVINGS: u32 = 6;
 
 /// Positions after which a part that has not moved any more is hot no longer.
-const COOLS: u64 = 4;
+pub(super) const COOLS: u64 = 4;
 
 /// One position of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +59,7 @@ impl Condensed<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Passage, CondensedError> {
         let mut passage = Passage::default();
-        let mut stretch = 1;
+        let mut stretch = if self.active.is_empty() { 1 } else { WIDTHS[0] - 1 };
         while passage.visited.len() < count {
             let at = passage.visited.len();
             let progress = Progress {
@@ -109,11 +109,39 @@ impl Condensed<'_> {
         }
     }
 
+    /// Goes from a mark to some positions, each from there: the train at rest at one place or another. All are looked over side by side, and
+    /// those in which another part takes part are gone to again. A position without balance tells nothing of what is observed.
+    pub fn branch(&mut self, from: &Mark, to: &[Vec<f64>]) -> Result<Vec<Visited>, CondensedError> {
+        let mut found: Vec<Option<Visited>> = vec![None; to.len()];
+        loop {
+            let open = (0..to.len()).filter(|k| found[*k].is_none());
+            let open: Vec<usize> = open.take(WIDTHS[1]).collect();
+            if open.is_empty() {
+                return Ok(found.into_iter().flatten().collect());
+            }
+            let mut steps = Vec::with_capacity(open.len());
+            for &k in &open {
+                self.back_to(from);
+                self.cool_down();
+                steps.push(self.reach(&to[k])?);
+            }
+            let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
+            let (joining, stands) = self.joining(&places, Look::Each)?;
+            for (lane, (k, step)) in open.into_iter().zip(&steps).enumerate().filter(|(lane, _)| stands[*lane]) {
+                let balanced = step.position.reached == Reached::Balanced;
+                let observed = if balanced { self.observed_in(lane) } else { Vec::new() };
+                found[k] = Some(Visited { observed, position: step.position, counts: step.counts });
+            }
+            self.activate(&joining);
+        }
+    }
+
     /// Looks at all parts in the positions that were reached. Those from which on others than the active ones take part are undone and taken off `steps`;
     /// tells what is observed in those that are left, and whether these are all.
     fn look_over(&mut self, steps: &mut Vec<Step>) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
         let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
-        let (joining, first) = self.joining(&places)?;
+        let (joining, stands) = self.joining(&places, Look::Way)?;
+        let first = stands.iter().position(|stands| !stands).unwrap_or(places.len());
         for step in steps.drain(first..).rev() {
             self.undo(step);
         }
@@ -166,7 +194,7 @@ impl Condensed<'_> {
             if step < 0.5_f64.powi(HALVINGS as i32) {
                 // It may be for want of parts that flow or slide where it got to.
                 let here = self.at.clone();
-                let (joining, _) = self.joining(std::slice::from_ref(&here))?;
+                let (joining, _) = self.joining(std::slice::from_ref(&here), Look::Each)?;
                 let counts = Counts::default();
                 self.undo(Step { position, counts, from: from.clone(), to: Place::default(), before });
                 if joining.is_empty() {

@@ -1,7 +1,7 @@
 //! The passage by the condensed path.
 
 use super::moment::moment;
-use super::{AtRest, Solution, Wanted, functional};
+use super::{AtRest, Named, Solution, Wanted, functional};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
@@ -28,6 +28,7 @@ pub fn pass(
     rest: &AtRest<'_>,
     solution: &mut Solution,
     wanted: Wanted,
+    expected: &[usize],
     watch: &mut dyn Watch,
 ) -> Result<(), AnalysisError> {
     let setup = rest.setup;
@@ -36,6 +37,7 @@ pub fn pass(
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
     let condensed = Condensed::new(rest.model, State::new(rest.model), &loads, &observed).map_err(failed)?;
     let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
+    condensed.expect(expected);
     if !stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)? {
         end_of_weight(solution);
         return Ok(());
@@ -66,6 +68,7 @@ pub fn pass(
     }
     let counts = condensed.counts();
     solution.condensed_degrees_of_freedom = Some(counts.active_rows);
+    solution.taking_part = condensed.taking_part();
     if passage.cancelled {
         solution.status = PassageStatus::Cancelled;
         return Ok(());
@@ -100,32 +103,30 @@ pub fn stand(
     watch: &mut dyn Watch,
 ) -> Result<bool, CondensedError> {
     let steps = setup.plan.load_steps.max(1);
-    let mut amplitudes = vec![0.0; condensed.patterns()];
-    for step in 1..=steps {
-        let share = step as f64 / steps as f64;
-        let stage = format!("self-weight: step {step} of {steps}");
-        if watch.look(&Progress { stage, fraction: Some(share), steps: step as u64 }) == Wish::Stop {
-            return Ok(false);
-        }
-        amplitudes[0] = share;
-        let position = condensed.settle(&amplitudes)?;
-        let counts = condensed.counts();
+    let share = |step: usize| (step + 1) as f64 / steps as f64;
+    let patterns = condensed.patterns();
+    let under = |step: usize| {
+        let mut amplitudes = vec![0.0; patterns];
+        amplitudes[0] = share(step);
+        amplitudes
+    };
+    let stood = condensed.pass(steps, &under, &mut Named { watch, stage: "self-weight" })?;
+    for (step, visited) in stood.visited.iter().enumerate() {
         log.push(StepLog {
             stage: "self-weight".into(),
-            time: share,
-            iterations: position.iterations as usize,
-            unbalanced: position.left,
-            plastic_points: counts.yielding,
-            open_joints: counts.open_interfaces,
-            sliding_pairs: counts.sliding,
-            cuts: usize::from(position.reached != Reached::Balanced),
+            time: share(step),
+            iterations: visited.position.iterations as usize,
+            unbalanced: visited.position.left,
+            plastic_points: visited.counts.yielding,
+            open_joints: visited.counts.open_interfaces,
+            sliding_pairs: visited.counts.sliding,
             ..StepLog::default()
         });
-        if position.reached != Reached::Balanced {
-            return Ok(false);
-        }
     }
-    Ok(true)
+    if let Some(step) = stood.stopped_at {
+        log.push(StepLog { stage: "self-weight".into(), time: share(step), cuts: 1, ..StepLog::default() });
+    }
+    Ok(!stood.cancelled && stood.stopped_at.is_none())
 }
 
 fn end_of_weight(solution: &mut Solution) {

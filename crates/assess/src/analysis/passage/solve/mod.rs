@@ -36,6 +36,8 @@ pub struct Solution {
     pub degrees_of_freedom: usize,
     /// Unknowns that iterate, where linear parts are condensed.
     pub condensed_degrees_of_freedom: Option<usize>,
+    /// Parts of the model that did not answer linearly, where linear parts are condensed.
+    pub taking_part: Vec<usize>,
     /// Every step: of the self-weight, then of the passage.
     pub log: Vec<StepLog>,
     /// The bridge at chosen moments, self-weight first.
@@ -53,12 +55,18 @@ const WEIGHT_TOLERANCE: f64 = 1e-9;
 
 /// Self-weight first, then position after position, then what is to be shown of it.
 pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
-    solve_for(bridge, setup, Wanted::Everything, watch)
+    solve_for(bridge, setup, Wanted::Everything, &[], watch)
 }
 
-/// Self-weight and positions alone: the values of the sensors, without pictures and influence lines.
-pub fn records(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
-    solve_for(bridge, setup, Wanted::Records, watch)
+/// Self-weight and positions alone: the values of the sensors, without pictures and influence lines. `expected` are the parts of the
+/// model that took part with other moduli, or none.
+pub fn records(
+    bridge: &Bridge,
+    setup: &Setup,
+    expected: &[usize],
+    watch: &mut dyn Watch,
+) -> Result<Solution, AnalysisError> {
+    solve_for(bridge, setup, Wanted::Records, expected, watch)
 }
 
 /// What is wanted of a passage.
@@ -68,7 +76,13 @@ enum Wanted {
     Everything,
 }
 
-fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
+fn solve_for(
+    bridge: &Bridge,
+    setup: &Setup,
+    wanted: Wanted,
+    expected: &[usize],
+    watch: &mut dyn Watch,
+) -> Result<Solution, AnalysisError> {
     let large = setup.plan.kinematics == PassageKinematics::Large;
     let kinematics = if large { Kinematics::Large } else { Kinematics::Small };
     let model = model(bridge, &setup.meshed, kinematics)?;
@@ -80,6 +94,7 @@ fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Wat
         values: vec![Vec::new(); setup.sensors.len()],
         degrees_of_freedom: model.equations(),
         condensed_degrees_of_freedom: None,
+        taking_part: Vec::new(),
         log: Vec::new(),
         moments: Vec::new(),
         influence: None,
@@ -90,7 +105,7 @@ fn solve_for(bridge: &Bridge, setup: &Setup, wanted: Wanted, watch: &mut dyn Wat
     let still = setup.plan.analysis == PassageAnalysis::Static;
     let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
     if still && !large && setup.plan.path == PassagePath::Condensed && linear_sensors {
-        condensed::pass(&bridge_at_rest, &mut solution, wanted, watch)?;
+        condensed::pass(&bridge_at_rest, &mut solution, wanted, expected, watch)?;
         return Ok(solution);
     }
     let mut work = Workspace::new(&model).map_err(PassageError::from)?;

@@ -27,14 +27,18 @@ pub struct Slices {
     pub values: Vec<Vec<f64>>,
     /// Iterations in all.
     pub iterations: u32,
+    /// Parts of the model that did not answer linearly: what to expect of the same bridge with other moduli.
+    pub taking_part: Vec<usize>,
 }
 
 /// Values of the sensors while the first axle stands at each of `positions` [m], with the moduli of `bridge` on the mesh of
-/// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for.
+/// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for. `expected` are the parts that took part where
+/// nearly the same was asked, or none.
 pub fn slices(
     bridge: &Bridge,
     setup: &Setup,
     positions: &[f64],
+    expected: &[usize],
     watch: &mut dyn Watch,
 ) -> Result<Slices, AnalysisError> {
     let observed: Option<Vec<Functional>> = setup.sensors.iter().map(|sensor| functional(&sensor.reading)).collect();
@@ -53,7 +57,9 @@ pub fn slices(
         self_weight: Vec::new(),
         values: vec![Vec::new(); observed.len()],
         iterations: 0,
+        taking_part: Vec::new(),
     };
+    condensed.expect(expected);
     let one = |pattern: usize| {
         let mut amplitudes = vec![0.0; loads.len()];
         amplitudes[pattern] = 1.0;
@@ -68,21 +74,20 @@ pub fn slices(
     found.iterations = log.iter().map(|step| step.iterations as u32).sum();
     found.self_weight = condensed.observed();
     let at_rest = condensed.mark();
-    for (k, place) in positions.iter().enumerate() {
-        let share = k as f64 / positions.len() as f64;
-        let progress = Progress { stage: "slices".into(), fraction: Some(share), steps: k as u64 };
-        if watch.look(&progress) == Wish::Stop {
-            found.status = PassageStatus::Cancelled;
-            return Ok(found);
-        }
-        condensed.back_to(&at_rest);
-        let position = condensed.settle(&one(1 + k)).map_err(failed)?;
-        found.iterations += position.iterations;
-        if position.reached != Reached::Balanced {
+    let progress = Progress { stage: "slices".into(), fraction: None, steps: 0 };
+    if watch.look(&progress) == Wish::Stop {
+        found.status = PassageStatus::Cancelled;
+        return Ok(found);
+    }
+    let under: Vec<Vec<f64>> = (1..loads.len()).map(one).collect();
+    let visited = condensed.branch(&at_rest, &under).map_err(failed)?;
+    found.taking_part = condensed.taking_part();
+    for (visited, place) in visited.iter().zip(positions) {
+        found.iterations += visited.position.iterations;
+        if visited.position.reached != Reached::Balanced {
             return Ok(unbalanced(found, format!("with the first axle at {place:.3} m no balance was found")));
         }
-        let now = condensed.observed();
-        for ((values, now), own) in found.values.iter_mut().zip(now).zip(&found.self_weight) {
+        for ((values, now), own) in found.values.iter_mut().zip(&visited.observed).zip(&found.self_weight) {
             values.push(now - own);
         }
     }
