@@ -56,6 +56,20 @@ impl Basis {
         Ok(Self { samples: samples(evaluator, &response), ..self.clone() })
     }
 
+    /// The peaks' places of a full passage of another model, and by how much its peaks differ from those of the slices at these places.
+    pub(crate) fn corrected(&self, evaluator: &mut Evaluator, point: &[f64]) -> Result<Self, Halt> {
+        let full = full_passage(evaluator, point)?;
+        let mut basis = Self { samples: samples(evaluator, &full), ..self.clone() };
+        let request = basis.request(evaluator.has_sensitivities(&basis.samples));
+        let answers = evaluator.respond(&[point.to_vec()], &request)?;
+        let slices = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
+        let problem = evaluator.problem;
+        let peak = |channel: usize, values: &[f64]| misfit::peak_place(problem, channel, values).map(|at| values[at]);
+        let beyond = |k: usize| Some(peak(k, &full.values[k])? - peak(k, &slices.values[k])?);
+        basis.held.beyond = (0..full.values.len()).map(|k| beyond(k).unwrap_or(0.0)).collect();
+        Ok(basis)
+    }
+
     /// The question that a search asks.
     pub fn request(&self, sensitivities: bool) -> Request {
         Request { samples: self.samples.clone(), sensitivities }

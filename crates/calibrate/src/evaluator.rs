@@ -82,8 +82,8 @@ impl<'a> Evaluator<'a> {
         self.stage = stage.into();
     }
 
-    pub(crate) fn has_sensitivities(&self) -> bool {
-        self.forward.has_sensitivities()
+    pub(crate) fn has_sensitivities(&self, samples: &Samples) -> bool {
+        self.forward.has_sensitivities(samples)
     }
 
     pub(crate) fn length(&self, channel: usize) -> usize {

@@ -58,8 +58,9 @@ pub trait Forward: Sync {
     /// Values of every channel of the problem, left-out ones included, at one point.
     fn evaluate(&self, point: &[f64], request: &Request) -> Evaluation;
 
-    /// Whether requests for sensitivities are answered; where not, differences are taken.
-    fn has_sensitivities(&self) -> bool {
+    /// Whether requests for sensitivities of such values are answered; where not, differences are taken.
+    fn has_sensitivities(&self, samples: &Samples) -> bool {
+        let _ = samples;
         false
     }
 

@@ -67,7 +67,7 @@ pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Resu
 pub fn sensitivities(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Vec<Vec<f64>>, Halt> {
     let problem = evaluator.problem;
     let at = shares(problem.parameters(), point);
-    if evaluator.has_sensitivities() {
+    if evaluator.has_sensitivities(&basis.samples) {
         let answers = evaluator.respond(&[point.to_vec()], &basis.request(true))?;
         let response = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
         return Ok(by_shares(problem.parameters(), &at, residual_derivatives(problem, &basis.held, response)));

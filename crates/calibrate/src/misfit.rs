@@ -82,6 +82,9 @@ pub struct Held {
     pub weights: Vec<f64>,
     /// Shape correlation factor by channel, where there are two shapes to compare.
     pub shape_correlations: Vec<Option<f64>>,
+    /// By channel, what a full passage is known to give beyond the model's slices [unit of the channel]; it is added to every value that
+    /// is compared. Empty where slices count as they are.
+    pub beyond: Vec<f64>,
 }
 
 /// What one channel says of a model.
@@ -117,7 +120,8 @@ pub fn hold(problem: &Problem, response: &Response) -> Held {
         Weights::Given => problem.channels()[k].weight.unwrap_or(0.0),
         Weights::Equal => 1.0,
     };
-    Held { weights: (0..problem.channels().len()).map(weight).collect(), shape_correlations }
+    let weights = (0..problem.channels().len()).map(weight).collect();
+    Held { weights, shape_correlations, beyond: Vec::new() }
 }
 
 /// What a reader of the weights should look at, in words: the square of a factor hides its sign.
@@ -161,18 +165,19 @@ fn divisor(problem: &Problem, channel: usize) -> f64 {
 }
 
 /// Differences of one channel that enter its error, each with the place of the model's value.
-fn differences(problem: &Problem, channel: usize, values: &[f64]) -> Vec<(usize, f64)> {
+fn differences(problem: &Problem, held: &Held, channel: usize, values: &[f64]) -> Vec<(usize, f64)> {
+    let beyond = held.beyond.get(channel).copied().unwrap_or(0.0);
     let measured = &problem.channels()[channel];
     let divisor = divisor(problem, channel);
     match problem.misfit().compare {
         Compare::Peaks => peak_place(problem, channel, values)
             .zip(measured.measured_peak())
-            .map(|(place, peak)| (place, (values[place] - peak) / divisor))
+            .map(|(place, peak)| (place, (values[place] + beyond - peak) / divisor))
             .into_iter()
             .collect(),
         Compare::Histories => {
             let history = measured.history.as_deref().unwrap_or(&[]);
-            values.iter().zip(history).map(|(u, v)| (u - v) / divisor).enumerate().collect()
+            values.iter().zip(history).map(|(u, v)| (u + beyond - v) / divisor).enumerate().collect()
         }
     }
 }
@@ -182,7 +187,7 @@ pub fn fit(problem: &Problem, held: &Held, response: &Response) -> Fit {
     let (mut sum, mut total) = (0.0, 0.0);
     let mut channels = Vec::with_capacity(response.values.len());
     for (k, values) in response.values.iter().enumerate() {
-        let all = differences(problem, k, values);
+        let all = differences(problem, held, k, values);
         let error = match problem.misfit().compare {
             Compare::Peaks => all.first().map_or(f64::NAN, |(_, difference)| *difference),
             Compare::Histories => (all.iter().map(|(_, d)| d * d).sum::<f64>() / all.len() as f64).sqrt(),
@@ -201,7 +206,7 @@ pub fn residuals(problem: &Problem, held: &Held, response: &Response) -> Vec<f64
     let total: f64 = held.weights.iter().sum();
     let mut residuals = Vec::new();
     for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
-        let all = differences(problem, k, values);
+        let all = differences(problem, held, k, values);
         let factor = (held.weights[k] / total / all.len() as f64).sqrt();
         residuals.extend(all.iter().map(|(_, difference)| factor * difference));
     }
@@ -226,7 +231,7 @@ pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response)
     let by_parameter = |derivatives: &Vec<Vec<f64>>| {
         let mut column = Vec::new();
         for (k, values) in response.values.iter().enumerate().filter(|(k, _)| held.weights[*k] > 0.0) {
-            let all = differences(problem, k, values);
+            let all = differences(problem, held, k, values);
             let factor = (held.weights[k] / total / all.len() as f64).sqrt() / divisor(problem, k);
             column.extend(all.iter().map(|(place, _)| factor * derivatives[k][*place]));
         }

@@ -129,7 +129,7 @@ fn starts(evaluator: &Evaluator, settings: &Settings) -> Vec<Vec<f64>> {
 }
 
 /// Runs from all starts together; the best end first.
-fn solve(
+pub(super) fn solve(
     evaluator: &mut Evaluator,
     basis: &Basis,
     settings: &Settings,

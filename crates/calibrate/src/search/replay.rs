@@ -49,7 +49,7 @@ impl<'e, 'a> Known<'e, 'a> {
 
     fn answer<T>(&self, shares: &[f64], read: impl Fn(&Evaluation) -> T) -> Result<T, Missing> {
         let point = values(self.evaluator.problem.parameters(), shares);
-        let request = self.basis.request(self.evaluator.has_sensitivities());
+        let request = self.basis.request(self.evaluator.has_sensitivities(&self.basis.samples));
         match self.evaluator.known(&point, &request) {
             Some(evaluation) => {
                 self.used.borrow_mut().insert(point.iter().map(|value| value.to_bits()).collect());
@@ -73,7 +73,7 @@ impl<'e, 'a> Known<'e, 'a> {
 
     /// Columns of derivatives with respect to the shares.
     pub fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, Missing> {
-        if !self.evaluator.has_sensitivities() {
+        if !self.evaluator.has_sensitivities(&self.basis.samples) {
             return by_differences(shares, self.step, |shares| self.residuals(shares));
         }
         let read = |evaluation: &Evaluation| match evaluation {
@@ -86,7 +86,7 @@ impl<'e, 'a> Known<'e, 'a> {
 
 /// Evaluates what was missing; says whether that was anything. At most `most` points are taken.
 pub fn supply(evaluator: &mut Evaluator, basis: &Basis, missing: Vec<Vec<f64>>, most: usize) -> Result<bool, Stopped> {
-    let request = basis.request(evaluator.has_sensitivities());
+    let request = basis.request(evaluator.has_sensitivities(&basis.samples));
     let lot = &missing[..missing.len().min(most)];
     evaluator.respond(lot, &request)?;
     Ok(!lot.is_empty())
@@ -99,7 +99,7 @@ pub fn missing(known: &Known) -> Vec<Vec<f64>> {
 
 /// Counts what was used as evaluations of the present search, whether or not the log knew it before.
 pub fn count(evaluator: &mut Evaluator, basis: &Basis, used: BTreeSet<Vec<u64>>) -> Result<(), Stopped> {
-    let request = basis.request(evaluator.has_sensitivities());
+    let request = basis.request(evaluator.has_sensitivities(&basis.samples));
     let points: Vec<Vec<f64>> = used.into_iter().map(|bits| bits.into_iter().map(f64::from_bits).collect()).collect();
     evaluator.respond(&points, &request).map(|_| ())
 }

@@ -7,7 +7,8 @@ use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::modern;
 use calibrate::surrogate::{self, build};
 use calibrate::{
-    Basis, Channel, Evaluation, Evaluator, Failure, Forward, Parameter, Problem, Request, Response, Serial, Unwatched,
+    Basis, Channel, Evaluation, Evaluator, Failure, Forward, Parameter, Problem, Request, Response, Samples, Serial,
+    Unwatched,
 };
 
 const TRUTH: [f64; 5] = [1.2, 0.8, 1.1, 0.7, 1.3];
@@ -53,7 +54,7 @@ impl Forward for Exact {
         Ok(Response { values: five(x), derivatives })
     }
 
-    fn has_sensitivities(&self) -> bool {
+    fn has_sensitivities(&self, _: &Samples) -> bool {
         true
     }
 

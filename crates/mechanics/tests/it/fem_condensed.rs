@@ -1,6 +1,6 @@
 //! Many positions of a load: the condensed path against the whole system, position by position.
 
-use mechanics::fem::condensed::{Condensed, Functional, Reached};
+use mechanics::fem::condensed::{Condensed, Derivatives, Functional, Neighbour, Reached};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use mechanics::fem::{
@@ -24,6 +24,11 @@ struct Vault {
 }
 
 fn vault(fill: Material, kinematics: Kinematics) -> Vault {
+    vault_of(fill, 16e9, 0.4, kinematics)
+}
+
+/// With stones of this modulus [Pa] and this friction under the fill.
+fn vault_of(fill: Material, modulus: f64, friction: f64, kinematics: Kinematics) -> Vault {
     let (stone, thick, high) = (0.4, 0.5, 0.8);
     let mut mesh = Mesh::default();
     let (stones, soil) = (mesh.zones.push("stones".into()), mesh.zones.push("fill".into()));
@@ -106,7 +111,7 @@ fn vault(fill: Material, kinematics: Kinematics) -> Vault {
     let surface = grid.iter().map(|column| column[FILL]).collect();
     let crown = faces[STONES / 2][0][0];
     let solid = |material| Solid { material, plane: Plane::Strain };
-    let stones = solid(Material::Elastic(Elastic { modulus: 16e9, ratio: 0.19 }));
+    let stones = solid(Material::Elastic(Elastic { modulus, ratio: 0.19 }));
     // As in a passage: soil that yields is of plain elements, which alone can be still.
     let soil = if fill.linear() { Element::QM6 } else { Element::Q4 };
     let sections = [
@@ -124,7 +129,7 @@ fn vault(fill: Material, kinematics: Kinematics) -> Vault {
         shear_when_open: false,
     };
     let contact =
-        Contact { normal: 10e9, tangential: 4e9, friction: 0.4, cohesion: 0.0, separation: false, rounding: 500.0 };
+        Contact { normal: 10e9, tangential: 4e9, friction, cohesion: 0.0, separation: false, rounding: 500.0 };
     let model =
         Model::new(mesh, sections, vec![JointLaw::Mortar(joint), JointLaw::Contact(contact)], &held, kinematics)
             .unwrap();
@@ -271,5 +276,120 @@ fn going_back_leaves_no_trace() {
     assert_eq!(detour.settle(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
     for (a, b) in detour.observed().iter().zip(straight.observed()) {
         assert!((a - b).abs() <= 1e-8 * size, "{a:e} {b:e}, of {size:e}");
+    }
+}
+
+/// Moduli of soil and stones [Pa], cohesion of the soil [Pa], friction under it.
+const QUANTITIES: [f64; 4] = [110e6, 16e9, 10e3, 0.4];
+
+/// The vault with these quantities, the patterns of its weight and of its surface, and what is observed.
+fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<Vec<f64>>, [Functional; 3]) {
+    let soil = Elastic { modulus: soil, ratio: 0.19 };
+    let fill = DruckerPrager::matching(soil, Cone::Compression, cohesion, 30f64.to_radians(), 0.0);
+    let vault = vault_of(Material::DruckerPrager(fill), stones, friction, Kinematics::Small);
+    let mut patterns = vec![vault.model.weight(vec2(0.0, -9.81))];
+    patterns.extend(vault.surface.iter().map(|node| {
+        let mut force = vec![0.0; 2 * vault.model.mesh.nodes.len()];
+        force[2 * node.index() + 1] = -1.0;
+        force
+    }));
+    let of = |node: NodeId, axis: usize| Functional(vec![(2 * node.index() + axis, 1.0)]);
+    let observed = [of(vault.crown, 0), of(vault.crown, 1), of(vault.surface[9], 1)];
+    (vault, patterns, observed)
+}
+
+/// Weight in four steps, then the axles at three places; with derivatives where they are wanted.
+fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [usize; 3], Derivatives) {
+    let (vault, patterns, observed) = quantified(quantities);
+    let condensed = Condensed::new(&vault.model, State::new(&vault.model), &patterns, &observed).unwrap();
+    let mut condensed = condensed.with_places();
+    let weight = |step: usize| [vec![0.25 * (step + 1) as f64], vec![0.0; vault.surface.len()]].concat();
+    let path = condensed.pass(4, &weight, &mut Unwatched).unwrap().visited;
+    let at_rest = condensed.mark();
+    let under: Vec<Vec<f64>> = [12, 20, 21].map(|k| [vec![1.0], amplitudes(&vault, k, 30e3)].concat()).to_vec();
+    let visited = condensed.branch(&at_rest, &under).unwrap();
+    assert!(path.len() == 4 && visited.iter().all(|visited| visited.position.reached == Reached::Balanced));
+    let most = |count: fn(&mechanics::fem::condensed::Counts) -> usize| {
+        visited.iter().map(|visited| count(&visited.counts)).max().unwrap()
+    };
+    let counts = [most(|c| c.open), most(|c| c.sliding), most(|c| c.yielding)];
+    let mut derivatives = Derivatives::default();
+    if with_derivatives {
+        let by: [f64; 4] = QUANTITIES.map(|quantity| 1e-6 * quantity);
+        let others: Vec<_> = (0..4)
+            .map(|k| {
+                let mut other = quantities;
+                other[k] += by[k];
+                quantified(other)
+            })
+            .collect();
+        let neighbours: Vec<Neighbour<'_>> = others
+            .iter()
+            .zip(by)
+            .map(|((vault, patterns, _), by)| Neighbour { model: &vault.model, patterns, by })
+            .collect();
+        derivatives = condensed.derivatives(&neighbours, &path, &visited).unwrap();
+    }
+    let values = path.last().into_iter().chain(&visited).map(|visited| visited.observed.clone()).collect();
+    (values, counts, derivatives)
+}
+
+/// Along a path on which joints open, contacts slide and fill flows, under weight and then under axles.
+#[test]
+fn derivatives_are_those_of_runs_with_other_quantities() {
+    let (_, [open, sliding, yielding], found) = branches(QUANTITIES, true);
+    assert!(open > 0 && sliding > 0 && yielding > 20, "{open} {sliding} {yielding}: too tame");
+    for k in 0..4 {
+        let apart = 1e-5 * QUANTITIES[k];
+        let moved = |by: f64| {
+            let mut other = QUANTITIES;
+            other[k] += by;
+            branches(other, false).0
+        };
+        let (more, less) = (moved(apart), moved(-apart));
+        let own = std::iter::once(&found.at_end[k]).chain(found.branches.iter().map(|branch| &branch[k]));
+        for (place, (own, (more, less))) in own.zip(more.iter().zip(&less)).enumerate() {
+            let differences: Vec<f64> = more.iter().zip(less).map(|(a, b)| (a - b) / (2.0 * apart)).collect();
+            let size = differences.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+            // Friction does nothing before anything slides.
+            assert!(size > 0.0 || place == 0);
+            // What balance to 1e-10 leaves of a difference over 2e-5 of a quantity, and the curvature over it.
+            for (own, difference) in own.iter().zip(&differences) {
+                assert!((own - difference).abs() <= 1e-4 * size, "quantity {k}, place {place}: {own:e} {difference:e} of {size:e}");
+            }
+        }
+    }
+}
+
+/// Positions that were reached from one mark, side by side, are those that were reached one by one, and what is expected beforehand changes nothing.
+#[test]
+fn branches_are_positions_reached_one_by_one() {
+    let (values, ..) = branches(QUANTITIES, false);
+    let (vault, patterns, observed) = quantified(QUANTITIES);
+    let begin = || Condensed::new(&vault.model, State::new(&vault.model), &patterns, &observed).unwrap();
+    let mut one = begin();
+    for step in 1..=4 {
+        let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
+        assert_eq!(one.settle(&weight).unwrap().reached, Reached::Balanced);
+    }
+    let (at_rest, rest) = (one.mark(), one.observed());
+    for (k, values) in [12, 20, 21].into_iter().zip(&values[1..]) {
+        one.back_to(&at_rest);
+        one.settle(&[vec![1.0], amplitudes(&vault, k, 30e3)].concat()).unwrap();
+        let size = values.iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        for (a, b) in one.observed().iter().zip(values) {
+            assert!((a - b).abs() <= 1e-8 * size, "place {k}: {a:e} {b:e}, of {size:e}");
+        }
+    }
+    let took_part = one.taking_part();
+    let mut expecting = begin();
+    expecting.expect(&took_part);
+    for step in 1..=4 {
+        let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
+        expecting.settle(&weight).unwrap();
+    }
+    assert_eq!(expecting.taking_part(), took_part);
+    for (a, b) in expecting.observed().iter().zip(&rest) {
+        assert!((a - b).abs() <= 1e-9 * rest.iter().fold(0.0_f64, |most, r| most.max(r.abs())));
     }
 }

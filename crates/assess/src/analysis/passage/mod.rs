@@ -12,7 +12,7 @@ mod solve;
 pub use outcome::{Channel, Influence, Moment, Passage, PassageStatus, Quantity};
 pub use record::record;
 pub use setup::{Setup, setup};
-pub use solve::{Slices, Solution, records, slices, solve};
+pub use solve::{Slices, Solution, WantedSlices, records, slices, solve};
 
 use super::AnalysisError;
 use crate::warning::{self, Warning};

@@ -148,7 +148,7 @@ fn slices_are_those_of_the_whole_system() {
     let middle = |share: f64| base.positions[(share * base.positions.len() as f64) as usize];
     let positions = [middle(0.2), middle(0.5)];
     bridge.service.fill.elastic_modulus = bridge.service.fill.elastic_modulus.map(|modulus| 1.3 * modulus);
-    let found = slices(&bridge, &base, &positions, &[], &mut Unwatched).unwrap();
+    let found = slices(&bridge, &base, WantedSlices { positions: &positions, ..Default::default() }, &mut Unwatched).unwrap();
     assert_eq!(found.status, PassageStatus::Completed, "{:?}", found.reason);
     for (k, position) in positions.iter().enumerate() {
         let mut one = Setup { positions: vec![*position], times: vec![0.0], ..base.clone() };

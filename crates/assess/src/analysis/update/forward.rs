@@ -2,7 +2,7 @@
 //! and what stands on it is made once, where no parameter moves it.
 
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::{PassageError, PassageStatus, Quantity, Setup, records, setup, slices};
+use crate::analysis::passage::{PassageError, PassageStatus, Quantity, Setup, WantedSlices, records, setup, slices};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
 use bridge::update::Parameter;
@@ -31,7 +31,15 @@ pub struct Model<'a> {
 type Asked = Option<Vec<usize>>;
 
 /// Answers of the sensors, and what took part in them.
-type Answers = (Vec<Vec<f64>>, Vec<usize>);
+struct Answers {
+    values: Vec<Vec<f64>>,
+    derivatives: Vec<Vec<Vec<f64>>>,
+    taking_part: Vec<usize>,
+}
+
+/// Share of a range by which the neighbours differ that derivatives are taken from: laws are nearly linear over it, and their rounding
+/// leaves ten digits.
+const APART: f64 = 1e-6;
 
 impl<'a> Model<'a> {
     /// The model of a file: `document` is its text without the sections of updating.
@@ -80,23 +88,41 @@ impl<'a> Model<'a> {
 
     /// Answers of a model. What took part in those of the start model is expected of every other; the start model's own are found without, so that
     /// answers do not depend on what was asked before.
-    fn answer(&self, point: &[f64], bridge: &Bridge, setup: &Setup, asked: Asked) -> Result<Vec<Vec<f64>>, Failure> {
+    fn answer(
+        &self,
+        point: &[f64],
+        bridge: &Bridge,
+        setup: &Setup,
+        asked: Asked,
+        neighbours: &[(Bridge, f64)],
+    ) -> Result<Answers, Failure> {
         let usual = {
             let mut usual = self.usual.lock().unwrap_or_else(PoisonError::into_inner);
             usual.entry(asked.clone()).or_default().clone()
         };
         if self.moves {
-            return Ok(answers(bridge, setup, &asked, &[])?.0);
+            return answers(bridge, setup, &asked, &[], &[]);
         }
         if self.parameters.iter().zip(point).all(|(parameter, value)| parameter.start == *value) {
-            let (values, took_part) = answers(bridge, setup, &asked, &[])?;
-            usual.get_or_init(|| took_part);
-            return Ok(values);
+            let found = answers(bridge, setup, &asked, &[], neighbours)?;
+            usual.get_or_init(|| found.taking_part.clone());
+            return Ok(found);
         }
         let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
-        let at_start = || answers(&self.bridge_at(&start)?, setup, &asked, &[]);
-        let took_part = || at_start().map_or_else(|_| Vec::new(), |(_, took_part)| took_part);
-        Ok(answers(bridge, setup, &asked, usual.get_or_init(took_part))?.0)
+        let at_start = || answers(&self.bridge_at(&start)?, setup, &asked, &[], &[]);
+        let took_part = || at_start().map_or_else(|_| Vec::new(), |found| found.taking_part);
+        answers(bridge, setup, &asked, usual.get_or_init(took_part), neighbours)
+    }
+
+    /// The bridge with each parameter a little away from a point, inside its range.
+    fn neighbours(&self, point: &[f64]) -> Result<Vec<(Bridge, f64)>, Failure> {
+        let one = |(k, parameter): (usize, &Parameter)| {
+            let apart = APART * (parameter.upper - parameter.lower);
+            let mut other = point.to_vec();
+            other[k] += if point[k] + apart > parameter.upper { -apart } else { apart };
+            Ok((self.bridge_at(&other)?, other[k] - point[k]))
+        };
+        self.parameters.iter().enumerate().map(one).collect()
     }
 
     fn setup_of(&self, bridge: &Bridge) -> Result<Cow<'_, Setup>, Failure> {
@@ -115,7 +141,13 @@ fn not_set_up(error: AnalysisError) -> Failure {
 
 /// Static answers at some positions alone, in ascending order. Stresses are no functionals of displacements: with them the train
 /// goes from one of these positions to the next.
-fn at_places(bridge: &Bridge, setup: &Setup, places: &[usize], expected: &[usize]) -> Result<Answers, Failure> {
+fn at_places(
+    bridge: &Bridge,
+    setup: &Setup,
+    places: &[usize],
+    expected: &[usize],
+    neighbours: &[(Bridge, f64)],
+) -> Result<Answers, Failure> {
     let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
     if setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress) {
         let times = places.iter().map(|k| setup.times[*k]).collect();
@@ -123,20 +155,29 @@ fn at_places(bridge: &Bridge, setup: &Setup, places: &[usize], expected: &[usize
         let some = Setup { times, positions, plan, ..setup.clone() };
         return whole(bridge, &some, &[]);
     }
-    let found = slices(bridge, setup, &positions, expected, &mut Unwatched).map_err(not_set_up)?;
-    completed(found.status, found.reason, (found.values, found.taking_part))
+    let wanted = WantedSlices { positions: &positions, expected, neighbours };
+    let found = slices(bridge, setup, wanted, &mut Unwatched).map_err(not_set_up)?;
+    let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
+    completed(found.status, found.reason, answers)
 }
 
 /// Answers at every position of the passage.
 fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize]) -> Result<Answers, Failure> {
     let found = records(bridge, setup, expected, &mut Unwatched).map_err(not_set_up)?;
-    completed(found.status, found.reason, (found.values, found.taking_part))
+    let answers = Answers { values: found.values, derivatives: Vec::new(), taking_part: found.taking_part };
+    completed(found.status, found.reason, answers)
 }
 
-fn answers(bridge: &Bridge, setup: &Setup, asked: &Asked, expected: &[usize]) -> Result<Answers, Failure> {
+fn answers(
+    bridge: &Bridge,
+    setup: &Setup,
+    asked: &Asked,
+    expected: &[usize],
+    neighbours: &[(Bridge, f64)],
+) -> Result<Answers, Failure> {
     match asked {
         None => whole(bridge, setup, expected),
-        Some(places) => at_places(bridge, setup, places, expected),
+        Some(places) => at_places(bridge, setup, places, expected, neighbours),
     }
 }
 
@@ -153,19 +194,29 @@ impl Forward for Model<'_> {
         let setup = self.setup_of(&bridge)?;
         let scales: Vec<f64> = setup.sensors.iter().map(|sensor| sensor.quantity.scale()).collect();
         let scaled = |(values, scale): (Vec<f64>, &f64)| values.into_iter().map(|value| scale * value).collect();
-        let values = match &request.samples {
-            Samples::All => self.answer(point, &bridge, &setup, None)?,
-            Samples::At(places) => {
-                let mut all: Vec<usize> = places.concat();
-                all.sort_unstable();
-                all.dedup();
-                let found = self.answer(point, &bridge, &setup, Some(all.clone()))?;
-                let at = |k: &usize| all.binary_search(k).unwrap_or_default();
-                let of = |(wanted, values): (&Vec<usize>, &Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
-                places.iter().zip(&found).map(of).collect()
-            }
+        let by_channel = |table: Vec<Vec<f64>>| -> Vec<Vec<f64>> { table.into_iter().zip(&scales).map(scaled).collect() };
+        let Samples::At(places) = &request.samples else {
+            let found = self.answer(point, &bridge, &setup, None, &[])?;
+            return Ok(Response { values: by_channel(found.values), derivatives: Vec::new() });
         };
-        Ok(Response { values: values.into_iter().zip(&scales).map(scaled).collect(), derivatives: Vec::new() })
+        let mut all: Vec<usize> = places.concat();
+        all.sort_unstable();
+        all.dedup();
+        let neighbours = if request.sensitivities { self.neighbours(point)? } else { Vec::new() };
+        let found = self.answer(point, &bridge, &setup, Some(all.clone()), &neighbours)?;
+        let at = |k: &usize| all.binary_search(k).unwrap_or_default();
+        let of = |(wanted, values): (&Vec<usize>, Vec<f64>)| wanted.iter().map(|k| values[at(k)]).collect();
+        let asked_for = |table: Vec<Vec<f64>>| by_channel(places.iter().zip(table).map(of).collect());
+        Ok(Response {
+            values: asked_for(found.values),
+            derivatives: found.derivatives.into_iter().map(asked_for).collect(),
+        })
+    }
+
+    /// Slices go with their derivatives, unless a parameter moves the mesh or a stress is among the sensors.
+    fn has_sensitivities(&self, samples: &Samples) -> bool {
+        let stress = self.setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress);
+        *samples != Samples::All && !self.moves && !stress
     }
 
     fn length(&self, _channel: usize) -> usize {

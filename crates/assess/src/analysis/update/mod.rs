@@ -113,7 +113,6 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
         let words = findings.iter().map(|f| format!("{}: {} ({})", f.place, f.message, f.help));
         UpdateError::NoProblem(words.chain(used.findings.iter().map(records::Finding::words)).collect())
     })?;
-    let whole = by_passages(&problem);
     let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
     let basis = match Basis::at(&mut evaluator, &start) {
         Ok(basis) => basis,
@@ -121,7 +120,7 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
         Err(Halt::Failed(failure)) => return Err(UpdateError::StartModel(words(&failure))),
     };
 
-    let made = Searches::make(&task.asked.plan, &mut evaluator, &basis, &whole, means.clock);
+    let made = Searches::make(&task.asked.plan, &mut evaluator, &basis, means.clock);
     let mut found = Update { records: used, ..cancelled(task, setup, problem.clone()) };
     found.answer = made.best();
     found.status = match (made.stopped, &made.failed) {
@@ -203,13 +202,6 @@ fn misfit(asked: &Asked) -> Misfit {
         slices: plan.slices,
         ..Misfit::default()
     }
-}
-
-/// The same problem by full passages throughout; it was sound before.
-fn by_passages(problem: &Problem) -> Problem {
-    let misfit = Misfit { slices: false, ..*problem.misfit() };
-    let same = Problem::new(problem.parameters().to_vec(), problem.channels().to_vec(), misfit);
-    same.unwrap_or_else(|_| problem.clone())
 }
 
 /// The problem before records are looked at: it has the shape of the answers and nothing else.

@@ -5,8 +5,8 @@ use super::outcome::{PaperSearch, PosteriorReport, SearchLine};
 use bridge::update::Plan;
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
-use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Evaluator, Found, Halt, Problem, Samples, Serial, Start, Unwatched, surrogate};
+use calibrate::search::{gradient, hierarchical, modern, referee, refined};
+use calibrate::{Basis, Evaluator, Found, Halt, Samples, Serial, Start, Unwatched, surrogate};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -37,14 +37,8 @@ enum End {
 }
 
 impl Searches {
-    /// Makes them, until one is stopped. `whole` is the same problem by full passages.
-    pub fn make<'a>(
-        plan: &Plan,
-        evaluator: &mut Evaluator<'a>,
-        basis: &Basis,
-        whole: &'a Problem,
-        clock: &dyn Fn() -> f64,
-    ) -> Searches {
+    /// Makes them, until one is stopped.
+    pub fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
         let mut all = Searches::default();
         let wants = |name: &str| plan.search == name || plan.search == "all";
         if wants("hierarchical") {
@@ -64,7 +58,7 @@ impl Searches {
                 all.modern = Some(outcome);
                 (end, found)
             });
-            all.polish(evaluator, basis, whole, &settings, clock);
+            all.refine(evaluator, basis, &settings, clock);
         }
         if wants("referee") {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
@@ -132,26 +126,20 @@ impl Searches {
         }
     }
 
-    /// Where slices were searched, goes on from the end by full passages: a slice remembers no earlier axle, a passage does.
-    fn polish<'a>(
+    /// Where slices were searched, goes on from the end corrected by full passages: a slice remembers no earlier axle, a passage does.
+    fn refine(
         &mut self,
-        evaluator: &mut Evaluator<'a>,
+        evaluator: &mut Evaluator,
         basis: &Basis,
-        whole: &'a Problem,
         settings: &modern::Settings,
         clock: &dyn Fn() -> f64,
     ) {
         let end = self.modern.as_ref().and_then(|outcome| outcome.found.as_ref()).map(Found::point);
         let Some(end) = end.filter(|_| basis.samples != Samples::All) else { return };
-        let passages = Basis { samples: Samples::All, ..basis.clone() };
-        let settings = modern::Settings { start: Start::Values(end), starts: 1, ..settings.clone() };
-        // The search asks the problem whether to look for slices anew.
-        let by_slices = std::mem::replace(&mut evaluator.problem, whole);
-        self.one(Search::Modern, "on by full passages", evaluator, clock, |_, evaluator| {
-            let outcome = modern::search(evaluator, &passages, &settings);
+        self.one(Search::Modern, "on, corrected by full passages", evaluator, clock, |_, evaluator| {
+            let outcome = refined::search(evaluator, basis, &end, settings);
             (of_status(&outcome.status), outcome.found)
         });
-        evaluator.problem = by_slices;
     }
 
     /// One search with its line in the table.

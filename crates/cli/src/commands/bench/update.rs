@@ -9,7 +9,7 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
-use assess::analysis::passage::{PassageStatus, setup, slices};
+use assess::analysis::passage::{PassageStatus, WantedSlices, setup, slices};
 use mechanics::watch::{Progress, Watch};
 
 /// Slices of an evaluation: one for each channel of the railway paper.
@@ -21,7 +21,8 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let base = setup(&bridge).map_err(|error| results::not_set_up(&error))?;
     let count = base.positions.len();
     let positions: Vec<f64> = (1..=SLICES).map(|k| base.positions[k * count / (SLICES + 2)]).collect();
-    let start = slices(&bridge, &base, &positions, &[], &mut mechanics::watch::Unwatched);
+    let asked = WantedSlices { positions: &positions, ..WantedSlices::default() };
+    let start = slices(&bridge, &base, asked, &mut mechanics::watch::Unwatched);
     let usual = start.map_err(|error| results::not_set_up(&error))?.taking_part;
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let (mut seconds, mut iterations, mut completed) = (Vec::new(), 0, true);
@@ -34,7 +35,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         onlooker.look(&Progress { stage: "evaluations".into(), fraction: Some(share), steps: u64::from(k) });
         let clock = Clock::start();
         let mut unwatched = mechanics::watch::Unwatched;
-        let found = slices(&other, &base, &positions, &usual, &mut unwatched);
+        let found = slices(&other, &base, WantedSlices { expected: &usual, ..asked }, &mut unwatched);
         let found = found.map_err(|error| results::not_set_up(&error))?;
         seconds.push(clock.seconds());
         iterations += found.iterations;

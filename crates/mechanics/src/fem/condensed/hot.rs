@@ -1,10 +1,9 @@
 //! The parts that move now and those that moved lately: all that takes part in the iterations of a position, and the tangent on the
-//! forces of their rows, `1 - S G` with `S` the slopes of the parts' excess.
+//! forces of their rows.
 
-use super::parts::{Part, ROWS};
+use super::parts::Part;
 use super::rows::{Rows, add_multiples};
-use faer::linalg::solvers::{PartialPivLu, Solve};
-use faer::{Mat, MatMut};
+use super::tangent::{Slope, Tangent};
 
 /// No place.
 const NOWHERE: u32 = u32::MAX;
@@ -23,8 +22,9 @@ pub(super) struct Hot {
     answers: Vec<Vec<f64>>,
     /// Entries of the last `S`, by active rows.
     slopes: Vec<(u32, u32, f64)>,
-    /// Factorised on these active rows, the only ones whose row of `S` was not empty then.
-    factor: Option<(PartialPivLu<f64>, Vec<u32>)>,
+    /// The last tangent, and the active rows that were steep then.
+    tangent: Tangent,
+    steep: Vec<u32>,
 }
 
 impl std::fmt::Debug for Hot {
@@ -35,7 +35,10 @@ impl std::fmt::Debug for Hot {
 
 impl Hot {
     /// Nothing but these parts is hot.
-    pub fn set(&mut self, hot: impl Iterator<Item = usize>, parts: &[Part], rows: &Rows) {
+    pub fn set(&mut self, hot: impl Iterator<Item = usize> + Clone, parts: &[Part], rows: &Rows) {
+        if hot.clone().eq(self.parts.iter().copied()) {
+            return;
+        }
         self.parts.clear();
         self.rows.clear();
         self.answers.clear();
@@ -94,7 +97,7 @@ impl Hot {
     }
 
     /// Change of the forces that the last tangent makes of a change of the rows' values without them.
-    pub fn predict(&self, values: &[f64]) -> Vec<f64> {
+    pub fn predict(&mut self, values: &[f64]) -> Vec<f64> {
         let mut step = vec![0.0; self.rows.len()];
         if self.slopes.is_empty() {
             return step;
@@ -104,66 +107,39 @@ impl Hot {
                 step[p] += s * values[q];
             }
         }
-        if let Some((lu, rows)) = &self.factor {
-            let mut x: Vec<f64> = rows.iter().map(|&row| self.place(row as usize).map_or(0.0, |p| step[p])).collect();
-            solve_with(lu, &mut x);
-            for (&row, x) in rows.iter().zip(x) {
-                if let Some(place) = self.place(row as usize) {
-                    step[place] = x;
-                }
+        let at = |row: u32| self.place(row as usize);
+        let mut x: Vec<f64> = self.steep.iter().map(|&row| at(row).map_or(0.0, |place| step[place])).collect();
+        self.tangent.solve_steep(&mut x);
+        for (row, x) in self.steep.iter().zip(x) {
+            if let Some(place) = self.place.get(*row as usize).filter(|place| **place != NOWHERE) {
+                step[*place as usize] = x;
             }
         }
         step
     }
 
-    /// Solves `(1 - S G) step = right` with the slopes that the hot parts answered last. Where a row of `S` is empty the step is what is
-    /// given; the others, a few hundred, make a system of their own. It is factorised anew in every iteration: with 344 points that flow, GMRES before an
-    /// older factor takes as long.
-    pub fn solve(&mut self, parts: &[Part], right: &[f64]) -> Vec<f64> {
+    /// Finds the tangent with the slopes that the hot parts answered last.
+    pub fn find_tangent(&mut self, parts: &[Part]) {
         self.slopes.clear();
         for part in self.parts.iter().map(|&part| &parts[part]).filter(|part| !part.still) {
-            for i in 0..ROWS {
-                for j in 0..ROWS {
-                    if let (Some(p), Some(q), true) = (part.rows[i], part.rows[j], part.slope[i][j] != 0.0) {
-                        self.slopes.push((p as u32, q as u32, part.slope[i][j]));
-                    }
-                }
-            }
+            part.slopes(|p, q, s| self.slopes.push((p as u32, q as u32, s)));
         }
-        let slopes: Vec<(usize, usize, f64)> = self
-            .slopes
-            .iter()
-            .map(|&(p, q, s)| (self.place[p as usize] as usize, self.place[q as usize] as usize, s))
-            .collect();
-        let mut steep: Vec<usize> = slopes.iter().map(|(p, _, _)| *p).collect();
-        steep.sort_unstable();
-        steep.dedup();
-        let mut among = vec![0; self.rows.len()];
-        steep.iter().enumerate().for_each(|(i, &p)| among[p] = i);
-        // What the given part does to the rest.
-        let mut step = right.to_vec();
-        steep.iter().for_each(|&p| step[p] = 0.0);
-        let given = self.moves(&step);
-        let mut rest: Vec<f64> = steep.iter().map(|&p| right[p]).collect();
-        // Transposed: the rows of the tangent lie in columns, and so do those of `G`.
-        let mut tangent = Mat::<f64>::identity(steep.len(), steep.len());
-        let mut looked: Vec<Option<Vec<f64>>> = vec![None; self.rows.len()];
-        for &(p, q, s) in &slopes {
-            rest[among[p]] += s * given[q];
-            let answers = looked[q].get_or_insert_with(|| steep.iter().map(|&p| self.answers[q][p]).collect());
-            let row = tangent.col_as_slice_mut(among[p]);
-            row.iter_mut().zip(answers).for_each(|(entry, answer)| *entry -= s * *answer);
-        }
-        let lu = tangent.partial_piv_lu();
-        solve_with(&lu, &mut rest);
-        steep.iter().zip(&rest).for_each(|(&p, x)| step[p] = *x);
-        self.factor = Some((lu, steep.iter().map(|&p| self.rows[p] as u32).collect()));
-        step
+        let slopes = self.placed_slopes();
+        self.tangent.find(&slopes, &self.answers);
+        self.steep = self.tangent.steep.iter().map(|&p| self.rows[p] as u32).collect();
     }
-}
 
-/// Solves with the transpose of what was factorised.
-fn solve_with(lu: &PartialPivLu<f64>, x: &mut [f64]) {
-    let rows = x.len();
-    lu.solve_transpose_in_place(MatMut::from_column_major_slice_mut(x, rows, 1));
+    fn placed_slopes(&self) -> Vec<Slope> {
+        let placed = |&(p, q, s): &(u32, u32, f64)| (self.place[p as usize] as usize, self.place[q as usize] as usize, s);
+        self.slopes.iter().map(placed).collect()
+    }
+
+    /// Solves `(1 - S G) step = right` with the tangent that was found last.
+    pub fn solve(&mut self, right: &[f64]) -> Vec<f64> {
+        let slopes = self.placed_slopes();
+        let mut given = right.to_vec();
+        self.tangent.steep.iter().for_each(|&p| given[p] = 0.0);
+        let given = self.moves(&given);
+        self.tangent.solve(&slopes, right, &given)
+    }
 }

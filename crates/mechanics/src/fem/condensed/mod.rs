@@ -17,6 +17,8 @@ mod parts;
 mod passage;
 mod quiet;
 mod rows;
+mod slopes;
+mod tangent;
 
 use super::dofs::HELD;
 use super::element::Kept;
@@ -34,6 +36,7 @@ use parts::{Kind, Part, Remembered, components};
 use rows::{Row, Rows};
 
 pub use passage::{Passage, Visited};
+pub use slopes::{Derivatives, Neighbour};
 pub use rows::Functional;
 
 /// How one position ended.
@@ -113,6 +116,8 @@ pub struct Condensed<'a> {
     most_moved: f64,
     /// Iterations allowed in one position.
     iterations: u32,
+    /// Whether places that were visited are kept.
+    keeps_places: bool,
 }
 
 /// How positions are looked at together.
@@ -125,7 +130,7 @@ enum Look {
 }
 
 /// A position in balance.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 struct Place {
     amplitudes: Vec<f64>,
     /// Forces on the active rows, and their values.
@@ -182,6 +187,7 @@ impl<'a> Condensed<'a> {
             observed,
             most_moved: 0.0,
             iterations: ITERATIONS,
+            keeps_places: false,
             model,
             start,
         })
@@ -194,13 +200,23 @@ impl<'a> Condensed<'a> {
         self
     }
 
+    /// Keeps the forces in every position that is visited: [`Condensed::derivatives`] goes along them.
+    #[must_use]
+    pub fn with_places(mut self) -> Condensed<'a> {
+        self.keeps_places = true;
+        self
+    }
+
     /// Balances loads on top of what was there at the start, from the last position, with the active parts. What parts remembered before
-    /// goes to `before`; where there is no balance, nothing has changed.
-    fn go(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
+    /// goes to `before`; where there is no balance, nothing has changed. Another position near the one that is sought shows the way.
+    fn go(&mut self, to: Vec<f64>, near: Option<&Place>, before: &mut Vec<(usize, Remembered)>) -> Position {
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
         let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
         let mut trial = self.guess(self.rows.moved(&more));
         trial.to = to;
+        if let Some(near) = near {
+            self.lead(&mut trial, near);
+        }
         while self.iterate(&mut trial, &mut position) {
             let values = self.values_of_all(&trial);
             let Some(moving) = self.moving_among_the_cool(&values) else { break };
@@ -481,4 +497,7 @@ pub enum CondensedError {
     /// A law or an element had no answer.
     #[error("an element or a spring has no answer to its displacements")]
     Broken,
+    /// Derivatives of a run whose places were not kept, or that did not begin at rest and without loads.
+    #[error("derivatives need a run from the untouched model on, whose places were kept")]
+    NoPlaces,
 }

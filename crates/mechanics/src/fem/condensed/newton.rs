@@ -1,7 +1,7 @@
 //! Newton's method on the forces of the hot rows.
 
 use super::rows::dot;
-use super::{Condensed, Position, TOLERANCE};
+use super::{Condensed, Place, Position, TOLERANCE};
 
 /// Iterations without a smaller change after which a position is given up.
 const IDLE: u32 = 15;
@@ -11,6 +11,13 @@ const FAR: f64 = 1e-3;
 
 /// Farthest that a row moves in an iteration, over the most that the loads move one of the linear system.
 const FARTHEST: f64 = 2.0;
+
+/// Steps with an older tangent that may be foreseen to end an iteration, each as good as the last, in place of one with its own: a tangent costs five
+/// of them.
+const CHORDS: i32 = 4;
+
+/// Share of the change that a step may leave if the next is to go with its tangent.
+const SHRINKS: f64 = 0.1;
 
 /// A position that is sought.
 #[derive(Debug, Clone, Default)]
@@ -38,6 +45,13 @@ impl Condensed<'_> {
         Trial { led, forces, before, ..Trial::default() }
     }
 
+    /// The forces are those of another position, from which they are not far.
+    pub(super) fn lead(&self, trial: &mut Trial, near: &Place) {
+        for (force, &row) in trial.forces.iter_mut().zip(&self.hot.rows) {
+            *force = near.forces.get(row).copied().unwrap_or(0.0);
+        }
+    }
+
     /// More parts are hot from now on.
     pub(super) fn heat(&mut self, more: &[usize], trial: &mut Trial) {
         self.hot.add(more.iter().copied(), &self.parts, &self.rows);
@@ -50,6 +64,8 @@ impl Condensed<'_> {
     pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
         let Some(mut right) = self.unbalanced(trial) else { return false };
         let (mut best, mut idle) = (f64::INFINITY, 0);
+        // Share of the change that the last step left, with a tangent found for it or with an older one.
+        let (mut shrinks, mut before, mut has_tangent) = (1.0, f64::INFINITY, false);
         while position.iterations < self.iterations {
             let change = self.hot.moves(&right);
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
@@ -64,7 +80,14 @@ impl Condensed<'_> {
                 return false;
             }
             position.iterations += 1;
-            let direction = self.hot.solve(&self.parts, &right);
+            shrinks = f64::max(shrinks * f64::from(u8::from(has_tangent)), position.left / before);
+            before = position.left;
+            let near = shrinks < SHRINKS && position.left * f64::powi(shrinks, CHORDS) <= TOLERANCE;
+            if !(has_tangent && near) {
+                self.hot.find_tangent(&self.parts);
+                (has_tangent, shrinks) = (true, 0.0);
+            }
+            let direction = self.hot.solve(&right);
             let Some(next) = self.step(trial, &direction, &right) else { return false };
             right = next;
             // Far from balance, parts that join late would lead the others astray.
@@ -73,6 +96,7 @@ impl Condensed<'_> {
                 let Some(moving) = self.moving_among_the_cool(&values) else { return false };
                 if !moving.is_empty() {
                     self.heat(&moving, trial);
+                    has_tangent = false;
                     let Some(next) = self.unbalanced(trial) else { return false };
                     right = next;
                 }

@@ -233,6 +233,17 @@ impl Part {
         }
     }
 
+    /// Entries of its slope between active rows: row, column, derivative.
+    pub fn slopes(&self, mut push: impl FnMut(usize, usize, f64)) {
+        for i in 0..ROWS {
+            for j in 0..ROWS {
+                if let (Some(p), Some(q), true) = (self.rows[i], self.rows[j], self.slope[i][j] != 0.0) {
+                    push(p, q, self.slope[i][j]);
+                }
+            }
+        }
+    }
+
     /// Whether it carries anything else than the linear system lets it carry.
     pub fn differs(&self) -> bool {
         // What rounding leaves of a difference of two equal forces.

@@ -72,6 +72,11 @@ impl Rows {
         &self.answers[row]
     }
 
+    /// `G` by rows.
+    pub fn all(&self) -> &[Vec<f64>] {
+        &self.answers
+    }
+
     /// More rows take part: one solution for each. What patterns do to them, and what forces on the others do, needs no other, for the linear system
     /// is symmetric.
     pub fn join(&mut self, fresh: Vec<Row>, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {

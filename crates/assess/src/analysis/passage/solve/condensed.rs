@@ -6,7 +6,7 @@ use crate::analysis::AnalysisError;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
-use mechanics::fem::condensed::{Condensed, CondensedError, Functional, Mark, Reached};
+use mechanics::fem::condensed::{Condensed, CondensedError, Functional, Mark, Reached, Visited};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch, Wish};
 
@@ -23,6 +23,11 @@ pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
     rest.setup.loads.patterns.iter().map(whole).collect()
 }
 
+/// All patterns: the weight, then those of the sleepers.
+pub fn loads(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
+    std::iter::once(rest.weight.to_vec()).chain(patterns(rest)).collect()
+}
+
 /// Self-weight and passage. The weight is the first pattern, brought on in the load steps of the file and then held.
 pub fn pass(
     rest: &AtRest<'_>,
@@ -33,12 +38,12 @@ pub fn pass(
 ) -> Result<(), AnalysisError> {
     let setup = rest.setup;
     let observed: Vec<Functional> = setup.sensors.iter().filter_map(|sensor| functional(&sensor.reading)).collect();
-    let loads: Vec<Vec<f64>> = std::iter::once(rest.weight.to_vec()).chain(patterns(rest)).collect();
+    let loads = loads(rest);
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
     let condensed = Condensed::new(rest.model, State::new(rest.model), &loads, &observed).map_err(failed)?;
     let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
     condensed.expect(expected);
-    if !stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)? {
+    if stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)?.is_none() {
         end_of_weight(solution);
         return Ok(());
     }
@@ -91,17 +96,17 @@ pub fn pass(
 }
 
 /// Amplitudes of all patterns: the whole weight and what stands on the sleepers.
-fn with_weight(reactions: Vec<f64>) -> Vec<f64> {
+pub fn with_weight(reactions: Vec<f64>) -> Vec<f64> {
     std::iter::once(1.0).chain(reactions).collect()
 }
 
-/// Brings the self-weight on; `false` where it finds no balance or the onlooker stops it.
+/// Brings the self-weight on, step by step; `None` where it finds no balance or the onlooker stops it.
 pub fn stand(
     condensed: &mut Condensed<'_>,
     setup: &Setup,
     log: &mut Vec<StepLog>,
     watch: &mut dyn Watch,
-) -> Result<bool, CondensedError> {
+) -> Result<Option<Vec<Visited>>, CondensedError> {
     let steps = setup.plan.load_steps.max(1);
     let share = |step: usize| (step + 1) as f64 / steps as f64;
     let patterns = condensed.patterns();
@@ -126,7 +131,7 @@ pub fn stand(
     if let Some(step) = stood.stopped_at {
         log.push(StepLog { stage: "self-weight".into(), time: share(step), cuts: 1, ..StepLog::default() });
     }
-    Ok(!stood.cancelled && stood.stopped_at.is_none())
+    Ok((!stood.cancelled && stood.stopped_at.is_none()).then_some(stood.visited))
 }
 
 fn end_of_weight(solution: &mut Solution) {

@@ -5,7 +5,7 @@ mod moment;
 mod plain;
 mod slices;
 
-pub use slices::{Slices, slices};
+pub use slices::{Slices, Wanted as WantedSlices, slices};
 
 use super::model::{assumptions, model};
 use super::outcome::{Influence, Moment, PassageStatus, StepLog};

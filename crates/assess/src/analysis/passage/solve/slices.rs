@@ -3,13 +3,13 @@
 //! What model updating asks for again and again (the railway paper, section 3.4): the mesh stays, the moduli change. All of it goes by the condensed
 //! path, the self-weight too, so that an evaluation costs one factorisation and the rows that are not linear.
 
-use super::condensed::stand;
-use super::{AtRest, functional, self_weight, with_train};
+use super::condensed::{loads, stand, with_weight};
+use super::{AtRest, functional, self_weight};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::model::model;
 use crate::analysis::passage::{PassageError, PassageStatus, Setup};
 use bridge::Bridge;
-use mechanics::fem::condensed::{Condensed, Functional, Reached};
+use mechanics::fem::condensed::{Condensed, Functional, Neighbour, Reached, Visited};
 use mechanics::fem::{Kinematics, State};
 use mechanics::watch::{Progress, Watch, Wish};
 
@@ -25,64 +25,72 @@ pub struct Slices {
     /// Value of each sensor at each position, self-weight taken off [SI]; fewer positions than asked for where one found no
     /// balance.
     pub values: Vec<Vec<f64>>,
+    /// Their derivatives by each quantity that was asked for, in the same shape.
+    pub derivatives: Vec<Vec<Vec<f64>>>,
     /// Iterations in all.
     pub iterations: u32,
     /// Parts of the model that did not answer linearly: what to expect of the same bridge with other moduli.
     pub taking_part: Vec<usize>,
 }
 
-/// Values of the sensors while the first axle stands at each of `positions` [m], with the moduli of `bridge` on the mesh of
-/// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for. `expected` are the parts that took part where
-/// nearly the same was asked, or none.
+/// What is asked of slices.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Wanted<'w> {
+    /// Places of the first axle [m].
+    pub positions: &'w [f64],
+    /// Parts that took part where nearly the same was asked, or none.
+    pub expected: &'w [usize],
+    /// The same bridge with one quantity a little different, and by how much: derivatives by each quantity are given.
+    pub neighbours: &'w [(Bridge, f64)],
+}
+
+/// Values of the sensors while the first axle stands at some positions, with the moduli of `bridge` on the mesh of
+/// `setup`, which may have been made for others. Small displacements; stresses cannot be asked for.
 pub fn slices(
     bridge: &Bridge,
     setup: &Setup,
-    positions: &[f64],
-    expected: &[usize],
+    wanted: Wanted<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Slices, AnalysisError> {
     let observed: Option<Vec<Functional>> = setup.sensors.iter().map(|sensor| functional(&sensor.reading)).collect();
     let observed = observed.ok_or(PassageError::StressInSlices)?;
     let model = model(bridge, &setup.meshed, Kinematics::Small)?;
     let weight = self_weight(bridge, setup, &model);
-    let rest = AtRest { setup, model: &model, weight: &weight };
-    let train = positions.iter().map(|&position| with_train(&rest, position));
-    let loads: Vec<Vec<f64>> = std::iter::once(weight.clone()).chain(train).collect();
+    let loads = loads(&AtRest { setup, model: &model, weight: &weight });
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
     let condensed = Condensed::new(&model, State::new(&model), &loads, &observed).map_err(failed)?;
     let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
+    if !wanted.neighbours.is_empty() {
+        condensed = condensed.with_places();
+    }
     let mut found = Slices {
         status: PassageStatus::Completed,
         reason: None,
         self_weight: Vec::new(),
         values: vec![Vec::new(); observed.len()],
+        derivatives: Vec::new(),
         iterations: 0,
         taking_part: Vec::new(),
     };
-    condensed.expect(expected);
-    let one = |pattern: usize| {
-        let mut amplitudes = vec![0.0; loads.len()];
-        amplitudes[pattern] = 1.0;
-        amplitudes
-    };
+    condensed.expect(wanted.expected);
     let mut log = Vec::new();
-    if !stand(&mut condensed, setup, &mut log, watch).map_err(failed)? {
+    let stood = stand(&mut condensed, setup, &mut log, watch).map_err(failed)?;
+    let Some(path) = stood else {
         found.status = PassageStatus::Cancelled;
         let stuck = log.last().is_some_and(|step| step.cuts > 0);
         return Ok(if stuck { unbalanced(found, "under self-weight no balance was found".to_owned()) } else { found });
-    }
+    };
     found.iterations = log.iter().map(|step| step.iterations as u32).sum();
     found.self_weight = condensed.observed();
     let at_rest = condensed.mark();
-    let progress = Progress { stage: "slices".into(), fraction: None, steps: 0 };
-    if watch.look(&progress) == Wish::Stop {
+    if watch.look(&Progress { stage: "slices".into(), fraction: None, steps: 0 }) == Wish::Stop {
         found.status = PassageStatus::Cancelled;
         return Ok(found);
     }
-    let under: Vec<Vec<f64>> = (1..loads.len()).map(one).collect();
-    let visited = condensed.branch(&at_rest, &under).map_err(failed)?;
+    let under = wanted.positions.iter().map(|&position| with_weight(setup.loads.reactions(position)));
+    let visited = condensed.branch(&at_rest, &under.collect::<Vec<_>>()).map_err(failed)?;
     found.taking_part = condensed.taking_part();
-    for (visited, place) in visited.iter().zip(positions) {
+    for (visited, place) in visited.iter().zip(wanted.positions) {
         found.iterations += visited.position.iterations;
         if visited.position.reached != Reached::Balanced {
             return Ok(unbalanced(found, format!("with the first axle at {place:.3} m no balance was found")));
@@ -91,7 +99,35 @@ pub fn slices(
             values.push(now - own);
         }
     }
+    if !wanted.neighbours.is_empty() {
+        found.derivatives = derivatives(&mut condensed, setup, wanted.neighbours, &path, &visited)?;
+    }
     Ok(found)
+}
+
+/// Derivatives of every sensor at every position, self-weight taken off: by neighbour, sensor and position.
+fn derivatives(
+    condensed: &mut Condensed<'_>,
+    setup: &Setup,
+    neighbours: &[(Bridge, f64)],
+    path: &[Visited],
+    branches: &[Visited],
+) -> Result<Vec<Vec<Vec<f64>>>, AnalysisError> {
+    let mut models = Vec::with_capacity(neighbours.len());
+    for (bridge, by) in neighbours {
+        let model = model(bridge, &setup.meshed, Kinematics::Small)?;
+        let weight = self_weight(bridge, setup, &model);
+        let loads = loads(&AtRest { setup, model: &model, weight: &weight });
+        models.push((model, loads, *by));
+    }
+    let neighbours: Vec<Neighbour<'_>> =
+        models.iter().map(|(model, patterns, by)| Neighbour { model, patterns, by: *by }).collect();
+    let found = condensed.derivatives(&neighbours, path, branches).map_err(PassageError::Condensed)?;
+    let by_neighbour = |(k, at_rest): (usize, &Vec<f64>)| {
+        let of = |(sensor, own): (usize, &f64)| found.branches.iter().map(|branch| branch[k][sensor] - own).collect();
+        at_rest.iter().enumerate().map(of).collect()
+    };
+    Ok(found.at_end.iter().enumerate().map(by_neighbour).collect())
 }
 
 fn unbalanced(found: Slices, reason: String) -> Slices {
