@@ -6,7 +6,7 @@ pub mod jacobian;
 pub mod modern;
 pub mod record;
 pub mod referee;
-pub mod refined;
+mod refined;
 mod replay;
 pub mod surface;
 pub mod sweep;

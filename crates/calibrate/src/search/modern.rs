@@ -6,10 +6,11 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
-use crate::forward::Failure;
+use crate::forward::{Failure, Samples};
 use crate::parameter::{Start, shares, values};
 use crate::posterior::draw::latin_hypercube;
 use crate::report::{Found, verify};
+use crate::search::refined;
 use crate::search::jacobian::STEP;
 use crate::search::replay::{Known, Missing, Sought, broken_off, replay};
 
@@ -75,6 +76,18 @@ pub struct Outcome {
     pub found: Option<Found>,
 }
 
+/// Share of the square of the norm by which a step has to lower it, and of the point by which it has to move it: a search that gains less is at
+/// its end, for a twin is asked for to half a per cent and records are never better.
+const ENOUGH: f64 = 1e-7;
+const NOWHERE: f64 = 1e-6;
+
+/// How often a step that does not descend is shortened, to a quarter each time. Peaks jump from place to place, joints open: the norm has kinks, and on one of
+/// them no length of the step descends.
+const ATTEMPTS: usize = 10;
+
+/// How a run ends there.
+const KINK: &str = "a kink of the norm: no step lowers it";
+
 /// Ends nearer than this share of every range are one minimum.
 const SAME: f64 = 1e-3;
 
@@ -93,30 +106,20 @@ pub fn search(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> 
 fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &mut Outcome) -> Result<(), Halt> {
     evaluator.begin(None);
     evaluator.stage("trust region, all starts");
-    let mut basis = basis.clone();
     let starts = starts(evaluator, settings);
-    outcome.runs = solve(evaluator, &basis, settings, &starts)?;
-    // The peaks' places are looked for anew at the end; where they have moved, the best run goes on from there.
-    for _ in 0..3 {
-        let Some(best) = outcome.runs.first().filter(|run| run.norm.is_finite()).map(|run| run.end.clone()) else {
-            break;
-        };
-        let refreshed = basis.refreshed(evaluator, &best)?;
-        if refreshed.samples == basis.samples {
-            break;
-        }
-        basis = refreshed;
-        evaluator.stage("trust region, peaks refreshed");
-        let again = solve(evaluator, &basis, settings, &[best])?;
-        let first = outcome.runs[0].start.clone();
-        outcome.runs.splice(0..1, again.into_iter().map(|run| RunEnd { start: first.clone(), ..run }));
+    let slices = basis.samples != Samples::All;
+    let searched = if slices { basis.corrected(evaluator, &settings.start.point(evaluator.problem.parameters()))? } else { basis.clone() };
+    outcome.runs = solve(evaluator, &searched, settings, &starts)?;
+    // The best end by slices is not yet one by full passages.
+    if let Some(best) = outcome.runs.first().filter(|run| slices && run.norm.is_finite()).cloned() {
+        outcome.runs[0] = refined::settle(evaluator, basis, &best)?;
     }
     let Some(best) = outcome.runs.first().filter(|run| run.norm.is_finite()).cloned() else {
         return Err(Halt::Failed(Failure::new("no-start", "the model fails at every start")));
     };
     outcome.minima = minima(evaluator, &outcome.runs);
     let converged = vec![best.converged; best.end.len()];
-    outcome.found = Some(verify(evaluator, &basis, evaluator.problem.parameters(), &best.end, best.norm, &converged)?);
+    outcome.found = Some(verify(evaluator, basis, evaluator.problem.parameters(), &best.end, best.norm, &converged)?);
     outcome.status = if best.converged { Status::Converged } else { Status::NotConverged(best.ended) };
     Ok(())
 }
@@ -140,17 +143,21 @@ pub(super) fn solve(
         let begin = shares(parameters, &starts[run]);
         let solver = TrustRegionReflective::new()
             .with_absolute_scaled_gradient_tolerance(1e-10)
-            .with_relative_step_tolerance::<Vec<f64>, f64>(1e-9);
+            .with_relative_cost_change_tolerance(ENOUGH)
+            .with_relative_step_tolerance::<Vec<f64>, f64>(NOWHERE)
+            .with_max_inner_attempts(ATTEMPTS);
         let ended = Executor::from_start(Sought::new(known), solver, begin)
             .max_iter(settings.iterations)
             .run()
             .map_err(broken_off)?;
         let code = ended.report.code();
-        let converged = ended.report.termination.is_converged() || code == TerminationCode::NumericalNoProgress;
+        let ends_at_kink = code == TerminationCode::SolverFailed && ended.cost().is_finite();
+        let converged =
+            ended.report.termination.is_converged() || code == TerminationCode::NumericalNoProgress || ends_at_kink;
         let end = values(parameters, ended.param());
         let norm = (2.0 * ended.cost()).sqrt();
         let norm = if norm.is_finite() { norm } else { f64::INFINITY };
-        Ok(RunEnd { start: starts[run].clone(), end, norm, converged, ended: format!("{code:?}") })
+        Ok(RunEnd { start: starts[run].clone(), end, norm, converged, ended: if ends_at_kink { KINK.to_owned() } else { format!("{code:?}") } })
     };
     let mut runs = replay(evaluator, basis, settings.step, starts.len(), one)?;
     meet_bounds(evaluator, basis, &mut runs)?;

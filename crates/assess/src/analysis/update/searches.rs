@@ -5,8 +5,8 @@ use super::outcome::{PaperSearch, PosteriorReport, SearchLine};
 use bridge::update::Plan;
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
-use calibrate::search::{gradient, hierarchical, modern, referee, refined};
-use calibrate::{Basis, Evaluator, Found, Halt, Samples, Serial, Start, Unwatched, surrogate};
+use calibrate::search::{gradient, hierarchical, modern, referee};
+use calibrate::{Basis, Evaluator, Found, Halt, Serial, Start, Unwatched, surrogate};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -58,7 +58,6 @@ impl Searches {
                 all.modern = Some(outcome);
                 (end, found)
             });
-            all.refine(evaluator, basis, &settings, clock);
         }
         if wants("referee") {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
@@ -124,22 +123,6 @@ impl Searches {
                 });
             }
         }
-    }
-
-    /// Where slices were searched, goes on from the end corrected by full passages: a slice remembers no earlier axle, a passage does.
-    fn refine(
-        &mut self,
-        evaluator: &mut Evaluator,
-        basis: &Basis,
-        settings: &modern::Settings,
-        clock: &dyn Fn() -> f64,
-    ) {
-        let end = self.modern.as_ref().and_then(|outcome| outcome.found.as_ref()).map(Found::point);
-        let Some(end) = end.filter(|_| basis.samples != Samples::All) else { return };
-        self.one(Search::Modern, "on, corrected by full passages", evaluator, clock, |_, evaluator| {
-            let outcome = refined::search(evaluator, basis, &end, settings);
-            (of_status(&outcome.status), outcome.found)
-        });
     }
 
     /// One search with its line in the table.
