@@ -18,7 +18,7 @@ pub(super) struct Hot {
     pub rows: Vec<usize>,
     /// Place of an active row among them, [`NOWHERE`] if it has none.
     place: Vec<u32>,
-    /// `G` between them.
+    /// `G` between them; what was allocated for more rows stays.
     answers: Vec<Vec<f64>>,
     /// Entries of the last `S`, by active rows.
     slopes: Vec<(u32, u32, f64)>,
@@ -34,16 +34,16 @@ impl std::fmt::Debug for Hot {
 }
 
 impl Hot {
-    /// Nothing but these parts is hot.
+    /// These parts are hot, and those that are hot already stay so unless more than a quarter of them have cooled: to gather `G` anew costs more than
+    /// a few rows that do not move.
     pub fn set(&mut self, hot: impl Iterator<Item = usize> + Clone, parts: &[Part], rows: &Rows) {
-        if hot.clone().eq(self.parts.iter().copied()) {
-            return;
+        let stay = hot.clone().filter(|&part| self.is_hot(part)).count();
+        if 4 * stay < 3 * self.parts.len() {
+            self.parts.clear();
+            self.rows.clear();
+            self.is_hot.clear();
+            self.place.fill(NOWHERE);
         }
-        self.parts.clear();
-        self.rows.clear();
-        self.answers.clear();
-        self.is_hot.clear();
-        self.place.fill(NOWHERE);
         self.add(hot, parts, rows);
     }
 
@@ -64,13 +64,15 @@ impl Hot {
                 }
             }
         }
-        for (place, row) in self.rows.iter().enumerate() {
-            let answers = rows.answers(*row);
-            if place < before {
-                self.answers[place].extend(self.rows[before..].iter().map(|&other| answers[other]));
-            } else {
-                self.answers.push(self.rows.iter().map(|&other| answers[other]).collect());
-            }
+        if self.answers.len() < self.rows.len() {
+            self.answers.resize_with(self.rows.len(), Vec::new);
+        }
+        for (place, row) in self.rows.iter().enumerate().filter(|_| self.rows.len() > before) {
+            let (answers, own) = (rows.answers(*row), &mut self.answers[place]);
+            let from = if place < before { before } else { 0 };
+            own.truncate(from);
+            own.reserve(rows.len());
+            own.extend(self.rows[from..].iter().map(|&other| answers[other]));
         }
     }
 
@@ -125,7 +127,7 @@ impl Hot {
             part.slopes(|p, q, s| self.slopes.push((p as u32, q as u32, s)));
         }
         let slopes = self.placed_slopes();
-        self.tangent.find(&slopes, &self.answers);
+        self.tangent.find(&slopes, &self.answers[..self.rows.len()]);
         self.steep = self.tangent.steep.iter().map(|&p| self.rows[p] as u32).collect();
     }
 

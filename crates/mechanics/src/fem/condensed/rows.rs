@@ -126,21 +126,50 @@ impl Rows {
 }
 
 /// Adds multiples of columns, four at a time: what they are added to is read and written once for four. Columns of which nothing is added are not
-/// read.
+/// read. As wide as the processor's registers are, with the same bits for any of them.
 pub(super) fn add_multiples<'c>(sums: &mut [f64], columns: impl Iterator<Item = (&'c [f64], f64)>) {
-    let mut some = columns.filter(|(_, factor)| *factor != 0.0).fuse();
-    loop {
-        match [some.next(), some.next(), some.next(), some.next()] {
-            [Some((a, fa)), Some((b, fb)), Some((c, fc)), Some((d, fd))] => {
-                for ((((sum, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-                    *sum += (fa * a + fb * b) + (fc * c + fd * d);
+    widest(Multiples { sums, columns });
+}
+
+/// Does work with the widest registers of the processor.
+pub(super) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if let Some(v4) = pulp::x86::V4::try_new() {
+            return v4.vectorize(work);
+        }
+        if let Some(v3) = pulp::x86::V3::try_new() {
+            return v3.vectorize(work);
+        }
+    }
+    work.call()
+}
+
+struct Multiples<'s, I> {
+    sums: &'s mut [f64],
+    columns: I,
+}
+
+impl<'c, I: Iterator<Item = (&'c [f64], f64)>> pulp::NullaryFnOnce for Multiples<'_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Multiples { sums, columns } = self;
+        let mut some = columns.filter(|(_, factor)| *factor != 0.0).fuse();
+        loop {
+            match [some.next(), some.next(), some.next(), some.next()] {
+                [Some((a, fa)), Some((b, fb)), Some((c, fc)), Some((d, fd))] => {
+                    for ((((sum, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                        *sum += (fa * a + fb * b) + (fc * c + fd * d);
+                    }
                 }
-            }
-            few => {
-                for (column, factor) in few.into_iter().flatten() {
-                    sums.iter_mut().zip(column).for_each(|(sum, entry)| *sum += factor * entry);
+                few => {
+                    for (column, factor) in few.into_iter().flatten() {
+                        sums.iter_mut().zip(column).for_each(|(sum, entry)| *sum += factor * entry);
+                    }
+                    return;
                 }
-                return;
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The tangent on the forces of some rows, `1 - S G`, with `S` the slopes of the parts' excess.
 
+use super::rows::widest;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
@@ -18,7 +19,6 @@ pub(super) struct Tangent {
     factors: Vec<f64>,
     forward: Vec<usize>,
     backward: Vec<usize>,
-    /// Answers of a row at the steep ones.
     looked: Vec<f64>,
     memory: Option<MemBuffer>,
 }
@@ -40,18 +40,8 @@ impl Tangent {
         self.factors.clear();
         self.factors.resize(size * size, 0.0);
         (0..size).for_each(|i| self.factors[i * size + i] = 1.0);
-        let mut at = usize::MAX;
-        for (p, q, s) in by_column {
-            if q != at {
-                let row = &answers[q];
-                self.looked.clear();
-                self.looked.extend(self.steep.iter().map(|&p| row[p]));
-                at = q;
-            }
-            let start = self.among[p] * size;
-            let row = &mut self.factors[start..start + size];
-            row.iter_mut().zip(&self.looked).for_each(|(entry, answer)| *entry -= s * *answer);
-        }
+        let Tangent { steep, among, factors, looked, .. } = self;
+        widest(Less { slopes: &by_column, answers, steep, among, factors, looked });
         self.forward.resize(size, 0);
         self.backward.resize(size, 0);
         let need = StackReq::any_of(&[
@@ -91,6 +81,38 @@ impl Tangent {
         let stack = MemStack::new(memory);
         let order = PermRef::new_checked(&self.forward, &self.backward, size);
         solve::solve_transpose_in_place_with_conj(factors, factors, order, Conj::No, right, Par::Seq, stack);
+    }
+}
+
+/// Takes `S G` off the tangent; slopes in the order of their columns.
+struct Less<'t> {
+    slopes: &'t [Slope],
+    answers: &'t [Vec<f64>],
+    steep: &'t [usize],
+    among: &'t [usize],
+    factors: &'t mut [f64],
+    /// Answers of a row at the steep ones.
+    looked: &'t mut Vec<f64>,
+}
+
+impl pulp::NullaryFnOnce for Less<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let size = self.steep.len();
+        let mut at = usize::MAX;
+        for &(p, q, s) in self.slopes {
+            if q != at {
+                let row = &self.answers[q];
+                self.looked.clear();
+                self.looked.extend(self.steep.iter().map(|&p| row[p]));
+                at = q;
+            }
+            let start = self.among[p] * size;
+            let row = &mut self.factors[start..start + size];
+            row.iter_mut().zip(self.looked.iter()).for_each(|(entry, answer)| *entry -= s * *answer);
+        }
     }
 }
 
