@@ -10,8 +10,8 @@ use crate::forward::{Failure, Samples};
 use crate::parameter::{Start, shares, values};
 use crate::posterior::draw::latin_hypercube;
 use crate::report::{Found, verify};
-use crate::search::refined;
 use crate::search::jacobian::STEP;
+use crate::search::refined;
 use crate::search::replay::{Known, Missing, Sought, broken_off, replay};
 
 /// What the search may do.
@@ -108,7 +108,11 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &
     evaluator.stage("trust region, all starts");
     let starts = starts(evaluator, settings);
     let slices = basis.samples != Samples::All;
-    let searched = if slices { basis.corrected(evaluator, &settings.start.point(evaluator.problem.parameters()))? } else { basis.clone() };
+    let searched = if slices {
+        basis.corrected(evaluator, &settings.start.point(evaluator.problem.parameters()))?
+    } else {
+        basis.clone()
+    };
     outcome.runs = solve(evaluator, &searched, settings, &starts)?;
     // The best end by slices is not yet one by full passages.
     if let Some(best) = outcome.runs.first().filter(|run| slices && run.norm.is_finite()).cloned() {
@@ -157,7 +161,13 @@ pub(super) fn solve(
         let end = values(parameters, ended.param());
         let norm = (2.0 * ended.cost()).sqrt();
         let norm = if norm.is_finite() { norm } else { f64::INFINITY };
-        Ok(RunEnd { start: starts[run].clone(), end, norm, converged, ended: if ends_at_kink { KINK.to_owned() } else { format!("{code:?}") } })
+        Ok(RunEnd {
+            start: starts[run].clone(),
+            end,
+            norm,
+            converged,
+            ended: if ends_at_kink { KINK.to_owned() } else { format!("{code:?}") },
+        })
     };
     let mut runs = replay(evaluator, basis, settings.step, starts.len(), one)?;
     meet_bounds(evaluator, basis, &mut runs)?;

@@ -355,7 +355,10 @@ fn derivatives_are_those_of_runs_with_other_quantities() {
             assert!(size > 0.0 || place == 0);
             // What balance to 1e-10 leaves of a difference over 2e-5 of a quantity, and the curvature over it.
             for (own, difference) in own.iter().zip(&differences) {
-                assert!((own - difference).abs() <= 1e-4 * size, "quantity {k}, place {place}: {own:e} {difference:e} of {size:e}");
+                assert!(
+                    (own - difference).abs() <= 1e-4 * size,
+                    "quantity {k}, place {place}: {own:e} {difference:e} of {size:e}"
+                );
             }
         }
     }

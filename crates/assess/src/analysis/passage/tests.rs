@@ -83,6 +83,7 @@ fn a_report_ends_where_the_solution_ends() {
         values: vec![vec![0.0, 2.0, -3.0]; 6],
         degrees_of_freedom: 7,
         condensed_degrees_of_freedom: None,
+        taking_part: Vec::new(),
         log: vec![step(3, 1), step(4, 5), step(2, 0)],
         moments: Vec::new(),
         influence: None,
@@ -108,6 +109,7 @@ fn the_object_has_the_fields_that_scripts_read() {
         values: vec![vec![0.0, 2e-4, -3e-4, 1e-4]; 6],
         degrees_of_freedom: 7,
         condensed_degrees_of_freedom: None,
+        taking_part: Vec::new(),
         log: vec![StepLog { stage: "passage".into(), iterations: 3, plastic_points: 4, ..StepLog::default() }],
         moments: Vec::new(),
         influence: None,
@@ -148,7 +150,8 @@ fn slices_are_those_of_the_whole_system() {
     let middle = |share: f64| base.positions[(share * base.positions.len() as f64) as usize];
     let positions = [middle(0.2), middle(0.5)];
     bridge.service.fill.elastic_modulus = bridge.service.fill.elastic_modulus.map(|modulus| 1.3 * modulus);
-    let found = slices(&bridge, &base, WantedSlices { positions: &positions, ..Default::default() }, &mut Unwatched).unwrap();
+    let found =
+        slices(&bridge, &base, WantedSlices { positions: &positions, ..Default::default() }, &mut Unwatched).unwrap();
     assert_eq!(found.status, PassageStatus::Completed, "{:?}", found.reason);
     for (k, position) in positions.iter().enumerate() {
         let mut one = Setup { positions: vec![*position], times: vec![0.0], ..base.clone() };
@@ -162,5 +165,51 @@ fn slices_are_those_of_the_whole_system() {
             // The plain path stops at 1e-9 of its loads.
             assert!((here - there).abs() <= 1e-7 * there.abs().max(1e-3 * size), "{}: {here} {there}", sensor.name);
         }
+    }
+}
+
+/// Derivatives of slices are those of slices with other quantities; what is expected beforehand changes nothing.
+#[test]
+fn slices_tell_their_derivatives() {
+    use mechanics::watch::Unwatched;
+    let text = include_bytes!("../../../../../examples/railway-arch/passage.toml");
+    let mut bridge = bridge::read(text).bridge.unwrap();
+    // Where a spring breaks, differences jump.
+    bridge.service.mortar.lift_off = 0.0;
+    let base = setup(&bridge).unwrap();
+    let middle = |share: f64| base.positions[(share * base.positions.len() as f64) as usize];
+    let positions = [middle(0.35), middle(0.5)];
+    let with = |k: usize, share: f64| {
+        let mut other = bridge.clone();
+        let modulus =
+            if k == 0 { &mut other.service.fill.elastic_modulus } else { &mut other.service.mortar.elastic_modulus };
+        let before = modulus.unwrap();
+        *modulus = Some((1.0 + share) * before);
+        (other, share * before)
+    };
+    let neighbours = [with(0, 1e-6), with(1, 1e-6)];
+    let plain = WantedSlices { positions: &positions, ..Default::default() };
+    let found = slices(&bridge, &base, WantedSlices { neighbours: &neighbours, ..plain }, &mut Unwatched).unwrap();
+    assert_eq!(found.status, PassageStatus::Completed, "{:?}", found.reason);
+    for k in 0..2 {
+        let values = |share: f64| {
+            let (other, by) = with(k, share);
+            let expecting = WantedSlices { expected: &found.taking_part, ..plain };
+            (slices(&other, &base, expecting, &mut Unwatched).unwrap().values, by)
+        };
+        let ((more, by), (less, _)) = (values(1e-4), values(-1e-4));
+        for (s, sensor) in base.sensors.iter().enumerate() {
+            let differences: Vec<f64> = (0..2).map(|p| (more[s][p] - less[s][p]) / (2.0 * by)).collect();
+            let size = differences.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+            for (own, difference) in found.derivatives[k][s].iter().zip(&differences) {
+                // Joints open a little farther along within the difference.
+                assert!((own - difference).abs() <= 2e-3 * size, "{k}, {}: {own:e} {difference:e}", sensor.name);
+            }
+        }
+    }
+    let expecting = WantedSlices { expected: &found.taking_part, ..plain };
+    let again = slices(&bridge, &base, expecting, &mut Unwatched).unwrap();
+    for (a, b) in again.values.iter().flatten().zip(found.values.iter().flatten()) {
+        assert!((a - b).abs() <= 1e-8 * b.abs().max(1e-9), "{a:e} {b:e}");
     }
 }

@@ -194,7 +194,8 @@ impl Forward for Model<'_> {
         let setup = self.setup_of(&bridge)?;
         let scales: Vec<f64> = setup.sensors.iter().map(|sensor| sensor.quantity.scale()).collect();
         let scaled = |(values, scale): (Vec<f64>, &f64)| values.into_iter().map(|value| scale * value).collect();
-        let by_channel = |table: Vec<Vec<f64>>| -> Vec<Vec<f64>> { table.into_iter().zip(&scales).map(scaled).collect() };
+        let by_channel =
+            |table: Vec<Vec<f64>>| -> Vec<Vec<f64>> { table.into_iter().zip(&scales).map(scaled).collect() };
         let Samples::At(places) = &request.samples else {
             let found = self.answer(point, &bridge, &setup, None, &[])?;
             return Ok(Response { values: by_channel(found.values), derivatives: Vec::new() });

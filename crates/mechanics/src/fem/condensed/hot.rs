@@ -132,7 +132,8 @@ impl Hot {
     }
 
     fn placed_slopes(&self) -> Vec<Slope> {
-        let placed = |&(p, q, s): &(u32, u32, f64)| (self.place[p as usize] as usize, self.place[q as usize] as usize, s);
+        let placed =
+            |&(p, q, s): &(u32, u32, f64)| (self.place[p as usize] as usize, self.place[q as usize] as usize, s);
         self.slopes.iter().map(placed).collect()
     }
 

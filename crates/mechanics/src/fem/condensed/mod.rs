@@ -36,8 +36,8 @@ use parts::{Kind, Part, Remembered, components};
 use rows::{Row, Rows};
 
 pub use passage::{Passage, Visited};
-pub use slopes::{Derivatives, Neighbour};
 pub use rows::Functional;
+pub use slopes::{Derivatives, Neighbour};
 
 /// How one position ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -69,7 +69,8 @@ impl<'a> Condensed<'a> {
         let led = self.led(neighbours, &places)?;
         let observed_rows = self.answers_of_observed();
         let mut walk = self.walk(neighbours)?;
-        let mut found = Derivatives { at_end: vec![vec![0.0; self.observed.len()]; neighbours.len()], ..Derivatives::default() };
+        let mut found =
+            Derivatives { at_end: vec![vec![0.0; self.observed.len()]; neighbours.len()], ..Derivatives::default() };
         for led in &led[..path.len()] {
             found.at_end = walk.to(&self.rows, led, &observed_rows).ok_or(CondensedError::Broken)?;
         }
@@ -109,7 +110,9 @@ impl<'a> Condensed<'a> {
                     for (pattern, amplitude) in heavier.iter().zip(&place.amplitudes) {
                         pattern.iter().for_each(|&(equation, more)| force[equation as usize] += amplitude * more);
                     }
-                    right.push(force.into_iter().enumerate().map(|(equation, force)| (equation as u32, force)).collect());
+                    right.push(
+                        force.into_iter().enumerate().map(|(equation, force)| (equation as u32, force)).collect(),
+                    );
                 }
             }
             let first = all.len() - places.len();

@@ -21,6 +21,7 @@ fn bump() -> Passage {
         values: sizes.iter().map(|size| (0..count).map(|k| size * wave(k)).collect()).collect(),
         degrees_of_freedom: 7,
         condensed_degrees_of_freedom: None,
+        taking_part: Vec::new(),
         log: Vec::new(),
         moments: Vec::new(),
         influence: None,
