@@ -118,6 +118,7 @@ mod tests {
             position: k as f64,
             adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
             axles: Some([0, 0]),
+            weights: None,
         };
         Swept {
             code: code.to_owned(),
@@ -128,6 +129,7 @@ mod tests {
             bounds: adequacy.map(|a| [a; 2]),
             without_dilation: None,
             case: None,
+            weights: None,
             envelope: (0..11).flat_map(|k| [point(k, Direction::Right), point(k, Direction::Left)]).collect(),
             sections: Vec::new(),
             effective_width: 3.0,
@@ -141,6 +143,7 @@ mod tests {
         VehicleSweep {
             bridge: "Bridge".into(),
             rule: assess::rules::library().expect("library").rules.remove(0),
+            weights: Vec::new(),
             vehicles,
             governing,
             collapse: None,

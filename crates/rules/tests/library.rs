@@ -104,6 +104,10 @@ fn complaints_name_file_and_key() {
     );
     // No factor is silently one: a rule without its condition factor is no rule.
     let rule = include_str!("../data/rules/cs-454.toml");
+    for name in ["weight_favourable", "surfacing_weight"] {
+        let wrong = read_rule("mine.toml", &rule.replacen(name, "something_else", 1)).unwrap_err();
+        assert!(wrong[0].message.contains("something_else"), "{wrong:?}");
+    }
     let cut = rule.find("[factors.condition]").unwrap();
     let wrong = read_rule("mine.toml", &rule[..cut]).unwrap_err();
     assert!(wrong[0].message.contains("condition"), "{wrong:?}");
