@@ -39,7 +39,8 @@ fn data() -> Value {
         "rule": "a rule", "factors": [["axles", "1.9", HOSTILE]], "confirmation": "0.88", "movement": [["support", "pier 1"]],
         "changes": [{ "path": "span[1].thickness", "value": "0.5 m", "less": "120 %", "more": "90 %", "turns": true }],
         "changes_words": "Utilisation of the governing check.", "notes": [["update", HOSTILE]], "findings": [["P001", HOSTILE, "line 3"]],
-        "warnings": [["collapse", "A101", HOSTILE]], "assumptions": [["collapse", HOSTILE]], "inputs": vec![input; 40],
+        "warnings": [["collapse", "A101", HOSTILE]], "assumptions": [["collapse", HOSTILE]],
+        "no_update": HOSTILE, "no_service": HOSTILE, "no_collapse": HOSTILE, "no_changes": HOSTILE, "inputs": vec![input; 40],
         "appendix": { "version": "0.1.0", "program": "cd".repeat(32), "file": "bridge.toml", "input": "ef".repeat(32),
             "command": "extrados assess bridge.toml --skip update", "day": "2026-11-21", "stages": [stage] },
         "figures": { "built": drawing, "update": drawing, "service": drawing, "ultimate": drawing, "vehicles": drawing, "movement": drawing }

@@ -41,8 +41,10 @@ pub(super) struct Reduced {
     pub(super) start: Vec<f64>,
     /// States of self-stress.
     pub(super) states: Vec<Vec<f64>>,
-    /// What strength asks.
+    /// What strength asks: rows that every load has, then tangents at forces that lay outside a joint's parabola.
     pub(super) limits: Vec<Row>,
+    /// How many rows every load has.
+    pub(super) standing: usize,
     /// The same in terms of the unknowns.
     pub(super) rows: Rows,
 }
@@ -56,8 +58,13 @@ impl Reduced {
         for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
             *f += d;
         }
-        let mut this =
-            Reduced { start, rows: Rows { width: states.len(), ..Rows::default() }, states, limits: Vec::new() };
+        let mut this = Reduced {
+            start,
+            rows: Rows { width: states.len(), ..Rows::default() },
+            states,
+            limits: Vec::new(),
+            standing: limits.len(),
+        };
         this.extend(limits);
         Some(this)
     }
@@ -68,6 +75,25 @@ impl Reduced {
             self.rows.b.push(row.of(&self.start) + row.constant);
             self.limits.push(row);
         }
+    }
+
+    /// Drops the tangents that are not wanted; gives every row's new place.
+    pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) -> Vec<Option<usize>> {
+        let (width, old) = (self.rows.width, std::mem::take(&mut self.rows));
+        self.rows.width = width;
+        let mut places = Vec::with_capacity(old.b.len());
+        let mut limits = Vec::with_capacity(old.b.len());
+        for (k, row) in std::mem::take(&mut self.limits).into_iter().enumerate() {
+            let stays = k < self.standing || wanted(k);
+            places.push(stays.then_some(limits.len()));
+            if stays {
+                limits.push(row);
+                self.rows.b.push(old.b[k]);
+                self.rows.a.extend_from_slice(&old.a[k * width..(k + 1) * width]);
+            }
+        }
+        self.limits = limits;
+        places
     }
 
     /// Joint forces at a corner `z`, whose last unknown counts `scale` times the load [scaled].

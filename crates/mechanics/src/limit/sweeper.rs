@@ -20,6 +20,9 @@ const OUTSIDE: f64 = 1e-10;
 const ROUNDS: usize = 40;
 /// Mechanisms that are kept as starts.
 const KEPT: usize = 48;
+/// Tangents beyond the rows that every load has; with more, those of no kept mechanism are dropped. The search looks at every
+/// row, and without a bound a sweep of joints that crush gathers tens of thousands.
+const TANGENTS: usize = 300;
 
 /// A load factor and how sure it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -205,7 +208,9 @@ impl Sweeper<'_> {
                 OUTSIDE * (1.0 + factor.abs()),
             );
             if more.is_empty() {
-                if corner.pivots > 0 {
+                let pivots = corner.pivots;
+                let corner = self.tidied(corner);
+                if pivots > 0 {
                     self.keep(&corner);
                 }
                 return Some(Reached::Corner(corner, 1.0 / size));
@@ -239,6 +244,36 @@ impl Sweeper<'_> {
             self.kept[self.next] = kept;
             self.next = (self.next + 1) % KEPT;
         }
+    }
+
+    /// Drops tangents where there are many, and names the rows of the corner anew.
+    fn tidied(&mut self, mut corner: Corner) -> Corner {
+        let Some(reduced) = self.reduced.as_mut().filter(|r| r.limits.len() > r.standing + TANGENTS) else {
+            return corner;
+        };
+        let mut wanted = vec![false; reduced.limits.len()];
+        let bases = self.kept.iter().map(|kept| &kept.members).chain([&corner.members]);
+        for member in bases.flatten() {
+            if let Member::Row(k) = member {
+                wanted[*k] = true;
+            }
+        }
+        let places = reduced.keep(|k| wanted[k]);
+        let rename = |members: &mut Vec<Member>, rows: &mut Vec<(usize, f64)>| {
+            for member in members.iter_mut() {
+                if let Member::Row(k) = member {
+                    *k = places[*k].unwrap_or(*k);
+                }
+            }
+            for (k, _) in rows.iter_mut() {
+                *k = places[*k].unwrap_or(*k);
+            }
+        };
+        for kept in &mut self.kept {
+            rename(&mut kept.members, &mut kept.mechanism);
+        }
+        rename(&mut corner.members, &mut corner.basis);
+        corner
     }
 
     fn slides(&self, corner: &Corner) -> bool {
