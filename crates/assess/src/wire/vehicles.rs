@@ -131,6 +131,7 @@ struct ConfirmationObject {
     adequacy_factor: Option<f64>,
     limit_adequacy_factor: Option<f64>,
     step: f64,
+    contact_inset_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }
@@ -248,6 +249,7 @@ fn confirmation(c: &Confirmation) -> ConfirmationObject {
         adequacy_factor: c.adequacy,
         limit_adequacy_factor: c.limit,
         step: c.step,
+        contact_inset_m: c.inset,
         reason: c.reason.clone(),
     }
 }

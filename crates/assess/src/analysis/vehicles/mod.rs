@@ -177,10 +177,12 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     if let Some((k, case)) = governing.and_then(|k| found.vehicles[k].case.clone().map(|case| (k, case))) {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k].vehicle, &case);
-        found.collapse = Some(Box::new(super::collapse_by_limit(&one)?));
+        let by_limit = super::collapse_by_limit(&one)?;
         if plan.confirm {
-            found.confirmation = Some(confirm::confirm(&one, &found.rule, found.vehicles[k].adequacy, watch));
+            let limit = found.vehicles[k].adequacy;
+            found.confirmation = Some(confirm::confirm(&one, &by_limit, &found.rule, limit, watch));
         }
+        found.collapse = Some(Box::new(by_limit));
     }
     notes(bridge, &vehicles, &mut found);
     Ok(found)
@@ -227,6 +229,13 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
         found.assumptions.push(format!(
             "For {slides} vehicles joints slide in cases up to twice the least factor: the three worst of these were answered again \
              without dilation, and the least factor counts."
+        ));
+    }
+    if let Some(inset) = found.confirmation.as_ref().and_then(|c| c.inset) {
+        found.assumptions.push(format!(
+            "Discrete elements bear on contact points {:.0} mm inside the edges of the blocks, where the thrusts of limit analysis at \
+             its hinges would crush the masonry.",
+            1e3 * inset
         ));
     }
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) {

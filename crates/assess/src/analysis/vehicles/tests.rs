@@ -276,6 +276,14 @@ fn discrete_elements_confirm_the_governing_case() {
     let (by_dem, by_limit) = (c.adequacy.unwrap(), c.limit.unwrap());
     // Deformable joints carry up to 15 % less than rigid ones, and the last stable step lies up to a step below.
     assert!(by_dem < by_limit && by_dem > 0.8 * by_limit, "{by_dem} {by_limit}");
+    // Masonry that crushes turns inside its edges, by discrete elements as by limit analysis.
+    b.masonry.compressive_strength = Some(6e6);
+    let crushed = swept(&b).confirmation.unwrap();
+    let inset = crushed.inset.unwrap();
+    assert!(c.inset.is_none() && (0.02..0.1).contains(&inset), "{inset}");
+    let [dem, limit] = [crushed.adequacy.unwrap() / by_dem, crushed.limit.unwrap() / by_limit];
+    assert!(limit < 0.9 && dem < 0.9, "crushing takes {limit} by limit analysis, {dem} by discrete elements");
+    b.masonry.compressive_strength = None;
     // Without stiffness there is nothing to confirm with, and the sweep says so.
     b.joint.normal_stiffness = None;
     b.ring_joint.normal_stiffness = None;
