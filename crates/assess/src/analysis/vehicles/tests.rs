@@ -180,7 +180,7 @@ fn weights_that_help_have_the_favourable_factor() {
         assert!((least / smallest - 1.0).abs() < 1e-6, "{}: {least} {smallest}", v.code);
     }
     let said = found.assumptions.iter().find(|line| line.contains("combinations of adverse and favourable")).unwrap();
-    assert!(said.contains("8 combinations") && said.contains("governs with weights: masonry × 1"), "{said}");
+    assert!(said.contains("8 combinations") && said.contains("governs with weights: masonry\u{a0}×\u{a0}1,"), "{said}");
     // Heavier masonry by a tenth must not make the bridge better than it is without factors.
     let mut heavy = b.clone();
     heavy.masonry.density *= 1.1;

@@ -19,10 +19,10 @@ pub struct Weights {
 }
 
 impl Weights {
-    /// "weights: masonry × 1.15, fill × 1".
+    /// "weights: masonry × 1.15, fill × 1", each pair on one line.
     pub fn told(&self) -> String {
         let groups = [("masonry", Some(self.masonry)), ("fill", self.fill), ("surfacing", self.surfacing)];
-        let each = groups.iter().filter_map(|(name, factor)| Some(format!("{name} × {}", (*factor)?)));
+        let each = groups.iter().filter_map(|(name, factor)| Some(format!("{name}\u{a0}×\u{a0}{}", (*factor)?)));
         format!("weights: {}", each.collect::<Vec<_>>().join(", "))
     }
 }
