@@ -56,7 +56,11 @@ fn swept(one: &Swept) -> SweptFacts {
             Some([first, last]) => format!("axles {} to {}", first + 1, last + 1),
             None => "uniform loads alone".to_owned(),
         };
-        let arrangement = if case.arrangement.is_empty() { String::new() } else { format!(", {}", case.arrangement.replace(" m", "\u{a0}m")) };
+        let arrangement = if case.arrangement.is_empty() {
+            String::new()
+        } else {
+            format!(", {}", case.arrangement.replace(" m", "\u{a0}m"))
+        };
         format!("{axles}, driving to the {}{arrangement}; {}", case.direction.word(), case.weights.told())
     });
     let fallen =
