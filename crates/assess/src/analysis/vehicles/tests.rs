@@ -22,17 +22,7 @@ fn plan(vehicles: &[&str]) -> SweepPlan {
 
 fn bridgemill(vehicles: &[&str]) -> Bridge {
     let mut b = samples::bridgemill();
-    b.cover.layers = vec![Layer {
-        name: LayerKind::Fill,
-        thickness: 0.478,
-        density: 1890.0,
-        weighs: true,
-        particles: false,
-        slabs: None,
-        friction_angle: None,
-        cohesion: None,
-        elastic_modulus: None,
-    }];
+    b.cover.layers = vec![samples::fill(0.478, 1890.0)];
     b.plan.method = Method::Limit;
     b.sweep = Some(plan(vehicles));
     b
