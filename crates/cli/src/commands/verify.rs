@@ -145,14 +145,8 @@ fn tables_in_words(tables: &[TableRow]) -> String {
         let word = if row.agrees() { "agrees" } else { "differs" };
         let _ = writeln!(
             page,
-            "  {:18}  {word:7}  {:2} numbers, at most {:+.3} % at {} m, {} % allowed: {}, {}",
-            row.vehicle,
-            row.numbers,
-            100.0 * row.difference,
-            row.span,
-            100.0 * row.tolerance,
-            row.quantity,
-            row.source
+            "  {:18}  {word:7}  {:2} numbers, at most {:+.1e} at {} m, {:.0e} allowed: {}, {}",
+            row.vehicle, row.numbers, row.difference, row.span, row.tolerance, row.quantity, row.source
         );
     }
     let read = tables.iter().filter(|row| row.numbers == 0).count();
