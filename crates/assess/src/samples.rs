@@ -166,3 +166,18 @@ pub fn passage() -> bridge::passage::Passage {
         sensors: vec![],
     }
 }
+
+/// Fill that weighs and is no particles: thickness above the crown [m] and density [kg/m^3].
+pub fn fill(thickness: f64, density: f64) -> Layer {
+    Layer {
+        name: LayerKind::Fill,
+        thickness,
+        density,
+        weighs: true,
+        particles: false,
+        slabs: None,
+        friction_angle: None,
+        cohesion: None,
+        elastic_modulus: None,
+    }
+}

@@ -75,7 +75,7 @@ pub struct Mexe {
     pub mortar_factor: f64,
     /// Condition factor F_cM.
     pub condition_factor: f64,
-    /// Span/rise factor F_sr; needed where span over rise is above 4.
+    /// Span/rise factor F_sr, where it was read off the method's figure.
     pub span_rise_factor: Option<f64>,
     /// Rise at the quarter points [m]; the profile's where none is given.
     pub quarter_rise: Option<f64>,

@@ -88,9 +88,13 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
         let bar = Area { left: area.left, right: x(*factor), top: middle - 6.0, bottom: middle + 6.0 };
         sheet.rectangle(bar, Pen::shape(colour, "none", 0.0).class("vehicle"));
         sheet.text([area.left - 8.0, middle + 4.4], &v.code, small.anchored(Anchor::End));
-        sheet.text([x(*factor) + 6.0, middle + 4.4], &four_digits(*factor), small);
     }
     sheet.line([x(1.0), area.top - 4.0], [x(1.0), area.bottom], Pen::line(INK, MEDIUM).dashed("5 4").class("one"));
+    // Numbers stand on the line where they meet it.
+    for (k, (_, factor)) in bars.iter().enumerate() {
+        let foot = area.top + 4.0 + ROW * (k as f64 + 0.5) + 4.4;
+        sheet.text([x(*factor) + 6.0, foot], &four_digits(*factor), Style { halo: true, ..small });
+    }
     sheet.line([area.left, area.top], [area.left, area.bottom], Pen::line(INK, 0.9));
     sheet.text(
         [0.5 * (area.left + area.right), area.bottom + 36.0],
@@ -118,6 +122,7 @@ mod tests {
             position: k as f64,
             adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
             axles: Some([0, 0]),
+            weights: None,
         };
         Swept {
             code: code.to_owned(),
@@ -128,6 +133,7 @@ mod tests {
             bounds: adequacy.map(|a| [a; 2]),
             without_dilation: None,
             case: None,
+            weights: None,
             envelope: (0..11).flat_map(|k| [point(k, Direction::Right), point(k, Direction::Left)]).collect(),
             sections: Vec::new(),
             effective_width: 3.0,
@@ -141,6 +147,7 @@ mod tests {
         VehicleSweep {
             bridge: "Bridge".into(),
             rule: assess::rules::library().expect("library").rules.remove(0),
+            weights: Vec::new(),
             vehicles,
             governing,
             collapse: None,

@@ -23,7 +23,7 @@ fn data() -> Value {
     let drawing = json!([{ "caption": "A drawing", "svg": svg }, { "caption": HOSTILE, "svg": tall }]);
     let stage = json!({ "name": "built", "state": "made", "seconds": "0.1 s", "key": "ab".repeat(32) });
     let input = json!({ "section": "span[1]", "key": "intrados_thickness_at_the_springing", "value": "0.5 m", "remark": HOSTILE });
-    json!({
+    let mut data = json!({
         "bridge": HOSTILE, "status": "inadequate", "headline": "Not adequate", "whole": "C101 is not met: 104\u{a0}% of its limit.",
         "limits_source": "a test", "augment": "augment", "checks": [check(false, true), check(true, false)],
         "every": vec![check(true, false); 60], "open": [{ "code": "C102", "title": "stress", "why": HOSTILE, "failed": true }],
@@ -43,7 +43,11 @@ fn data() -> Value {
         "appendix": { "version": "0.1.0", "program": "cd".repeat(32), "file": "bridge.toml", "input": "ef".repeat(32),
             "command": "extrados assess bridge.toml --skip update", "day": "2026-11-21", "stages": [stage] },
         "figures": { "built": drawing, "update": drawing, "service": drawing, "ultimate": drawing, "vehicles": drawing, "movement": drawing }
-    })
+    });
+    for why in ["no_update", "no_service", "no_collapse", "no_changes"] {
+        data[why] = json!(HOSTILE);
+    }
+    data
 }
 
 /// The texts of a frame in the order in which they were set.

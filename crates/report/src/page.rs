@@ -192,8 +192,9 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         movement: movement(a),
         changes: sensitivity.map(rows::changes).unwrap_or_default(),
         changes_words: sensitivity.map(|facts| format!(
-            "Utilisation of the governing check ({}) with {:.0} % less and {:.0} % more of each quantity, by {}. With the file's own values \
-             that gives {}, the check itself {}: compare the rows with the first of the two.",
+            "Utilisation of the governing check ({}) with {:.0} % less and {:.0} % more of each quantity, by {}. All rows are of the same \
+             analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
+             saw what the shortened analysis leaves out (earlier axles, other positions): compare the rows with the first of the two.",
             facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, crate::numbers::percent(facts.utilisation),
             checks::governing(material.checked)
                 .and_then(|(check, k)| material.checked[check].outcome.as_ref().ok()?.get(k))

@@ -279,7 +279,11 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
         code: one.code.clone(),
         title: one.title.clone(),
         adequacy: one.adequacy.map_or(one.status.clone(), digits),
-        class: if one.adequacy.is_none_or(|factor| factor >= 1.0) { "met" } else { "broken" },
+        class: match one.adequacy {
+            Some(factor) if factor >= 1.0 => "met",
+            None if one.status == "locks" => "met",
+            _ => "broken",
+        },
         width: digits(one.effective_width_m),
         factor: digits(one.load_factor),
         position: maybe(one.position_m),

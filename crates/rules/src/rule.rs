@@ -29,10 +29,14 @@ pub struct Rule {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Factors {
-    /// On the weight of masonry.
+    /// On the weight of masonry where it is adverse.
     pub masonry_weight: Factor,
-    /// On the weight of fill, ballast and surfacing.
+    /// On the weight of fill, backing and sub-base where it is adverse.
     pub fill_weight: Factor,
+    /// On the weight of surfacing and ballast where it is adverse.
+    pub surfacing_weight: Factor,
+    /// On any weight where it helps.
+    pub weight_favourable: Factor,
     /// On live loads.
     pub live_load: Factor,
     /// On the strength of masonry: it divides.
@@ -96,8 +100,10 @@ impl Rule {
     pub fn listed(&self) -> Vec<(&'static str, &Factor)> {
         let f = &self.factors;
         let mut list = vec![
-            ("weight of masonry", &f.masonry_weight),
-            ("weight of fill", &f.fill_weight),
+            ("weight of masonry, adverse", &f.masonry_weight),
+            ("weight of fill, adverse", &f.fill_weight),
+            ("weight of surfacing, adverse", &f.surfacing_weight),
+            ("weight that helps", &f.weight_favourable),
             ("live load", &f.live_load),
             ("strength of masonry", &f.masonry_strength),
             ("friction of joints", &f.friction),

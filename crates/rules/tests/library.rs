@@ -69,6 +69,18 @@ fn widths_and_lengths_are_those_of_the_rules() {
     );
 }
 
+/// Condition multiplies what the bridge carries, the model factor divides it.
+#[test]
+fn a_poor_condition_and_a_doubtful_model_lessen_the_capacity() {
+    let rule = include_str!("../data/rules/cs-454.toml");
+    let with = |name: &str, value: &str| {
+        let own =
+            rule.replacen(&format!("[factors.{name}]\nvalue = 1.0"), &format!("[factors.{name}]\nvalue = {value}"), 1);
+        read_rule("own.toml", &own).unwrap().capacity_factor()
+    };
+    assert_eq!((with("condition", "0.8"), with("model", "1.25")), (0.8, 0.8));
+}
+
 #[test]
 fn patterns_are_every_distance_with_every_lift_off() {
     let library = library().unwrap();
@@ -104,6 +116,11 @@ fn complaints_name_file_and_key() {
     );
     // No factor is silently one: a rule without its condition factor is no rule.
     let rule = include_str!("../data/rules/cs-454.toml");
+    for name in ["weight_favourable", "surfacing_weight"] {
+        let other = rule.replacen(&format!("[factors.{name}]"), "[factors.something_else]", 1);
+        let wrong = read_rule("mine.toml", &other).unwrap_err();
+        assert!(wrong[0].message.contains("something_else"), "{wrong:?}");
+    }
     let cut = rule.find("[factors.condition]").unwrap();
     let wrong = read_rule("mine.toml", &rule[..cut]).unwrap_err();
     assert!(wrong[0].message.contains("condition"), "{wrong:?}");

@@ -56,9 +56,16 @@ fn swept(one: &Swept) -> SweptFacts {
             Some([first, last]) => format!("axles {} to {}", first + 1, last + 1),
             None => "uniform loads alone".to_owned(),
         };
-        let arrangement = if case.arrangement.is_empty() { String::new() } else { format!(", {}", case.arrangement) };
-        format!("{axles}, driving to the {}{arrangement}", case.direction.word())
+        let arrangement = if case.arrangement.is_empty() {
+            String::new()
+        } else {
+            format!(", {}", case.arrangement.replace(" m", "\u{a0}m"))
+        };
+        format!("{axles}, driving to the {}{arrangement}; {}", case.direction.word(), case.weights.told())
     });
+    let fallen =
+        || one.weights.map_or(String::new(), |weights| format!("the bridge does not stand with {}", weights.told()));
+    let case = if case.is_empty() { fallen() } else { case };
     SweptFacts {
         code: one.code.clone(),
         title: one.title.clone(),

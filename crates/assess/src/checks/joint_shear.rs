@@ -1,6 +1,6 @@
 //! Shear stress in joints in service.
 
-use super::{Card, Check, Finding, NotMade, limit, of, used};
+use super::{Card, Check, Finding, NotMade, limit, of_joints, used};
 use crate::assessment::Assessment;
 
 /// The check.
@@ -22,20 +22,15 @@ impl Check for JointShear {
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let limit = limit(a.asked.limits.joint_shear, "joint_shear_limit = \"1 MPa\"")? / 1e6;
-        let facts = of(&a.service)?;
-        let mut list = Vec::new();
-        for load in &facts.loads {
-            list.extend(load.joints.iter().map(|joint| Finding {
-                load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, joint.augment),
-                value: joint.shear_mpa,
-                limit,
-                unit: "MPa",
-                utilisation: used(joint.shear_mpa, limit),
-                basis: joint.shear_at.clone(),
-                position: Some(joint.shear_position_m),
-                columns: None,
-            }));
-        }
-        if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
+        of_joints(a, |joint| Finding {
+            load_model: String::new(),
+            value: joint.shear_mpa,
+            limit,
+            unit: "MPa",
+            utilisation: used(joint.shear_mpa, limit),
+            basis: joint.shear_at.clone(),
+            position: Some(joint.shear_position_m),
+            columns: None,
+        })
     }
 }

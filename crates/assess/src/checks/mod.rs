@@ -17,6 +17,7 @@ mod verdict;
 pub use verdict::{Verdict, governing, verdict};
 
 use crate::assessment::{Assessment, Stage};
+use crate::wire::{JointFacts, ServiceLoadFacts};
 
 /// What a check is: `extrados explain CODE` prints it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -129,6 +130,18 @@ fn of<T>(stage: &Stage<T>) -> Result<&T, NotMade> {
 /// A limit of the file, or what to write.
 fn limit(given: Option<f64>, key: &str) -> Result<f64, NotMade> {
     given.ok_or_else(|| NotMade::because(format!("the file gives no limit: write {key} in [assess]")))
+}
+
+/// A finding for every load and every reading of the augment at the joints of the rings.
+fn of_joints(a: &Assessment, finding: impl Fn(&JointFacts) -> Finding) -> Result<Vec<Finding>, NotMade> {
+    let facts = of(&a.service)?;
+    let told = |load: &ServiceLoadFacts, joint: &JointFacts| Finding {
+        load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, joint.augment),
+        ..finding(joint)
+    };
+    let list: Vec<Finding> =
+        facts.loads.iter().flat_map(|load| load.joints.iter().map(move |joint| told(load, joint))).collect();
+    if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
 }
 
 /// Use of a limit: the value over it. A limit of zero is met by nothing above zero.

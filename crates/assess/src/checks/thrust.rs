@@ -1,6 +1,6 @@
 //! The line of thrust in service.
 
-use super::{Card, Check, Finding, NotMade, of, used};
+use super::{Card, Check, Finding, NotMade, of_joints, used};
 use crate::assessment::Assessment;
 
 /// The check.
@@ -24,21 +24,16 @@ impl Check for ThrustZone {
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let zone = a.asked.limits.thrust_zone.ok_or_else(|| NotMade::because(no_zone(a)))?;
         let limit = 0.5 * zone;
-        let facts = of(&a.service)?;
-        let mut list = Vec::new();
-        for load in &facts.loads {
-            list.extend(load.joints.iter().map(|joint| Finding {
-                load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, joint.augment),
-                value: joint.eccentricity,
-                limit,
-                unit: "of the depth",
-                utilisation: used(joint.eccentricity, limit),
-                basis: joint.eccentricity_at.clone(),
-                position: Some(joint.eccentricity_position_m),
-                columns: None,
-            }));
-        }
-        if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
+        of_joints(a, |joint| Finding {
+            load_model: String::new(),
+            value: joint.eccentricity,
+            limit,
+            unit: "of the depth",
+            utilisation: used(joint.eccentricity, limit),
+            basis: joint.eccentricity_at.clone(),
+            position: Some(joint.eccentricity_position_m),
+            columns: None,
+        })
     }
 }
 

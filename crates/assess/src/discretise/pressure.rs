@@ -70,21 +70,10 @@ mod tests {
     use super::*;
     use crate::discretise::discretise;
     use crate::samples;
-    use bridge::{Layer, LayerKind};
 
     fn filled() -> Bridge {
         let mut b = samples::bridgemill();
-        b.cover.layers = vec![Layer {
-            name: LayerKind::Fill,
-            thickness: 0.478,
-            density: 1890.0,
-            weighs: true,
-            particles: false,
-            slabs: None,
-            friction_angle: None,
-            cohesion: None,
-            elastic_modulus: None,
-        }];
+        b.cover.layers = vec![samples::fill(0.478, 1890.0)];
         b.fill_pressure = Some(FillPressure {
             applies: true,
             friction_angle: 30f64.to_radians(),

@@ -11,10 +11,12 @@ mod case;
 mod judge;
 mod manual;
 mod measure;
+mod tables;
 
 pub use case::{Case, CaseError, Class, Expect, Kind, Value};
 pub use judge::{Finding, Judged, Verdict, run};
 pub use manual::{manual, table};
+pub use tables::{TableRow, tables};
 
 use std::fs;
 use std::path::{Path, PathBuf};

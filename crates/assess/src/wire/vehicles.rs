@@ -3,7 +3,7 @@
 use super::collapse::CollapseObject;
 use super::tables::row;
 use super::{Run, WarningObject, kilo};
-use crate::analysis::vehicles::{Case, Confirmation, Extreme, SectionEnvelope, Swept, VehicleSweep};
+use crate::analysis::vehicles::{Case, Confirmation, Extreme, SectionEnvelope, Swept, VehicleSweep, Weights};
 use rules::{Factor, Source};
 use serde::Serialize;
 
@@ -14,6 +14,7 @@ pub struct VehicleSweepObject {
     status: &'static str,
     bridge: String,
     rule: RuleObject,
+    weight_combinations: Vec<WeightsObject>,
     step_m: f64,
     governing: Option<GoverningObject>,
     vehicles: Vec<VehicleObject>,
@@ -42,6 +43,14 @@ struct RuleObject {
     title: String,
     source: SourceObject,
     factors: Vec<FactorObject>,
+}
+
+/// Factors on weights; none where the bridge has no such weight.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct WeightsObject {
+    masonry: f64,
+    fill: Option<f64>,
+    surfacing: Option<f64>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -74,6 +83,7 @@ struct VehicleObject {
     effective_width_m: f64,
     load_factor: f64,
     critical_axle_factor: f64,
+    weight_factors: Option<WeightsObject>,
     case: Option<CaseObject>,
     sections: Vec<SectionObject>,
     cases: usize,
@@ -93,6 +103,7 @@ struct CaseObject {
     #[serde(skip_serializing_if = "Option::is_none")]
     uniform_load_m: Option<[f64; 2]>,
     load_kn_per_m: f64,
+    weight_factors: WeightsObject,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,6 +131,7 @@ struct ConfirmationObject {
     adequacy_factor: Option<f64>,
     limit_adequacy_factor: Option<f64>,
     step: f64,
+    contact_inset_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }
@@ -138,6 +150,7 @@ impl VehicleSweepObject {
                 source: source(&found.rule.source),
                 factors: found.rule.listed().into_iter().map(factor).collect(),
             },
+            weight_combinations: found.weights.iter().map(weights).collect(),
             step_m: found.step,
             governing: governing.map(|v| GoverningObject {
                 vehicle: v.code.clone(),
@@ -177,6 +190,7 @@ fn vehicle(v: &Swept) -> VehicleObject {
         effective_width_m: v.effective_width,
         load_factor: v.load_factors[0],
         critical_axle_factor: v.load_factors[1],
+        weight_factors: v.weights.as_ref().map(weights),
         case: v.case.as_ref().map(case),
         sections: v.sections.iter().map(section).collect(),
         cases: v.cases,
@@ -194,7 +208,18 @@ fn case(c: &Case) -> CaseObject {
         critical_axle: c.critical_axle.map(|a| a + 1),
         uniform_load_m: c.uniform,
         load_kn_per_m: kilo(c.load),
+        weight_factors: weights(&c.weights),
     }
+}
+
+fn weights(w: &Weights) -> WeightsObject {
+    WeightsObject { masonry: w.masonry, fill: w.fill, surfacing: w.surfacing }
+}
+
+/// The same as three cells.
+fn weight_cells(w: Option<Weights>) -> String {
+    let cells = [w.map(|w| w.masonry), w.and_then(|w| w.fill), w.and_then(|w| w.surfacing)];
+    cells.map(number).join(",")
 }
 
 fn section(s: &SectionEnvelope) -> SectionObject {
@@ -224,6 +249,7 @@ fn confirmation(c: &Confirmation) -> ConfirmationObject {
         adequacy_factor: c.adequacy,
         limit_adequacy_factor: c.limit,
         step: c.step,
+        contact_inset_m: c.inset,
         reason: c.reason.clone(),
     }
 }
@@ -236,7 +262,8 @@ fn number(v: Option<f64>) -> String {
 pub fn vehicles_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
         "vehicle,model,status,adequacy_factor,lower_bound,upper_bound,without_dilation,position_m,direction,first_axle,last_axle,\
-         critical_axle,uniform_from_m,uniform_to_m,load_kn_per_m,effective_width_m,arrangement\n",
+         critical_axle,uniform_from_m,uniform_to_m,load_kn_per_m,effective_width_m,weight_masonry,\
+         weight_fill,weight_surfacing,arrangement\n",
     );
     for v in &found.vehicles {
         let c = v.case.as_ref();
@@ -244,7 +271,7 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
         row(
             &mut csv,
             format_args!(
-                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"",
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"",
                 v.code,
                 v.model,
                 v.status.word(),
@@ -261,6 +288,7 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
                 number(c.and_then(|c| c.uniform).map(|u| u[1])),
                 number(c.map(|c| kilo(c.load))),
                 v.effective_width,
+                weight_cells(v.weights),
                 c.map_or("", |c| &c.arrangement),
             ),
         );
@@ -270,20 +298,24 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
 
 /// The least adequacy factor at every position of every vehicle.
 pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
-    let mut csv = String::from("vehicle,direction,position_m,adequacy_factor,first_axle,last_axle,arrangement\n");
+    let mut csv = String::from(
+        "vehicle,direction,position_m,adequacy_factor,first_axle,last_axle,weight_masonry,weight_fill,\
+         weight_surfacing,arrangement\n",
+    );
     for v in &found.vehicles {
         for p in &v.envelope {
             let axle = |k: usize| p.axles.map_or(String::new(), |a| (a[k] + 1).to_string());
             row(
                 &mut csv,
                 format_args!(
-                    "{},{},{},{},{},{},\"{}\"",
+                    "{},{},{},{},{},{},{},\"{}\"",
                     v.code,
                     p.direction.word(),
                     p.position,
                     number(p.adequacy),
                     axle(0),
                     axle(1),
+                    weight_cells(p.weights),
                     p.arrangement
                 ),
             );
@@ -295,7 +327,8 @@ pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
 /// Extremes at critical joints, each with the values and the position that go with it.
 pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
-        "vehicle,section,x_m,y_m,depth_m,extreme,thrust_kn_per_m,eccentricity_m,shear_kn_per_m,position_m,direction,first_axle,last_axle\n",
+        "vehicle,section,x_m,y_m,depth_m,extreme,thrust_kn_per_m,eccentricity_m,shear_kn_per_m,position_m,direction,first_axle,last_axle,\
+         weight_masonry,weight_fill,weight_surfacing\n",
     );
     for v in &found.vehicles {
         for s in &v.sections {
@@ -304,7 +337,7 @@ pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
                 row(
                     &mut csv,
                     format_args!(
-                        "{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                        "{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                         v.code,
                         s.name,
                         s.at[0],
@@ -317,7 +350,8 @@ pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
                         e.case.position,
                         e.case.direction.word(),
                         axle(0),
-                        axle(1)
+                        axle(1),
+                        weight_cells(Some(e.case.weights))
                     ),
                 );
             }

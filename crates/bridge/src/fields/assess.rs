@@ -83,7 +83,7 @@ pub(super) static MEXE: Section = Section {
         factor("mortar_factor", "F_mo: mortar; 1.0 good, 0.9 loose", "0.9"),
         factor("condition_factor", "F_cM: condition of the barrel, as its inspector judges", "0.9"),
         factor("span_rise_factor", "F_sr: read off the method's figure", "0.9")
-            .optional("1 up to a span of four rises; needed beyond"),
+            .optional("1 up to a span of four rises, then the method's curve as recalled, up to eight"),
         Field::new("quarter_rise", Kind::Quantity(Length), "rise at the quarter points", "1.373 m")
             .positive()
             .optional("that of the profile"),

@@ -58,8 +58,10 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         Ok(bytes) => files.push(figures::File { name: "report.pdf".to_owned(), bytes }),
         Err([code, message]) => report.warn(&mut desk.screen, &code, &message),
     }
+    let both = files.iter().any(|file| file.name == "report.pdf");
+    let named = if both { "report.html, report.pdf" } else { "report.html" };
     report.summary =
-        summary::assessment(&done.assessment, &done.checked, &done.verdict, &done.condition, folder.path());
+        summary::assessment(&done.assessment, &done.checked, &done.verdict, &done.condition, named, folder.path());
     results::publish(desk, report, &folder, &files)
 }
 

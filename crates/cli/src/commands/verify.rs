@@ -1,4 +1,5 @@
-//! `extrados verify`: runs the verification cases and prints the manual's table, kind by kind.
+//! `extrados verify`: runs the verification cases, prints the manual's table kind by kind, and compares the load models of the
+//! library with the tables that were published for them.
 
 use super::Desk;
 use crate::args::Verify;
@@ -7,7 +8,7 @@ use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher;
-use assess::verify::{self, Case, Class, Judged, Kind, Verdict};
+use assess::verify::{self, Case, Class, Judged, Kind, TableRow, Verdict};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -39,7 +40,9 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
     bar.finish_and_clear();
     let complete = judged.iter().all(Option::is_some);
     let judged: Vec<Judged> = judged.into_iter().flatten().collect();
-    let well = judged.iter().all(|one| one.verdict.is_well());
+    let tables = verify::tables()
+        .map_err(|wrong| Failure::input("F112", wrong, "this program was built with a library that cannot be used"))?;
+    let well = judged.iter().all(|one| one.verdict.is_well()) && tables.iter().all(TableRow::agrees);
     let status = match (complete, well) {
         (false, _) => Status::Cancelled,
         (true, true) => Status::Completed,
@@ -52,8 +55,9 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
     Ok(Report::new(status)
         .with("kinds", counts(&judged))
         .with("cases", judged.iter().map(case).collect::<Vec<Value>>())
+        .with("tables", tables.iter().map(table).collect::<Vec<Value>>())
         .with("left_out", left.iter().map(|case| case.name.as_str()).collect::<Vec<&str>>())
-        .saying(summary(&judged, &left, status)))
+        .saying(summary(&judged, &tables, &left, status)))
 }
 
 fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
@@ -112,7 +116,47 @@ fn case(judged: &Judged) -> Value {
     value
 }
 
-fn summary(judged: &[Judged], left: &[Case], status: Status) -> String {
+fn table(row: &TableRow) -> Value {
+    json!({
+        "load_model": row.model,
+        "vehicle": row.vehicle,
+        "quantity": row.quantity,
+        "source": row.source,
+        "numbers": row.numbers,
+        "largest_difference": row.difference,
+        "at_span_m": row.span,
+        "tolerance": row.tolerance,
+        "why_this_tolerance": row.reason,
+        "agrees": (row.numbers > 0).then(|| row.agrees()),
+        "why_not_compared": row.left_out,
+    })
+}
+
+/// The tables of load models, one a line.
+fn tables_in_words(tables: &[TableRow]) -> String {
+    let compared: Vec<&TableRow> = tables.iter().filter(|row| row.numbers > 0).collect();
+    let agree = compared.iter().filter(|row| row.agrees()).count();
+    let numbers: usize = compared.iter().map(|row| row.numbers).sum();
+    let mut page = format!(
+        "load models against their published tables: {agree} of {} tables agree, {numbers} numbers\n",
+        compared.len()
+    );
+    for row in compared {
+        let word = if row.agrees() { "agrees" } else { "differs" };
+        let _ = writeln!(
+            page,
+            "  {:18}  {word:7}  {:2} numbers, at most {:+.1e} at {} m, {:.0e} allowed: {}, {}",
+            row.vehicle, row.numbers, row.difference, row.span, row.tolerance, row.quantity, row.source
+        );
+    }
+    let read = tables.iter().filter(|row| row.numbers == 0).count();
+    if read > 0 {
+        let _ = writeln!(page, "  {read} tables are read and not compared: the vehicle alone does not give them");
+    }
+    page
+}
+
+fn summary(judged: &[Judged], tables: &[TableRow], left: &[Case], status: Status) -> String {
     let mut page = String::new();
     for (kind, _, words) in KINDS {
         let of_kind: Vec<Judged> = judged.iter().filter(|one| one.case.kind == kind).cloned().collect();
@@ -126,13 +170,15 @@ fn summary(judged: &[Judged], left: &[Case], status: Status) -> String {
         }
         page.push('\n');
     }
+    page += &tables_in_words(tables);
+    page.push('\n');
     if !left.is_empty() {
         let _ = writeln!(page, "left out: {} slow cases; --slow runs them too", left.len());
     }
     page += match status {
-        Status::Completed => "every case holds that should\n",
+        Status::Completed => "every case holds that should, and every table agrees\n",
         Status::Cancelled => "interrupted: not every case was run\n",
-        _ => "a case does not hold\n",
+        _ => "a case does not hold, or a table differs\n",
     };
     page
 }

@@ -6,12 +6,13 @@ use ::assess::condition::Condition;
 use std::fmt::Write;
 use std::path::Path;
 
-/// The verdict, the comparisons, the condition, what is missing.
+/// The verdict, the comparisons, the condition, what is missing; `report` names the reports that are written.
 pub fn assessment(
     a: &Assessment,
     checked: &[Checked],
     verdict: &Verdict,
     condition: &[Condition],
+    report: &str,
     folder: &Path,
 ) -> String {
     let mut text = format!("{}: {}\n\n{}\n", a.bridge.name, verdict.status.to_uppercase(), verdict.words);
@@ -62,6 +63,6 @@ pub fn assessment(
             let _ = writeln!(text, "    {:<34}{:>12}{:>12}", one.path, percent(one.less), percent(one.more));
         }
     }
-    let _ = writeln!(text, "\nreport.html, checks.csv and result.json are in {}", folder.display());
+    let _ = writeln!(text, "\n{report}, checks.csv and result.json are in {}", folder.display());
     text
 }

@@ -13,7 +13,8 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
     for k in order {
         let v = &found.vehicles[k];
         let factor = v.adequacy.map_or(v.status.word().to_owned(), |a| format!("{a:.3}"));
-        let place = v.case.as_ref().map_or(String::new(), place);
+        let falls = || v.weights.map_or(String::new(), |weights| format!("does not stand with {}", weights.told()));
+        let place = v.case.as_ref().map_or_else(falls, place);
         let _ = writeln!(page, "  {:<22}  {factor:>8}  {place}", v.code);
     }
     if let Some(v) = found.governing.map(|k| &found.vehicles[k]) {
@@ -29,6 +30,12 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
             more => format!(", {more:.3} times that on the critical one"),
         };
         let _ = writeln!(page, "  factor on its axles      {:.3}{critical}", v.load_factors[0]);
+        if let Some(weights) = v.weights.filter(|_| found.weights.len() > 1) {
+            let told = weights.told();
+            let factors = told.strip_prefix("weights: ").unwrap_or(&told);
+            let of = found.weights.len();
+            let _ = writeln!(page, "  factors on weights       {factors}: the worst of {of} combinations");
+        }
         let _ = writeln!(page, "  effective width          {:.2} m of the barrel carry an axle", v.effective_width);
     }
     if let Some(c) = &found.confirmation {

@@ -321,6 +321,13 @@ fn verify_keeps_kinds_apart_and_fails_when_a_case_does() {
     assert_eq!((ending.code, answer["status"].as_str()), (Some(0), Some("completed")), "{answer}");
     assert!(answer["kinds"]["exact"]["holds"].as_u64().is_some_and(|count| count >= 4), "{answer}");
     assert!(answer["kinds"]["total"].is_null() && answer["kinds"]["experiment"].is_null(), "kinds are never added up");
+    let tables = answer["tables"].as_array().expect("the load models' own tables");
+    assert!(tables.len() > 8 && tables.iter().all(|table| table["agrees"] != false), "{tables:?}");
+    let printed = stage.run(&["verify", &blocks.to_string_lossy()]).stdout;
+    assert!(
+        printed.contains("load models against their published tables") && !printed.contains("differs"),
+        "{printed}"
+    );
     assert!(stage.read("manual.md").starts_with("# Verification manual"));
     std::fs::create_dir(stage.folder.join("case")).expect("a folder");
     for file in ["case.toml", "blocks.toml"] {

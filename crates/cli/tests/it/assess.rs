@@ -203,6 +203,9 @@ fn the_report_as_pdf_or_the_way_to_it() {
         assert!(!file.exists());
         return;
     }
+    assert!(ending.stderr.is_empty() || !ending.stderr.contains("A161"), "{}", ending.stderr);
+    let printed = stage.run(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]).stdout;
+    assert!(printed.contains("report.html, report.pdf, checks.csv and result.json are in"), "{printed}");
     assert!(told.is_none() && std::fs::read(&file).expect("report.pdf").starts_with(b"%PDF-"), "{warnings:?}");
     // Texts of a PDF are glyphs of a font; poppler reads them where it is installed, and the typesetter's own tests in any case.
     let Ok(read) = std::process::Command::new("pdftotext").arg(&file).arg("-").output() else { return };
@@ -342,6 +345,64 @@ fn a_fleet_survives_broken_files_and_a_kill() {
     // An undisturbed run on one core ends in the same table.
     let (_, _) = stage.object(&["assess", "bridges", "--out", "calm", "--skip", "sensitivity", "--threads", "1"]);
     assert_eq!(stage.read("calm/fleet.csv"), table);
+}
+
+/// Ctrl-C, and what it leaves: exit code 130, finished stages kept, and the same command ends in the undisturbed numbers.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_assessment_goes_on_where_it_was() {
+    let stage = stage("assess-interrupted", LIMITS);
+    let words = ["assess", "bridge.toml", "--out", "out", "--json"];
+    let ends = interrupted(&stage, &words, "out");
+    let (answer, ending) = stage.object(&words[..4]);
+    assert_eq!((ending.code, &answer["status"]), (Some(0), &Value::from("adequate")), "{answer}");
+    let (calm, _) = stage.object(&["assess", "bridge.toml", "--out", "calm"]);
+    for key in ["checks", "governing", "sensitivity", "collapse"] {
+        assert_eq!(answer[key], calm[key], "{key}");
+    }
+    // Where it was stopped in time, nothing was published, and it says so.
+    if let Some(cancelled) = ends {
+        assert_eq!(cancelled["status"], "cancelled", "{cancelled}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_fleet_goes_on_where_it_was() {
+    let stage = fleet("assess-fleet-interrupted", 40);
+    let words = ["assess", "bridges", "--out", "fleet", "--skip", "sensitivity", "--json"];
+    let ends = interrupted(&stage, &words, "fleet");
+    let (answer, ending) = stage.object(&words[..6]);
+    assert_eq!(answer["bridges"], 40, "{answer}");
+    assert!(matches!(ending.code, Some(1 | 3)), "{:?}", ending.code);
+    stage.object(&["assess", "bridges", "--out", "calm", "--skip", "sensitivity"]);
+    assert_eq!(stage.read("calm/fleet.csv"), stage.read("fleet/fleet.csv"));
+    if let Some(cancelled) = ends {
+        assert_eq!(cancelled["status"], "cancelled", "{cancelled}");
+    }
+}
+
+/// Starts the command, sends SIGINT as soon as the folder of results holds something, and gives what it printed; none where
+/// it had ended before.
+#[cfg(unix)]
+fn interrupted(stage: &Stage, words: &[&str], out: &str) -> Option<Value> {
+    let mut child =
+        stage.command(words).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("the program starts");
+    let begun = Instant::now();
+    while !stage.folder.join(out).read_dir().is_ok_and(|mut list| list.next().is_some()) && begun.elapsed() < PATIENCE {
+        if child.try_wait().expect("a status").is_some() {
+            return None;
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let _ = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    let output = child.wait_with_output().expect("it ends");
+    if matches!(output.status.code(), Some(0 | 1 | 3)) {
+        return None;
+    }
+    assert_eq!(output.status.code(), Some(130), "{output:?}");
+    assert!(!stage.folder.join(out).join("result.json").exists(), "an interrupted run publishes nothing");
+    Some(crate::stage::object(&String::from_utf8_lossy(&output.stdout)))
 }
 
 /// Slow: a thousand bridges, twenty of them broken. `cargo test --release -p cli --test it -- --ignored a_thousand`

@@ -1,8 +1,9 @@
 //! Many places of a load on one model.
 
+use super::ground::Ground;
 use super::outcome::Status;
 use super::settings::{Friction, Settings};
-use super::sweeper::{Ground, Sweeper};
+use super::sweeper::Sweeper;
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 
 /// The answer for one place of the load.

@@ -2,16 +2,14 @@
 //! mechanism of one load is the start for the next.
 
 use super::bounds;
-use super::collapse::{Carried, Found, carried, largest_factor_of_carried, report};
-use super::compliance::Resistance;
+use super::collapse::{Found, largest_factor_of_carried, report};
 use super::equilibrium::Equilibrium;
-use super::joints::{Joint, Strength, joints};
+use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
 use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
-use super::reduced::{Elastic, Row, alike, rows, self_stress, tangents};
-use super::settings::Settings;
-use super::simplex::{Corner, Ended, Member, Rows, greatest};
-use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
+use super::reduced::{Elastic, tangents};
+use super::simplex::{Corner, Ended, Member, greatest};
+use crate::blocks::PointForce;
 
 /// Bounds that differ by more than this, relative, are left to the interior-point method: far above the round-off of a
 /// refined corner, far below the 1e-6 to which both bounds must agree.
@@ -22,92 +20,9 @@ const OUTSIDE: f64 = 1e-10;
 const ROUNDS: usize = 40;
 /// Mechanisms that are kept as starts.
 const KEPT: usize = 48;
-
-/// What all loads have in common.
-pub struct Ground<'a> {
-    model: &'a BlockModel,
-    interfaces: Vec<Interface>,
-    joints: Vec<Joint>,
-    strengths: Vec<Strength>,
-    resistances: Vec<Resistance>,
-    equilibrium: Equilibrium,
-    stands: Carried,
-    reduced: Option<Reduced>,
-    /// Forces of elastic joints under the permanent loads, scaled.
-    resting: Option<Vec<f64>>,
-}
-
-/// What a joint carries, as an elastic one that opens nowhere.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// Compression of the whole joint [N/m].
-    pub compression: f64,
-    /// Shear [N/m], positive when the force on the second block acts along `normal.left()`.
-    pub shear: f64,
-    /// Where the compression acts, from the middle of the joint along `normal.left()` [m].
-    pub eccentricity: f64,
-}
-
-/// The linear program of few unknowns.
-struct Reduced {
-    /// A state that balances the permanent loads.
-    start: Vec<f64>,
-    /// States of self-stress.
-    states: Vec<Vec<f64>>,
-    /// What strength asks.
-    limits: Vec<Row>,
-    /// The same in terms of the unknowns.
-    rows: Rows,
-}
-
-impl Reduced {
-    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, limits: Vec<Row>, stands: &Carried) -> Option<Reduced> {
-        let states = self_stress(elastic)?;
-        let mut start = stands.forces().to_vec();
-        // What the proof leaves out of balance is taken out.
-        let left = equilibrium.residual(&start, 0.0);
-        for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
-            *f += d;
-        }
-        let mut this =
-            Reduced { start, rows: Rows { width: states.len(), ..Rows::default() }, states, limits: Vec::new() };
-        this.extend(limits);
-        Some(this)
-    }
-
-    fn extend(&mut self, limits: Vec<Row>) {
-        for row in limits {
-            self.rows.a.extend(self.states.iter().map(|state| -row.of(state)));
-            self.rows.b.push(row.of(&self.start) + row.constant);
-            self.limits.push(row);
-        }
-    }
-
-    fn clone_rows(&self) -> Reduced {
-        Reduced {
-            start: self.start.clone(),
-            states: self.states.clone(),
-            limits: self.limits.clone(),
-            rows: self.rows.clone(),
-        }
-    }
-}
-
-/// What a load does to the joints. Effects of loads add up.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Effect {
-    load: Vec<f64>,
-    forces: Vec<f64>,
-}
-
-impl Effect {
-    /// Adds so many times another effect.
-    pub fn add(&mut self, other: &Effect, times: f64) {
-        for (a, b) in self.load.iter_mut().zip(&other.load).chain(self.forces.iter_mut().zip(&other.forces)) {
-            *a += times * b;
-        }
-    }
-}
+/// Tangents beyond the rows that every load has; with more, those of no kept mechanism are dropped. The search looks at every
+/// row, and without a bound a sweep of joints that crush gathers tens of thousands.
+const TANGENTS: usize = 300;
 
 /// A load factor and how sure it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,63 +41,12 @@ pub struct Factor {
     pub by_interior_point: bool,
 }
 
-impl<'a> Ground<'a> {
-    /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
-    pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
-        if model.blocks.iter().all(|b| b.held.is_fixed()) {
-            return Err(ModelError::NothingFree);
-        }
-        let (interfaces, joints) = joints(model, settings)?;
-        let permanent = Loading { variable: Vec::new(), ..loading.clone() };
-        let equilibrium = Equilibrium::new(model, &permanent, &joints);
-        let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
-        let stands = carried(&equilibrium, &joints, &strengths);
-        let resistances = alike(&joints);
-        let limits = rows(&equilibrium, &joints, &strengths);
-        let resting = Elastic::new(&equilibrium, &joints, &resistances)
-            .and_then(|mut elastic| elastic.balance(&equilibrium.permanent));
-        let reduced = match stands.is_carried() {
-            true => Elastic::new(&equilibrium, &joints, &resistances)
-                .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
-            false => None,
-        };
-        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting })
-    }
-
-    fn crushes(&self) -> bool {
-        self.strengths.iter().any(|s| s.crushing.is_finite())
-    }
-
-    /// The joints, in the order of all forces.
-    pub fn interfaces(&self) -> &[Interface] {
-        &self.interfaces
-    }
-
-    /// What a joint carries under the permanent loads and so many times a load, if joints were elastic, all alike, and
-    /// opened nowhere. None for joints of one point and where nothing is compressed.
-    pub fn section(&self, effect: &Effect, factor: f64, joint: usize) -> Option<Section> {
-        let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
-        let of = &self.joints[joint];
-        let force = |k: usize| (resting[c + k] + factor * effect.forces[c + k]) * self.equilibrium.force;
-        let [a, b] = [force(0), force(1)];
-        let compression = a + b;
-        (of.points.len() == 2 && compression > 0.0).then(|| Section {
-            compression,
-            shear: force(2),
-            eccentricity: 0.5 * of.length * (b - a) / compression,
-        })
-    }
-
-    /// Whether loads are answered by the fast method; where not, by the interior-point method one by one.
-    pub fn is_fast(&self) -> bool {
-        self.reduced.is_some()
-    }
-
+impl Ground<'_> {
     /// A sweep over loads. Results do not depend on other sweepers of the same ground.
     pub fn sweeper(&self) -> Sweeper<'_> {
         let elastic =
             self.reduced.as_ref().and_then(|_| Elastic::new(&self.equilibrium, &self.joints, &self.resistances));
-        let reduced = self.reduced.as_ref().filter(|_| elastic.is_some()).map(Reduced::clone_rows);
+        let reduced = self.reduced.as_ref().filter(|_| elastic.is_some()).cloned();
         Sweeper { ground: self, elastic, reduced, kept: Vec::new(), next: 0 }
     }
 }
@@ -217,8 +81,7 @@ impl Sweeper<'_> {
     /// What a load does.
     pub fn effect(&mut self, load: &[PointForce]) -> Effect {
         let ground = self.ground;
-        let mut equilibrium = Loads { equilibrium: &ground.equilibrium, model: ground.model };
-        let scaled = equilibrium.scaled(load);
+        let scaled = ground.scaled(load);
         let columns = ground.equilibrium.columns.len();
         let forces = self.elastic.as_mut().and_then(|elastic| {
             let size = sum_of_sizes(&scaled);
@@ -228,17 +91,14 @@ impl Sweeper<'_> {
             let unit: Vec<f64> = scaled.iter().map(|p| p / size).collect();
             elastic.balance(&unit).map(|forces| forces.iter().map(|f| f * size).collect())
         });
-        if forces.is_none() {
-            // Round-off spoils this load: the interior-point method takes over for all that follow.
-            self.reduced = None;
-        }
-        Effect { load: scaled, forces: forces.unwrap_or_else(|| vec![0.0; columns]) }
+        let balanced = forces.is_some();
+        Effect { load: scaled, forces: forces.unwrap_or_else(|| vec![0.0; columns]), balanced }
     }
 
     /// The effect of no load.
     pub fn nothing(&self) -> Effect {
         let equilibrium = &self.ground.equilibrium;
-        Effect { load: vec![0.0; equilibrium.rows], forces: vec![0.0; equilibrium.columns.len()] }
+        Effect { load: vec![0.0; equilibrium.rows], forces: vec![0.0; equilibrium.columns.len()], balanced: true }
     }
 
     /// The factor at which a load makes a mechanism, with dilatant friction.
@@ -321,7 +181,7 @@ impl Sweeper<'_> {
 
     fn try_corner(&mut self, effect: &Effect) -> Option<Reached> {
         let size = sum_of_sizes(&effect.load);
-        if !(size > 0.0) || !size.is_finite() {
+        if !effect.balanced || !(size > 0.0) || !size.is_finite() {
             return None;
         }
         let mut start = self.best_kept(effect);
@@ -338,7 +198,7 @@ impl Sweeper<'_> {
             if (corner.upper - factor).abs() > GAP * (1.0 + factor.abs()) {
                 return None;
             }
-            let forces = forces_at(reduced, effect, &corner.z, 1.0 / size);
+            let forces = reduced.forces(effect, &corner.z, 1.0 / size);
             let ground = self.ground;
             let more = tangents(
                 &ground.equilibrium,
@@ -348,7 +208,9 @@ impl Sweeper<'_> {
                 OUTSIDE * (1.0 + factor.abs()),
             );
             if more.is_empty() {
-                if corner.pivots > 0 {
+                let pivots = corner.pivots;
+                let corner = self.tidied(corner);
+                if pivots > 0 {
                     self.keep(&corner);
                 }
                 return Some(Reached::Corner(corner, 1.0 / size));
@@ -384,6 +246,36 @@ impl Sweeper<'_> {
         }
     }
 
+    /// Drops tangents where there are many, and names the rows of the corner anew.
+    fn tidied(&mut self, mut corner: Corner) -> Corner {
+        let Some(reduced) = self.reduced.as_mut().filter(|r| r.limits.len() > r.standing + TANGENTS) else {
+            return corner;
+        };
+        let mut wanted = vec![false; reduced.limits.len()];
+        let bases = self.kept.iter().map(|kept| &kept.members).chain([&corner.members]);
+        for member in bases.flatten() {
+            if let Member::Row(k) = member {
+                wanted[*k] = true;
+            }
+        }
+        let places = reduced.keep(|k| wanted[k]);
+        let rename = |members: &mut Vec<Member>, rows: &mut Vec<(usize, f64)>| {
+            for member in members.iter_mut() {
+                if let Member::Row(k) = member {
+                    *k = places[*k].unwrap_or(*k);
+                }
+            }
+            for (k, _) in rows.iter_mut() {
+                *k = places[*k].unwrap_or(*k);
+            }
+        };
+        for kept in &mut self.kept {
+            rename(&mut kept.members, &mut kept.mechanism);
+        }
+        rename(&mut corner.members, &mut corner.basis);
+        corner
+    }
+
     fn slides(&self, corner: &Corner) -> bool {
         let largest = corner.basis.iter().map(|m| m.1).fold(0.0, f64::max);
         let limits = self.reduced.as_ref().map_or(&[][..], |r| &r.limits[..]);
@@ -417,7 +309,7 @@ impl Sweeper<'_> {
             iterations: corner.pivots as u32,
         };
         if let (Some(reduced), Some(elastic)) = (&self.reduced, &mut self.elastic) {
-            solution.forces = forces_at(reduced, effect, &corner.z, 1.0 / sum_of_sizes(&effect.load));
+            solution.forces = reduced.forces(effect, &corner.z, 1.0 / sum_of_sizes(&effect.load));
             let mut deformations = vec![0.0; equilibrium.columns.len()];
             for &(k, y) in &corner.basis {
                 for &(c, v) in &reduced.limits[k].entries {
@@ -428,34 +320,4 @@ impl Sweeper<'_> {
         }
         Found { status: Status::Solved, iterations: solution.iterations, solution }
     }
-}
-
-fn forces_at(reduced: &Reduced, effect: &Effect, z: &[f64], scale: f64) -> Vec<f64> {
-    let (x, factor) = z.split_at(reduced.states.len());
-    let mut forces: Vec<f64> =
-        reduced.start.iter().zip(&effect.forces).map(|(f0, p)| f0 + factor[0] * scale * p).collect();
-    for (state, x) in reduced.states.iter().zip(x) {
-        for (f, s) in forces.iter_mut().zip(state) {
-            *f += x * s;
-        }
-    }
-    forces
-}
-
-/// Loads in the equations' units of force.
-struct Loads<'a> {
-    equilibrium: &'a Equilibrium,
-    model: &'a BlockModel,
-}
-
-impl Loads<'_> {
-    fn scaled(&mut self, load: &[PointForce]) -> Vec<f64> {
-        let mut scaled = self.equilibrium.of_load(self.model, load);
-        scaled.iter_mut().for_each(|p| *p /= self.equilibrium.force);
-        scaled
-    }
-}
-
-fn sum_of_sizes(values: &[f64]) -> f64 {
-    values.iter().map(|v| v.abs()).sum()
 }

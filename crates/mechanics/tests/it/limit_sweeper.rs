@@ -126,3 +126,43 @@ fn effects_add_up() {
     let [one, other] = [sum, whole].map(|effect| sweeper.factor(&effect).lower.unwrap());
     assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
 }
+
+/// Other weights change nothing of what a load does but the unit of force that it is counted in.
+#[test]
+fn an_effect_serves_grounds_of_other_weights() {
+    let (ring, model, loading) = bridgemill();
+    let mut heavy = model.clone();
+    heavy.blocks.iter_mut().for_each(|block| block.density *= 1.4);
+    let [light, heavy] = [&model, &heavy].map(|m| Ground::new(m, &loading, &Settings::default()).unwrap());
+    assert!(light.stands() && heavy.stands());
+    let (mut first, mut own, mut given) = (light.sweeper(), heavy.sweeper(), heavy.sweeper());
+    for load in places(&ring).iter().step_by(5) {
+        let effect = first.effect(load);
+        let taken = given.factor(&heavy.taken(&effect, &light)).lower.unwrap();
+        let effect = own.effect(load);
+        let found = own.factor(&effect).lower.unwrap();
+        // Round-off of a factor that both bounds meet to 1e-9.
+        assert!((taken / found - 1.0).abs() < 1e-9, "{taken} {found}");
+    }
+}
+
+/// A long sweep drops tangents; what it answers late is what a fresh one answers.
+#[test]
+fn tangents_that_were_dropped_are_found_again() {
+    let (ring, mut model, loading) = bridgemill();
+    model.laws.iter_mut().for_each(|law| law.crushing = 5e6);
+    let settings = Settings { crushing: true, ..Settings::default() };
+    let ground = Ground::new(&model, &loading, &settings).unwrap();
+    let mut long = ground.sweeper();
+    for k in 0..160 {
+        let load = ring.dispersed_knife(-9.0 + 0.1125 * k as f64, 0.75, 0.478);
+        let effect = long.effect(&load);
+        let found = long.factor(&effect);
+        let mut fresh = ground.sweeper();
+        let other = fresh.factor(&effect);
+        let (Some(found), Some(other)) = (found.lower, other.lower) else { continue };
+        assert!((found / other - 1.0).abs() < 1e-8, "{k}: {found} {other}");
+        let outcome = long.outcome(&effect);
+        assert!((outcome.upper_bound.unwrap() / found - 1.0).abs() < 1e-6, "{k}");
+    }
+}

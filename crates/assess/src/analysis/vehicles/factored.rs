@@ -1,25 +1,20 @@
 //! A bridge with the factors of a rule, and with one case of a vehicle as its loads.
 
+use super::weights::{self, Weights};
 use super::{Case, Direction};
 use bridge::{Bridge, Dispersal, DispersalRule, Load, LoadKind, Method, SweepPlan};
 use rules::{Pattern, Pressure, Rule, Vehicle};
 
-/// The bridge with the rule's factors on weights and strengths.
-pub fn bridge(bridge: &Bridge, rule: &Rule) -> Bridge {
+/// The bridge with the rule's factors on strengths, and one combination of those on weights.
+pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
     let f = &rule.factors;
     let mut b = bridge.clone();
-    b.masonry.density *= f.masonry_weight.value;
+    weights::put(weights, &mut b);
     if let Some(strength) = &mut b.masonry.compressive_strength {
         *strength /= f.masonry_strength.value;
     }
     for joint in [&mut b.joint, &mut b.ring_joint] {
         joint.friction_angle = (joint.friction_angle.tan() / f.friction.value).atan();
-    }
-    for layer in &mut b.cover.layers {
-        layer.density *= f.fill_weight.value;
-    }
-    if let Some(backing) = &mut b.cover.backing {
-        backing.density *= f.fill_weight.value;
     }
     if let Some(fill) = &mut b.fill_pressure {
         fill.mobilisation /= f.fill_pressure.value;

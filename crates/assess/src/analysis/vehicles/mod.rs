@@ -1,23 +1,26 @@
 //! Vehicles moved over a bridge by limit analysis: every position, both ways, every run of neighbouring axles, under the
 //! factors of a rule.
 //!
-//! Read in the order of the method: `factored` gives loads and strengths their factors, `cases` lists what stands where,
-//! `search` answers every case, `sections` keeps what joints carry meanwhile, `confirm` makes the governing case by
-//! discrete elements.
+//! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
+//! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
+//! what joints carry meanwhile, `confirm` makes the governing case by discrete elements.
 
 mod cases;
 mod confirm;
 mod factored;
 mod search;
 mod sections;
+mod standing;
 #[cfg(test)]
 mod tests;
+mod weights;
 
 pub use confirm::Confirmation;
 pub use sections::{Extreme, SectionEnvelope};
+pub use weights::Weights;
 
+use super::AnalysisError;
 use super::report::{Collapse, Status};
-use super::{AnalysisError, by_limit};
 use crate::vehicles::{Chosen, chosen};
 use crate::warning::{self, Warning};
 use bridge::Bridge;
@@ -57,6 +60,8 @@ pub struct Case {
     pub axles: Option<[usize; 2]>,
     /// The axle with the rule's factor for the critical one.
     pub critical_axle: Option<usize>,
+    /// Factors on the weights of the bridge meanwhile.
+    pub weights: Weights,
     /// From where to where uniform loads stand [m].
     pub uniform: Option<[f64; 2]>,
     /// Sum of the loads with their factors on the effective width [N/m].
@@ -76,6 +81,8 @@ pub struct EnvelopePoint {
     pub adequacy: Option<f64>,
     /// First and last axle of what governs.
     pub axles: Option<[usize; 2]>,
+    /// Factors on the weights of what governs.
+    pub weights: Option<Weights>,
 }
 
 /// What was found for one vehicle.
@@ -97,6 +104,8 @@ pub struct Swept {
     pub without_dilation: Option<f64>,
     /// The governing case.
     pub case: Option<Case>,
+    /// Factors on weights with which it governs, or with which the bridge does not stand.
+    pub weights: Option<Weights>,
     /// Worst case at every position.
     pub envelope: Vec<EnvelopePoint>,
     /// What critical joints carry under the vehicle, as elastic ones.
@@ -118,6 +127,8 @@ pub struct VehicleSweep {
     pub bridge: String,
     /// The rule.
     pub rule: Rule,
+    /// The combinations of factors on weights that were tried.
+    pub weights: Vec<Weights>,
     /// Every vehicle, in the order of the plan.
     pub vehicles: Vec<Swept>,
     /// The vehicle with the least adequacy factor.
@@ -143,9 +154,8 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     let (rule, vehicles) = chosen(bridge, plan)?;
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let step = plan.step.unwrap_or(shortest / 60.0);
-    let factored = factored::bridge(bridge, &rule);
-    let d = by_limit::prepared(&factored)?;
-    let swept = search::all(&factored, &d, &rule, plan, &vehicles, step)?;
+    let weights = weights::combinations(bridge, &rule);
+    let swept = search::all(bridge, &rule, plan, &vehicles, &weights, step)?;
     let governing = swept
         .iter()
         .enumerate()
@@ -155,6 +165,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     let mut found = VehicleSweep {
         bridge: bridge.name.clone(),
         rule,
+        weights,
         vehicles: swept,
         governing,
         collapse: None,
@@ -164,11 +175,14 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
         assumptions: Vec::new(),
     };
     if let Some((k, case)) = governing.and_then(|k| found.vehicles[k].case.clone().map(|case| (k, case))) {
+        let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k].vehicle, &case);
-        found.collapse = Some(Box::new(super::collapse_by_limit(&one)?));
+        let by_limit = super::collapse_by_limit(&one)?;
         if plan.confirm {
-            found.confirmation = Some(confirm::confirm(&one, &found.rule, found.vehicles[k].adequacy, watch));
+            let limit = found.vehicles[k].adequacy;
+            found.confirmation = Some(confirm::confirm(&one, &by_limit, &found.rule, limit, watch));
         }
+        found.collapse = Some(Box::new(by_limit));
     }
     notes(bridge, &vehicles, &mut found);
     Ok(found)
@@ -200,8 +214,8 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     let slides = found.vehicles.iter().filter(|v| v.without_dilation.is_some()).count();
     found.assumptions = vec![
-        "The adequacy factor multiplies all loads of the vehicle together; weights keep their factors, also where they help."
-            .into(),
+        "The adequacy factor multiplies all loads of the vehicle together; weights stay as they are.".into(),
+        of_weights(found),
         format!(
             "Positions lie {:.3} m apart; the worst one is then sought to a hundredth of that. Between positions the factor changes \
              steadily.",
@@ -217,9 +231,35 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
              without dilation, and the least factor counts."
         ));
     }
+    if let Some(inset) = found.confirmation.as_ref().and_then(|c| c.inset) {
+        found.assumptions.push(format!(
+            "Discrete elements bear on contact points {:.0} mm inside the edges of the blocks, where the thrusts of limit analysis at \
+             its hinges would crush the masonry.",
+            1e3 * inset
+        ));
+    }
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
         found.assumptions.push("Fill presses against movement as [fill_pressure] says.".into());
     }
     let factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
     found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
+}
+
+/// Which factors on weights were tried, and which govern.
+fn of_weights(found: &VehicleSweep) -> String {
+    let [first, ..] = &found.weights[..] else { return String::new() };
+    if found.weights.len() == 1 {
+        return format!("Dead load has one set of factors, also where it helps: {}.", first.told());
+    }
+    let least = found.governing.and_then(|k| found.vehicles.get(k)).or(found.vehicles.first());
+    let governs = match least.and_then(|v| v.weights.map(|w| (v, w))) {
+        Some((v, w)) if v.adequacy.is_some() => format!("{} governs with {}", v.code, w.told()),
+        Some((_, w)) => format!("with {} the bridge does not stand", w.told()),
+        None => "no combination governs".to_owned(),
+    };
+    format!(
+        "Weights that help have the rule's favourable factor: each of {} combinations of adverse and favourable factors on masonry, fill and \
+         surfacing was tried at every position, and the least adequacy factor counts ({governs}).",
+        found.weights.len()
+    )
 }

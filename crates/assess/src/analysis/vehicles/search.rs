@@ -2,12 +2,13 @@
 
 use super::super::by_limit;
 use super::super::report::Status;
-use super::cases::{Drive, borders, drives, reach, runs};
-use super::factored::{Footprint, clipped, footprint};
-use super::sections::{Extremes, Watched, watched};
-use super::{AnalysisError, Case, EnvelopePoint, Swept};
+use super::cases::{borders, drives, reach};
+use super::factored::{self, Footprint, footprint};
+use super::sections::{Extremes, watched};
+use super::standing::{Key, Scene};
+use super::weights::Weights;
+use super::{AnalysisError, EnvelopePoint, Swept};
 use crate::discretise::Discretised;
-use crate::discretise::dispersal::{Strip, spread};
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use mechanics::limit::{self, Effect, Ground, Sweeper};
@@ -24,16 +25,6 @@ const SLIDING: usize = 3;
 const DILATANCY: f64 = 2.0;
 /// Refinements of the worst position, each to a tenth.
 const REFINEMENTS: usize = 2;
-
-/// One case, by numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Key {
-    drive: usize,
-    position: f64,
-    axles: Option<[usize; 2]>,
-    critical: Option<usize>,
-    uniform: Option<[usize; 2]>,
-}
 
 /// An answered case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,29 +47,25 @@ struct Part {
     status: Status,
 }
 
-/// What all cases share.
-struct Scene<'a> {
-    d: &'a Discretised,
-    ground: &'a Ground<'a>,
-    watched: &'a [Watched],
-    feet: &'a [Footprint],
-    drives: &'a [Drive],
-    borders: &'a [f64],
-    capacity: f64,
-}
-
-/// Answers every case of every vehicle.
+/// Answers every case of every vehicle under every combination of factors on weights.
 pub fn all(
     bridge: &Bridge,
-    d: &Discretised,
     rule: &Rule,
     plan: &SweepPlan,
     vehicles: &[Chosen],
+    weights: &[Weights],
     step: f64,
 ) -> Result<Vec<Swept>, AnalysisError> {
+    let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
+    let bridge = &bridges[0];
+    let built: Vec<Discretised> = bridges.iter().map(by_limit::prepared).collect::<Result<_, _>>()?;
     let settings = limit::Settings { friction: limit::Friction::Associated, ..by_limit::settings(bridge) };
-    let ground = Ground::new(&d.model, &d.loading, &settings)?;
-    let watched = watched(bridge, d, &ground);
+    let mut grounds = Vec::with_capacity(built.len());
+    for d in &built {
+        grounds.push(Ground::new(&d.model, &d.loading, &settings)?);
+    }
+    let d = &built[0];
+    let watched = watched(bridge, d, &grounds[0]);
     let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, &v.vehicle)).collect();
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut all_drives = Vec::new();
@@ -90,13 +77,17 @@ pub fn all(
     let borders = borders(bridge, range);
     let scene = Scene {
         d,
-        ground: &ground,
+        grounds: &grounds,
+        weights,
         watched: &watched,
         feet: &feet,
         drives: &all_drives,
         borders: &borders,
         capacity: rule.capacity_factor(),
     };
+    if let Some(falls) = grounds.iter().position(|ground| !ground.stands()) {
+        return Ok(vehicles.iter().zip(&feet).map(|(v, foot)| fallen(v, foot, weights[falls])).collect());
+    }
     let jobs: Vec<(usize, &[f64])> = all_drives
         .iter()
         .enumerate()
@@ -114,7 +105,7 @@ pub fn all(
 impl Scene<'_> {
     /// Positions of one drive, one after the other.
     fn part(&self, drive: usize, positions: &[f64]) -> Part {
-        let mut sweeper = self.ground.sweeper();
+        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(Ground::sweeper).collect();
         let mut part = Part {
             drive,
             envelope: Vec::with_capacity(positions.len()),
@@ -126,33 +117,23 @@ impl Scene<'_> {
             status: Status::Locks,
         };
         for &position in positions {
-            self.position(&mut sweeper, &mut part, position);
+            self.position(&mut sweepers, &mut part, position);
         }
         part
     }
 
-    fn position(&self, sweeper: &mut Sweeper, part: &mut Part, position: f64) {
+    fn position(&self, sweepers: &mut [Sweeper], part: &mut Part, position: f64) {
         let drive = &self.drives[part.drive];
         let mut least: Option<Answer> = None;
-        for (key, effect) in self.cases(sweeper, part.drive, position) {
-            part.cases += 1;
-            part.extremes.look(self.ground, self.watched, &effect, || key);
-            let found = sweeper.factor(&effect);
-            part.slow += usize::from(found.by_interior_point);
-            let (Some(factor), Some(upper)) = (found.lower, found.upper) else {
-                if found.status != limit::Status::Locks {
-                    part.status = by_limit::status(found.status);
+        for (key, effect) in self.cases(&mut sweepers[0], part.drive, position) {
+            for (weights, sweeper) in sweepers.iter_mut().enumerate() {
+                let key = Key { weights, ..key };
+                let answer = self.answer(sweeper, part, key, &self.under(&effect, weights));
+                if let Some(answer) = answer
+                    && least.is_none_or(|l| answer.factor < l.factor)
+                {
+                    least = Some(answer);
                 }
-                continue;
-            };
-            let answer = Answer { key, factor, upper };
-            if least.is_none_or(|l| factor < l.factor) {
-                least = Some(answer);
-            }
-            if found.slides {
-                part.sliding.push(answer);
-                part.sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
-                part.sliding.truncate(SLIDING);
             }
         }
         if let Some(answer) = least
@@ -166,170 +147,35 @@ impl Scene<'_> {
             position,
             adequacy: least.map(|l| l.factor * self.capacity),
             axles: least.and_then(|l| l.key.axles),
+            weights: least.map(|l| self.weights[l.key.weights]),
         });
     }
 
-    /// Everything that may stand with the first axle at a position.
-    fn cases(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Key, Effect)> {
-        let drive = &self.drives[index];
-        let foot = &self.feet[drive.vehicle];
-        // Axles that reach the arches; they are neighbours, for axles follow one another.
-        let mut axles: Vec<(usize, Effect)> = Vec::new();
-        for (k, axle) in drive.pattern.axles.iter().enumerate() {
-            let middle = drive.axle_at(position, k);
-            let strip = Strip { middle, length: foot.length, force: axle.force * foot.all / foot.width };
-            if let Some(effect) = self.effect(sweeper, foot, strip) {
-                axles.push((k, effect));
+    /// One case under one combination of weights.
+    fn answer(&self, sweeper: &mut Sweeper, part: &mut Part, key: Key, effect: &Effect) -> Option<Answer> {
+        part.cases += 1;
+        part.extremes.look(&self.grounds[key.weights], self.watched, effect, || key);
+        let found = sweeper.factor(effect);
+        part.slow += usize::from(found.by_interior_point);
+        let (Some(factor), Some(upper)) = (found.lower, found.upper) else {
+            if found.status != limit::Status::Locks {
+                part.status = by_limit::status(found.status);
             }
+            return None;
+        };
+        let answer = Answer { key, factor, upper };
+        if found.slides {
+            part.sliding.push(answer);
+            part.sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
+            part.sliding.truncate(SLIDING);
         }
-        let uniform = self.uniform(sweeper, index, position);
-        let mut cases = Vec::new();
-        let none: [usize; 2] = [0, 0];
-        let runs_of_axles = runs(axles.len(), drive.subsets);
-        let with_none = std::iter::once((None, none)).filter(|_| axles.is_empty() || drive.subsets);
-        for (run, [a, b]) in runs_of_axles.into_iter().map(|r| (Some(r), r)).chain(with_none) {
-            let mut stands = sweeper.nothing();
-            if run.is_some() {
-                axles[a..=b].iter().for_each(|(_, effect)| stands.add(effect, 1.0));
-            }
-            let criticals: Vec<Option<usize>> = match run {
-                Some(_) if foot.critical != 1.0 => (a..=b).map(Some).collect(),
-                _ => vec![None],
-            };
-            for critical in criticals {
-                let mut with_critical = stands.clone();
-                if let Some(k) = critical {
-                    with_critical.add(&axles[k].1, foot.critical - 1.0);
-                }
-                for (pieces, effect) in &uniform {
-                    if run.is_none() && pieces.is_none() {
-                        continue;
-                    }
-                    let mut whole = with_critical.clone();
-                    if let Some(effect) = effect {
-                        whole.add(effect, 1.0);
-                    }
-                    let key = Key {
-                        drive: index,
-                        position,
-                        axles: run.map(|[a, b]| [axles[a].0, axles[b].0]),
-                        critical: critical.map(|k| axles[k].0),
-                        uniform: *pieces,
-                    };
-                    cases.push((key, whole));
-                }
-            }
-        }
-        cases
-    }
-
-    /// Uniform loads: none, and every run of half spans; all of them where they may not be left out.
-    fn uniform(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Option<[usize; 2]>, Option<Effect>)> {
-        let drive = &self.drives[index];
-        if drive.pattern.stretches.is_empty() {
-            return vec![(None, None)];
-        }
-        let droppable = drive.pattern.stretches.iter().all(|s| s.may_be_dropped);
-        let pieces: Vec<Option<Effect>> =
-            self.borders.windows(2).map(|pair| self.piece(sweeper, index, position, [pair[0], pair[1]])).collect();
-        let count = pieces.len();
-        let mut found = if droppable { vec![(None, None)] } else { Vec::new() };
-        for [a, b] in runs(count, droppable) {
-            // Runs that begin or end with nothing are the same as shorter ones.
-            if droppable && (pieces[a].is_none() || pieces[b].is_none()) {
-                continue;
-            }
-            let mut whole = sweeper.nothing();
-            pieces[a..=b].iter().flatten().for_each(|effect| whole.add(effect, 1.0));
-            found.push((Some([a, b]), Some(whole)));
-        }
-        found
-    }
-
-    fn piece(&self, sweeper: &mut Sweeper, index: usize, position: f64, range: [f64; 2]) -> Option<Effect> {
-        let drive = &self.drives[index];
-        let foot = &self.feet[drive.vehicle];
-        let mut sum: Option<Effect> = None;
-        let case = self.bare(index, position);
-        for (from, to, force) in clipped(&drive.pattern, &case, range) {
-            let strip = Strip {
-                middle: 0.5 * (from + to),
-                length: to - from,
-                force: force * (to - from) * foot.all / foot.width,
-            };
-            if let Some(effect) = self.effect(sweeper, foot, strip) {
-                match &mut sum {
-                    Some(sum) => sum.add(&effect, 1.0),
-                    None => sum = Some(effect),
-                }
-            }
-        }
-        sum
-    }
-
-    fn effect(&self, sweeper: &mut Sweeper, foot: &Footprint, strip: Strip) -> Option<Effect> {
-        let spread = spread(strip, foot.dispersal, self.d.surface, &self.d.extrados);
-        (!spread.forces.is_empty()).then(|| sweeper.effect(&spread.forces))
-    }
-
-    fn bare(&self, index: usize, position: f64) -> Case {
-        let drive = &self.drives[index];
-        Case {
-            position,
-            direction: drive.direction,
-            arrangement: drive.pattern.label.clone(),
-            axles: None,
-            critical_axle: None,
-            uniform: None,
-            load: 0.0,
-        }
-    }
-
-    /// A case in words.
-    fn told(&self, key: &Key) -> Case {
-        let drive = &self.drives[key.drive];
-        let foot = &self.feet[drive.vehicle];
-        let mut case = Case { axles: key.axles, critical_axle: key.critical, ..self.bare(key.drive, key.position) };
-        if let Some([first, last]) = key.axles {
-            for (k, axle) in drive.pattern.axles.iter().enumerate().take(last + 1).skip(first) {
-                let critical = if key.critical == Some(k) { foot.critical } else { 1.0 };
-                case.load += axle.force * critical * foot.all / foot.width;
-            }
-        }
-        if let Some([a, b]) = key.uniform {
-            let range = [self.borders[a], self.borders[b + 1]];
-            case.uniform = Some(range);
-            let parts = clipped(&drive.pattern, &case, range);
-            case.load += parts.iter().map(|(from, to, force)| force * (to - from) * foot.all / foot.width).sum::<f64>();
-        }
-        case
-    }
-
-    /// The effect of one case at another position.
-    fn again(&self, sweeper: &mut Sweeper, key: &Key, position: f64) -> Option<(Key, Effect)> {
-        let same = |other: &Key| Key { position, ..*key } == *other;
-        self.cases(sweeper, key.drive, position).into_iter().find(|(other, _)| same(other))
+        Some(answer)
     }
 
     /// All parts of one vehicle.
     fn gathered(&self, index: usize, chosen: &Chosen, parts: Vec<Part>, step: f64) -> Swept {
         let foot = &self.feet[index];
-        let mut swept = Swept {
-            code: chosen.vehicle.code.clone(),
-            title: chosen.vehicle.title.clone(),
-            model: chosen.model.clone(),
-            status: Status::Locks,
-            adequacy: None,
-            bounds: None,
-            without_dilation: None,
-            case: None,
-            envelope: Vec::new(),
-            sections: Vec::new(),
-            effective_width: foot.width,
-            load_factors: [foot.all, foot.critical],
-            cases: 0,
-            by_interior_point: 0,
-        };
+        let mut swept = blank(chosen, foot);
         let mut extremes = Extremes::new(self.watched);
         let (mut worst, mut sliding): (Option<Answer>, Vec<Answer>) = (None, Vec::new());
         for part in parts {
@@ -349,8 +195,8 @@ impl Scene<'_> {
         }
         swept.sections = extremes.told(self.watched, |key| self.told(key));
         let Some(worst) = worst else { return swept };
-        let mut sweeper = self.ground.sweeper();
-        let worst = self.refined(&mut sweeper, worst, step);
+        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(Ground::sweeper).collect();
+        let worst = self.refined(&mut sweepers, worst, step);
         swept.status = Status::Collapsed;
         let drive = &self.drives[worst.key.drive];
         swept.envelope.push(EnvelopePoint {
@@ -359,6 +205,7 @@ impl Scene<'_> {
             position: worst.key.position,
             adequacy: Some(worst.factor * self.capacity),
             axles: worst.key.axles,
+            weights: Some(self.weights[worst.key.weights]),
         });
         swept.bounds = Some([worst.factor, worst.upper].map(|f| f * self.capacity));
         sliding.sort_by(|a, b| a.factor.total_cmp(&b.factor));
@@ -367,7 +214,8 @@ impl Scene<'_> {
         let mut governing = (worst.factor, worst.key);
         // The refined position comes first: it may slide too.
         for answer in std::iter::once(worst).chain(sliding) {
-            let Some((key, effect)) = self.again(&mut sweeper, &answer.key, answer.key.position) else { continue };
+            let Some((key, effect)) = self.again(&mut sweepers, &answer.key, answer.key.position) else { continue };
+            let sweeper = &mut sweepers[key.weights];
             if !sweeper.factor(&effect).slides {
                 continue;
             }
@@ -380,19 +228,20 @@ impl Scene<'_> {
             }
         }
         swept.adequacy = Some(governing.0 * self.capacity);
+        swept.weights = Some(self.weights[governing.1.weights]);
         swept.case = Some(self.told(&governing.1));
         swept
     }
 
-    /// The worst position between the positions, with the same axles.
-    fn refined(&self, sweeper: &mut Sweeper, mut worst: Answer, step: f64) -> Answer {
+    /// The worst position between the positions, with the same axles and weights.
+    fn refined(&self, sweepers: &mut [Sweeper], mut worst: Answer, step: f64) -> Answer {
         let mut width = step;
         for _ in 0..REFINEMENTS {
             let middle = worst.key.position;
             for k in -10..=10 {
                 let position = middle + 0.1 * width * f64::from(k);
-                let Some((key, effect)) = self.again(sweeper, &worst.key, position) else { continue };
-                let found = sweeper.factor(&effect);
+                let Some((key, effect)) = self.again(sweepers, &worst.key, position) else { continue };
+                let found = sweepers[key.weights].factor(&effect);
                 if let (Some(factor), Some(upper)) = (found.lower, found.upper)
                     && factor < worst.factor
                 {
@@ -403,4 +252,30 @@ impl Scene<'_> {
         }
         worst
     }
+}
+
+/// A vehicle of which nothing is known yet.
+fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
+    Swept {
+        code: chosen.vehicle.code.clone(),
+        title: chosen.vehicle.title.clone(),
+        model: chosen.model.clone(),
+        status: Status::Locks,
+        adequacy: None,
+        bounds: None,
+        without_dilation: None,
+        case: None,
+        weights: None,
+        envelope: Vec::new(),
+        sections: Vec::new(),
+        effective_width: foot.width,
+        load_factors: [foot.all, foot.critical],
+        cases: 0,
+        by_interior_point: 0,
+    }
+}
+
+/// A vehicle over a bridge that does not carry its own weight with these factors.
+fn fallen(chosen: &Chosen, foot: &Footprint, weights: Weights) -> Swept {
+    Swept { status: Status::UnstableUnderSelfWeight, weights: Some(weights), ..blank(chosen, foot) }
 }

@@ -22,17 +22,7 @@ fn plan(vehicles: &[&str]) -> SweepPlan {
 
 fn bridgemill(vehicles: &[&str]) -> Bridge {
     let mut b = samples::bridgemill();
-    b.cover.layers = vec![Layer {
-        name: LayerKind::Fill,
-        thickness: 0.478,
-        density: 1890.0,
-        weighs: true,
-        particles: false,
-        slabs: None,
-        friction_angle: None,
-        cohesion: None,
-        elastic_modulus: None,
-    }];
+    b.cover.layers = vec![samples::fill(0.478, 1890.0)];
     b.plan.method = Method::Limit;
     b.sweep = Some(plan(vehicles));
     b
@@ -55,8 +45,8 @@ fn swept(b: &Bridge) -> VehicleSweep {
 fn alone(b: &Bridge, found: &VehicleSweep, index: usize) -> f64 {
     let plan = b.sweep.as_ref().unwrap();
     let (rule, vehicles) = chosen(b, plan).unwrap();
-    let factored = factored::bridge(b, &rule);
     let case = found.vehicles[index].case.as_ref().unwrap();
+    let factored = factored::bridge(b, &rule, &case.weights);
     let mut one = factored::with_case(&factored, plan, &rule, &vehicles[index].vehicle, case);
     one.plan.friction = bridge::Friction::Associated;
     let c = crate::analysis::collapse_by_limit(&one).unwrap();
@@ -125,6 +115,97 @@ fn factors_of_a_rule_divide_the_factor() {
     assert!(said.contains("own.toml") && said.contains("lively_load"), "{said}");
 }
 
+/// More weight holds an arch of this shape together, so that adverse factors would raise its adequacy: weights that help have
+/// their favourable factor, and no factor on weights may give more than weights without factors.
+#[test]
+fn weights_that_help_have_the_favourable_factor() {
+    let mut b = bridgemill(&["hb-45", "cs454-single"]);
+    b.cover.layers.push(Layer {
+        name: LayerKind::Surfacing,
+        thickness: 0.1,
+        density: 2300.0,
+        ..b.cover.layers[0].clone()
+    });
+    b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    let found = swept(&b);
+    assert_eq!(found.weights.len(), 8);
+    let (rule, _) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    let text = rules::FILES[1].iter().find(|f| f.0 == "cs-454").unwrap().1.to_owned();
+    let with = |factors: [f64; 3]| {
+        let [m, f, s] = factors;
+        let text = text
+            .replacen("value = 1.15", &format!("value = {m:?}"), 1)
+            .replacen("value = 1.2", &format!("value = {f:?}"), 1)
+            .replacen("value = 1.75", &format!("value = {s:?}"), 1);
+        // One set of factors, whatever helps.
+        let mut plan = b.sweep.clone().unwrap();
+        plan.rule_file = Some("own.toml".into());
+        plan.texts = vec![("own.toml".into(), text)];
+        let mut one = b.clone();
+        one.sweep = Some(plan);
+        let (own, vehicles) = chosen(&one, one.sweep.as_ref().unwrap()).unwrap();
+        let weights = vec![Weights { masonry: m, fill: Some(f), surfacing: Some(s) }];
+        assert_eq!(own.factors.masonry_weight.value, m);
+        search::all(&one, &own, one.sweep.as_ref().unwrap(), &vehicles, &weights, found.step).unwrap()
+    };
+    let (plain, adverse) = (with([1.0; 3]), with([1.15, 1.2, 1.75]));
+    for (k, v) in found.vehicles.iter().enumerate() {
+        let [least, plain, adverse] = [v, &plain[k], &adverse[k]].map(|v| v.adequacy.unwrap());
+        assert!(adverse > 1.02 * plain, "{}: adverse factors alone would raise {plain} to {adverse}", v.code);
+        assert!(least <= plain * (1.0 + 1e-9), "{}: {least} {plain}", v.code);
+        // Another road: every combination by a sweep of its own.
+        let all = found.weights.iter().map(|w| {
+            let one = search::all(
+                &b,
+                &rule,
+                b.sweep.as_ref().unwrap(),
+                &chosen(&b, b.sweep.as_ref().unwrap()).unwrap().1,
+                &[*w],
+                found.step,
+            );
+            one.unwrap()[k].adequacy.unwrap()
+        });
+        let smallest = all.fold(f64::INFINITY, f64::min);
+        // The worst place between positions is sought under the weights that govern at positions.
+        assert!((least / smallest - 1.0).abs() < 1e-6, "{}: {least} {smallest}", v.code);
+    }
+    let said = found.assumptions.iter().find(|line| line.contains("combinations of adverse and favourable")).unwrap();
+    assert!(said.contains("8 combinations") && said.contains("governs with weights: masonry\u{a0}×\u{a0}1,"), "{said}");
+    // Heavier masonry by a tenth must not make the bridge better than it is without factors.
+    let mut heavy = b.clone();
+    heavy.masonry.density *= 1.1;
+    let heavier = swept(&heavy).vehicles[0].adequacy.unwrap();
+    assert!(heavier < adverse[0].adequacy.unwrap());
+}
+
+/// The factor is a concave function of the weights, so that it is least at a corner.
+#[test]
+fn no_weight_between_the_factors_is_worse() {
+    let mut b = bridgemill(&["hb-45"]);
+    b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    let found = swept(&b);
+    let (rule, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    let least = found.vehicles[0].adequacy.unwrap();
+    for (m, f) in [(1.05, 1.0), (1.15, 1.1), (1.0, 1.13), (1.1, 1.05)] {
+        let weights = [Weights { masonry: m, fill: Some(f), surfacing: None }];
+        let between = search::all(&b, &rule, b.sweep.as_ref().unwrap(), &vehicles, &weights, found.step).unwrap();
+        let between = between[0].adequacy.unwrap();
+        assert!(between > least * (1.0 - 1e-6), "{m} {f}: {between} {least}");
+    }
+}
+
+#[test]
+fn a_bridge_that_does_not_stand_is_told_with_its_weights() {
+    let mut b = bridgemill(&["cs454-single"]);
+    b.spans[0].rings[0].crown_thickness = 0.15;
+    b.spans[0].rings[0].springing_thickness = 0.15;
+    b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    let found = swept(&b);
+    let v = &found.vehicles[0];
+    assert_eq!((v.status, v.adequacy, found.governing), (Status::UnstableUnderSelfWeight, None, None));
+    assert!(found.assumptions.iter().any(|line| line.contains("the bridge does not stand")), "{:?}", found.assumptions);
+}
+
 #[test]
 fn unknown_names_are_answered_with_those_there_are() {
     let mut b = bridgemill(&["hb45"]);
@@ -185,6 +266,14 @@ fn discrete_elements_confirm_the_governing_case() {
     let (by_dem, by_limit) = (c.adequacy.unwrap(), c.limit.unwrap());
     // Deformable joints carry up to 15 % less than rigid ones, and the last stable step lies up to a step below.
     assert!(by_dem < by_limit && by_dem > 0.8 * by_limit, "{by_dem} {by_limit}");
+    // Masonry that crushes turns inside its edges, by discrete elements as by limit analysis.
+    b.masonry.compressive_strength = Some(6e6);
+    let crushed = swept(&b).confirmation.unwrap();
+    let inset = crushed.inset.unwrap();
+    assert!(c.inset.is_none() && (0.02..0.1).contains(&inset), "{inset}");
+    let [dem, limit] = [crushed.adequacy.unwrap() / by_dem, crushed.limit.unwrap() / by_limit];
+    assert!(limit < 0.9 && dem < 0.9, "crushing takes {limit} by limit analysis, {dem} by discrete elements");
+    b.masonry.compressive_strength = None;
     // Without stiffness there is nothing to confirm with, and the sweep says so.
     b.joint.normal_stiffness = None;
     b.ring_joint.normal_stiffness = None;

@@ -1,0 +1,201 @@
+//! What may stand on the bridge with the first axle at a place: its effects, and each case in words.
+
+use super::Case;
+use super::cases::{Drive, runs};
+use super::factored::{Footprint, clipped};
+use super::sections::Watched;
+use super::weights::Weights;
+use crate::discretise::Discretised;
+use crate::discretise::dispersal::{Strip, spread};
+use mechanics::limit::{Effect, Ground, Sweeper};
+
+/// One case, by numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Key {
+    /// Which drive.
+    pub drive: usize,
+    /// Which combination of factors on weights.
+    pub weights: usize,
+    /// Place of the first axle [m].
+    pub position: f64,
+    /// First and last axle on the bridge.
+    pub axles: Option<[usize; 2]>,
+    /// The axle with the factor of the critical one.
+    pub critical: Option<usize>,
+    /// First and last piece with uniform loads.
+    pub uniform: Option<[usize; 2]>,
+}
+
+/// What all cases share.
+pub struct Scene<'a> {
+    /// The bridge; its shape is the same under all weights.
+    pub d: &'a Discretised,
+    /// One for each combination of factors on weights.
+    pub grounds: &'a [Ground<'a>],
+    /// Those combinations.
+    pub weights: &'a [Weights],
+    /// Joints whose forces are kept.
+    pub watched: &'a [Watched],
+    /// How axles stand, for each vehicle.
+    pub feet: &'a [Footprint],
+    /// Every drive.
+    pub drives: &'a [Drive],
+    /// Borders of pieces with uniform loads [m].
+    pub borders: &'a [f64],
+    /// By what load factors are multiplied.
+    pub capacity: f64,
+}
+
+impl Scene<'_> {
+    /// Everything that may stand with the first axle at a position. A sweeper of the first ground finds the effects.
+    pub fn cases(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Key, Effect)> {
+        let drive = &self.drives[index];
+        let foot = &self.feet[drive.vehicle];
+        // Axles that reach the arches; they are neighbours, for axles follow one another.
+        let mut axles: Vec<(usize, Effect)> = Vec::new();
+        for (k, axle) in drive.pattern.axles.iter().enumerate() {
+            let middle = drive.axle_at(position, k);
+            let strip = Strip { middle, length: foot.length, force: axle.force * foot.all / foot.width };
+            if let Some(effect) = self.effect(sweeper, foot, strip) {
+                axles.push((k, effect));
+            }
+        }
+        let uniform = self.uniform(sweeper, index, position);
+        let mut cases = Vec::new();
+        let none: [usize; 2] = [0, 0];
+        let runs_of_axles = runs(axles.len(), drive.subsets);
+        let with_none = std::iter::once((None, none)).filter(|_| axles.is_empty() || drive.subsets);
+        for (run, [a, b]) in runs_of_axles.into_iter().map(|r| (Some(r), r)).chain(with_none) {
+            let mut stands = sweeper.nothing();
+            if run.is_some() {
+                axles[a..=b].iter().for_each(|(_, effect)| stands.add(effect, 1.0));
+            }
+            let criticals: Vec<Option<usize>> = match run {
+                Some(_) if foot.critical != 1.0 => (a..=b).map(Some).collect(),
+                _ => vec![None],
+            };
+            for critical in criticals {
+                let mut with_critical = stands.clone();
+                if let Some(k) = critical {
+                    with_critical.add(&axles[k].1, foot.critical - 1.0);
+                }
+                for (pieces, effect) in &uniform {
+                    if run.is_none() && pieces.is_none() {
+                        continue;
+                    }
+                    let mut whole = with_critical.clone();
+                    if let Some(effect) = effect {
+                        whole.add(effect, 1.0);
+                    }
+                    let key = Key {
+                        drive: index,
+                        weights: 0,
+                        position,
+                        axles: run.map(|[a, b]| [axles[a].0, axles[b].0]),
+                        critical: critical.map(|k| axles[k].0),
+                        uniform: *pieces,
+                    };
+                    cases.push((key, whole));
+                }
+            }
+        }
+        cases
+    }
+
+    /// Uniform loads: none, and every run of half spans; all of them where they may not be left out.
+    fn uniform(&self, sweeper: &mut Sweeper, index: usize, position: f64) -> Vec<(Option<[usize; 2]>, Option<Effect>)> {
+        let drive = &self.drives[index];
+        if drive.pattern.stretches.is_empty() {
+            return vec![(None, None)];
+        }
+        let droppable = drive.pattern.stretches.iter().all(|s| s.may_be_dropped);
+        let pieces: Vec<Option<Effect>> =
+            self.borders.windows(2).map(|pair| self.piece(sweeper, index, position, [pair[0], pair[1]])).collect();
+        let count = pieces.len();
+        let mut found = if droppable { vec![(None, None)] } else { Vec::new() };
+        for [a, b] in runs(count, droppable) {
+            // Runs that begin or end with nothing are the same as shorter ones.
+            if droppable && (pieces[a].is_none() || pieces[b].is_none()) {
+                continue;
+            }
+            let mut whole = sweeper.nothing();
+            pieces[a..=b].iter().flatten().for_each(|effect| whole.add(effect, 1.0));
+            found.push((Some([a, b]), Some(whole)));
+        }
+        found
+    }
+
+    fn piece(&self, sweeper: &mut Sweeper, index: usize, position: f64, range: [f64; 2]) -> Option<Effect> {
+        let drive = &self.drives[index];
+        let foot = &self.feet[drive.vehicle];
+        let mut sum: Option<Effect> = None;
+        let case = self.bare(index, position);
+        for (from, to, force) in clipped(&drive.pattern, &case, range) {
+            let strip = Strip {
+                middle: 0.5 * (from + to),
+                length: to - from,
+                force: force * (to - from) * foot.all / foot.width,
+            };
+            if let Some(effect) = self.effect(sweeper, foot, strip) {
+                match &mut sum {
+                    Some(sum) => sum.add(&effect, 1.0),
+                    None => sum = Some(effect),
+                }
+            }
+        }
+        sum
+    }
+
+    fn effect(&self, sweeper: &mut Sweeper, foot: &Footprint, strip: Strip) -> Option<Effect> {
+        let spread = spread(strip, foot.dispersal, self.d.surface, &self.d.extrados);
+        (!spread.forces.is_empty()).then(|| sweeper.effect(&spread.forces))
+    }
+
+    fn bare(&self, index: usize, position: f64) -> Case {
+        let drive = &self.drives[index];
+        Case {
+            position,
+            direction: drive.direction,
+            arrangement: drive.pattern.label.clone(),
+            axles: None,
+            critical_axle: None,
+            uniform: None,
+            weights: self.weights[0],
+            load: 0.0,
+        }
+    }
+
+    /// A case in words.
+    pub fn told(&self, key: &Key) -> Case {
+        let drive = &self.drives[key.drive];
+        let foot = &self.feet[drive.vehicle];
+        let (axles, critical_axle, weights) = (key.axles, key.critical, self.weights[key.weights]);
+        let mut case = Case { axles, critical_axle, weights, ..self.bare(key.drive, key.position) };
+        if let Some([first, last]) = key.axles {
+            for (k, axle) in drive.pattern.axles.iter().enumerate().take(last + 1).skip(first) {
+                let critical = if key.critical == Some(k) { foot.critical } else { 1.0 };
+                case.load += axle.force * critical * foot.all / foot.width;
+            }
+        }
+        if let Some([a, b]) = key.uniform {
+            let range = [self.borders[a], self.borders[b + 1]];
+            case.uniform = Some(range);
+            let parts = clipped(&drive.pattern, &case, range);
+            case.load += parts.iter().map(|(from, to, force)| force * (to - from) * foot.all / foot.width).sum::<f64>();
+        }
+        case
+    }
+
+    /// The effect of one case at another position.
+    pub fn again(&self, sweepers: &mut [Sweeper], key: &Key, position: f64) -> Option<(Key, Effect)> {
+        let wanted = Key { position, ..*key };
+        let cases = self.cases(&mut sweepers[0], key.drive, position);
+        let (_, effect) = cases.into_iter().find(|(other, _)| Key { weights: key.weights, ..*other } == wanted)?;
+        Some((wanted, self.under(&effect, key.weights)))
+    }
+
+    /// An effect as the ground of other weights counts it.
+    pub fn under(&self, effect: &Effect, weights: usize) -> Effect {
+        self.grounds[weights].taken(effect, &self.grounds[0])
+    }
+}

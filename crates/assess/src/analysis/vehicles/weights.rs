@@ -1,0 +1,72 @@
+//! Which weight has its adverse factor and which its favourable one: dead load may load an arch or hold it together.
+//!
+//! The greatest load factor is the optimum of a program with convex limits in which weights stand on the right side, so it
+//! is a concave function of them: over all weights between their favourable and adverse values it is least where every
+//! group has one or the other. Trying those combinations therefore leaves nothing out.
+
+use bridge::{Bridge, LayerKind};
+use rules::Rule;
+
+/// Factors on the weights of one combination.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weights {
+    /// On masonry: rings, piers, spandrel walls.
+    pub masonry: f64,
+    /// On fill, backing and sub-base; none where the bridge has no such weight.
+    pub fill: Option<f64>,
+    /// On surfacing and ballast; none where the bridge has no such weight.
+    pub surfacing: Option<f64>,
+}
+
+impl Weights {
+    /// "weights: masonry × 1.15, fill × 1", each pair on one line.
+    pub fn told(&self) -> String {
+        let groups = [("masonry", Some(self.masonry)), ("fill", self.fill), ("surfacing", self.surfacing)];
+        let each = groups.iter().filter_map(|(name, factor)| Some(format!("{name}\u{a0}×\u{a0}{}", (*factor)?)));
+        format!("weights: {}", each.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// Whether a layer counts as surfacing: laid on top, renewed and thickened over the years.
+fn is_surfacing(layer: LayerKind) -> bool {
+    matches!(layer, LayerKind::Surfacing | LayerKind::Ballast)
+}
+
+/// Every combination of adverse and favourable factors on the weights that a bridge has; the one that is adverse throughout
+/// comes first.
+pub fn combinations(bridge: &Bridge, rule: &Rule) -> Vec<Weights> {
+    let (f, favourable) = (&rule.factors, rule.factors.weight_favourable.value);
+    let of = |adverse: f64| match adverse == favourable {
+        true => vec![adverse],
+        false => vec![adverse, favourable],
+    };
+    let weighs = |wanted: bool| bridge.cover.layers.iter().any(|l| l.weighs && is_surfacing(l.name) == wanted);
+    let optional = |there: bool, adverse: f64| match there {
+        true => of(adverse).into_iter().map(Some).collect(),
+        false => vec![None],
+    };
+    let fills = optional(bridge.cover.backing.is_some() || weighs(false), f.fill_weight.value);
+    let surfacings = optional(weighs(true), f.surfacing_weight.value);
+    let mut list = Vec::new();
+    for masonry in of(f.masonry_weight.value) {
+        for &fill in &fills {
+            list.extend(surfacings.iter().map(|&surfacing| Weights { masonry, fill, surfacing }));
+        }
+    }
+    list
+}
+
+/// Puts the factors on the weights of a bridge.
+pub fn put(weights: &Weights, on: &mut Bridge) {
+    on.masonry.density *= weights.masonry;
+    if let Some(wall) = &mut on.spandrel_wall {
+        wall.density *= weights.masonry;
+    }
+    for layer in &mut on.cover.layers {
+        let factor = if is_surfacing(layer.name) { weights.surfacing } else { weights.fill };
+        layer.density *= factor.unwrap_or(1.0);
+    }
+    if let Some(backing) = &mut on.cover.backing {
+        backing.density *= weights.fill.unwrap_or(1.0);
+    }
+}

@@ -1,0 +1,94 @@
+//! The library of load models against the tables that were published for its vehicles.
+
+use rules::Quantity;
+
+/// A published table beside what its vehicle gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableRow {
+    /// Code of the load model.
+    pub model: String,
+    /// Code of the vehicle.
+    pub vehicle: String,
+    /// What the numbers are, with their unit.
+    pub quantity: &'static str,
+    /// Where they are from, with date and confidence.
+    pub source: String,
+    /// How many numbers were compared; none of a table that the vehicle alone does not give.
+    pub numbers: usize,
+    /// Largest difference, relative; at which span [m].
+    pub difference: f64,
+    /// See above.
+    pub span: f64,
+    /// Largest difference that is allowed, relative, and why.
+    pub tolerance: f64,
+    /// See above.
+    pub reason: String,
+    /// Why the numbers are read and not compared, where they are not.
+    pub left_out: String,
+}
+
+impl TableRow {
+    /// Whether every number agrees that was compared.
+    pub fn agrees(&self) -> bool {
+        self.numbers == 0 || self.difference.abs() <= self.tolerance
+    }
+}
+
+/// Every published table of the library; what is wrong with the library where it cannot be read.
+pub fn tables() -> Result<Vec<TableRow>, String> {
+    let library =
+        rules::library().map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
+    // Dynamic augments are printed with the loads of the Indian railways alone.
+    let rule = library.rule("irs-bridge-rules");
+    let mut list = Vec::new();
+    for model in &library.models {
+        for table in &model.published {
+            let one = rules::LoadModel { published: vec![table.clone()], ..model.clone() };
+            let compared = rules::check(&one, rule);
+            let worst = compared.iter().max_by(|a, b| a.difference().abs().total_cmp(&b.difference().abs()));
+            let source = &table.source;
+            list.push(TableRow {
+                model: model.code.clone(),
+                vehicle: table.vehicle.clone(),
+                quantity: words(table.quantity),
+                source: format!("{} ({}, {})", source.text, source.date, source.confidence.word()),
+                numbers: compared.len(),
+                difference: worst.map_or(0.0, rules::Checked::difference),
+                span: worst.map_or(0.0, |row| row.span),
+                tolerance: table.tolerance,
+                reason: table.reason.clone(),
+                left_out: match (compared.is_empty(), table.not_from_vehicle.is_empty()) {
+                    (true, true) => "no rule of the library says how to find it".to_owned(),
+                    _ => table.not_from_vehicle.clone(),
+                },
+            });
+        }
+    }
+    Ok(list)
+}
+
+fn words(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::EudlBending => "equivalent uniform load for bending [kN]",
+        Quantity::EudlShear => "equivalent uniform load for shear [kN]",
+        Quantity::Bending => "greatest bending moment [kN m]",
+        Quantity::Shear => "greatest shear [kN]",
+        Quantity::DynamicAugment => "coefficient of dynamic augment [-]",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_load_model_is_compared_and_agrees() {
+        let list = tables().unwrap();
+        assert!(list.iter().all(TableRow::agrees), "{list:?}");
+        let compared: usize = list.iter().map(|row| row.numbers).sum();
+        assert!(compared > 55, "{compared}");
+        assert!(list.iter().all(|row| row.numbers > 0 || !row.left_out.is_empty()));
+        let worse = TableRow { difference: 2.0 * list[0].tolerance, numbers: 1, ..list[0].clone() };
+        assert!(!worse.agrees());
+    }
+}

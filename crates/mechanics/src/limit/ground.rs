@@ -1,0 +1,206 @@
+//! What many loads on one model have in common: joints, permanent loads, states of self-stress.
+
+use super::collapse::{Carried, carried};
+use super::compliance::Resistance;
+use super::equilibrium::Equilibrium;
+use super::joints::{Joint, Strength, joints};
+use super::reduced::{Elastic, Row, alike, rows, self_stress};
+use super::settings::Settings;
+use super::simplex::Rows;
+use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
+
+/// What all loads have in common.
+pub struct Ground<'a> {
+    pub(super) model: &'a BlockModel,
+    pub(super) interfaces: Vec<Interface>,
+    pub(super) joints: Vec<Joint>,
+    pub(super) strengths: Vec<Strength>,
+    pub(super) resistances: Vec<Resistance>,
+    pub(super) equilibrium: Equilibrium,
+    pub(super) stands: Carried,
+    pub(super) reduced: Option<Reduced>,
+    /// Forces of elastic joints under the permanent loads, scaled.
+    resting: Option<Vec<f64>>,
+}
+
+/// What a joint carries, as an elastic one that opens nowhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Compression of the whole joint [N/m].
+    pub compression: f64,
+    /// Shear [N/m], positive when the force on the second block acts along `normal.left()`.
+    pub shear: f64,
+    /// Where the compression acts, from the middle of the joint along `normal.left()` [m].
+    pub eccentricity: f64,
+}
+
+/// The linear program of few unknowns.
+#[derive(Clone)]
+pub(super) struct Reduced {
+    /// A state that balances the permanent loads.
+    pub(super) start: Vec<f64>,
+    /// States of self-stress.
+    pub(super) states: Vec<Vec<f64>>,
+    /// What strength asks: rows that every load has, then tangents at forces that lay outside a joint's parabola.
+    pub(super) limits: Vec<Row>,
+    /// How many rows every load has.
+    pub(super) standing: usize,
+    /// The same in terms of the unknowns.
+    pub(super) rows: Rows,
+}
+
+impl Reduced {
+    fn new(equilibrium: &Equilibrium, elastic: &mut Elastic, limits: Vec<Row>, stands: &Carried) -> Option<Reduced> {
+        let states = self_stress(elastic)?;
+        let mut start = stands.forces().to_vec();
+        // What the proof leaves out of balance is taken out.
+        let left = equilibrium.residual(&start, 0.0);
+        for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
+            *f += d;
+        }
+        let mut this = Reduced {
+            start,
+            rows: Rows { width: states.len(), ..Rows::default() },
+            states,
+            limits: Vec::new(),
+            standing: limits.len(),
+        };
+        this.extend(limits);
+        Some(this)
+    }
+
+    pub(super) fn extend(&mut self, limits: Vec<Row>) {
+        for row in limits {
+            self.rows.a.extend(self.states.iter().map(|state| -row.of(state)));
+            self.rows.b.push(row.of(&self.start) + row.constant);
+            self.limits.push(row);
+        }
+    }
+
+    /// Drops the tangents that are not wanted; gives every row's new place.
+    pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) -> Vec<Option<usize>> {
+        let (width, old) = (self.rows.width, std::mem::take(&mut self.rows));
+        self.rows.width = width;
+        let mut places = Vec::with_capacity(old.b.len());
+        let mut limits = Vec::with_capacity(old.b.len());
+        for (k, row) in std::mem::take(&mut self.limits).into_iter().enumerate() {
+            let stays = k < self.standing || wanted(k);
+            places.push(stays.then_some(limits.len()));
+            if stays {
+                limits.push(row);
+                self.rows.b.push(old.b[k]);
+                self.rows.a.extend_from_slice(&old.a[k * width..(k + 1) * width]);
+            }
+        }
+        self.limits = limits;
+        places
+    }
+
+    /// Joint forces at a corner `z`, whose last unknown counts `scale` times the load [scaled].
+    pub(super) fn forces(&self, effect: &Effect, z: &[f64], scale: f64) -> Vec<f64> {
+        let (x, factor) = z.split_at(self.states.len());
+        let mut forces: Vec<f64> =
+            self.start.iter().zip(&effect.forces).map(|(f0, p)| f0 + factor[0] * scale * p).collect();
+        for (state, x) in self.states.iter().zip(x) {
+            for (f, s) in forces.iter_mut().zip(state) {
+                *f += x * s;
+            }
+        }
+        forces
+    }
+}
+
+/// What a load does to the joints. Effects of loads add up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effect {
+    pub(super) load: Vec<f64>,
+    pub(super) forces: Vec<f64>,
+    /// Whether the forces balance the load. Where round-off spoils them, the interior-point method answers.
+    pub(super) balanced: bool,
+}
+
+impl Effect {
+    /// Adds so many times another effect.
+    pub fn add(&mut self, other: &Effect, times: f64) {
+        for (a, b) in self.load.iter_mut().zip(&other.load).chain(self.forces.iter_mut().zip(&other.forces)) {
+            *a += times * b;
+        }
+        self.balanced &= other.balanced;
+    }
+}
+
+impl<'a> Ground<'a> {
+    /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
+    pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
+        if model.blocks.iter().all(|b| b.held.is_fixed()) {
+            return Err(ModelError::NothingFree);
+        }
+        let (interfaces, joints) = joints(model, settings)?;
+        let permanent = Loading { variable: Vec::new(), ..loading.clone() };
+        let equilibrium = Equilibrium::new(model, &permanent, &joints);
+        let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
+        let stands = carried(&equilibrium, &joints, &strengths);
+        let resistances = alike(&joints);
+        let limits = rows(&equilibrium, &joints, &strengths);
+        let resting = Elastic::new(&equilibrium, &joints, &resistances)
+            .and_then(|mut elastic| elastic.balance(&equilibrium.permanent));
+        let reduced = match stands.is_carried() {
+            true => Elastic::new(&equilibrium, &joints, &resistances)
+                .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
+            false => None,
+        };
+        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting })
+    }
+
+    /// Whether the permanent loads by themselves are carried.
+    pub fn stands(&self) -> bool {
+        self.stands.is_carried()
+    }
+
+    /// An effect that another ground of the same blocks and joints found, whose weights differ.
+    pub fn taken(&self, effect: &Effect, from: &Ground) -> Effect {
+        let ratio = from.equilibrium.force / self.equilibrium.force;
+        let scaled = |values: &[f64]| values.iter().map(|v| v * ratio).collect();
+        Effect { load: scaled(&effect.load), forces: scaled(&effect.forces), balanced: effect.balanced }
+    }
+
+    /// A load in the equations' units of force.
+    pub(super) fn scaled(&self, load: &[PointForce]) -> Vec<f64> {
+        let loads = self.equilibrium.of_load(self.model, load);
+        loads.iter().map(|p| p / self.equilibrium.force).collect()
+    }
+
+    pub(super) fn crushes(&self) -> bool {
+        self.strengths.iter().any(|s| s.crushing.is_finite())
+    }
+
+    /// The joints, in the order of all forces.
+    pub fn interfaces(&self) -> &[Interface] {
+        &self.interfaces
+    }
+
+    /// What a joint carries under the permanent loads and so many times a load, if joints were elastic, all alike, and
+    /// opened nowhere. None for joints of one point and where nothing is compressed.
+    pub fn section(&self, effect: &Effect, factor: f64, joint: usize) -> Option<Section> {
+        let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
+        let of = &self.joints[joint];
+        let force = |k: usize| (resting[c + k] + factor * effect.forces[c + k]) * self.equilibrium.force;
+        let [a, b] = [force(0), force(1)];
+        let compression = a + b;
+        (of.points.len() == 2 && compression > 0.0).then(|| Section {
+            compression,
+            shear: force(2),
+            eccentricity: 0.5 * of.length * (b - a) / compression,
+        })
+    }
+
+    /// Whether loads are answered by the fast method; where not, by the interior-point method one by one.
+    pub fn is_fast(&self) -> bool {
+        self.reduced.is_some()
+    }
+}
+
+/// Sum of sizes.
+pub(super) fn sum_of_sizes(values: &[f64]) -> f64 {
+    values.iter().map(|v| v.abs()).sum()
+}
