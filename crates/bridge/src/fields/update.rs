@@ -2,6 +2,11 @@
 
 use super::{Field, Kind, Section, Word};
 
+const ALIGNED_BY: &[Word] = &[
+    Word { word: "model", doc: "its history in the start model" },
+    Word { word: "axles", doc: "the times at which axles pass its sensor" },
+];
+
 pub(super) static RECORDS: Section = Section {
     path: "records",
     doc: "Records of a train's passage that `extrados update` compares with. Their columns are named after the sensors.",
@@ -15,13 +20,9 @@ pub(super) static RECORDS: Section = Section {
         Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
         Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
             .default("false"),
-        Field::new(
-            "align",
-            Kind::Text,
-            "the channel by which clocks are aligned with the start model",
-            "crown displacement",
-        )
-        .optional("the records' clock is that of [passage]: zero where the first axle starts"),
+        Field::new("align", Kind::Text, "the channel by which clocks are aligned", "crown displacement")
+            .optional("the records' clock is that of [passage]: zero where the first axle starts"),
+        Field::new("align_by", Kind::Word(ALIGNED_BY), "what that channel is laid on", "model").default("model"),
     ],
 };
 

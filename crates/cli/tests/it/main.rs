@@ -10,6 +10,7 @@ mod interruption;
 mod messages;
 mod misuse;
 mod particles;
+mod records;
 mod respond;
 mod stage;
 mod update;

@@ -6,7 +6,7 @@ use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 /// A bridge of a hundred elements under one wagon: an evaluation takes hundredths of a second.
-const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" }
+pub const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" }
 span = { profile = "segmental", span = "4 m", rise = "1 m", thickness = "0.5 m", voussoirs = 9 }
 abutment = { top_width = "1 m", height = "1 m" }
 joint = { friction_angle = "35 deg", cohesion = "0 kPa" }
@@ -92,7 +92,7 @@ place = "left-springing"
 "#;
 
 /// Two moduli sought, the file's own values being the start.
-const SOUGHT: &str = r#"
+pub const SOUGHT: &str = r#"
 [records]
 place = "records.csv"
 zero = false
