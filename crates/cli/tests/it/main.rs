@@ -13,6 +13,7 @@ mod particles;
 mod records;
 mod respond;
 mod stage;
+mod table_1;
 mod update;
 mod vary;
 mod walls;
