@@ -174,11 +174,21 @@ pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
     let posed = Problem::new(parameters, channels, misfit(task.asked));
     let mut found = Update { records: used, ..cancelled(task, setup, blind) };
     found.status = UpdateStatus::Completed;
-    if let Ok(problem) = posed {
-        let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
-        found.basis = Basis::at(&mut evaluator, &start).ok();
-        found.channels = histories(setup, &problem, &first.values, None);
-        found.problem = problem;
+    match posed {
+        Ok(problem) => {
+            let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
+            match Basis::at(&mut evaluator, &start) {
+                Ok(basis) => found.basis = Some(basis),
+                Err(Halt::Stopped) => found.status = UpdateStatus::Cancelled,
+                Err(Halt::Failed(failure)) => found.warnings.push(untold("the start model's fit", &words(&failure))),
+            }
+            found.channels = histories(setup, &problem, &first.values, None);
+            found.problem = problem;
+        }
+        Err(findings) => {
+            let said: Vec<String> = findings.iter().map(|f| format!("{}: {}", f.place, f.message)).collect();
+            found.warnings.push(untold("the start model's fit", &said.join("; ")));
+        }
     }
     (found.evaluations, found.computed) = (1, 1);
     warn(&mut found);
