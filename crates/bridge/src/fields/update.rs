@@ -1,6 +1,7 @@
 //! Cards of model updating: records, channels, parameters, searches.
 
 use super::{Field, Kind, Section, Word};
+use crate::quantity::Dimension::Frequency;
 
 const ALIGNED_BY: &[Word] = &[
     Word { word: "model", doc: "its history in the start model" },
@@ -20,6 +21,15 @@ pub(super) static RECORDS: Section = Section {
         Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
         Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
             .default("false"),
+        Field::new(
+            "low_pass",
+            Kind::Quantity(Frequency),
+            "frequency above which records are cut off, forward and backward so that nothing moves in time; a peak is the largest of \
+             many samples, and noise adds to it",
+            "10 Hz",
+        )
+        .positive()
+        .optional("as recorded"),
         Field::new("align", Kind::Text, "the channel by which clocks are aligned", "crown displacement")
             .optional("the records' clock is that of [passage]: zero where the first axle starts"),
         Field::new("align_by", Kind::Word(ALIGNED_BY), "what that channel is laid on", "model").default("model"),

@@ -49,6 +49,7 @@ fn records(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) 
     let table = file.table("records", findings)?;
     let place = table.text("place", findings);
     let (zero, drift) = (table.flag("zero", findings), table.flag("drift", findings));
+    let low_pass = table.quantity("low_pass", findings);
     let (align, by) = (table.text("align", findings), table.word("align_by", findings));
     let align = maybe(&table, "align", align)?.map(str::to_owned);
     if let (Some(align), Some(names)) = (&align, names)
@@ -60,6 +61,7 @@ fn records(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) 
     Some(Records {
         zero: maybe(&table, "zero", zero)?.unwrap_or(true),
         drift: maybe(&table, "drift", drift)?.unwrap_or(false),
+        low_pass: maybe(&table, "low_pass", low_pass)?,
         align,
         by_axles: maybe(&table, "align_by", by)? == Some("axles"),
         place: place?.value.to_owned(),

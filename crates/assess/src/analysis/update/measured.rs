@@ -151,6 +151,7 @@ fn preparation(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> Preparatio
     Preparation {
         zero: if records.zero { Zero::QuietStart } else { Zero::AsRecorded },
         detrend: if records.drift { Detrend::QuietEnds } else { Detrend::None },
+        low_pass: records.low_pass,
         align: align.unwrap_or_default(),
         ..Preparation::default()
     }
