@@ -24,8 +24,12 @@ pub struct Records {
     pub zero: bool,
     /// Whether the line between the levels before and after the train is taken off.
     pub drift: bool,
-    /// Channel by which clocks are aligned with the start model; none where clocks are the model's.
+    /// Frequency above which records are cut off [Hz]; none where they stay as recorded.
+    pub low_pass: Option<f64>,
+    /// Channel by which clocks are aligned; none where clocks are the model's.
     pub align: Option<String>,
+    /// What that channel is laid on: the times at which axles pass its sensor, or its history in the start model.
+    pub by_axles: bool,
 }
 
 /// What is said of one channel.

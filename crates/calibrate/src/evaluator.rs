@@ -61,6 +61,11 @@ impl<'a> Evaluator<'a> {
         self.computed
     }
 
+    /// Who looks on, for a second door: a sampler's on a surrogate.
+    pub fn onlooker(&mut self) -> &mut (dyn Watch + 'a) {
+        self.watch
+    }
+
     /// The log as it stands.
     pub fn log(&self) -> &Log {
         &self.log

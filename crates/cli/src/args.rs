@@ -262,9 +262,15 @@ pub struct Update {
     /// Reading of the hierarchical search, in place of the file's
     #[arg(long)]
     pub variant: Option<UpdateVariant>,
+    /// Where the hierarchical and the gradient search begin, in place of the file's
+    #[arg(long)]
+    pub start: Option<UpdateStart>,
     /// Take up the evaluations of an interrupted run
     #[arg(long)]
     pub resume: bool,
+    /// Judge the records beside one passage of the start model, and seek nothing
+    #[arg(long, conflicts_with_all = ["search", "variant", "start", "resume"])]
+    pub records_only: bool,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
@@ -282,6 +288,19 @@ pub enum UpdateSearch {
     /// A plain gradient search from one start
     Gradient,
     /// One after the other
+    All,
+}
+
+/// Where a search begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum UpdateStart {
+    /// The values of the file
+    Stated,
+    /// The middle of every range
+    Means,
+    /// All lower bounds, then all upper bounds
+    Bounds,
+    /// Means, then bounds
     All,
 }
 

@@ -59,7 +59,7 @@ pub const ALL: &[Example] = &[
         name: "railway-arch",
         about: "a monitored railway arch of four spans, and the train that crosses it",
         main: "passage.toml",
-        files: files!("railway-arch": "passage.toml", "update.toml", "assess.toml", "table-6.csv"),
+        files: files!("railway-arch": "passage.toml", "update.toml", "update-table-1.toml", "second-twin.toml", "update-second-twin.toml", "assess.toml", "table-6.csv", "table-1/crawling.csv", "table-1/slow.csv", "table-1/design.csv"),
     },
     Example {
         name: "prestwood",

@@ -75,6 +75,20 @@ impl Report {
         }
     }
 
+    /// Adds a warning with its place in a file of records and shows it.
+    pub fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &assess::records::Finding) {
+        let (place, words) = (&finding.place, finding.words());
+        let message = if file.is_empty() { words } else { format!("{file}: {words}") };
+        self.warn(screen, finding.code, &message);
+        let Some(value) = self.warnings.last_mut().filter(|_| !file.is_empty()) else { return };
+        value["file"] = json!(file);
+        for (key, number) in [("line", place.lines.map(|lines| lines[0])), ("column", place.column)] {
+            if let Some(number) = number {
+                value[key] = json!(number);
+            }
+        }
+    }
+
     /// The object: `schema` and `status`, the answer's fields, then `warnings`, `errors` where there are some,
     /// `wall_seconds` and `threads`.
     pub fn object(&self, schema: &str, clock: Clock) -> Value {

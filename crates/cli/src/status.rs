@@ -125,9 +125,11 @@ impl Status {
                 "An assessment finished, and every check that could be made is met. Checks without a limit in the file are listed as not \
                  made and do not count.",
             ),
-            Status::Inadequate => {
-                ("inadequate", 1, "The command finished, and a check or a verification case is not met.")
-            }
+            Status::Inadequate => (
+                "inadequate",
+                1,
+                "The command finished, and a check or a verification case is not met, or records were found doubtful.",
+            ),
             Status::Undetermined => (
                 "undetermined",
                 3,

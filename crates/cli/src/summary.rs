@@ -2,12 +2,14 @@
 
 mod assess;
 mod passage;
+mod records;
 mod update;
 mod vary;
 mod vehicles;
 
 pub use self::assess::assessment;
 pub use passage::passage;
+pub use records::records;
 pub use update::update;
 pub use vary::vary;
 pub use vehicles::vehicles;

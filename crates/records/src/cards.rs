@@ -26,6 +26,7 @@ pub const CARDS: &[Card] = &[
     card("R002", "not UTF-8 text", "read as UTF-16 or Latin-1"),
     card("R003", "speed that cannot be read, or two speeds", "the caller's speed, or none"),
     card("R004", "lines above the headings", "not read"),
+    card("R005", "Parquet file that cannot be read", "there is no run"),
     card("R010", "no clock, or no channel", "there is no run"),
     card("R011", "heading without a unit", "the column is not read"),
     card("R012", "unknown unit", "the column is not read"),
@@ -65,4 +66,5 @@ pub const CARDS: &[Card] = &[
     card("R063", "rate that cannot be", "not resampled"),
     card("R064", "nothing left after cutting", "not cut"),
     card("R065", "no alignment found", "not aligned"),
+    card("R066", "speed that axle timing contradicts", "used, and named"),
 ];

@@ -119,6 +119,40 @@ struct RecordsObject {
     runs: Vec<RunObject>,
     done: Vec<String>,
     findings: Vec<FindingObject>,
+    peaks: Vec<PeakObject>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dynamics: Option<DynamicsObject>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plane_strain: Option<VerdictObject>,
+}
+
+/// A channel's peak in a run, on a line across the barrel.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct PeakObject {
+    channel: String,
+    line: String,
+    run: String,
+    speed_km_per_h: Option<f64>,
+    value: f64,
+    unit: &'static str,
+    time_s: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct DynamicsObject {
+    answer: &'static str,
+    words: String,
+    speeds_km_per_h: Vec<f64>,
+    /// Factor on all peaks against the slowest speed, and the half-width of its 90 % interval.
+    factors: Vec<[f64; 2]>,
+    channels: Vec<String>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct VerdictObject {
+    answer: &'static str,
+    words: String,
+    channels: Vec<String>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -136,6 +170,13 @@ struct FindingObject {
     severity: &'static str,
     place: String,
     message: String,
+    help: String,
+    file: Option<String>,
+    line: Option<usize>,
+    last_line: Option<usize>,
+    column: Option<usize>,
+    time_s: Option<f64>,
+    channel: Option<String>,
 }
 
 impl UpdateObject {
@@ -156,7 +197,7 @@ impl UpdateObject {
             initial_error_norm: update.basis.as_ref().map(|basis| basis.start.norm),
             evaluations: update.evaluations,
             evaluations_computed: update.computed,
-            channels: channels(update, best),
+            channels: update.basis.as_ref().map_or_else(Vec::new, |_| channels(update, best)),
             searches: update.searches.iter().map(search).collect(),
             sensitivity: pass.map_or_else(Vec::new, |pass| sensitivity(update, &pass.sweeps, &pass.ranking)),
             stages: stages(update),
@@ -296,16 +337,58 @@ fn records(update: &Update) -> RecordsObject {
         let place = [done.run.as_str(), done.channel.as_str()].join(" ");
         format!("{}: {}", place.trim(), done.what)
     };
-    let finding = |finding: &records::Finding| FindingObject {
+    let said = |text: &String| (!text.is_empty()).then(|| text.clone());
+    let finding = |(finding, file): (&records::Finding, &String)| FindingObject {
         code: finding.code,
         severity: finding.severity.word(),
         place: finding.place.words(),
         message: finding.message.clone(),
+        help: finding.help.clone(),
+        file: said(file),
+        line: finding.place.lines.map(|lines| lines[0]),
+        last_line: finding.place.lines.map(|lines| lines[1]),
+        column: finding.place.column,
+        time_s: finding.place.time,
+        channel: said(&finding.place.channel),
     };
+    let verdict = update.records.verdict.as_ref();
     RecordsObject {
         runs: update.records.runs.iter().map(run).collect(),
         done: update.records.done.iter().map(done).collect(),
-        findings: update.records.findings.iter().map(finding).collect(),
+        findings: update.records.findings.iter().zip(&update.records.places).map(finding).collect(),
+        peaks: verdict.iter().flat_map(|verdict| verdict.peaks.peaks.iter().map(peak)).collect(),
+        dynamics: verdict.map(|verdict| dynamics(&verdict.dynamics)),
+        plane_strain: verdict.map(|verdict| plane_strain(&verdict.plane_strain)),
+    }
+}
+
+fn peak(peak: &records::Peak) -> PeakObject {
+    PeakObject {
+        channel: peak.name.clone(),
+        line: peak.line.clone(),
+        run: peak.run.clone(),
+        speed_km_per_h: peak.speed.map(|speed| 3.6 * speed),
+        value: peak.unit.of_si(peak.value),
+        unit: peak.unit.symbol,
+        time_s: peak.time,
+    }
+}
+
+fn dynamics(told: &records::Dynamics) -> DynamicsObject {
+    DynamicsObject {
+        answer: told.answer.word(),
+        words: told.words.clone(),
+        speeds_km_per_h: told.speeds.iter().map(|speed| 3.6 * speed).collect(),
+        factors: told.factors.clone(),
+        channels: told.channels.iter().map(|channel| channel.words.clone()).collect(),
+    }
+}
+
+fn plane_strain(told: &records::PlaneStrain) -> VerdictObject {
+    VerdictObject {
+        answer: told.answer.word(),
+        words: told.words.clone(),
+        channels: told.channels.iter().map(|channel| channel.words.clone()).collect(),
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B671",
         title: "no such channel",
-        meaning: "A [[channel]] speaks of one sensor, by its name, and no other does.",
+        meaning: "A [[channel]] speaks of one sensor, by its name, and no other does; clocks are aligned by a sensor that there is.",
         why: "A reason or an uncertainty that reaches no channel would look as if it had.",
         wrong: r#"sensor = "quarter strain""#,
         right: r#"sensor = "crown strain""#,

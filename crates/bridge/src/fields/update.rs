@@ -1,6 +1,12 @@
 //! Cards of model updating: records, channels, parameters, searches.
 
 use super::{Field, Kind, Section, Word};
+use crate::quantity::Dimension::Frequency;
+
+const ALIGNED_BY: &[Word] = &[
+    Word { word: "model", doc: "its history in the start model" },
+    Word { word: "axles", doc: "the times at which axles pass its sensor" },
+];
 
 pub(super) static RECORDS: Section = Section {
     path: "records",
@@ -16,12 +22,17 @@ pub(super) static RECORDS: Section = Section {
         Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
             .default("false"),
         Field::new(
-            "align",
-            Kind::Text,
-            "the channel by which clocks are aligned with the start model",
-            "crown displacement",
+            "low_pass",
+            Kind::Quantity(Frequency),
+            "frequency above which records are cut off, forward and backward so that nothing moves in time; a peak is the largest of \
+             many samples, and noise adds to it",
+            "10 Hz",
         )
-        .optional("the records' clock is that of [passage]: zero where the first axle starts"),
+        .positive()
+        .optional("as recorded"),
+        Field::new("align", Kind::Text, "the channel by which clocks are aligned", "crown displacement")
+            .optional("the records' clock is that of [passage]: zero where the first axle starts"),
+        Field::new("align_by", Kind::Word(ALIGNED_BY), "what that channel is laid on", "model").default("model"),
     ],
 };
 

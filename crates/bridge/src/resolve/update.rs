@@ -25,8 +25,9 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
     for key in ["records", "parameter"].into_iter().filter(|key| !file.has(key)) {
         need(file, key, findings);
     }
-    let records = records(file, findings);
-    let channels = channels(file, bridge, findings);
+    let sensors = sensors(bridge);
+    let records = records(file, sensors.as_deref(), findings);
+    let channels = channels(file, sensors.as_deref(), findings);
     let document = Document::parse(text).map(|mut document| {
         SECTIONS.iter().for_each(|section| document.remove(section));
         document
@@ -36,31 +37,44 @@ pub(crate) fn update(text: &str, file: &Table<'_>, bridge: Option<&Bridge>, find
     Some(Update { records: records?, channels: channels?, parameters: parameters?, plan: plan? })
 }
 
-fn records(file: &Table<'_>, findings: &mut Findings) -> Option<Records> {
+/// Names of the sensors; nothing where the bridge or its passage is not known.
+fn sensors(bridge: Option<&Bridge>) -> Option<Vec<String>> {
+    let bridge = bridge?;
+    let sensors = bridge.passage.as_ref().map(|passage| passage.sensors.clone())?;
+    let sensors = if sensors.is_empty() { default_sensors(bridge.spans.len()) } else { sensors };
+    Some(sensors.into_iter().map(|sensor| sensor.name).collect())
+}
+
+fn records(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) -> Option<Records> {
     let table = file.table("records", findings)?;
     let place = table.text("place", findings);
     let (zero, drift) = (table.flag("zero", findings), table.flag("drift", findings));
-    let align = table.text("align", findings);
+    let low_pass = table.quantity("low_pass", findings);
+    let (align, by) = (table.text("align", findings), table.word("align_by", findings));
+    let align = maybe(&table, "align", align)?.map(str::to_owned);
+    if let (Some(align), Some(names)) = (&align, names)
+        && !names.contains(align)
+    {
+        let help = format!("the sensors are {}", names.join(", "));
+        findings.error("B671", table.place("align"), "there is no such sensor", "name of a [[sensor]]", help);
+    }
     Some(Records {
         zero: maybe(&table, "zero", zero)?.unwrap_or(true),
         drift: maybe(&table, "drift", drift)?.unwrap_or(false),
-        align: maybe(&table, "align", align)?.map(str::to_owned),
+        low_pass: maybe(&table, "low_pass", low_pass)?,
+        align,
+        by_axles: maybe(&table, "align_by", by)? == Some("axles"),
         place: place?.value.to_owned(),
     })
 }
 
-fn channels(file: &Table<'_>, bridge: Option<&Bridge>, findings: &mut Findings) -> Option<Vec<Channel>> {
-    let names: Option<Vec<String>> = bridge.and_then(|bridge| {
-        let sensors = bridge.passage.as_ref().map(|passage| passage.sensors.clone())?;
-        let sensors = if sensors.is_empty() { default_sensors(bridge.spans.len()) } else { sensors };
-        Some(sensors.into_iter().map(|sensor| sensor.name).collect())
-    });
+fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings) -> Option<Vec<Channel>> {
     let tables = file.tables("channel", findings);
     let mut seen: Vec<String> = Vec::new();
     let mut list = Vec::new();
     for table in &tables {
         let channel = channel(table, findings);
-        if let (Some(channel), Some(names)) = (&channel, &names) {
+        if let (Some(channel), Some(names)) = (&channel, names) {
             let known = names.contains(&channel.sensor);
             if !known || seen.contains(&channel.sensor) {
                 let message = if known { "two tables speak of one channel" } else { "there is no such sensor" };

@@ -42,7 +42,9 @@ fn write(example: &Example, dir: &Path) -> Result<(), Failure> {
         Err(error) => return Err(unwritable(error)),
     }
     for file in example.files {
-        folder::write_whole(&dir.join(file.name), file.text.as_bytes()).map_err(unwritable)?;
+        let path = dir.join(file.name);
+        path.parent().map_or(Ok(()), fs::create_dir_all).map_err(unwritable)?;
+        folder::write_whole(&path, file.text.as_bytes()).map_err(unwritable)?;
     }
     Ok(())
 }

@@ -1,9 +1,9 @@
-//! `extrados update`: from the records of a train's passage to the moduli of a bridge.
+//! `extrados update`: from the records of a train's passage to the moduli of a bridge; or the verdict on the records alone.
 
 pub(super) mod log;
 
 use super::{Desk, Source, read_file};
-use crate::args::{Update as Arguments, UpdateSearch, UpdateVariant};
+use crate::args::{Update as Arguments, UpdateSearch, UpdateStart, UpdateVariant};
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::{self, Report};
@@ -14,7 +14,7 @@ use assess::analysis::update::{self, Means, RecordFile, Task, Threads, Update, U
 use assess::wire;
 use bridge::edit::Document;
 use bridge::update::Plan;
-use log::Keeper;
+use log::{Keeper, Onlooker};
 use serde_json::json;
 use std::path::Path;
 
@@ -31,6 +31,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let files = records(&arguments.file, &asked.records.place)?;
     let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
     let task = Task { bridge: &own, document: &document, asked: &asked, files: &files };
+    if arguments.records_only {
+        return judged(desk, &source, &task, &folder);
+    }
     let (known, mut keeper) = Keeper::open(&folder, &task.identity(), arguments.resume, desk.screen.quiet)?;
     let taken_up = known.len();
     let clock = desk.clock;
@@ -45,9 +48,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    for finding in found.records.findings.iter().filter(|finding| finding.severity > assess::records::Severity::Note) {
-        report.warn(&mut desk.screen, finding.code, &finding.words());
-    }
+    doubts(desk, &found, &mut report);
     if found.status == UpdateStatus::Cancelled {
         let path = folder.file(log::NAME).display().to_string();
         let said = format!("interrupted; evaluations are kept in {path}\nthe same command with --resume goes on\n");
@@ -57,6 +58,35 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     report.fields.insert("evaluations_taken_up".to_owned(), json!(taken_up));
     report.summary = summary::update(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
+}
+
+/// The records alone, beside one passage of the start model. Exit code 1 where somebody should look at them.
+fn judged(desk: &mut Desk, source: &Source, task: &Task<'_>, folder: &Folder) -> Result<Report, Failure> {
+    let (clock, mut watch) = (desk.clock, Onlooker::new(desk.screen.quiet));
+    let means = Means { map: &Threads, watch: &mut watch, clock: &|| clock.seconds() };
+    let found = update::judge(task, means).map_err(|error| refused(&error))?;
+    watch.finish();
+    if found.status == UpdateStatus::Cancelled {
+        return Ok(source.report(Status::Cancelled).saying("interrupted; nothing was written\n"));
+    }
+    let status = if found.records.doubted() { Status::Inadequate } else { Status::Completed };
+    let mut report = source.report(status);
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
+    doubts(desk, &found, &mut report);
+    report.fields = report::fields_of(wire::UpdateObject::new(&found));
+    report.summary = summary::records(&found, &folder.path().display().to_string());
+    write(desk, &found, report, folder)
+}
+
+/// Shows what a reader of the records should look at, each with its file, line and column.
+fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
+    for (finding, file) in found.records.findings.iter().zip(&found.records.places) {
+        if finding.severity > assess::records::Severity::Note {
+            report.warn_at(&mut desk.screen, file, finding);
+        }
+    }
 }
 
 /// Sets what the command line says in place of the file.
@@ -74,6 +104,13 @@ fn chosen(plan: &mut Plan, arguments: &Arguments) {
         Some(UpdateVariant::AsPractised) => "as-practised",
         Some(UpdateVariant::Both) => "both",
         None => plan.variant,
+    };
+    plan.start = match arguments.start {
+        Some(UpdateStart::Stated) => "stated",
+        Some(UpdateStart::Means) => "means",
+        Some(UpdateStart::Bounds) => "bounds",
+        Some(UpdateStart::All) => "all",
+        None => plan.start,
     };
 }
 
@@ -96,7 +133,7 @@ pub(super) fn records(beside: &Path, place: &str) -> Result<Vec<RecordFile>, Fai
         paths = entries.flatten().map(|entry| entry.path()).collect();
         let table = |path: &std::path::PathBuf| {
             let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-            ending.is_some_and(|ending| ["csv", "txt", "tsv"].contains(&ending.as_str()))
+            ending.is_some_and(|ending| ["csv", "txt", "tsv", "parquet"].contains(&ending.as_str()))
         };
         paths.retain(table);
         paths.sort();

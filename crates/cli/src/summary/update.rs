@@ -129,7 +129,7 @@ fn told(page: &mut String, found: &Update) {
     list(page, "What the records tell", local.chain(left));
 }
 
-fn list(page: &mut String, title: &str, lines: impl Iterator<Item = String>) {
+pub(super) fn list(page: &mut String, title: &str, lines: impl Iterator<Item = String>) {
     let lines: Vec<String> = lines.collect();
     if !lines.is_empty() {
         let _ = writeln!(page, "\n{title}:");

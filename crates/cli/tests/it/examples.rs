@@ -38,6 +38,9 @@ const SLOW: &[(&str, &str)] = &[
     ("prestwood", "particles.toml"),
     ("railway-arch", "passage.toml"),
     ("railway-arch", "update.toml"),
+    ("railway-arch", "update-table-1.toml"),
+    ("railway-arch", "second-twin.toml"),
+    ("railway-arch", "update-second-twin.toml"),
     ("railway-arch", "assess.toml"),
 ];
 

@@ -6,7 +6,7 @@ use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 /// A bridge of a hundred elements under one wagon: an evaluation takes hundredths of a second.
-const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" }
+pub const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" }
 span = { profile = "segmental", span = "4 m", rise = "1 m", thickness = "0.5 m", voussoirs = 9 }
 abutment = { top_width = "1 m", height = "1 m" }
 joint = { friction_angle = "35 deg", cohesion = "0 kPa" }
@@ -92,7 +92,7 @@ place = "left-springing"
 "#;
 
 /// Two moduli sought, the file's own values being the start.
-const SOUGHT: &str = r#"
+pub const SOUGHT: &str = r#"
 [records]
 place = "records.csv"
 zero = false
@@ -227,4 +227,53 @@ fn records_that_are_doubted_are_named_and_not_used() {
     stage.write("records.csv", "no table at all");
     let (answer, ending) = stage.object(&["update", "bridge.toml", "--quiet"]);
     assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F130")), "{answer}");
+}
+
+/// What the records leave open: uncertainties for every channel, and a posterior of so many samples.
+fn with_posterior(samples: u64) -> String {
+    let channel =
+        |name: &str, uncertainty: f64| format!("\n[[channel]]\nsensor = \"{name}\"\nuncertainty = {uncertainty}\n");
+    let channels =
+        [("crown", 0.001), ("quarter", 0.001), ("strain", 0.05)].map(|(name, one)| channel(name, one)).concat();
+    format!("{BRIDGE}{SOUGHT}posterior = true\nsamples = {samples}\n{channels}")
+}
+
+#[test]
+fn an_interrupted_posterior_goes_on() {
+    let stage = twin("update-posterior");
+    let words = ["update", "bridge.toml", "--quiet", "--json"];
+    // So many samples take minutes: the interruption comes while they are drawn, or while the points of the surrogate are.
+    stage.write("bridge.toml", with_posterior(1_000_000));
+    let child = stage
+        .command(&[&words[..], &["--out", "torn"]].concat())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    let kept =
+        || std::fs::read_to_string(stage.folder.join("torn/evaluations.log")).unwrap_or_default().lines().count();
+    let begin = Instant::now();
+    let mut last = (0, Instant::now());
+    // No evaluation for a while after those of the surrogate: the sampler walks on the polynomial.
+    while last.0 < 180 || last.1.elapsed() < Duration::from_secs(1) {
+        assert!(begin.elapsed() < PATIENCE, "no surrogate after {PATIENCE:?}: {} evaluations", last.0);
+        let now = kept();
+        if now > last.0 {
+            last = (now, Instant::now());
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let told =
+        std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill is there");
+    assert!(told.success());
+    let ended = child.wait_with_output().expect("it ends");
+    let cancelled = object(&String::from_utf8_lossy(&ended.stdout));
+    assert_eq!((ended.status.code(), cancelled["status"].as_str()), (Some(130), Some("cancelled")), "{cancelled}");
+    // Fewer samples are another question to the same model: the log answers it.
+    stage.write("bridge.toml", with_posterior(300));
+    let resumed = object(&stage.run(&[&words[..], &["--out", "torn", "--resume"]].concat()).stdout);
+    let whole = object(&stage.run(&[&words[..], &["--out", "whole"]].concat()).stdout);
+    assert!(number(&resumed, "evaluations_taken_up") >= 180.0, "{resumed}");
+    assert!(number(&whole["posterior"], "effective_samples") >= 300.0, "{whole}");
+    assert_eq!(without_times(resumed)["posterior"]["log_evidence"], without_times(whole)["posterior"]["log_evidence"]);
 }

@@ -179,5 +179,25 @@ fn errors_in(update: &Update) -> (f64, &'static str) {
 
 /// An error in per cent with its sign.
 fn percent(error: f64) -> String {
-    format!("{:+.1} %", 100.0 * error).replace('-', "−")
+    format!("{} %", signed(100.0 * error, 1))
+}
+
+/// A number with its sign; what rounds to zero has none.
+fn signed(value: f64, digits: usize) -> String {
+    let text = format!("{value:+.digits$}");
+    match text.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) || !value.is_finite() {
+        true => text.replace('-', "−"),
+        false => text[1..].to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::signed;
+
+    #[test]
+    fn what_rounds_to_zero_has_no_sign() {
+        assert_eq!([-0.04, 0.0, -0.0, 0.04].map(|value| signed(value, 1)), ["0.0"; 4].map(str::to_owned));
+        assert_eq!([signed(-0.06, 1), signed(12.34, 1), signed(-3.0, 0)], ["−0.1", "+12.3", "−3"].map(str::to_owned));
+    }
 }

@@ -1,6 +1,6 @@
 //! What is left between record and model, channel by channel, before and after the update.
 
-use super::{START, UPDATED, errors_in, second_line};
+use super::{START, UPDATED, errors_in, second_line, signed};
 use crate::chart::Axis;
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
@@ -115,7 +115,7 @@ fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, pen: Pen, axis: &Axis, e
     let bar = Area { left: from.min(to), right: from.max(to), top: y - 0.5 * BAR, bottom: y + 0.5 * BAR };
     sheet.rectangle(bar, pen);
     let digits = axis.ticks.decimals.max(1);
-    let text = format!("{error:+.digits$}").replace('-', "−");
+    let text = signed(error, digits);
     let style = Style::on_drawing();
     let wide = font::width(&text, style.size, style.weight) + 6.0;
     // Beside the bar's end; on its other side where the frame is in the way.

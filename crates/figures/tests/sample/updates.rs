@@ -181,7 +181,7 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
         posterior,
         evaluations,
         computed: evaluations,
-        records: RecordsUsed { runs: vec![run()], done: Vec::new(), findings: Vec::new() },
+        records: RecordsUsed { runs: vec![run()], ..RecordsUsed::default() },
         assumptions: Vec::new(),
         warnings: Vec::new(),
         problem: problem.clone(),

@@ -1,7 +1,7 @@
 //! One zero of the clock for all runs: by a reference history, or by the times at which axles pass a sensor.
 
-use super::Log;
 use super::resample::at_times;
+use super::{Log, pace};
 use crate::Run;
 use crate::series::title;
 
@@ -23,6 +23,8 @@ pub enum Align {
         times: Vec<f64>,
         /// Time in which an axle is felt before and after [s]: half a span over the speed.
         felt: f64,
+        /// Speed for which these times hold [m/s]: a run of another speed is compared at its own. None where they hold for all.
+        speed: Option<f64>,
     },
 }
 
@@ -31,12 +33,21 @@ pub enum Align {
 pub struct Reference {
     /// Channel.
     pub name: String,
-    /// Its line.
+    /// Its line; where it is empty, the first line of that name that is used.
     pub line: String,
     /// Times [s], ascending.
     pub times: Vec<f64>,
     /// Values [SI].
     pub values: Vec<f64>,
+    /// Speed for which these times hold [m/s]: a run of another speed is compared at its own. None where they hold for all.
+    pub speed: Option<f64>,
+}
+
+impl Reference {
+    /// The same for a train that goes so many times as fast: the clock's zero stays.
+    pub(super) fn faster(&self, ratio: f64) -> Reference {
+        Reference { times: self.times.iter().map(|time| time / ratio).collect(), ..self.clone() }
+    }
 }
 
 /// A correlation below this does not say where the train is.
@@ -48,14 +59,15 @@ pub(super) fn align(run: &mut Run, align: &Align, log: &mut Log) {
     let (reference, by) = match align {
         Align::AsRecorded => return,
         Align::Reference(reference) => (reference.clone(), "to the reference".to_owned()),
-        Align::Axles { name, line, times, felt } => {
+        Align::Axles { name, line, times, felt, speed } => {
             let Some(comb) = comb(times, *felt) else {
                 let message = "axle times are finite, ascending numbers and an axle is felt for some time; not aligned"
                     .to_owned();
                 log.could_not(run, "R065", message, "name times at which axles pass the sensor");
                 return;
             };
-            let reference = Reference { name: name.clone(), line: line.clone(), times: comb.0, values: comb.1 };
+            let (name, line, speed) = (name.clone(), line.clone(), *speed);
+            let reference = Reference { name, line, times: comb.0, values: comb.1, speed };
             (reference, format!("to the passing of {} axles", times.len()))
         }
     };
@@ -64,7 +76,8 @@ pub(super) fn align(run: &mut Run, align: &Align, log: &mut Log) {
         && reference.times.len() >= 2
         && reference.times.windows(2).all(|pair| pair[1] > pair[0])
         && reference.values.iter().all(|value| value.is_finite());
-    let channel = run.channel(&reference.name, &reference.line).filter(|channel| channel.used());
+    let any = || run.used().find(|channel| channel.name == reference.name && reference.line.is_empty());
+    let channel = run.channel(&reference.name, &reference.line).filter(|channel| channel.used()).or_else(any);
     let Some(channel) = channel.filter(|channel| sound && channel.values.len() >= 2) else {
         let message =
             format!("`{title}` is not used in this run, or its reference is no ascending history; not aligned");
@@ -77,7 +90,11 @@ pub(super) fn align(run: &mut Run, align: &Align, log: &mut Log) {
         _ => 1.0,
     };
     let measured: Vec<f64> = channel.values.iter().map(|value| sign * value).collect();
-    let (shift, correlation) = best_shift(&run.times, &measured, &reference);
+    let own =
+        run.speed.zip(reference.speed).map(|(own, of)| own / of).filter(|ratio| ratio.is_finite() && *ratio > 0.0);
+    let reference = own.map_or_else(|| reference.clone(), |ratio| reference.faster(ratio));
+    let (shift, correlation) = best_shift(&run.times, &measured, &reference, COARSE);
+    pace::judge(run, &measured, &reference, correlation, log);
     if !(correlation >= WEAK) {
         let message = format!("`{title}` correlates with its reference by no more than {correlation:.2}; not aligned");
         log.could_not(run, "R065", message, "see whether the reference is of this train");
@@ -114,10 +131,10 @@ fn comb(axles: &[f64], felt: f64) -> Option<(Vec<f64>, Vec<f64>)> {
 
 /// The shift of the clock [s] at which a history fits a reference best, and the correlation there. The search looks at every
 /// overlap of the two on a coarse clock, then narrows the best one down.
-fn best_shift(times: &[f64], values: &[f64], reference: &Reference) -> (f64, f64) {
+pub(super) fn best_shift(times: &[f64], values: &[f64], reference: &Reference, samples: usize) -> (f64, f64) {
     let (first, last) = (times[0], times[times.len() - 1]);
     let [begin, end] = [reference.times[0], reference.times[reference.times.len() - 1]];
-    let step = ((last - first).max(end - begin) / COARSE as f64).max(f64::MIN_POSITIVE);
+    let step = ((last - first).max(end - begin) / samples as f64).max(f64::MIN_POSITIVE);
     let grid = |from: f64, to: f64| -> Vec<f64> {
         (0..=((to - from) / step).floor() as usize).map(|k| from + k as f64 * step).collect()
     };
@@ -150,7 +167,7 @@ fn correlation(times: &[f64], values: &[f64], reference: &Reference, shift: f64)
 }
 
 /// The place of a maximum between two ends, by the golden section.
-fn golden(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn golden(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut a, mut b) = (low, high);
     let (mut c, mut d) = (b - ratio * (b - a), a + ratio * (b - a));

@@ -4,6 +4,7 @@ mod align;
 mod cut;
 mod filter;
 mod level;
+mod pace;
 mod resample;
 
 pub use align::{Align, Reference};

@@ -1,6 +1,7 @@
 //! Tables of measured channels, read. Reading never fails, whatever the bytes are: it gives what it understood, and names every
 //! row and cell that it could not take.
 
+mod columns;
 mod dialect;
 mod faults;
 mod heading;
@@ -46,9 +47,24 @@ const SAMPLE: usize = 200;
 /// Reads the table of one run.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Read {
     let mut findings = Vec::new();
+    if columns::is_parquet(bytes) {
+        return match columns::texts(bytes) {
+            Ok(texts) => understood(&texts.notes, &texts.table, options, findings),
+            Err(refusal) => {
+                let place = Place { run: options.name.clone(), ..Place::default() };
+                findings.push(Finding::new(Severity::Error, "R005", place, refusal.message, refusal.help));
+                Read { run: None, findings }
+            }
+        };
+    }
     let text = text::decode(bytes, &options.name, &mut findings);
-    let notes = notes::notes(&text, options, &mut findings);
-    let run = table(&text, options, &notes.name, &mut findings).map(|(table, plan)| {
+    understood(&text, &text, options, findings)
+}
+
+/// The run of a table, with its comment lines, which commonly stand in the same text.
+fn understood(notes: &str, text: &str, options: &ReadOptions, mut findings: Vec<Finding>) -> Read {
+    let notes = notes::notes(notes, options, &mut findings);
+    let run = table(text, options, &notes.name, &mut findings).map(|(table, plan)| {
         let mut channels = plan.channels;
         for ((channel, values), decimals) in channels.iter_mut().zip(table.values).zip(table.decimals) {
             (channel.values, channel.decimals) = (values, decimals);

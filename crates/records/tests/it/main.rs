@@ -3,6 +3,7 @@
 mod data;
 mod defects;
 mod mangled;
+mod parquet;
 mod peaks;
 mod preparation;
 mod reading;

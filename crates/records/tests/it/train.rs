@@ -13,6 +13,10 @@ const CHANNELS: [(&str, Quantity, f64, f64, f64, f64); 4] = [
 ];
 /// Distances of the axles behind the first [m].
 pub const AXLES: [f64; 6] = [0.0, 1.8, 3.7, 11.0, 12.9, 14.7];
+/// Distances of the axles of a goods train behind the first [m]: the locomotive and seven bogies more.
+pub const LONG: [f64; 20] = [
+    0.0, 1.8, 3.7, 11.0, 12.9, 14.7, 20.2, 22.2, 29.0, 31.0, 34.7, 36.7, 43.5, 45.5, 49.2, 51.2, 58.0, 60.0, 63.7, 65.7,
+];
 /// Time at which the first axle stands at the springing [s]: the record starts when it is 12 m away, and 1.5 s before.
 pub fn arrival(speed: f64) -> f64 {
     1.5_f64.max(12.0 / speed)
@@ -24,11 +28,11 @@ fn influence(x: f64, width: f64, lobe: f64) -> f64 {
 }
 
 /// Exact values of a channel at times, scaled to its peak [SI].
-fn values(index: usize, speed: f64, times: &[f64]) -> Vec<f64> {
+fn values(index: usize, speed: f64, times: &[f64], axles: &[f64]) -> Vec<f64> {
     let (_, quantity, peak, place, width, lobe) = CHANNELS[index];
     let at = |time: &f64| -> f64 {
         let first = speed * (time - arrival(speed));
-        AXLES.iter().map(|axle| influence(first - axle - place, width, lobe)).sum()
+        axles.iter().map(|axle| influence(first - axle - place, width, lobe)).sum()
     };
     let raw: Vec<f64> = times.iter().map(at).collect();
     let largest = raw.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
@@ -44,6 +48,16 @@ pub fn times(speed: f64, rate: f64) -> Vec<f64> {
 
 /// Exact histories on lines across the barrel, rounded to 0.01 mm and 0.05 microstrain.
 pub fn exact(speed: f64, times: &[f64], lines: &[&str], factor: impl Fn(&str, &str) -> f64) -> Vec<Exact> {
+    exact_of(&AXLES, speed, times, lines, factor)
+}
+
+fn exact_of(
+    axles: &[f64],
+    speed: f64,
+    times: &[f64],
+    lines: &[&str],
+    factor: impl Fn(&str, &str) -> f64,
+) -> Vec<Exact> {
     let mut all = Vec::new();
     for (index, (name, quantity, ..)) in CHANNELS.iter().enumerate() {
         for line in lines {
@@ -53,7 +67,7 @@ pub fn exact(speed: f64, times: &[f64], lines: &[&str], factor: impl Fn(&str, &s
                 name: (*name).to_owned(),
                 line: (*line).to_owned(),
                 unit,
-                values: values(index, speed, times).iter().map(|value| scale * value).collect(),
+                values: values(index, speed, times, axles).iter().map(|value| scale * value).collect(),
                 least_count: unit.to_si(if *quantity == Quantity::Length { 0.01 } else { 0.05 }),
                 deviation: unit.to_si(if *quantity == Quantity::Length { 0.001 } else { 0.05 }),
             });
@@ -68,6 +82,15 @@ pub fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str
     let times = times(speed, 400.0);
     let noise = Noise { rate: Some(100.0), seed, origin: "bell-shaped influence lines".to_owned() };
     synthesise(name, Some(speed), &times, &exact(speed, &times, lines, factor), &noise)
+}
+
+/// The same of the goods train.
+pub fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Run {
+    let speed = kmh / 3.6;
+    let end = 2.0 * arrival(speed) + 75.0 / speed;
+    let times: Vec<f64> = (0..=(end * 400.0) as usize).map(|k| k as f64 / 400.0).collect();
+    let noise = Noise { rate: Some(100.0), seed, origin: "bell-shaped influence lines".to_owned() };
+    synthesise(name, Some(speed), &times, &exact_of(&LONG, speed, &times, lines, |_, _| 1.0), &noise)
 }
 
 /// The good run of the tests.

@@ -1,12 +1,15 @@
 //! From tables of loggers to the channels that the model is compared with: read, judged, made ready, brought to its times.
 
-use super::outcome::{RecordsUsed, RunUsed};
+use super::Task;
+use super::outcome::{RecordsUsed, RunUsed, Verdict};
 use crate::analysis::passage::{Quantity, Setup};
+use bridge::Bridge;
+use bridge::passage::{Place, default_sensors};
 use bridge::update::{Channel as Said, Update as Asked};
 use calibrate::Channel;
 use records::{
-    Align, Column, Detrend, Expected, LeaveOut, Mapping, Preparation, ReadOptions, Reference, Run, Scrutiny, Series,
-    Source, Zero, examine, prepare, read,
+    Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Reference, Run, Scrutiny,
+    Series, Source, Testing, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
 };
 
 /// A table beside the bridge file.
@@ -18,21 +21,62 @@ pub struct RecordFile {
     pub bytes: Vec<u8>,
 }
 
-/// Channels in the order of the sensors, in the units in which they are shown, and how they came about.
-pub fn measured(asked: &Asked, setup: &Setup, files: &[RecordFile], start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
-    let mut findings = Vec::new();
-    let (mut runs, mut named) = (Vec::new(), Vec::new());
+/// Tables as they were read.
+#[derive(Debug, Default)]
+struct Tables {
+    runs: Vec<Run>,
+    /// File of each run.
+    named: Vec<String>,
+    /// Findings, each with its file.
+    findings: Vec<(String, Finding)>,
+}
+
+fn tables(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Tables {
+    let mut tables = Tables::default();
     for file in files {
         let found = read(&file.bytes, &options(asked, &file.name));
-        findings.extend(found.findings);
+        tables.findings.extend(found.findings.into_iter().map(|finding| (file.name.clone(), finding)));
         if let Some(mut run) = found.run {
             name_by_sensors(&mut run, setup);
-            named.push(file.name.clone());
-            runs.push(run);
+            tables.named.push(file.name.clone());
+            tables.runs.push(run);
         }
     }
-    let series = prepare(examine(runs, &scrutiny(asked, setup, start)), &preparation(asked, setup, start));
-    findings.extend(series.findings.iter().cloned());
+    tables
+}
+
+/// Whether any channel of a sensor can be used as far as the tables alone tell; if none can, what was found in them.
+pub fn worth_a_passage(asked: &Asked, setup: &Setup, files: &[RecordFile]) -> Result<(), Vec<String>> {
+    let Tables { runs, named, findings } = tables(asked, setup, files);
+    let series = examine(runs, &Scrutiny::default());
+    let known = |name: &str| setup.sensors.iter().any(|sensor| sensor.name == name);
+    if series.runs.iter().any(|run| run.used().any(|channel| known(&channel.name))) {
+        return Ok(());
+    }
+    let mut words: Vec<String> =
+        findings.iter().map(|(file, finding)| format!("{file}: {}", finding.words())).collect();
+    words.extend(series.findings.iter().map(|finding| {
+        let run = series.runs.iter().position(|run| run.name == finding.place.run);
+        run.map_or_else(|| finding.words(), |run| format!("{}: {}", named[run], finding.words()))
+    }));
+    if series.runs.iter().any(|run| run.used().next().is_some()) {
+        let sensors: Vec<&str> = setup.sensors.iter().map(|sensor| sensor.name.as_str()).collect();
+        words.push(format!("no column is named after a sensor; the sensors are {}", sensors.join(", ")));
+    }
+    Err(words)
+}
+
+/// Channels in the order of the sensors, in the units in which they are shown, and how they came about.
+pub fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (Vec<Channel>, RecordsUsed) {
+    let asked = task.asked;
+    let Tables { runs, named, mut findings } = tables(asked, setup, task.files);
+    let series = prepare(examine(runs, &scrutiny(asked, setup, start)), &preparation(task, setup, start));
+    // Runs keep their order; those of one name were given numbers.
+    let file_of = |finding: &Finding| {
+        let run = series.runs.iter().position(|run| run.name == finding.place.run);
+        run.map_or_else(String::new, |run| named[run].clone())
+    };
+    findings.extend(series.findings.iter().map(|finding| (file_of(finding), finding.clone())));
     let used = |(run, file): (&Run, &String)| RunUsed {
         name: run.name.clone(),
         file: file.clone(),
@@ -42,7 +86,20 @@ pub fn measured(asked: &Asked, setup: &Setup, files: &[RecordFile], start: &[Vec
     };
     let runs = series.runs.iter().zip(&named).map(used).collect();
     let channels = (0..setup.sensors.len()).map(|k| channel(asked, setup, &series, k)).collect();
-    (channels, RecordsUsed { runs, done: series.done, findings })
+    let verdict = verdict(&series);
+    let (places, findings) = findings.into_iter().unzip();
+    (channels, RecordsUsed { runs, done: series.done, findings, places, verdict })
+}
+
+/// What the peaks of all runs and lines tell; nothing where there is none.
+fn verdict(series: &Series) -> Option<Verdict> {
+    let (peaks, testing) = (peaks(series), Testing::default());
+    let told = |peaks| Verdict {
+        dynamics: dynamics(&peaks, &testing),
+        plane_strain: plane_strain(&peaks, Some(series), &testing),
+        peaks,
+    };
+    (!peaks.peaks.is_empty()).then(|| told(peaks))
 }
 
 fn said<'a>(asked: &'a Asked, name: &str) -> Option<&'a Said> {
@@ -85,25 +142,55 @@ fn scrutiny(asked: &Asked, setup: &Setup, start: &[Vec<f64>]) -> Scrutiny {
     Scrutiny { expected: expected.collect(), leave_out, ..Scrutiny::default() }
 }
 
-fn preparation(asked: &Asked, setup: &Setup, start: &[Vec<f64>]) -> Preparation {
-    let records = &asked.records;
-    let reference = |name: &String| {
-        let k = setup.sensors.iter().position(|sensor| sensor.name == *name)?;
-        let scale = setup.sensors[k].quantity.scale();
-        let values = start[k].iter().map(|value| value / scale).collect();
-        Some(Align::Reference(Reference {
-            name: name.clone(),
-            line: String::new(),
-            times: setup.times.clone(),
-            values,
-        }))
-    };
+fn preparation(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> Preparation {
+    let records = &task.asked.records;
+    let align = records.align.as_ref().and_then(|name| match records.by_axles {
+        true => by_axles(task.bridge, setup, name),
+        false => by_model(setup, start, name),
+    });
     Preparation {
         zero: if records.zero { Zero::QuietStart } else { Zero::AsRecorded },
         detrend: if records.drift { Detrend::QuietEnds } else { Detrend::None },
-        align: records.align.as_ref().and_then(reference).unwrap_or_default(),
+        low_pass: records.low_pass,
+        align: align.unwrap_or_default(),
         ..Preparation::default()
     }
+}
+
+/// The channel's history in the start model.
+fn by_model(setup: &Setup, start: &[Vec<f64>], name: &str) -> Option<Align> {
+    let k = setup.sensors.iter().position(|sensor| sensor.name == name)?;
+    let scale = setup.sensors[k].quantity.scale();
+    Some(Align::Reference(Reference {
+        name: name.to_owned(),
+        line: String::new(),
+        times: setup.times.clone(),
+        values: start[k].iter().map(|value| value / scale).collect(),
+        speed: Some(setup.plan.speed),
+    }))
+}
+
+/// The times at which axles stand above the channel's sensor, on the clock of the passage; each is felt for half a span
+/// before and after.
+fn by_axles(bridge: &Bridge, setup: &Setup, name: &str) -> Option<Align> {
+    let passage = bridge.passage.as_ref()?;
+    let defaults = default_sensors(bridge.spans.len());
+    let sensors = if passage.sensors.is_empty() { &defaults } else { &passage.sensors };
+    let ends = |span: usize| setup.meshed.sets.spans.get(span).map(|span| span.springings_at.map(|point| point.x));
+    let middle = |[left, right]: [f64; 2]| 0.5 * (left + right);
+    let (x, [left, right]) = match sensors.iter().find(|sensor| sensor.name == name)?.place {
+        Place::Span { span, share } => {
+            ends(span).map(|[left, right]| (left + share * (right - left), [left, right]))?
+        }
+        Place::Point([x, _]) => {
+            let spans = (0..bridge.spans.len()).filter_map(ends);
+            (x, spans.min_by(|a, b| (middle(*a) - x).abs().total_cmp(&(middle(*b) - x).abs()))?)
+        }
+    };
+    let (speed, from) = (setup.plan.speed, *setup.positions.first()?);
+    let times = passage.train.axles(bridge.gravity).iter().map(|axle| (x + axle.offset - from) / speed).collect();
+    let (name, line) = (name.to_owned(), String::new());
+    Some(Align::Axles { name, line, times, felt: 0.5 * (right - left).abs() / speed, speed: Some(speed) })
 }
 
 /// The mean over runs and lines of one sensor's records.

@@ -9,6 +9,7 @@ pub use forward::{Model, Threads};
 pub use measured::RecordFile;
 pub use outcome::{
     Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, SearchLine, Update, UpdateStatus,
+    Verdict,
 };
 
 use super::AnalysisError;
@@ -97,6 +98,7 @@ pub struct Means<'a> {
 pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, UpdateError> {
     let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
     let setup = model.setup();
+    measured::worth_a_passage(task.asked, setup, task.files).map_err(UpdateError::NoProblem)?;
     let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
     let blind = blind(parameters.clone(), setup)?;
@@ -108,7 +110,7 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
     let Ok(first) = first else { return Ok(cancelled(task, setup, blind)) };
     let first = first[0].as_ref().as_ref().map_err(|failure| UpdateError::StartModel(words(failure)))?;
 
-    let (channels, used) = measured::measured(task.asked, setup, task.files, &first.values);
+    let (channels, used) = measured::measured(task, setup, &first.values);
     let problem = Problem::new(parameters, channels, misfit(task.asked)).map_err(|findings| {
         let words = findings.iter().map(|f| format!("{}: {} ({})", f.place, f.message, f.help));
         UpdateError::NoProblem(words.chain(used.findings.iter().map(records::Finding::words)).collect())
@@ -146,6 +148,48 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
     (found.evaluations, found.computed) = (evaluator.log().len(), evaluator.computed() + already);
     found.assumptions = assumptions(&model, &problem);
     found.basis = Some(basis);
+    warn(&mut found);
+    Ok(found)
+}
+
+/// The records alone, judged beside one passage of the start model: nothing is sought.
+pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
+    let model = Model::new(task.bridge, task.document, &task.asked.parameters)?;
+    let setup = model.setup();
+    let parameters: Vec<Parameter> = task.asked.parameters.iter().map(parameter).collect();
+    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
+    let blind = blind(parameters.clone(), setup)?;
+    let mut evaluator = Evaluator::new(&blind, &model, means.map, &mut *means.watch, Log::new(&task.identity()));
+    let Ok(first) = evaluator.respond(std::slice::from_ref(&start), &Request::all()) else {
+        return Ok(cancelled(task, setup, blind));
+    };
+    let first = first[0].as_ref().as_ref().map_err(|failure| UpdateError::StartModel(words(failure)))?;
+    let log = evaluator.into_log();
+    let (channels, used) = measured::measured(task, setup, &first.values);
+    if used.runs.is_empty() {
+        return Err(UpdateError::NoProblem(used.findings.iter().map(records::Finding::words).collect()));
+    }
+    // Where no channel can be compared, the verdict on the records is the answer all the same.
+    let posed = Problem::new(parameters, channels, misfit(task.asked));
+    let mut found = Update { records: used, ..cancelled(task, setup, blind) };
+    found.status = UpdateStatus::Completed;
+    match posed {
+        Ok(problem) => {
+            let mut evaluator = Evaluator::new(&problem, &model, means.map, means.watch, log);
+            match Basis::at(&mut evaluator, &start) {
+                Ok(basis) => found.basis = Some(basis),
+                Err(Halt::Stopped) => found.status = UpdateStatus::Cancelled,
+                Err(Halt::Failed(failure)) => found.warnings.push(untold("the start model's fit", &words(&failure))),
+            }
+            found.channels = histories(setup, &problem, &first.values, None);
+            found.problem = problem;
+        }
+        Err(findings) => {
+            let said: Vec<String> = findings.iter().map(|f| format!("{}: {}", f.place, f.message)).collect();
+            found.warnings.push(untold("the start model's fit", &said.join("; ")));
+        }
+    }
+    (found.evaluations, found.computed) = (1, 1);
     warn(&mut found);
     Ok(found)
 }

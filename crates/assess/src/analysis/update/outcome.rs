@@ -126,6 +126,28 @@ pub struct RecordsUsed {
     pub done: Vec<records::Done>,
     /// Everything that was found in them.
     pub findings: Vec<records::Finding>,
+    /// The file that each finding is about, in their order; empty where it is about all of them.
+    pub places: Vec<String>,
+    /// What their peaks tell; none where no channel can be used.
+    pub verdict: Option<Verdict>,
+}
+
+impl RecordsUsed {
+    /// Whether somebody should look at them: something was repaired, removed or doubted.
+    pub fn doubted(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity > records::Severity::Note)
+    }
+}
+
+/// What the peaks of all runs and lines tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// Peaks by run and line.
+    pub peaks: records::PeakTable,
+    /// Whether they depend on the speed of the train.
+    pub dynamics: records::Dynamics,
+    /// Whether lines across the barrel differ.
+    pub plane_strain: records::PlaneStrain,
 }
 
 /// From records to a calibrated bridge.
@@ -161,7 +183,7 @@ pub struct Update {
     pub modern: Option<modern::Outcome>,
     /// Evolution over the whole ranges.
     pub referee: Option<referee::Outcome>,
-    /// A plain gradient search.
+    /// A plain gradient search; of several starts, the one that ended best.
     pub gradient: Option<gradient::Outcome>,
     /// What the data can tell at the answer.
     pub identifiability: Option<Identifiability>,

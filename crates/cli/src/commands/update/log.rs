@@ -45,6 +45,28 @@ impl Keeper {
     }
 }
 
+/// Looks on where nothing is worth keeping: draws progress, hears Ctrl-C.
+pub struct Onlooker(ProgressBar);
+
+impl Onlooker {
+    /// Someone who draws, unless told to be quiet.
+    pub fn new(quiet: bool) -> Onlooker {
+        Onlooker(watcher::count(quiet, 1))
+    }
+
+    /// Ends the drawing.
+    pub fn finish(self) {
+        self.0.finish_and_clear();
+    }
+}
+
+impl Watch for Onlooker {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        self.0.set_message(format!("{}: {} evaluations", progress.stage, progress.done));
+        if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+    }
+}
+
 fn read(path: &std::path::Path) -> Result<Option<String>, Failure> {
     match std::fs::read(path) {
         Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
