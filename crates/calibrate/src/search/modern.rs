@@ -78,8 +78,10 @@ pub struct Outcome {
 
 /// Share of the square of the norm by which a step has to lower it, and of the point by which it has to move it: a search that gains less is at
 /// its end, for a twin is asked for to half a per cent and records are never better.
-const ENOUGH: f64 = 1e-7;
-const NOWHERE: f64 = 1e-6;
+const ENOUGH: [f64; 2] = [1e-7, 1e-6];
+
+/// The same where full passages go on from the end.
+const ENOUGH_OF_SLICES: [f64; 2] = [1e-4, 3e-4];
 
 /// How often a step that does not descend is shortened, to a quarter each time. Peaks jump from place to place, joints open: the norm has kinks, and on one of
 /// them no length of the step descends.
@@ -143,12 +145,14 @@ pub(super) fn solve(
     starts: &[Vec<f64>],
 ) -> Result<Vec<RunEnd>, Halt> {
     let parameters = evaluator.problem.parameters();
+    // Full passages go on where slices end.
+    let [enough, nowhere] = if basis.samples == Samples::All { ENOUGH } else { ENOUGH_OF_SLICES };
     let one = |run: usize, known: &Known| -> Result<RunEnd, Missing> {
         let begin = shares(parameters, &starts[run]);
         let solver = TrustRegionReflective::new()
             .with_absolute_scaled_gradient_tolerance(1e-10)
-            .with_relative_cost_change_tolerance(ENOUGH)
-            .with_relative_step_tolerance::<Vec<f64>, f64>(NOWHERE)
+            .with_relative_cost_change_tolerance(enough)
+            .with_relative_step_tolerance::<Vec<f64>, f64>(nowhere)
             .with_max_inner_attempts(ATTEMPTS);
         let ended = Executor::from_start(Sought::new(known), solver, begin)
             .max_iter(settings.iterations)

@@ -191,6 +191,7 @@ fn slices_tell_their_derivatives() {
     let plain = WantedSlices { positions: &positions, ..Default::default() };
     let found = slices(&bridge, &base, WantedSlices { neighbours: &neighbours, ..plain }, &mut Unwatched).unwrap();
     assert_eq!(found.status, PassageStatus::Completed, "{:?}", found.reason);
+    assert!(!found.taking_part.is_empty());
     for k in 0..2 {
         let values = |share: f64| {
             let (other, by) = with(k, share);

@@ -23,14 +23,14 @@ pub struct Model<'a> {
     setup: Setup,
     /// Whether a parameter moves the mesh, the loads or the sensors.
     moves: bool,
-    /// What took part in the start model's answers, by the positions that were asked for; `None` for all of them.
+    /// What the start model's answers let expect, by the positions that were asked for; `None` for all of them.
     usual: Mutex<BTreeMap<Asked, Arc<OnceLock<Vec<usize>>>>>,
 }
 
 /// Positions of slices, or `None` for a whole passage.
 type Asked = Option<Vec<usize>>;
 
-/// Answers of the sensors, and what took part in them.
+/// Answers of the sensors, and parts that took part in them.
 struct Answers {
     values: Vec<Vec<f64>>,
     derivatives: Vec<Vec<Vec<f64>>>,
@@ -86,8 +86,8 @@ impl<'a> Model<'a> {
         Ok(bridge)
     }
 
-    /// Answers of a model. What took part in those of the start model is expected of every other; the start model's own are found without, so that
-    /// answers do not depend on what was asked before.
+    /// Answers of a model, which expects what the start model's answers let expect; those of the start model's own whole passage are found without, and
+    /// once: answers do not depend on what was asked before.
     fn answer(
         &self,
         point: &[f64],
@@ -96,22 +96,25 @@ impl<'a> Model<'a> {
         asked: Asked,
         neighbours: &[(Bridge, f64)],
     ) -> Result<Answers, Failure> {
+        if self.moves {
+            return answers(bridge, setup, &asked, &[], &[]);
+        }
         let usual = {
             let mut usual = self.usual.lock().unwrap_or_else(PoisonError::into_inner);
             usual.entry(asked.clone()).or_default().clone()
         };
-        if self.moves {
-            return answers(bridge, setup, &asked, &[], &[]);
-        }
-        if self.parameters.iter().zip(point).all(|(parameter, value)| parameter.start == *value) {
-            let found = answers(bridge, setup, &asked, &[], neighbours)?;
+        let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
+        if asked.is_none() && point == start {
+            let found = whole(bridge, setup, &[])?;
             usual.get_or_init(|| found.taking_part.clone());
             return Ok(found);
         }
-        let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
-        let at_start = || answers(&self.bridge_at(&start)?, setup, &asked, &[], &[]);
-        let took_part = || at_start().map_or_else(|_| Vec::new(), |found| found.taking_part);
-        answers(bridge, setup, &asked, usual.get_or_init(took_part), neighbours)
+        let usual = usual.get_or_init(|| self.expected(&start, setup, &asked).unwrap_or_default());
+        answers(bridge, setup, &asked, usual, neighbours)
+    }
+
+    fn expected(&self, start: &[f64], setup: &Setup, asked: &Asked) -> Result<Vec<usize>, Failure> {
+        Ok(answers(&self.bridge_at(start)?, setup, asked, &[], &[])?.taking_part)
     }
 
     /// The bridge with each parameter a little away from a point, inside its range.
@@ -148,8 +151,8 @@ fn at_places(
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
 ) -> Result<Answers, Failure> {
-    let positions: Vec<f64> = places.iter().map(|k| setup.positions[*k]).collect();
-    if setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress) {
+    let positions = positions(setup, places);
+    if has_stress(setup) {
         let times = places.iter().map(|k| setup.times[*k]).collect();
         let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
         let some = Setup { times, positions, plan, ..setup.clone() };
@@ -159,6 +162,14 @@ fn at_places(
     let found = slices(bridge, setup, wanted, &mut Unwatched).map_err(not_set_up)?;
     let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
     completed(found.status, found.reason, answers)
+}
+
+fn positions(setup: &Setup, places: &[usize]) -> Vec<f64> {
+    places.iter().map(|k| setup.positions[*k]).collect()
+}
+
+fn has_stress(setup: &Setup) -> bool {
+    setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress)
 }
 
 /// Answers at every position of the passage.
@@ -216,8 +227,7 @@ impl Forward for Model<'_> {
 
     /// Slices go with their derivatives, unless a parameter moves the mesh or a stress is among the sensors.
     fn has_sensitivities(&self, samples: &Samples) -> bool {
-        let stress = self.setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress);
-        *samples != Samples::All && !self.moves && !stress
+        *samples != Samples::All && !self.moves && !has_stress(&self.setup)
     }
 
     fn length(&self, _channel: usize) -> usize {

@@ -208,15 +208,12 @@ impl<'a> Condensed<'a> {
     }
 
     /// Balances loads on top of what was there at the start, from the last position, with the active parts. What parts remembered before
-    /// goes to `before`; where there is no balance, nothing has changed. Another position near the one that is sought shows the way.
-    fn go(&mut self, to: Vec<f64>, near: Option<&Place>, before: &mut Vec<(usize, Remembered)>) -> Position {
+    /// goes to `before`; where there is no balance, nothing has changed.
+    fn go(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
         let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
         let mut trial = self.guess(self.rows.moved(&more));
         trial.to = to;
-        if let Some(near) = near {
-            self.lead(&mut trial, near);
-        }
         while self.iterate(&mut trial, &mut position) {
             let values = self.values_of_all(&trial);
             let Some(moving) = self.moving_among_the_cool(&values) else { break };

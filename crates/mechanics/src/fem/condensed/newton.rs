@@ -1,7 +1,7 @@
 //! Newton's method on the forces of the hot rows.
 
 use super::rows::dot;
-use super::{Condensed, Place, Position, TOLERANCE};
+use super::{Condensed, Position, TOLERANCE};
 
 /// Iterations without a smaller change after which a position is given up.
 const IDLE: u32 = 15;
@@ -43,13 +43,6 @@ impl Condensed<'_> {
         let before: Vec<f64> = self.hot.rows.iter().map(|&row| self.at.forces[row]).collect();
         let forces = before.iter().zip(step).map(|(force, step)| force + step).collect();
         Trial { led, forces, before, ..Trial::default() }
-    }
-
-    /// The forces are those of another position, from which they are not far.
-    pub(super) fn lead(&self, trial: &mut Trial, near: &Place) {
-        for (force, &row) in trial.forces.iter_mut().zip(&self.hot.rows) {
-            *force = near.forces.get(row).copied().unwrap_or(0.0);
-        }
     }
 
     /// More parts are hot from now on.

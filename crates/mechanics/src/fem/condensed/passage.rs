@@ -11,9 +11,6 @@ const HALVINGS: u32 = 6;
 /// Positions after which a part that has not moved any more is hot no longer.
 pub(super) const COOLS: u64 = 4;
 
-/// Share of the loads by which two positions may differ if one is to show the way to the other.
-const NEAR: f64 = 0.3;
-
 /// One position of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Visited {
@@ -79,7 +76,7 @@ impl Condensed<'_> {
             self.cool_down();
             let mut steps = Vec::with_capacity(stretch);
             for k in at..(at + stretch).min(count) {
-                steps.push(self.reach(&amplitudes(k), None)?);
+                steps.push(self.reach(&amplitudes(k))?);
                 if steps.last().is_some_and(|step| step.position.reached != Reached::Balanced) {
                     break;
                 }
@@ -107,7 +104,7 @@ impl Condensed<'_> {
     pub fn settle(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
         loop {
             self.cool_down();
-            let step = self.reach(to, None)?;
+            let step = self.reach(to)?;
             let position = step.position;
             if position.reached != Reached::Balanced || self.look_over(&mut vec![step])?.1 {
                 return Ok(position);
@@ -129,10 +126,7 @@ impl Condensed<'_> {
             for &k in &open {
                 self.back_to(from);
                 self.cool_down();
-                let near = steps.iter().map(|step| (distance(&step.to.amplitudes, &to[k]), step));
-                let near = near.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(far, _)| *far < NEAR);
-                let step = self.reach(&to[k], near.map(|(_, step)| &step.to))?;
-                steps.push(step);
+                steps.push(self.reach(&to[k])?);
             }
             let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
             let (joining, stands) = self.joining(&places, Look::Each)?;
@@ -182,8 +176,8 @@ impl Condensed<'_> {
     }
 
     /// Goes to a position with the parts that are active, in parts of the way where the whole is too far; where no balance is found the last one
-    /// is as it was. Another position near it may show the way.
-    fn reach(&mut self, to: &[f64], near: Option<&Place>) -> Result<Step, CondensedError> {
+    /// is as it was.
+    fn reach(&mut self, to: &[f64]) -> Result<Step, CondensedError> {
         let from = self.at.clone();
         let (mut reached, mut step, mut iterations) = (0.0, 1.0, 0);
         let mut before = Vec::new();
@@ -191,7 +185,7 @@ impl Condensed<'_> {
             let next = if reached + step > 1.0 - 1e-9 { 1.0 } else { reached + step };
             let mix = |(a, b): (&f64, &f64)| if next == 1.0 { *b } else { a + next * (b - a) };
             let amplitudes = from.amplitudes.iter().zip(to).map(mix).collect();
-            let mut position = self.go(amplitudes, near.filter(|_| step == 1.0), &mut before);
+            let mut position = self.go(amplitudes, &mut before);
             iterations += position.iterations;
             position.iterations = iterations;
             if position.reached == Reached::Balanced {
@@ -216,10 +210,4 @@ impl Condensed<'_> {
             }
         }
     }
-}
-
-/// How far apart loads are, over what they are.
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let apart: f64 = a.iter().zip(b).map(|(a, b)| (a - b).abs()).sum();
-    apart / b.iter().map(|b| b.abs()).sum::<f64>()
 }
