@@ -121,6 +121,7 @@ fn made_up(bridge: &Bridge) -> Passage {
         values,
         degrees_of_freedom: 2 * setup.meshed.mesh.nodes.len(),
         condensed_degrees_of_freedom: Some(3000),
+        taking_part: Vec::new(),
         log: setup.times.iter().map(|time| step(*time)).collect(),
         moments: vec![
             moment(bridge, &setup, "self-weight", None),

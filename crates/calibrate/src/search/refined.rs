@@ -62,13 +62,12 @@ enum Wanted {
     Derivatives,
 }
 
+/// Rows that full passages answer at a point.
+type Ask<'a> = dyn FnMut(&[f64], Wanted) -> Result<Vec<Vec<f64>>, Halt> + 'a;
+
 /// Goes down from a point with derivatives that need not be quite those of the residuals; where it settled with a norm left, their errors would shift it, and
 /// it goes on once with the residuals' own.
-fn descend(
-    mut here: Vec<f64>,
-    mut columns: Vec<Vec<f64>>,
-    ask: &mut dyn FnMut(&[f64], Wanted) -> Result<Vec<Vec<f64>>, Halt>,
-) -> Result<(Vec<f64>, f64, bool), Halt> {
+fn descend(mut here: Vec<f64>, mut columns: Vec<Vec<f64>>, ask: &mut Ask<'_>) -> Result<(Vec<f64>, f64, bool), Halt> {
     let mut right = ask(&here, Wanted::Residuals)?.pop().unwrap_or_default();
     let (mut radius, mut exact) = (RADIUS, false);
     for _ in 0..ROUNDS {
