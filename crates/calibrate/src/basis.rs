@@ -56,8 +56,12 @@ impl Basis {
         Ok(Self { samples: samples(evaluator, &response), ..self.clone() })
     }
 
-    /// The peaks' places of a full passage of another model, and by how much its peaks differ from those of the slices at these places.
-    pub(crate) fn corrected(&self, evaluator: &mut Evaluator, point: &[f64]) -> Result<Self, Halt> {
+    /// The peaks' places of a full passage of another model, and by how much its peaks differ from those of the slices at these places;
+    /// the same where there are no slices.
+    pub fn corrected(&self, evaluator: &mut Evaluator, point: &[f64]) -> Result<Self, Halt> {
+        if self.samples == Samples::All {
+            return Ok(self.clone());
+        }
         let full = full_passage(evaluator, point)?;
         let mut basis = Self { samples: samples(evaluator, &full), ..self.clone() };
         let request = basis.request(evaluator.has_sensitivities(&basis.samples));

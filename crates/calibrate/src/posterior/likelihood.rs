@@ -8,7 +8,7 @@
 //! $g^2\, \mathbf v \mathbf v^T$ over all; its inverse and determinant are known in closed form.
 
 use crate::forward::Response;
-use crate::misfit::{Compare, peak_place};
+use crate::misfit::{Compare, Held, peak_place};
 use crate::problem::{Finding, Problem};
 
 /// The error that the model would have at its best parameters.
@@ -90,22 +90,23 @@ impl Likelihood {
         }
     }
 
-    /// Logarithm of the likelihood, complete with its constants.
-    pub(crate) fn log(&self, problem: &Problem, response: &Response, scale: f64) -> f64 {
+    /// Logarithm of the likelihood, complete with its constants. What full passages give beyond slices is added to the values.
+    pub(crate) fn log(&self, problem: &Problem, held: &Held, response: &Response, scale: f64) -> f64 {
         let mut sum = 0.0;
         for (k, values) in response.values.iter().enumerate().filter(|(k, _)| problem.channels()[*k].counts()) {
             let channel = &problem.channels()[k];
+            let beyond = held.beyond.get(k).copied().unwrap_or(0.0);
             let noise = channel.uncertainty.unwrap_or(f64::NAN);
             let peak = channel.measured_peak().unwrap_or(0.0);
             let history = channel.history.as_deref().unwrap_or(&[]);
             sum += match problem.misfit().compare {
                 Compare::Peaks => {
                     let place = peak_place(problem, k, values);
-                    let difference = place.map_or(f64::NAN, |place| values[place] - peak);
+                    let difference = place.map_or(f64::NAN, |place| values[place] + beyond - peak);
                     log_density(&[difference], &[scale * peak], noise, 0.0, 1)
                 }
                 Compare::Histories => {
-                    let differences: Vec<f64> = values.iter().zip(history).map(|(u, v)| u - v).collect();
+                    let differences: Vec<f64> = values.iter().zip(history).map(|(u, v)| u + beyond - v).collect();
                     let gain: Vec<f64> = history.iter().map(|v| scale * v).collect();
                     let local = self.block.map_or(0.0, |_| scale * peak);
                     log_density(&differences, &gain, noise, local, self.block.unwrap_or(usize::MAX))

@@ -79,7 +79,8 @@ impl<'e, 'a> Target<'e, 'a> {
         let mut likelihoods = vec![f64::NEG_INFINITY; places.len()];
         for (k, answer) in inside.into_iter().zip(answers) {
             if let Ok(response) = answer.as_ref() {
-                let log = self.likelihood.log(self.evaluator.problem, response, self.scale(&places[k]));
+                let held = &self.basis.held;
+                let log = self.likelihood.log(self.evaluator.problem, held, response, self.scale(&places[k]));
                 likelihoods[k] = if log.is_nan() { f64::NEG_INFINITY } else { log };
             }
         }

@@ -110,11 +110,8 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings, outcome: &
     evaluator.stage("trust region, all starts");
     let starts = starts(evaluator, settings);
     let slices = basis.samples != Samples::All;
-    let searched = if slices {
-        basis.corrected(evaluator, &settings.start.point(evaluator.problem.parameters()))?
-    } else {
-        basis.clone()
-    };
+    let first = settings.start.point(evaluator.problem.parameters());
+    let searched = basis.corrected(evaluator, &first)?;
     outcome.runs = solve(evaluator, &searched, settings, &starts)?;
     // The best end by slices is not yet one by full passages.
     if let Some(best) = outcome.runs.first().filter(|run| slices && run.norm.is_finite()).cloned() {

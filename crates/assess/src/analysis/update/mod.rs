@@ -203,6 +203,13 @@ fn tell(
     clock: &dyn Fn() -> f64,
     found: &mut Update,
 ) -> Result<(), ()> {
+    // Slices count with what the full passage of the model that was found gives beyond them.
+    let corrected = match basis.corrected(evaluator, point) {
+        Ok(corrected) => corrected,
+        Err(Halt::Stopped) => return Err(()),
+        Err(Halt::Failed(_)) => basis.clone(),
+    };
+    let basis = &corrected;
     match searches::identify(evaluator, basis, point) {
         Ok(told) => found.identifiability = Some(told),
         Err(Halt::Stopped) => return Err(()),
