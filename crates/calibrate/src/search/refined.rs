@@ -40,10 +40,12 @@ pub(super) fn settle(evaluator: &mut Evaluator, basis: &Basis, from: &RunEnd) ->
     let mut ask = |at: &[f64], wanted: Wanted| -> Result<Vec<Vec<f64>>, Halt> {
         let point = values(parameters, at);
         match wanted {
-            Wanted::Residuals => {
-                let response = full_passage(evaluator, &point)?;
-                Ok(vec![residuals(evaluator.problem, &basis.held, &response)])
-            }
+            Wanted::Residuals => match full_passage(evaluator, &point) {
+                Ok(response) => Ok(vec![residuals(evaluator.problem, &basis.held, &response)]),
+                // A step to where the model has no answer was too long.
+                Err(Halt::Failed(_)) => Ok(vec![vec![f64::INFINITY]]),
+                Err(halt) => Err(halt),
+            },
             Wanted::Derivatives => sensitivities(evaluator, &whole, &point),
         }
     };
@@ -56,7 +58,7 @@ pub(super) fn settle(evaluator: &mut Evaluator, basis: &Basis, from: &RunEnd) ->
 /// What is asked of full passages at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Wanted {
-    /// One row.
+    /// One row; infinite where the model has no answer.
     Residuals,
     /// A row for each axis.
     Derivatives,
@@ -76,7 +78,9 @@ fn descend(mut here: Vec<f64>, mut columns: Vec<Vec<f64>>, ask: &mut Ask<'_>) ->
         let moved = way.iter().fold(0.0_f64, |most, way| most.max(way.abs()));
         if moved > 0.0 {
             let found = ask(&there, Wanted::Residuals)?.pop().unwrap_or_default();
-            update(&mut columns, &way, &right, &found);
+            if norm(&found).is_finite() {
+                update(&mut columns, &way, &right, &found);
+            }
             if norm(&found) < norm(&right) {
                 (here, right) = (there, found);
                 radius = (2.0 * radius).min(1.0);
@@ -196,6 +200,25 @@ mod tests {
         for (dx, dy) in [(near, 0.0), (-near, 0.0), (0.0, near), (0.0, -near), (near, near), (-near, -near)] {
             assert!(at(here[0] + dx, here[1] + dy) >= left, "{here:?} {left} {dx} {dy}");
         }
+    }
+
+    #[test]
+    fn steps_to_where_there_is_no_answer_are_shortened() {
+        let mut refused = 0;
+        let mut ask = |x: &[f64], wanted: Wanted| {
+            // The first whole step from 0.1 would go beyond.
+            let fails = x[1] > 0.3 && refused == 0;
+            refused += usize::from(fails);
+            Ok(match wanted {
+                Wanted::Residuals if fails => vec![vec![f64::INFINITY]],
+                Wanted::Residuals => vec![residuals_at(x)],
+                Wanted::Derivatives => vec![vec![1.0 + 0.1 * x[0], 0.3, 0.1], vec![0.5, -1.0, 0.2]],
+            })
+        };
+        let exact = vec![vec![1.05, 0.3, 0.1], vec![0.5, -1.0, 0.2]];
+        let (here, left, settled) = descend(vec![0.5, 0.1], exact, &mut ask).unwrap();
+        assert!(settled && left.is_finite() && refused == 1, "{here:?} {left} {refused}");
+        assert!(here[1] > 0.8, "{here:?}");
     }
 
     #[test]

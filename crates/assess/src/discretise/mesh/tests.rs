@@ -350,17 +350,7 @@ fn any_size_and_any_number_of_nodes_across() {
 #[test]
 fn ballast_lies_on_the_surface() {
     let mut bridge = railway();
-    let layer = |name, thickness| Layer {
-        name,
-        thickness,
-        density: 1800.0,
-        weighs: true,
-        particles: false,
-        slabs: None,
-        friction_angle: None,
-        cohesion: None,
-        elastic_modulus: None,
-    };
+    let layer = |name, thickness| Layer { name, ..crate::samples::fill(thickness, 1800.0) };
     bridge.cover.layers = vec![layer(LayerKind::Fill, 0.28), layer(LayerKind::Ballast, 0.20)];
     let m = mesh(&bridge).unwrap();
     assert!((m.surface - (1.5 + 0.54 + 0.28)).abs() < 1e-9);
