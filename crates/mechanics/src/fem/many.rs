@@ -82,7 +82,8 @@ impl<const W: usize> Work<'_, W> {
                     less::<FUSED, W>(&mut sums, matrix[(i, j)], other);
                 }
                 let pivot = matrix[(i, i)];
-                rest[0] = sums.map(|value| value / pivot);
+                rest[0] = sums;
+                rest[0].iter_mut().for_each(|value| *value /= pivot);
             }
             for (k, &row) in pattern.iter().enumerate() {
                 let place = &mut below[row as usize - start - size];
@@ -115,7 +116,8 @@ impl<const W: usize> Work<'_, W> {
                     less::<FUSED, W>(&mut sums, column[j + 1 + i], other);
                 }
                 let pivot = column[j];
-                mine[j] = sums.map(|value| value / pivot);
+                mine[j] = sums;
+                mine[j].iter_mut().for_each(|value| *value /= pivot);
             }
         }
     }

@@ -23,12 +23,22 @@ pub struct Model<'a> {
     setup: Setup,
     /// Whether a parameter moves the mesh, the loads or the sensors.
     moves: bool,
-    /// What the start model's answers let expect, by the positions that were asked for; `None` for all of them.
-    usual: Mutex<BTreeMap<Asked, Arc<OnceLock<Vec<usize>>>>>,
+    /// What the answers of some models let expect of all others, by the positions that were asked for; `None` for all of them.
+    usual: Mutex<BTreeMap<(Asked, Seen), Arc<OnceLock<Vec<usize>>>>>,
 }
 
 /// Positions of slices, or `None` for a whole passage.
 type Asked = Option<Vec<usize>>;
+
+/// Models whose answers let expect what takes part in others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Seen {
+    /// The start model: for searches that go by derivatives, a few dozen evaluations.
+    Start,
+    /// Those, too, in which one parameter stands at either end of its range: for sweeps and surfaces, hundreds of evaluations. Two thirds of the slices are
+    /// gone to twice without them, a tenth with them, and an evaluation takes three quarters of the time.
+    Ends,
+}
 
 /// Answers of the sensors, and parts that took part in them.
 struct Answers {
@@ -86,7 +96,7 @@ impl<'a> Model<'a> {
         Ok(bridge)
     }
 
-    /// Answers of a model, which expects what the start model's answers let expect; those of the start model's own whole passage are found without, and
+    /// Answers of a model, which expects what those of a few others let expect; those of the start model's own whole passage are found without, and
     /// once: answers do not depend on what was asked before.
     fn answer(
         &self,
@@ -99,9 +109,10 @@ impl<'a> Model<'a> {
         if self.moves {
             return answers(bridge, setup, &asked, &[], &[]);
         }
+        let seen = if asked.is_some() && neighbours.is_empty() { Seen::Ends } else { Seen::Start };
         let usual = {
             let mut usual = self.usual.lock().unwrap_or_else(PoisonError::into_inner);
-            usual.entry(asked.clone()).or_default().clone()
+            usual.entry((asked.clone(), seen)).or_default().clone()
         };
         let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
         if asked.is_none() && point == start {
@@ -109,12 +120,41 @@ impl<'a> Model<'a> {
             usual.get_or_init(|| found.taking_part.clone());
             return Ok(found);
         }
-        let usual = usual.get_or_init(|| self.expected(&start, setup, &asked).unwrap_or_default());
+        let usual = usual
+            .get_or_init(|| if has_stress(setup) { Vec::new() } else { self.expected(&start, setup, &asked, seen) });
         answers(bridge, setup, &asked, usual, neighbours)
     }
 
-    fn expected(&self, start: &[f64], setup: &Setup, asked: &Asked) -> Result<Vec<usize>, Failure> {
-        Ok(answers(&self.bridge_at(start)?, setup, asked, &[], &[])?.taking_part)
+    /// Parts that take part in the answers of some models; one without answers tells nothing.
+    fn expected(&self, start: &[f64], setup: &Setup, asked: &Asked, seen: Seen) -> Vec<usize> {
+        let of = |point: &[f64], expected: &[usize]| -> Result<Vec<usize>, Failure> {
+            Ok(answers(&self.bridge_at(point)?, setup, asked, expected, &[])?.taking_part)
+        };
+        let first = of(start, &[]).unwrap_or_default();
+        if seen == Seen::Start {
+            return first;
+        }
+        let mut ends = Vec::new();
+        for (k, parameter) in self.parameters.iter().enumerate() {
+            for end in [parameter.lower, parameter.upper] {
+                let mut point = start.to_vec();
+                point[k] = end;
+                ends.push(point);
+            }
+        }
+        // Threads of their own: one of the pool's that waits here might be given an evaluation that waits for this list.
+        let share = ends.len().div_ceil(rayon::current_num_threads()).max(1);
+        let of_some = |points: &[Vec<f64>]| -> Vec<usize> {
+            points.iter().flat_map(|point| of(point, &first).unwrap_or_default()).collect()
+        };
+        let mut all: Vec<usize> = std::thread::scope(|scope| {
+            let running: Vec<_> = ends.chunks(share).map(|points| scope.spawn(|| of_some(points))).collect();
+            running.into_iter().flat_map(|thread| thread.join().unwrap_or_default()).collect()
+        });
+        all.extend(first);
+        all.sort_unstable();
+        all.dedup();
+        all
     }
 
     /// The bridge with each parameter a little away from a point, inside its range.

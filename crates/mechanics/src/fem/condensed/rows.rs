@@ -37,6 +37,14 @@ impl Row {
         self.terms.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum()
     }
 
+    /// Its changes in the first solutions.
+    fn read(&self, block: &Block, changes: &mut [f64]) {
+        changes.fill(0.0);
+        for &(equation, weight) in &self.terms {
+            changes.iter_mut().zip(block.of(equation)).for_each(|(change, value)| *change += weight * value);
+        }
+    }
+
     /// Adds a force on it to a right-hand side.
     pub fn push(&self, right: &mut Vec<(u32, f64)>, force: f64) {
         right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
@@ -94,14 +102,8 @@ impl Rows {
                 right
             };
             work.solve_block(&lanes.clone().map(unit).collect::<Vec<_>>(), block);
-            for other in 0..all {
-                for (lane, row) in lanes.clone().enumerate() {
-                    let answer = self.list[other].of(block, lane);
-                    self.answers[row][other] = answer;
-                    if other < first {
-                        self.answers[other][row] = answer;
-                    }
-                }
+            for (row, answers) in self.list.iter().zip(&mut self.answers) {
+                row.read(block, &mut answers[lanes.clone()]);
             }
             for (moved, pattern) in self.moved.iter_mut().zip(patterns) {
                 let moved = &mut moved[lanes.clone()];
@@ -109,6 +111,10 @@ impl Rows {
                     moved.iter_mut().zip(block.of(equation)).for_each(|(moved, value)| *moved += force * value);
                 }
             }
+        }
+        let (known, fresh) = self.answers.split_at_mut(first);
+        for (other, known) in known.iter().enumerate() {
+            fresh.iter_mut().zip(&known[first..]).for_each(|(answers, answer)| answers[other] = *answer);
         }
     }
 
