@@ -1,7 +1,7 @@
 //! The parts that move now and those that moved lately: all that takes part in the iterations of a position, and the tangent on the
 //! forces of their rows.
 
-use super::parts::Part;
+use super::parts::{Kind, Part};
 use super::rows::{Rows, add_multiples};
 use super::tangent::{Slope, Tangent};
 
@@ -54,17 +54,22 @@ impl Hot {
     pub fn add(&mut self, more: impl Iterator<Item = usize>, parts: &[Part], rows: &Rows) {
         self.is_hot.resize(parts.len(), false);
         self.place.resize(rows.len(), NOWHERE);
-        let before = self.rows.len();
+        let (known, before) = (self.parts.len(), self.rows.len());
         for index in more {
             if std::mem::replace(&mut self.is_hot[index], true) {
                 continue;
             }
             self.parts.push(index);
-            for row in parts[index].rows.into_iter().flatten() {
-                if self.place[row] == NOWHERE {
-                    self.place[row] = self.rows.len() as u32;
-                    self.rows.push(row);
-                }
+        }
+        // Rows that may be steep side by side: of a spring that slides, only the second is.
+        let fresh = self.parts[known..].iter().map(|&index| &parts[index]);
+        let flat = |part: &Part| usize::from(matches!(part.kind, Kind::Spring(_)));
+        let steep = fresh.clone().flat_map(|part| &part.rows[flat(part)..]);
+        let rest = fresh.flat_map(|part| &part.rows[..flat(part)]);
+        for row in steep.chain(rest).flatten() {
+            if self.place[*row] == NOWHERE {
+                self.place[*row] = self.rows.len() as u32;
+                self.rows.push(*row);
             }
         }
         if self.answers.len() < self.rows.len() {
@@ -94,6 +99,11 @@ impl Hot {
         let mut moves = vec![0.0; self.rows.len()];
         add_multiples(&mut moves, self.answers.iter().map(Vec::as_slice).zip(forces.iter().copied()));
         moves
+    }
+
+    /// How far forces on the hot rows move each of them, those of the others left out: of the size of what all of them do, and not as dear.
+    pub fn moves_alone(&self, forces: &[f64]) -> impl Iterator<Item = f64> {
+        self.answers.iter().zip(forces).enumerate().map(|(place, (answers, force))| answers[place] * force)
     }
 
     /// The last tangent is that of another place: nothing is predicted from it.

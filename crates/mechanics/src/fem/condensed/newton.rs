@@ -60,9 +60,12 @@ impl Condensed<'_> {
         // Share of the change that the last step left, with a tangent found for it or with an older one. The first goes with that of the last position.
         let (mut shrinks, mut before, mut has_tangent) = (0.0, f64::INFINITY, self.hot.has_tangent);
         while position.iterations < self.iterations {
-            let change = self.hot.moves(&right);
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
-            position.left = change.iter().fold(0.0_f64, |most, l| most.max(l.abs())) / size;
+            let most = |moves: &mut dyn Iterator<Item = f64>| moves.fold(0.0_f64, |most, m| most.max(m.abs())) / size;
+            position.left = most(&mut self.hot.moves_alone(&right));
+            if position.left <= TOLERANCE {
+                position.left = most(&mut self.hot.moves(&right).into_iter());
+            }
             if position.left <= TOLERANCE {
                 trial.forces.copy_from_slice(&trial.excess);
                 return true;

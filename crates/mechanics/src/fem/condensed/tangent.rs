@@ -5,6 +5,7 @@ use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{Conj, MatMut, MatRef, Par};
+use std::ops::Range;
 
 /// One entry of `S`: row, column, derivative, by places among the rows at hand.
 pub(super) type Slope = (usize, usize, f64);
@@ -40,8 +41,15 @@ impl Tangent {
         self.factors.clear();
         self.factors.resize(size * size, 0.0);
         (0..size).for_each(|i| self.factors[i * size + i] = 1.0);
-        let Tangent { steep, among, factors, looked, .. } = self;
-        widest(Less { slopes: &by_column, answers, steep, among, factors, looked });
+        let mut runs: Vec<Range<usize>> = Vec::new();
+        for &p in &self.steep {
+            match runs.last_mut().filter(|run| run.end == p) {
+                Some(run) => run.end += 1,
+                None => runs.push(p..p + 1),
+            }
+        }
+        let Tangent { among, factors, looked, .. } = self;
+        widest(Less { slopes: &by_column, answers, runs: &runs, size, among, factors, looked });
         self.forward.resize(size, 0);
         self.backward.resize(size, 0);
         let need = StackReq::any_of(&[
@@ -88,7 +96,9 @@ impl Tangent {
 struct Less<'t> {
     slopes: &'t [Slope],
     answers: &'t [Vec<f64>],
-    steep: &'t [usize],
+    /// Steep rows, by stretches of neighbouring ones, and how many these are.
+    runs: &'t [Range<usize>],
+    size: usize,
     among: &'t [usize],
     factors: &'t mut [f64],
     /// Answers of a row at the steep ones.
@@ -100,13 +110,13 @@ impl pulp::NullaryFnOnce for Less<'_> {
 
     #[inline(always)]
     fn call(self) {
-        let size = self.steep.len();
+        let size = self.size;
         let mut at = usize::MAX;
         for &(p, q, s) in self.slopes {
             if q != at {
                 let row = &self.answers[q];
                 self.looked.clear();
-                self.looked.extend(self.steep.iter().map(|&p| row[p]));
+                self.runs.iter().for_each(|run| self.looked.extend_from_slice(&row[run.clone()]));
                 at = q;
             }
             let start = self.among[p] * size;
