@@ -89,6 +89,11 @@ impl Block {
         self.width
     }
 
+    /// Equations that have solutions.
+    pub(super) fn equations(&self) -> u32 {
+        (self.lanes.len() / self.width.max(1)) as u32
+    }
+
     /// Goes on beyond the last of `count` solutions, which are on a way: by a share of all of it. The next solution is lost.
     pub(super) fn extend_beyond(&mut self, count: usize, share: f64) {
         for lanes in self.lanes.chunks_exact_mut(self.width) {
@@ -103,6 +108,10 @@ impl Block {
         &self.lanes[start..start + self.width]
     }
 }
+
+/// Parts of the factor that solutions at some equations need; none where all are gone through anyway.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Asked(Vec<bool>);
 
 /// Solves in place with a factor.
 fn inverse(symbolic: &SymbolicCholesky<u32>, values: &[f64], kind: Kind, right: MatMut<'_, f64>, stack: &mut MemStack) {
@@ -207,7 +216,9 @@ impl Solver {
     }
 
     /// Solutions for right-hand sides given by their entries, as many as [`WIDTHS`] has at most; what `block` was before is lost.
-    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], block: &mut Block) {
+    ///
+    /// Where only some equations are `asked` for, the block holds their solutions and nothing that could be read elsewhere.
+    pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], asked: Option<&Asked>, block: &mut Block) {
         let wide = right.len() > WIDTHS[0];
         block.width = WIDTHS[usize::from(wide)];
         block.lanes.clear();
@@ -220,7 +231,8 @@ impl Solver {
         }
         match (self.symbolic.raw(), self.kind) {
             (SymbolicCholeskyRaw::Supernodal(symbolic), Kind::Definite) => {
-                many::solve(symbolic, &self.values, block.width, &mut block.lanes);
+                let wanted = asked.map(|Asked(wanted)| wanted.as_slice()).filter(|wanted| !wanted.is_empty());
+                many::solve(symbolic, &self.values, block.width, &mut block.lanes, wanted);
             }
             _ => {
                 for lane in 0..right.len() {
@@ -229,6 +241,16 @@ impl Solver {
                     x.iter().enumerate().for_each(|(equation, value)| block.at(equation as u32)[lane] = *value);
                 }
             }
+        }
+    }
+
+    /// What has to be gone through for solutions at some equations.
+    pub(super) fn asked(&self, equations: impl Iterator<Item = u32>) -> Asked {
+        let place = self.symbolic.perm().map(|perm| perm.arrays().1);
+        let place = |equation: u32| place.map_or(equation, |place| place[equation as usize]);
+        match self.symbolic.raw() {
+            SymbolicCholeskyRaw::Supernodal(symbolic) => Asked(many::reached(symbolic, equations.map(place))),
+            SymbolicCholeskyRaw::Simplicial(_) => Asked::default(),
         }
     }
 

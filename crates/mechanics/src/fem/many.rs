@@ -12,18 +12,40 @@ use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SymbolicSuper
 pub(super) const WIDTHS: [usize; 2] = [8, 32];
 
 /// Solves `L L^T x = right` in place: `x` has a number for each of `width` right-hand sides, one of [`WIDTHS`], and after them those of the
-/// next equation in the order of elimination.
-pub(super) fn solve(symbolic: &SymbolicSupernodalCholesky<u32>, values: &[f64], width: usize, x: &mut [f64]) {
+/// next equation in the order of elimination. Of supernodes that are not among the `wanted`, [`reached`], nothing is found.
+pub(super) fn solve(
+    symbolic: &SymbolicSupernodalCholesky<u32>,
+    values: &[f64],
+    width: usize,
+    x: &mut [f64],
+    wanted: Option<&[bool]>,
+) {
     let factor = SupernodalLltRef::new(symbolic, values);
     if width == WIDTHS[0] {
-        solve_lanes::<{ WIDTHS[0] }>(factor, x.as_chunks_mut().0);
+        solve_lanes::<{ WIDTHS[0] }>(factor, x.as_chunks_mut().0, wanted);
     } else {
-        solve_lanes::<{ WIDTHS[1] }>(factor, x.as_chunks_mut().0);
+        solve_lanes::<{ WIDTHS[1] }>(factor, x.as_chunks_mut().0, wanted);
     }
 }
 
-fn solve_lanes<const W: usize>(factor: SupernodalLltRef<'_, u32, f64>, x: &mut [[f64; W]]) {
-    let mut work = Work { factor, x };
+/// Supernodes that have to be gone through backward for the solution at some places of the order of elimination: theirs, and those that were eliminated
+/// after them and are coupled with them.
+pub(super) fn reached(symbolic: &SymbolicSupernodalCholesky<u32>, places: impl Iterator<Item = u32>) -> Vec<bool> {
+    let begin = symbolic.supernode_begin();
+    let node = |place: u32| begin.partition_point(|first| *first <= place) - 1;
+    let mut wanted = vec![false; symbolic.n_supernodes()];
+    places.for_each(|place| wanted[node(place)] = true);
+    for index in 0..wanted.len() {
+        // All others that it is coupled with are among those of the first one's.
+        if let (true, Some(&next)) = (wanted[index], symbolic.supernode(index).pattern().first()) {
+            wanted[node(next)] = true;
+        }
+    }
+    wanted
+}
+
+fn solve_lanes<const W: usize>(factor: SupernodalLltRef<'_, u32, f64>, x: &mut [[f64; W]], wanted: Option<&[bool]>) {
+    let mut work = Work { factor, x, wanted };
     #[cfg(target_arch = "x86_64")]
     if let Some(v4) = pulp::x86::V4::try_new() {
         return v4.vectorize(Fused(work));
@@ -37,6 +59,7 @@ fn solve_lanes<const W: usize>(factor: SupernodalLltRef<'_, u32, f64>, x: &mut [
 struct Work<'a, const W: usize> {
     factor: SupernodalLltRef<'a, u32, f64>,
     x: &'a mut [[f64; W]],
+    wanted: Option<&'a [bool]>,
 }
 
 /// The work on a processor that multiplies and adds at once.
@@ -100,6 +123,9 @@ impl<const W: usize> Work<'_, W> {
     #[inline(always)]
     fn backward<const FUSED: bool>(&mut self) {
         for index in (0..self.factor.symbolic().n_supernodes()).rev() {
+            if self.wanted.is_some_and(|wanted| !wanted[index]) {
+                continue;
+            }
             let node = self.factor.supernode(index);
             let (start, matrix, pattern) = (node.start(), node.val(), node.pattern());
             let size = matrix.ncols();
@@ -190,10 +216,11 @@ mod tests {
                 )
                 .collect();
             let mut wide = right.clone();
-            solve(nodes, &values, width, &mut wide);
+            solve(nodes, &values, width, &mut wide, None);
             let mut narrow = right.clone();
             if width == WIDTHS[0] {
-                let mut work = Work { factor: SupernodalLltRef::new(nodes, &values), x: narrow.as_chunks_mut::<8>().0 };
+                let factor = SupernodalLltRef::new(nodes, &values);
+                let mut work = Work { factor, x: narrow.as_chunks_mut::<8>().0, wanted: None };
                 work.forward::<false>();
                 work.backward::<false>();
             }
@@ -208,6 +235,15 @@ mod tests {
                 }
                 assert!(left.iter().all(|left| left.abs() < 1e-13), "width {width}, lane {lane}: {left:?}");
             }
+            // The solution in a few places alone, with the same bits; elsewhere some of it is not found.
+            let few = [3_u32, 17, 40];
+            let wanted = reached(nodes, few.into_iter());
+            let mut part = right.clone();
+            solve(nodes, &values, width, &mut part, Some(&wanted));
+            for place in few.map(|place| place as usize * width) {
+                assert_eq!(part[place..place + width], wide[place..place + width], "width {width}");
+            }
+            assert!(part != wide && wanted.iter().any(|wanted| !wanted));
             if width == WIDTHS[0] {
                 assert!(wide.iter().zip(&narrow).all(|(a, b)| (a - b).abs() < 1e-14));
             }

@@ -1,7 +1,7 @@
 //! Scratch of a model: pattern, factorisation, and what an iteration tries.
 
 use super::assemble::assemble;
-use super::factor::{Block, FactorError, Solver};
+use super::factor::{Asked, Block, FactorError, Solver};
 use super::gmres::norm;
 use super::model::Model;
 use super::pattern::Pattern;
@@ -135,7 +135,17 @@ impl Workspace {
 
     /// Solves with the positive definite tangent factorised last for right-hand sides given by their entries.
     pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], block: &mut Block) {
-        self.solver.solve_block(right, block);
+        self.solver.solve_block(right, None, block);
+    }
+
+    /// The same, for what is asked for alone.
+    pub(super) fn solve_block_at(&mut self, right: &[Vec<(u32, f64)>], asked: &Asked, block: &mut Block) {
+        self.solver.solve_block(right, Some(asked), block);
+    }
+
+    /// What has to be found for solutions at some equations.
+    pub(super) fn asked(&self, equations: impl Iterator<Item = u32>) -> Asked {
+        self.solver.asked(equations)
     }
 
     /// What is out of balance at the free components: loads less internal forces [N/m].

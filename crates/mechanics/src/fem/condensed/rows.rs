@@ -45,6 +45,11 @@ impl Row {
         }
     }
 
+    /// Its change in one solution.
+    fn among(&self, solution: &[f64]) -> f64 {
+        self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
+    }
+
     /// Adds a force on it to a right-hand side.
     pub fn push(&self, right: &mut Vec<(u32, f64)>, force: f64) {
         right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
@@ -59,7 +64,12 @@ pub(super) struct Rows {
     answers: Vec<Vec<f64>>,
     /// `H`: for each pattern what it does to all of them.
     moved: Vec<Vec<f64>>,
+    /// Solutions for the patterns that load more than [`FEW`] equations.
+    broad: Vec<Option<Vec<f64>>>,
 }
+
+/// Equations that a pattern may load for its `H` to be read from the solutions of the rows, which then have to be found there.
+const FEW: usize = 100;
 
 impl Rows {
     pub fn new(patterns: usize) -> Rows {
@@ -94,6 +104,13 @@ impl Rows {
         self.answers.resize_with(all, || vec![0.0; all]);
         self.answers[..first].iter_mut().for_each(|answers| answers.resize(all, 0.0));
         self.moved.iter_mut().for_each(|moved| moved.resize(all, 0.0));
+        if first == all {
+            return;
+        }
+        self.solve_broad(patterns, work, block);
+        let read = self.list.iter().flat_map(|row| &row.terms);
+        let loaded = patterns.iter().filter(|pattern| pattern.len() <= FEW).flatten();
+        let asked = work.asked(read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDTHS[1]) {
             let lanes = start..(start + WIDTHS[1]).min(all);
             let unit = |row: usize| {
@@ -101,12 +118,17 @@ impl Rows {
                 self.list[row].push(&mut right, 1.0);
                 right
             };
-            work.solve_block(&lanes.clone().map(unit).collect::<Vec<_>>(), block);
+            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &asked, block);
             for (row, answers) in self.list.iter().zip(&mut self.answers) {
                 row.read(block, &mut answers[lanes.clone()]);
             }
-            for (moved, pattern) in self.moved.iter_mut().zip(patterns) {
+            for ((moved, pattern), broad) in self.moved.iter_mut().zip(patterns).zip(&self.broad) {
                 let moved = &mut moved[lanes.clone()];
+                if let Some(solution) = broad {
+                    let rows = moved.iter_mut().zip(&self.list[lanes.clone()]);
+                    rows.for_each(|(moved, row)| *moved = row.among(solution));
+                    continue;
+                }
                 for &(equation, force) in pattern {
                     moved.iter_mut().zip(block.of(equation)).for_each(|(moved, value)| *moved += force * value);
                 }
@@ -115,6 +137,21 @@ impl Rows {
         let (known, fresh) = self.answers.split_at_mut(first);
         for (other, known) in known.iter().enumerate() {
             fresh.iter_mut().zip(&known[first..]).for_each(|(answers, answer)| answers[other] = *answer);
+        }
+    }
+
+    /// Solves for the patterns that load many equations, once.
+    fn solve_broad(&mut self, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
+        if !self.broad.is_empty() {
+            return;
+        }
+        self.broad = patterns.iter().map(|_| None).collect();
+        let broad: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > FEW).collect();
+        for some in broad.chunks(WIDTHS[1]) {
+            work.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), block);
+            for (lane, &k) in some.iter().enumerate() {
+                self.broad[k] = Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
+            }
         }
     }
 
