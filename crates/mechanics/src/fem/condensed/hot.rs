@@ -25,8 +25,6 @@ pub(super) struct Hot {
     /// The last tangent, and the active rows that were steep then.
     tangent: Tangent,
     steep: Vec<u32>,
-    /// Whether the last tangent stands among these rows.
-    pub has_tangent: bool,
 }
 
 impl std::fmt::Debug for Hot {
@@ -45,7 +43,6 @@ impl Hot {
             self.rows.clear();
             self.is_hot.clear();
             self.place.fill(NOWHERE);
-            self.has_tangent = false;
         }
         self.add(hot, parts, rows);
     }
@@ -109,7 +106,6 @@ impl Hot {
     /// The last tangent is that of another place: nothing is predicted from it.
     pub fn forget(&mut self) {
         self.slopes.clear();
-        self.has_tangent = false;
     }
 
     /// Change of the forces that the last tangent makes of a change of the rows' values without them.
@@ -142,7 +138,6 @@ impl Hot {
         }
         let slopes = self.placed_slopes();
         self.tangent.find(&slopes, &self.answers[..self.rows.len()]);
-        self.has_tangent = true;
         self.steep = self.tangent.steep.iter().map(|&p| self.rows[p] as u32).collect();
     }
 

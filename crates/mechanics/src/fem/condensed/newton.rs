@@ -57,8 +57,8 @@ impl Condensed<'_> {
     pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
         let Some(mut right) = self.unbalanced(trial) else { return false };
         let (mut best, mut idle) = (f64::INFINITY, 0);
-        // Share of the change that the last step left, with a tangent found for it or with an older one. The first goes with that of the last position.
-        let (mut shrinks, mut before, mut has_tangent) = (0.0, f64::INFINITY, self.hot.has_tangent);
+        // Share of the change that the last step left, with a tangent found for it or with an older one.
+        let (mut shrinks, mut before, mut has_tangent) = (1.0, f64::INFINITY, false);
         while position.iterations < self.iterations {
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             let most = |moves: &mut dyn Iterator<Item = f64>| moves.fold(0.0_f64, |most, m| most.max(m.abs())) / size;
@@ -76,9 +76,7 @@ impl Condensed<'_> {
                 return false;
             }
             position.iterations += 1;
-            if before.is_finite() {
-                shrinks = f64::max(shrinks * f64::from(u8::from(has_tangent)), position.left / before);
-            }
+            shrinks = f64::max(shrinks * f64::from(u8::from(has_tangent)), position.left / before);
             before = position.left;
             let near = shrinks < SHRINKS && position.left * f64::powi(shrinks, CHORDS) <= TOLERANCE;
             if !(has_tangent && near) {
