@@ -8,13 +8,21 @@ use crate::posterior::draw::{even, normal, place};
 use crate::posterior::target::{Draw, Target};
 use crate::watch::Stopped;
 
+/// Places of a chain at which every second one is let go: steps that are that many are correlated over hundreds, so that nothing is lost, and memory
+/// stays where it is (80 walkers with 6 numbers each: 120 MB).
+const LONGEST: usize = 5_000;
+
 /// Walkers on their way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ensemble {
     /// Where they are.
     pub walkers: Vec<Draw>,
-    /// Where each was, step by step.
+    /// Where each was, after every so many steps.
     pub chains: Vec<Vec<Vec<f64>>>,
+    /// Steps that were made.
+    pub steps: usize,
+    /// Steps from one place of a chain to the next.
+    every: usize,
     /// Moves accepted and tried.
     pub accepted: (usize, usize),
 }
@@ -22,7 +30,7 @@ pub struct Ensemble {
 impl Ensemble {
     /// Walkers at their beginnings; an even number of them.
     pub fn new(walkers: Vec<Draw>) -> Self {
-        Self { chains: vec![Vec::new(); walkers.len()], walkers, accepted: (0, 0) }
+        Self { chains: vec![Vec::new(); walkers.len()], walkers, steps: 0, every: 1, accepted: (0, 0) }
     }
 
     /// All walkers make so many steps.
@@ -31,11 +39,28 @@ impl Ensemble {
             for half in 0..2 {
                 self.move_half(target, rng, half)?;
             }
-            for (chain, walker) in self.chains.iter_mut().zip(&self.walkers) {
-                chain.push(walker.place.clone());
-            }
+            self.steps += 1;
+            self.record();
         }
         Ok(())
+    }
+
+    /// Adds to the chains where the walkers are, if it is time to.
+    fn record(&mut self) {
+        if !self.steps.is_multiple_of(self.every) {
+            return;
+        }
+        for (chain, walker) in self.chains.iter_mut().zip(&self.walkers) {
+            chain.push(walker.place.clone());
+        }
+        if self.chains[0].len() < LONGEST {
+            return;
+        }
+        self.every *= 2;
+        for chain in &mut self.chains {
+            // Those stay whose step is a multiple of what now lies between two.
+            *chain = std::mem::take(chain).into_iter().skip(1).step_by(2).collect();
+        }
     }
 
     fn move_half(&mut self, target: &mut Target, rng: &mut ChaCha8Rng, half: usize) -> Result<(), Stopped> {
@@ -72,4 +97,25 @@ fn propose(rng: &mut ChaCha8Rng, from: &[f64], others: &[Vec<f64>]) -> (Vec<f64>
     let share = if whole { 1.0 } else { 2.38 / (2.0 * axes as f64).sqrt() };
     let along = |axis: usize| share * (others[first][axis] - others[second][axis]);
     ((0..axes).map(|axis| from[axis] + along(axis) + 1e-5 * normal(rng)).collect(), 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_chains_keep_every_so_manieth_step() {
+        let walker = || Draw { place: vec![0.0], prior: 0.0, likelihood: 0.0 };
+        let mut ensemble = Ensemble::new(vec![walker(), walker()]);
+        for step in 1..=3 * LONGEST {
+            ensemble.walkers.iter_mut().for_each(|walker| walker.place[0] = step as f64);
+            ensemble.steps = step;
+            ensemble.record();
+        }
+        assert_eq!(ensemble.every, 4);
+        for chain in &ensemble.chains {
+            assert!(chain.iter().enumerate().all(|(k, place)| place[0] == (4 * (k + 1)) as f64));
+            assert_eq!(chain.len(), 3 * LONGEST / 4);
+        }
+    }
 }

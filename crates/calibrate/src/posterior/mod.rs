@@ -61,7 +61,7 @@ impl Default for Settings {
             runs: 2,
             walkers: 40,
             effective_samples: 10_000.0,
-            steps: 20_000,
+            steps: 200_000,
             keep: 5_000,
             seed: 1,
         }
@@ -242,7 +242,7 @@ impl Run {
             effective_samples: mixing.iter().map(|m| m.effective_samples).fold(f64::INFINITY, f64::min),
             r_hat: mixing.iter().map(|m| m.r_hat).fold(1.0, f64::max),
             acceptance: accepted as f64 / (tried as f64).max(1.0),
-            steps: self.chains().map(Vec::len).min().unwrap_or(0),
+            steps: self.ensembles.iter().map(|ensemble| ensemble.steps).min().unwrap_or(0),
             evaluations: evaluator.done(),
             samples: points.iter().step_by(stride).cloned().collect(),
             words: Vec::new(),
