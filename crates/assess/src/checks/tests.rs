@@ -162,11 +162,8 @@ fn a_stronger_bridge_uses_less() {
     };
     // 2 asked of 4; 1/4 of the ultimate load, half is permitted.
     assert_eq!(used(&a), [0.5, 0.5]);
-    a.ultimate = Stage::Made(UltimateFacts {
-        status: "collapsed".into(),
-        load_factor: Some(8.0),
-        ..UltimateFacts::default()
-    });
+    a.ultimate =
+        Stage::Made(UltimateFacts { status: "collapsed".into(), load_factor: Some(8.0), ..UltimateFacts::default() });
     assert_eq!(used(&a), [0.25, 0.25]);
 }
 
