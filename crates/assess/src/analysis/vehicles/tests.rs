@@ -98,8 +98,9 @@ fn axles_that_help_are_left_out() {
 
 #[test]
 fn factors_of_a_rule_divide_the_factor() {
-    let mut b = bridgemill(&["cs454-single"]);
-    let plain = swept(&b).vehicles[0].adequacy.unwrap();
+    // Axles, and axles with uniform loads beside them.
+    let mut b = bridgemill(&["cs454-single", "lm71"]);
+    let before = swept(&b);
     let text = rules::FILES[1].iter().find(|f| f.0 == "characteristic").unwrap().1;
     let twice = text.replacen("[factors.live_load]\nvalue = 1.0", "[factors.live_load]\nvalue = 2.0", 1);
     let worse = twice.replacen("[factors.condition]\nvalue = 1.0", "[factors.condition]\nvalue = 0.8", 1);
@@ -107,7 +108,10 @@ fn factors_of_a_rule_divide_the_factor() {
     plan.rule_file = Some("own.toml".into());
     plan.texts = vec![("own.toml".into(), worse)];
     let found = swept(&b);
-    assert!((found.vehicles[0].adequacy.unwrap() / (plain / 2.0 * 0.8) - 1.0).abs() < 1e-9);
+    for (plain, v) in before.vehicles.iter().zip(&found.vehicles) {
+        let share = v.adequacy.unwrap() / plain.adequacy.unwrap();
+        assert!((share / (0.8 / 2.0) - 1.0).abs() < 1e-9, "{}: {share}", v.code);
+    }
     assert_eq!(found.vehicles[0].load_factors, [2.0, 1.0]);
     // A factor left out is no factor of one.
     b.sweep.as_mut().unwrap().texts[0].1 = text.replacen("[factors.live_load]", "[factors.lively_load]", 1);
@@ -279,4 +283,139 @@ fn discrete_elements_confirm_the_governing_case() {
     b.ring_joint.normal_stiffness = None;
     let c = swept(&b).confirmation.unwrap();
     assert!(c.adequacy.is_none() && c.reason.is_some_and(|r| r.contains("stiffness")));
+}
+
+/// The text of a rule with other values in the place of its factors, as an engineer's own file.
+fn own_rule(b: &mut Bridge, code: &str, changes: &[(&str, &str)]) {
+    let mut text = rules::FILES[1].iter().find(|f| f.0 == code).unwrap().1.to_owned();
+    for (old, new) in changes {
+        assert!(text.contains(old), "{old}");
+        text = text.replacen(old, new, 1);
+    }
+    let plan = b.sweep.as_mut().unwrap();
+    plan.rule_file = Some("own.toml".into());
+    plan.texts = vec![("own.toml".into(), text)];
+}
+
+/// Factors on what resists divide it: a bridge with them is one of that much weaker stuff, and never stronger.
+#[test]
+fn factors_on_resistance_make_the_bridge_weaker() {
+    let mut b = bridgemill(&["cs454-single"]);
+    b.masonry.compressive_strength = Some(10e6);
+    b.fill_pressure = Some(bridge::FillPressure {
+        applies: true,
+        friction_angle: 30f64.to_radians(),
+        cohesion: 10e3,
+        mobilisation: 0.5,
+        cohesion_mobilisation: 0.1,
+        least: bridge::LeastPressure::AtRest,
+    });
+    let factor = |name: &str, value: &str| {
+        (format!("[factors.{name}]\nvalue = 1.0"), format!("[factors.{name}]\nvalue = {value}"))
+    };
+    let adequacy = |b: &Bridge| swept(b).vehicles[0].adequacy.unwrap();
+    let plain = adequacy(&b);
+    for name in ["masonry_strength", "friction", "fill_pressure"] {
+        let (old, new) = factor(name, "1.25");
+        let mut with = b.clone();
+        own_rule(&mut with, "characteristic", &[(&old, &new)]);
+        let mut weaker = b.clone();
+        match name {
+            "masonry_strength" => weaker.masonry.compressive_strength = Some(8e6),
+            "friction" => {
+                for joint in [&mut weaker.joint, &mut weaker.ring_joint] {
+                    joint.friction_angle = (0.8 * joint.friction_angle.tan()).atan();
+                }
+            }
+            _ => {
+                let fill = weaker.fill_pressure.as_mut().unwrap();
+                (fill.mobilisation, fill.cohesion_mobilisation) = (0.4, 0.08);
+            }
+        }
+        let [with, weaker] = [adequacy(&with), adequacy(&weaker)];
+        assert!((with / weaker - 1.0).abs() < 1e-9, "{name}: {with} {weaker}");
+        assert!(with <= plain * (1.0 + 1e-9), "{name}: {with} {plain}");
+    }
+    let (rule, _) = {
+        let (old, new) = factor("friction", "1.25");
+        own_rule(&mut b, "characteristic", &[(&old, &new)]);
+        chosen(&b, b.sweep.as_ref().unwrap()).unwrap()
+    };
+    let weights = Weights { masonry: 1.0, fill: Some(1.0), surfacing: None };
+    let joint = factored::bridge(&b, &rule, &weights).joint;
+    assert!((joint.friction_angle.tan() / b.joint.friction_angle.tan() - 0.8).abs() < 1e-12);
+}
+
+/// Every weight of the bridge has the factor of its own group.
+#[test]
+fn every_weight_has_the_factor_of_its_group() {
+    let mut b = bridgemill(&[]);
+    b.cover.layers.push(Layer { name: LayerKind::Surfacing, ..b.cover.layers[0].clone() });
+    b.cover.layers.push(Layer { name: LayerKind::Ballast, ..b.cover.layers[0].clone() });
+    b.cover.backing = Some(bridge::Backing {
+        height: 1.0,
+        density: 2000.0,
+        elastic_modulus: None,
+        poisson_ratio: None,
+        body: bridge::BackingBody::Weight,
+        friction_angle: None,
+        cohesion: None,
+    });
+    let mut factored = b.clone();
+    weights::put(&Weights { masonry: 2.0, fill: Some(3.0), surfacing: Some(5.0) }, &mut factored);
+    assert_eq!(factored.masonry.density / b.masonry.density, 2.0);
+    let layers: Vec<f64> =
+        factored.cover.layers.iter().zip(&b.cover.layers).map(|(a, b)| a.density / b.density).collect();
+    assert_eq!(layers, [3.0, 5.0, 5.0]);
+    assert_eq!(factored.cover.backing.unwrap().density, 6000.0);
+}
+
+/// A bridge and its mirror image: what drives to the right over one drives to the left over the other.
+#[test]
+fn a_mirrored_bridge_is_crossed_the_other_way() {
+    let mut b = spans(2);
+    b.spans[1].span = 4.0;
+    b.spans[1].rise = 1.2;
+    let mut mirrored = b.clone();
+    mirrored.spans.reverse();
+    let one = |b: &Bridge, ways: Directions| {
+        let mut b = b.clone();
+        b.sweep = Some(SweepPlan { directions: ways, step: Some(0.1), ..plan(&["hl-93-truck"]) });
+        let v = swept(&b).vehicles.remove(0);
+        (v.adequacy.unwrap(), v.case.unwrap())
+    };
+    for (ways, other) in [(Directions::Right, Directions::Left), (Directions::Left, Directions::Right)] {
+        let (here, case) = one(&b, ways);
+        let (there, seen) = one(&mirrored, other);
+        // Positions do not fall on one another; the worst one is sought to a millimetre.
+        assert!((here / there - 1.0).abs() < 1e-4, "{here} {there}");
+        assert!((case.position + seen.position - 11.0).abs() < 0.05, "{case:?} {seen:?}");
+    }
+}
+
+/// The rule spreads loads through the cover, and what is spread harms less.
+#[test]
+fn loads_spread_as_the_rule_says() {
+    let mut b = bridgemill(&["cs454-single"]);
+    own_rule(&mut b, "cs-454", &[("length_per_depth = 1.0", "length_per_depth = 0.0")]);
+    let on_a_spot = swept(&b).vehicles[0].adequacy.unwrap();
+    own_rule(&mut b, "cs-454", &[("length_per_depth = 1.0", "length_per_depth = 2.0")]);
+    let wide = swept(&b).vehicles[0].adequacy.unwrap();
+    b.sweep = Some(SweepPlan { rule: "cs-454".into(), ..plan(&["cs454-single"]) });
+    let spread = swept(&b).vehicles[0].adequacy.unwrap();
+    assert!(on_a_spot < 0.99 * spread && spread < 0.99 * wide, "{on_a_spot} {spread} {wide}");
+}
+
+/// Where joints slide, the factor without dilation counts: it is never more than the associated one.
+#[test]
+fn sliding_without_dilation_counts() {
+    let mut b = bridgemill(&["cs454-single"]);
+    for joint in [&mut b.joint, &mut b.ring_joint] {
+        joint.friction_angle = 0.27f64.atan();
+    }
+    let found = swept(&b);
+    let v = &found.vehicles[0];
+    let (level, [lower, _]) = (v.without_dilation.unwrap(), v.bounds.unwrap());
+    assert!(level < 0.999 * lower, "{level} {lower}");
+    assert!((v.adequacy.unwrap() / level - 1.0).abs() < 1e-9);
 }
