@@ -70,7 +70,12 @@ fn swept(one: &Swept) -> SweptFacts {
             (Some(axle), factor) if factor != 1.0 => format!(", axle {} with {factor} times as much", axle + 1),
             _ => String::new(),
         };
-        format!("{axles}, driving to the {}{arrangement}{critical}; {}", case.direction.word(), case.weights.told())
+        let uniform = case.uniform.filter(|_| case.axles.is_some());
+        let beside = uniform.map_or(String::new(), |[from, to]| {
+            format!(", uniform load from {from:.2} to {to:.2}\u{a0}m").replace('-', "\u{2212}")
+        });
+        let which = format!("driving to the {}{arrangement}{critical}{beside}", case.direction.word());
+        format!("{axles}, {which}; {}", case.weights.told())
     });
     let fallen =
         || one.weights.map_or(String::new(), |weights| format!("the bridge does not stand with {}", weights.told()));

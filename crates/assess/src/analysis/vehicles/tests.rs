@@ -58,7 +58,7 @@ fn alone(b: &Bridge, found: &VehicleSweep, index: usize) -> f64 {
 fn the_governing_case_by_itself_has_the_same_factor() {
     let mut several = spans(3);
     several.sweep = Some(plan(&["cs454-bogie-10", "lm71"]));
-    let mut factors = bridgemill(&["cs454-triple-8"]);
+    let mut factors = bridgemill(&["cs454-triple-8", "lm1"]);
     factors.sweep.as_mut().unwrap().rule = "cs-454".into();
     for b in [bridgemill(&["hb-45", "lm71", "lm1", "cs454-bogie-9.5"]), several, factors] {
         let found = swept(&b);
@@ -68,6 +68,8 @@ fn the_governing_case_by_itself_has_the_same_factor() {
             let one = alone(&b, &found, k);
             assert!((lower / one - 1.0).abs() < 1e-6, "{}: {lower} {one}", v.code);
             assert_eq!(v.by_interior_point, 0, "{}", v.code);
+            let uniform = v.case.as_ref().unwrap().uniform;
+            assert!(v.code != "lm1" || uniform.is_some(), "uniform loads take part: {uniform:?}");
             let least = v.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
             assert!((least / lower - 1.0).abs() < 1e-12, "the envelope holds the worst position");
         }
@@ -368,6 +370,22 @@ fn every_weight_has_the_factor_of_its_group() {
         friction_angle: None,
         cohesion: None,
     });
+    b.spandrel_wall = Some(bridge::SpandrelWall {
+        brick_length: 0.5,
+        brick_height: 0.3,
+        thickness: 0.5,
+        bond: 0.5,
+        density: 1700.0,
+        rounding: 0.01,
+        joint: b.joint,
+        top: None,
+        extent: None,
+        end_walls: false,
+        courses_from: bridge::CoursesFrom::Top,
+        head_joint: None,
+        loaded_bricks: None,
+        least_piece: 0.2,
+    });
     let mut factored = b.clone();
     weights::put(&Weights { masonry: 2.0, fill: Some(3.0), surfacing: Some(5.0) }, &mut factored);
     assert_eq!(factored.masonry.density / b.masonry.density, 2.0);
@@ -375,6 +393,7 @@ fn every_weight_has_the_factor_of_its_group() {
         factored.cover.layers.iter().zip(&b.cover.layers).map(|(a, b)| a.density / b.density).collect();
     assert_eq!(layers, [3.0, 5.0, 5.0]);
     assert_eq!(factored.cover.backing.unwrap().density, 6000.0);
+    assert_eq!(factored.spandrel_wall.unwrap().density, 3400.0);
 }
 
 /// A bridge and its mirror image: what drives to the right over one drives to the left over the other.
