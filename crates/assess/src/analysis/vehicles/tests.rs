@@ -287,6 +287,14 @@ fn discrete_elements_confirm_the_governing_case() {
     let [dem, limit] = [crushed.adequacy.unwrap() / by_dem, crushed.limit.unwrap() / by_limit];
     assert!(limit < 0.9 && dem < 0.9, "crushing takes {limit} by limit analysis, {dem} by discrete elements");
     b.masonry.compressive_strength = None;
+    // Joints so soft that the ring sinks through under its own weight: nothing is carried, whatever rigid blocks would carry.
+    let mut soft = b.clone();
+    for joint in [&mut soft.joint, &mut soft.ring_joint] {
+        joint.normal_stiffness = Some(bridge::JointStiffness::Contact(4.84e7));
+        joint.shear_stiffness = Some(bridge::JointStiffness::Contact(0.573e7));
+    }
+    let c = swept(&soft).confirmation.unwrap();
+    assert_eq!((c.status, c.adequacy), (Some(Status::UnstableUnderSelfWeight), Some(0.0)));
     // Without stiffness there is nothing to confirm with, and the sweep says so.
     b.joint.normal_stiffness = None;
     b.ring_joint.normal_stiffness = None;
