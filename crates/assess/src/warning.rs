@@ -155,6 +155,12 @@ cards! {
     RULE_FOR_OTHER_WAYS = "A151", "the rule is not made for this vehicle",
         "A rule says whether it is made for roads, for railways or for both. Impact, dispersal and partial factors of a road rule \
          mean nothing for a train, and those of a railway rule nothing for a lorry. Choose another rule or other vehicles.";
+    /// Vehicles that limit analysis passes by less than discrete elements take off.
+    NEAR_THE_LIMIT = "A152", "vehicles that only limit analysis passes",
+        "The governing vehicle alone is made by discrete elements, whose joints deform; they carry less than rigid blocks do. The \
+         vehicles in the message are met by limit analysis with less room than that: with the same share taken off they would not \
+         be met. Name each of them alone in vehicles of [sweep] to have it made by discrete elements too, and judge by the smaller \
+         number.";
     /// A stage of an assessment that failed.
     STAGE_FAILED = "A160", "a stage of the assessment came to no end",
         "An analysis that the file asks for could not be set up or found no answer; the message says which and why. The other \

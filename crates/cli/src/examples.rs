@@ -53,7 +53,7 @@ pub const ALL: &[Example] = &[
         name: "bridgemill",
         about: "the Bridgemill bridge, 18.3 m, tested to collapse",
         main: "case-1.toml",
-        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "pressure.toml", "vehicles.toml", "vary.toml", "assess.toml"),
+        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "pressure.toml", "vehicles.toml", "vary.toml", "assess.toml", "hb-45.toml"),
     },
     Example {
         name: "railway-arch",

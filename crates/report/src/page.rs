@@ -194,11 +194,15 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         changes_words: sensitivity.map(|facts| format!(
             "Utilisation of the governing check ({}) with {:.0} % less and {:.0} % more of each quantity, by {}. All rows are of the same \
              analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
-             saw what the shortened analysis leaves out (earlier axles, other positions): compare the rows with the first of the two.",
+             {}: compare the rows with the first of the two.",
             facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, crate::numbers::percent(facts.utilisation),
             checks::governing(material.checked)
                 .and_then(|(check, k)| material.checked[check].outcome.as_ref().ok()?.get(k))
-                .map_or_else(|| "nothing".to_owned(), |finding| crate::numbers::percent(finding.utilisation))
+                .map_or_else(|| "nothing".to_owned(), |finding| crate::numbers::percent(finding.utilisation)),
+            match facts.code.as_str() {
+                "C204" => "counts discrete elements, which carry less than limit analysis",
+                _ => "saw what the shortened analysis leaves out (earlier axles, other positions)",
+            }
         )).unwrap_or_default(),
         notes: notes(a),
         findings: material.findings,

@@ -1,6 +1,7 @@
 //! Vehicles of the file's [sweep], as facts.
 
 use super::spoken;
+use crate::analysis::Status;
 use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep};
 use crate::warning;
 use crate::wire::{SweptFacts, VehicleFacts};
@@ -40,6 +41,9 @@ fn apart(found: &VehicleSweep) -> Option<[String; 2]> {
 fn confirmed(found: &Confirmation) -> String {
     let limit = found.limit.map_or(String::new(), |limit| format!("; limit analysis {limit:.3}"));
     match (found.adequacy, &found.reason) {
+        (Some(_), _) if found.status == Some(Status::UnstableUnderSelfWeight) => {
+            format!("the bridge does not stand under its own weight{limit}")
+        }
         (Some(adequacy), _) => format!(
             "the last load step carried has an adequacy factor of {adequacy:.3}, in steps of {:.3}{limit}",
             found.step
@@ -61,7 +65,17 @@ fn swept(one: &Swept) -> SweptFacts {
         } else {
             format!(", {}", case.arrangement.replace(" m", "\u{a0}m"))
         };
-        format!("{axles}, driving to the {}{arrangement}; {}", case.direction.word(), case.weights.told())
+        // The axle with more than the others, where the rule has such a thing.
+        let critical = match (case.critical_axle, one.load_factors[1]) {
+            (Some(axle), factor) if factor != 1.0 => format!(", axle {} with {factor} times as much", axle + 1),
+            _ => String::new(),
+        };
+        let uniform = case.uniform.filter(|_| case.axles.is_some());
+        let beside = uniform.map_or(String::new(), |[from, to]| {
+            format!(", uniform load from {from:.2} to {to:.2}\u{a0}m").replace('-', "\u{2212}")
+        });
+        let which = format!("driving to the {}{arrangement}{critical}{beside}", case.direction.word());
+        format!("{axles}, {which}; {}", case.weights.told())
     });
     let fallen =
         || one.weights.map_or(String::new(), |weights| format!("the bridge does not stand with {}", weights.told()));

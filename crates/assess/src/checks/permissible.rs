@@ -23,10 +23,11 @@ impl Check for PermissibleShare {
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let limit = limit(a.asked.limits.permissible_share, "permissible_share = 0.5")?;
         let facts = of(&a.ultimate)?;
-        let factor = facts
-            .load_factor
-            .filter(|factor| *factor > 0.0)
-            .ok_or_else(|| NotMade::because(format!("limit analysis ended with {}", facts.status)))?;
+        let factor = facts.load_factor.filter(|factor| *factor > 0.0).ok_or_else(|| NotMade {
+            why: format!("limit analysis ended with {}", facts.status),
+            // No bound on the load is an answer; a bridge that does not stand, or no answer, settles nothing.
+            failed: facts.status != "locks",
+        })?;
         Ok(vec![Finding {
             load_model: facts.load.clone(),
             value: 1.0 / factor,

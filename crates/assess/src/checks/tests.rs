@@ -1,7 +1,10 @@
 //! Checks on facts made by hand.
 
 use super::*;
-use crate::wire::{AugmentFacts, JointFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts, UltimateFacts};
+use crate::wire::{
+    AugmentFacts, JointFacts, MovementFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts,
+    VehicleFacts,
+};
 use bridge::assess::{Assess, Limits};
 
 fn place(place: &str, quantity: &str, self_weight: f64, minimum: f64, maximum: f64) -> PlaceFacts {
@@ -127,4 +130,95 @@ fn a_thrust_without_a_zone_is_told_and_not_judged() {
     assert!(!why.failed && why.why.contains("thrust_zone =") && why.why.contains("0.200 of the depth"), "{}", why.why);
     a.service = Stage::NotAsked("no train".into());
     assert!(!thrust::ThrustZone.run(&a).unwrap_err().why.contains("in service"));
+}
+
+/// Compression is negative and has its own limit; what stays compressed uses nothing of the limit on tension. By hand from the
+/// facts: -0.83 - 1.6 x 0.37, and -0.83 + 1.6 x 0.1.
+#[test]
+fn stresses_have_their_sign_their_side_and_their_unit() {
+    let found = stress::Abutment.run(&assessment()).unwrap();
+    let [pressed, pulled, ..] = &found[..] else { panic!("{found:?}") };
+    assert!((pressed.value + 1.422).abs() < 1e-12 && (pressed.limit + 2.589).abs() < 1e-12, "{pressed:?}");
+    assert!((pressed.utilisation - 1.422 / 2.589).abs() < 1e-12 && pressed.unit == "MPa");
+    assert!((pulled.value + 0.67).abs() < 1e-12 && (pulled.limit - 0.2589).abs() < 1e-12, "{pulled:?}");
+    assert_eq!(pulled.utilisation, 0.0);
+    // A live load that pulls by 1.0 leaves -0.83 + 1.6.
+    let mut a = assessment();
+    let Stage::Made(facts) = &mut a.service else { panic!() };
+    facts.loads[0].places[2].maximum = 1.0;
+    let found = stress::Abutment.run(&a).unwrap();
+    assert!((found[1].value - 0.77).abs() < 1e-12 && !found[1].met(), "{:?}", found[1]);
+    let shear = joint_shear::JointShear.run(&a).unwrap();
+    assert_eq!((shear[0].value, shear[0].limit, shear[0].utilisation), (0.4, 1.0, 0.4));
+}
+
+/// More capacity uses less of the limit, and the two readings of one number are reciprocal.
+#[test]
+fn a_stronger_bridge_uses_less() {
+    let mut a = assessment();
+    let used = |a: &Assessment| {
+        [adequacy::Adequacy.run(a).unwrap()[0].clone(), permissible::PermissibleShare.run(a).unwrap()[0].clone()]
+            .map(|finding| finding.utilisation)
+    };
+    // 2 asked of 4; 1/4 of the ultimate load, half is permitted.
+    assert_eq!(used(&a), [0.5, 0.5]);
+    a.ultimate =
+        Stage::Made(UltimateFacts { status: "collapsed".into(), load_factor: Some(8.0), ..UltimateFacts::default() });
+    assert_eq!(used(&a), [0.25, 0.25]);
+}
+
+/// A share of a load that is not known is no met limit.
+#[test]
+fn a_bridge_that_does_not_stand_settles_nothing_of_its_share() {
+    let mut a = assessment();
+    a.asked.limits.adequacy_factor = None;
+    let with = |status: &str| UltimateFacts { status: status.into(), ..UltimateFacts::default() };
+    for (status, failed) in [("unstable-under-self-weight", true), ("not-converged", true), ("locks", false)] {
+        a.ultimate = Stage::Made(with(status));
+        assert_eq!(permissible::PermissibleShare.run(&a).unwrap_err().failed, failed, "{status}");
+    }
+    a.asked.limits.adequacy_factor = Some(1.0);
+    a.ultimate = Stage::Made(with("unstable-under-self-weight"));
+    assert_eq!(verdict(&run(&a)).status, "inadequate");
+}
+
+/// The smaller of both methods counts, for the vehicle that was made by both.
+#[test]
+fn discrete_elements_count_where_they_carry_less() {
+    let vehicle = |code: &str, adequacy: f64| SweptFacts {
+        code: code.into(),
+        status: "collapsed".into(),
+        adequacy: Some(adequacy),
+        position_m: Some(3.0),
+        ..SweptFacts::default()
+    };
+    let mut a = assessment();
+    let mut with = |by_dem: f64| {
+        a.vehicles = Stage::Made(VehicleFacts {
+            vehicles: vec![vehicle("heavy", 1.1), vehicle("light", 2.0)],
+            governing: Some("heavy".into()),
+            adequacy_by_discrete_elements: Some(by_dem),
+            ..VehicleFacts::default()
+        });
+        let found = vehicles::Vehicles.run(&a).unwrap();
+        assert_eq!(found[1].value, 2.0);
+        found[0].clone()
+    };
+    let less = with(0.8);
+    assert_eq!((less.value, less.utilisation, less.met()), (0.8, 1.25, false));
+    assert!(less.basis.starts_with("discrete elements (limit analysis 1.100)"), "{}", less.basis);
+    let more = with(1.3);
+    assert_eq!((more.value, more.met()), (1.1, true));
+    assert!(more.basis.starts_with("limit analysis;"), "{}", more.basis);
+    assert_eq!(with(0.0).utilisation, f64::MAX);
+}
+
+/// A factor on a movement makes what may be expected smaller.
+#[test]
+fn a_movement_is_compared_with_what_stood_over_its_factor() {
+    let mut a = assessment();
+    (a.asked.limits.expected_movement, a.asked.limits.movement_factor) = (Some(0.02), 2.0);
+    a.movement = Stage::Made(MovementFacts { last_stable_mm: Some(50.0), ..MovementFacts::default() });
+    let found = movement::SupportMovement.run(&a).unwrap();
+    assert_eq!((found[0].value, found[0].limit, found[0].utilisation), (20.0, 25.0, 0.8));
 }

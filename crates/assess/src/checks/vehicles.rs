@@ -32,7 +32,12 @@ impl Check for Vehicles {
                 // Joints that deform carry less; the smaller number counts where both were found.
                 let governs = facts.governing.as_ref() == Some(&one.code);
                 let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
-                let value = one.adequacy.unwrap_or(0.0).min(second.unwrap_or(f64::INFINITY));
+                let by_limit = one.adequacy.unwrap_or(0.0);
+                let value = by_limit.min(second.unwrap_or(f64::INFINITY));
+                let method = match value < by_limit {
+                    true => format!("discrete elements (limit analysis {by_limit:.3})"),
+                    false => "limit analysis".to_owned(),
+                };
                 Finding {
                     load_model: one.code.clone(),
                     value,
@@ -41,7 +46,7 @@ impl Check for Vehicles {
                     utilisation: if value > 0.0 { 1.0 / value } else { f64::MAX },
                     basis: match one.position_m {
                         Some(x) => format!(
-                            "{}; {}, first axle at {x:.2} m; factor {:.3} on axles",
+                            "{method}; {}; {}, first axle at {x:.2} m; factor {:.3} on axles",
                             one.title, one.case, one.load_factor
                         ),
                         None => format!("{}; {}", one.title, one.status),

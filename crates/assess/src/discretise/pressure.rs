@@ -114,5 +114,37 @@ mod tests {
         let cohesive = 0.05 * 2.0 * 10e3 * 3f64.sqrt() * (high - low);
         assert!((most / (1.5 * wall + cohesive) - 1.0).abs() < 1e-9, "{most}");
         assert!(restraints(&samples::bridgemill(), &d.extrados).is_empty());
+        // Fill lies outside of its back: it presses towards the middle of the span, whatever the ring does.
+        assert!(all.iter().all(|r| (r.direction.x > 0.0) == (r.at.x < 9.15)), "{all:?}");
+    }
+
+    /// Backing is a block or weight of its own, and no fill: nothing presses beside it. What presses helps, and never harms.
+    #[test]
+    fn fill_presses_above_backing_and_helps() {
+        let mut b = filled();
+        let d = discretise(&b).unwrap();
+        let whole = restraints(&b, &d.extrados).len();
+        let load = |b: &Bridge| {
+            let mut b = b.clone();
+            b.plan.method = bridge::Method::Limit;
+            crate::analysis::collapse_by_limit(&b).unwrap().collapse_load.unwrap()
+        };
+        let with = load(&b);
+        let without = FillPressure { applies: false, ..b.fill_pressure.unwrap() };
+        let without = load(&Bridge { fill_pressure: Some(without), ..b.clone() });
+        assert!(with > 1.02 * without, "{with} {without}");
+        b.cover.backing = Some(bridge::Backing {
+            height: 2.0,
+            density: 2100.0,
+            elastic_modulus: None,
+            poisson_ratio: None,
+            body: bridge::BackingBody::Weight,
+            friction_angle: None,
+            cohesion: None,
+        });
+        let d = discretise(&b).unwrap();
+        let above = restraints(&b, &d.extrados);
+        assert!(!above.is_empty() && above.len() < whole);
+        assert!(above.iter().all(|r| r.at.y > 2.0), "{above:?}");
     }
 }

@@ -14,6 +14,7 @@ mod records;
 mod respond;
 mod stage;
 mod table_1;
+mod tiny;
 mod update;
 mod vary;
 mod walls;

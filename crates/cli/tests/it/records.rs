@@ -2,7 +2,8 @@
 //! nothing of it in silence.
 
 use crate::stage::Stage;
-use crate::update::{BRIDGE, SOUGHT};
+use crate::tiny::BRIDGE;
+use crate::update::SOUGHT;
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -3,10 +3,14 @@
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
 
 /// The program under test.
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_extrados");
+
+/// A machine that needs longer than this for a second's work is not going to finish.
+const PATIENCE: Duration = Duration::from_secs(120);
 
 /// A folder that is empty when the test begins.
 pub struct Stage {
@@ -48,6 +52,12 @@ impl Stage {
         command
     }
 
+    /// Starts the command and leaves it to run.
+    pub fn start(&self, words: &[&str]) -> Running {
+        let child = self.command(words).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
+        Running(child.expect("the program starts"))
+    }
+
     /// Runs the command to its end.
     pub fn run(&self, words: &[&str]) -> Ending {
         self.command(words).output().expect("the program starts").into()
@@ -77,6 +87,47 @@ impl Stage {
             entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
         names.sort();
         names
+    }
+}
+
+/// A command under way. It is ended with the test.
+pub struct Running(Child);
+
+impl Running {
+    /// Waits until something is so; the command must not end before it is.
+    pub fn wait_for(&mut self, what: &str, so: impl Fn() -> bool) {
+        let begin = Instant::now();
+        while !so() {
+            assert!(begin.elapsed() < PATIENCE, "no sign of {what} after {PATIENCE:?}");
+            let ended = self.0.try_wait().expect("the child can be asked");
+            assert!(ended.is_none(), "it ended before {what}: {ended:?}");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    /// Ends it as a loss of power would.
+    pub fn kill(&mut self) {
+        self.0.kill().expect("it is running");
+        self.0.wait().expect("it ends");
+    }
+
+    /// Presses Ctrl-C; the object that it prints and its exit code.
+    pub fn interrupted(mut self) -> (Value, Option<i32>) {
+        let told = Command::new("kill").args(["-INT", &self.0.id().to_string()]).status().expect("kill is there");
+        assert!(told.success(), "it ended before it was told");
+        // The object is a few lines, less than a pipe holds.
+        let code = self.0.wait().expect("it ends").code();
+        let mut printed = String::new();
+        let mut stdout = self.0.stdout.take().expect("stdout is read");
+        std::io::Read::read_to_string(&mut stdout, &mut printed).expect("stdout is UTF-8");
+        (object(&printed), code)
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
     }
 }
 

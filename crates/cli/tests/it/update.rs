@@ -1,95 +1,10 @@
 //! Model updating as its users meet it: an identical twin, a kill and what it leaves, records that cannot be used.
 
 use crate::stage::{Stage, number, numbers, object};
+use crate::tiny::BRIDGE;
 use serde_json::Value;
-use std::process::Stdio;
+use std::cell::Cell;
 use std::time::{Duration, Instant};
-
-/// A bridge of a hundred elements under one wagon: an evaluation takes hundredths of a second.
-pub const BRIDGE: &str = r#"bridge = { name = "Tiny", width = "4 m" }
-span = { profile = "segmental", span = "4 m", rise = "1 m", thickness = "0.5 m", voussoirs = 9 }
-abutment = { top_width = "1 m", height = "1 m" }
-joint = { friction_angle = "35 deg", cohesion = "0 kPa" }
-load = { kind = "knife-edge", force = "1 kN/m", length = "0.3 m", at = "1/4 of span 1" }
-
-[masonry]
-density = "2200 kg/m^3"
-elastic_modulus = "10 GPa"
-poisson_ratio = 0.2
-compressive_strength = "unlimited"
-
-[[cover]]
-layer = "fill"
-thickness = "0.4 m"
-density = "1800 kg/m^3"
-
-[dispersal]
-rule = "uniform"
-slope = "2:1"
-
-[mesh]
-size = "0.6 m"
-ring_nodes = 3
-
-[fill]
-elastic_modulus = "100 MPa"
-poisson_ratio = 0.2
-density = "1800 kg/m^3"
-friction_angle = "30 deg"
-cohesion = "50 kPa"
-
-[mortar]
-elastic_modulus = "1 GPa"
-thickness = "10 mm"
-lift_off = "100 kN"
-
-[fill_contact]
-friction_coefficient = 0.6
-separation = false
-
-[train]
-name = "one wagon"
-
-[[train.vehicle]]
-axle_loads = ["10 t"]
-axle_spacings = ["2.0 m"]
-front_overhang = "1 m"
-rear_overhang = "1 m"
-
-[track]
-rail_bending_stiffness = "4 MNm^2"
-track_modulus = "30 MPa"
-sleeper_spacing = "0.60 m"
-sleeper_breadth = "0.25 m"
-sleeper_length = "2.75 m"
-ballast_depth = "0.25 m"
-ballast_slope = "2:1"
-dead_load = "3 kPa"
-
-[passage]
-speed = "36 km/h"
-time_step = "0.04 s"
-from = "-3 m"
-to = "9 m"
-
-[[sensor]]
-name = "crown"
-kind = "displacement"
-direction = "vertical"
-place = "crown"
-
-[[sensor]]
-name = "quarter"
-kind = "displacement"
-direction = "vertical"
-at = "1/4 of span 1"
-
-[[sensor]]
-name = "strain"
-kind = "strain"
-gauge_length = "100 mm"
-place = "left-springing"
-"#;
 
 /// Two moduli sought, the file's own values being the start.
 pub const SOUGHT: &str = r#"
@@ -114,9 +29,6 @@ starts = 2
 points = 5
 "#;
 
-/// A machine that needs longer than this for a second's work is not going to finish.
-const PATIENCE: Duration = Duration::from_secs(120);
-
 /// A stage with a bridge and the records of its twin, whose stone has 13 GPa and whose fill 170 MPa.
 fn twin(name: &str) -> Stage {
     let stage = Stage::new(name);
@@ -127,6 +39,12 @@ fn twin(name: &str) -> Stage {
     stage.write("records.csv", format!("# synthetic: twin\n{}", stage.read("truth/channels.csv")));
     stage.write("bridge.toml", format!("{BRIDGE}{SOUGHT}"));
     stage
+}
+
+/// How many evaluations the log of a folder of results holds.
+fn evaluations(stage: &Stage, out: &str) -> usize {
+    let log = stage.folder.join(out).join("evaluations.log");
+    std::fs::read_to_string(log).unwrap_or_default().lines().count()
 }
 
 fn parameter(answer: &Value, name: &str) -> f64 {
@@ -173,24 +91,12 @@ fn a_killed_update_goes_on_and_does_nothing_twice() {
     let whole = stage.run(&[&words[..], &["--out", "whole"]].concat());
     let whole = object(&whole.stdout);
     let all = stage.read("whole/evaluations.log").lines().count();
-    let mut child = stage
-        .command(&[&words[..], &["--out", "torn"]].concat())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("the program starts");
-    let begin = Instant::now();
-    let kept =
-        || std::fs::read_to_string(stage.folder.join("torn/evaluations.log")).unwrap_or_default().lines().count();
-    while kept() < all / 2 {
-        assert!(begin.elapsed() < PATIENCE, "no half of the evaluations after {PATIENCE:?}");
-        std::thread::sleep(Duration::from_millis(2));
-    }
-    child.kill().expect("it can be killed");
-    child.wait().expect("it ends");
+    let mut child = stage.start(&[&words[..], &["--out", "torn"]].concat());
+    child.wait_for("half of the evaluations", || evaluations(&stage, "torn") >= all / 2);
+    child.kill();
     let resumed = object(&stage.run(&[&words[..], &["--out", "torn", "--resume"]].concat()).stdout);
     let (taken, done) = (number(&resumed, "evaluations_taken_up"), number(&resumed, "evaluations_computed"));
-    assert!(taken >= (all / 2 - 2) as f64, "{taken} of {all} were kept");
+    assert!(taken >= (all / 2 - 2) as f64 && done >= 1.0, "{taken} of {all} were kept, {done} were left");
     assert_eq!(taken + done, number(&whole, "evaluations"), "no evaluation is done twice");
     assert_eq!(without_times(resumed), without_times(whole));
     assert_eq!(stage.read("torn/sweeps.csv"), stage.read("whole/sweeps.csv"));
@@ -244,31 +150,18 @@ fn an_interrupted_posterior_goes_on() {
     let words = ["update", "bridge.toml", "--quiet", "--json"];
     // So many samples take minutes: the interruption comes while they are drawn, or while the points of the surrogate are.
     stage.write("bridge.toml", with_posterior(1_000_000));
-    let child = stage
-        .command(&[&words[..], &["--out", "torn"]].concat())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("the program starts");
-    let kept =
-        || std::fs::read_to_string(stage.folder.join("torn/evaluations.log")).unwrap_or_default().lines().count();
-    let begin = Instant::now();
-    let mut last = (0, Instant::now());
+    let mut child = stage.start(&[&words[..], &["--out", "torn"]].concat());
+    let last = Cell::new((0, Instant::now()));
     // No evaluation for a while after those of the surrogate: the sampler walks on the polynomial.
-    while last.0 < 180 || last.1.elapsed() < Duration::from_secs(1) {
-        assert!(begin.elapsed() < PATIENCE, "no surrogate after {PATIENCE:?}: {} evaluations", last.0);
-        let now = kept();
-        if now > last.0 {
-            last = (now, Instant::now());
+    child.wait_for("the surrogate", || {
+        let now = evaluations(&stage, "torn");
+        if now > last.get().0 {
+            last.set((now, Instant::now()));
         }
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    let told =
-        std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill is there");
-    assert!(told.success());
-    let ended = child.wait_with_output().expect("it ends");
-    let cancelled = object(&String::from_utf8_lossy(&ended.stdout));
-    assert_eq!((ended.status.code(), cancelled["status"].as_str()), (Some(130), Some("cancelled")), "{cancelled}");
+        last.get().0 >= 180 && last.get().1.elapsed() >= Duration::from_secs(1)
+    });
+    let (cancelled, code) = child.interrupted();
+    assert_eq!((code, cancelled["status"].as_str()), (Some(130), Some("cancelled")), "{cancelled}");
     // Fewer samples are another question to the same model: the log answers it.
     stage.write("bridge.toml", with_posterior(300));
     let resumed = object(&stage.run(&[&words[..], &["--out", "torn", "--resume"]].concat()).stdout);

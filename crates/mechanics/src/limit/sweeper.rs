@@ -44,8 +44,8 @@ pub struct Factor {
 impl Ground<'_> {
     /// A sweep over loads. Results do not depend on other sweepers of the same ground.
     pub fn sweeper(&self) -> Sweeper<'_> {
-        let elastic =
-            self.reduced.as_ref().and_then(|_| Elastic::new(&self.equilibrium, &self.joints, &self.resistances));
+        // Also where the fast method has nothing to work on: what joints carry is told all the same.
+        let elastic = Elastic::new(&self.equilibrium, &self.joints, &self.resistances);
         let reduced = self.reduced.as_ref().filter(|_| elastic.is_some()).cloned();
         Sweeper { ground: self, elastic, reduced, kept: Vec::new(), next: 0 }
     }

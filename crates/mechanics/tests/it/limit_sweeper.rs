@@ -1,10 +1,10 @@
 //! Many loads by the fast method, against the interior-point method one by one, and against themselves.
 
 use crate::limit_models::Ring;
-use mechanics::blocks::{BlockModel, Loading, PointForce, Restraint};
+use mechanics::blocks::{BlockModel, Held, Loading, PointForce, Restraint};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{Friction, Ground, Settings, Status, collapse_load};
-use mechanics::plane::{Vec2, vec2};
+use mechanics::plane::{Polygon, Vec2, vec2};
 
 fn bridgemill() -> (Ring, BlockModel, Loading) {
     let ring = Ring::bridgemill();
@@ -164,5 +164,67 @@ fn tangents_that_were_dropped_are_found_again() {
         assert!((found / other - 1.0).abs() < 1e-8, "{k}: {found} {other}");
         let outcome = long.outcome(&effect);
         assert!((outcome.upper_bound.unwrap() / found - 1.0).abs() < 1e-6, "{k}");
+    }
+}
+
+/// Joints that slide, whichever way: a load and its mirror image have one factor, which is that of the interior-point method,
+/// and both methods say that joints slide.
+#[test]
+fn joints_that_slide_either_way_are_met() {
+    let ring = Ring::semicircle(31, 0.3, 0.42);
+    let (model, loading) = (ring.model(), Loading::default());
+    let loads: Vec<Vec<PointForce>> = (0..15)
+        .map(|k| {
+            let at = ring.at(f64::from(k) + 8.5, ring.extrados());
+            vec![PointForce { block: BlockId::new(k as usize + 9), at, force: vec2(0.0, -1.0) }]
+        })
+        .collect();
+    let settings = Settings { friction: Friction::Associated, ..Settings::default() };
+    agree(&model, &loading, &loads, &settings, 1e-7);
+    let ground = Ground::new(&model, &loading, &settings).unwrap();
+    let mut sweeper = ground.sweeper();
+    let mut sliding = 0;
+    let mut factors = Vec::new();
+    for load in &loads {
+        let effect = sweeper.effect(load);
+        let found = sweeper.factor(&effect);
+        let whole = Loading { variable: load.clone(), ..Loading::default() };
+        let outcome = collapse_load(&model, &whole, &settings).unwrap();
+        let slides = outcome.mechanism.is_some_and(|mechanism| !mechanism.sliding.is_empty());
+        assert_eq!(found.slides, slides, "{load:?}");
+        sliding += usize::from(slides);
+        factors.push(found.lower.unwrap());
+    }
+    assert!(sliding > 2, "{sliding}");
+    for (a, b) in factors.iter().zip(factors.iter().rev()) {
+        assert!((a / b - 1.0).abs() < 1e-8, "{factors:?}");
+    }
+}
+
+/// A block on the ground: where its weight and a load beside its middle press is a lever by hand, and shear is the push.
+#[test]
+fn a_section_presses_where_the_lever_says() {
+    let block = |x: f64, y: f64, width: f64, height: f64, held: Held| {
+        crate::limit_models::block(Polygon::rectangle(vec2(x, y), width, height).unwrap(), 0.0, 2000.0, held)
+    };
+    let blocks = vec![block(-1.0, -0.5, 3.0, 0.5, Held::FIXED), block(0.0, 0.0, 0.5, 1.0, Held::FREE)];
+    let model = crate::limit_models::model(blocks, crate::limit_models::dry(0.7));
+    let ground = Ground::new(&model, &Loading::default(), &Settings::default()).unwrap();
+    let weight = 2000.0 * 0.5 * 9.81;
+    let sweeper = &mut ground.sweeper();
+    for (x, push) in [(0.4, 0.0), (0.1, 0.0), (0.25, 300.0)] {
+        let force = PointForce { block: BlockId::new(1), at: vec2(x, 1.0), force: vec2(push, -1000.0) };
+        let effect = sweeper.effect(&[force]);
+        let found = ground.section(&effect, 2.0, 0).unwrap();
+        let joint = &ground.interfaces()[0];
+        assert!((found.compression / (weight + 2000.0) - 1.0).abs() < 1e-9, "{found:?}");
+        // About the middle of the foot: two loads of 1000 N at their lever, and the push at the height of the block.
+        let moment = 2000.0 * (x - 0.25) + 2.0 * push;
+        let along = joint.normal.left();
+        let at = found.eccentricity * along.x;
+        assert!((at - moment / (weight + 2000.0)).abs() < 1e-9, "{x} {push}: {found:?}");
+        // The ground holds the block back, and the force on the second block of the joint is told.
+        let second = if joint.second == BlockId::new(1) { -1.0 } else { 1.0 };
+        assert!((found.shear * along.x - second * 2.0 * push).abs() < 1e-6, "{x} {push}: {found:?}");
     }
 }

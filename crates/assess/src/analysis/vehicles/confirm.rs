@@ -60,7 +60,11 @@ pub fn confirm(
     match collapse_by_dem(&b, None, watch) {
         Ok(c) => {
             found.status = Some(c.status);
-            found.adequacy = c.last_stable_load.map(|load| load / reference * capacity);
+            found.adequacy = match c.status {
+                // What does not stand carries nothing.
+                Status::UnstableUnderSelfWeight => Some(0.0),
+                _ => c.last_stable_load.map(|load| load / reference * capacity),
+            };
         }
         Err(error) => found.reason = Some(error.to_string()),
     }

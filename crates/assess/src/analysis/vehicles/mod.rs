@@ -212,6 +212,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
             format!("rule \"{}\" is not made for vehicle \"{}\"", rule.code, chosen.vehicle.code),
         ));
     }
+    found.warnings.extend(near_the_limit(found));
     let slides = found.vehicles.iter().filter(|v| v.without_dilation.is_some()).count();
     found.assumptions = vec![
         "The adequacy factor multiplies all loads of the vehicle together; weights stay as they are.".into(),
@@ -243,6 +244,27 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     let factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
     found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
+}
+
+/// Vehicles that would not be met if discrete elements took as much off them as off the governing one.
+fn near_the_limit(found: &VehicleSweep) -> Option<Warning> {
+    let governing = &found.vehicles.get(found.governing?)?.code;
+    let confirmation = found.confirmation.as_ref()?;
+    let share = confirmation.adequacy? / confirmation.limit?;
+    let near: Vec<String> = found
+        .vehicles
+        .iter()
+        .filter_map(|v| Some((v, v.adequacy?)))
+        .filter(|(v, adequacy)| v.code != *governing && *adequacy >= 1.0 && adequacy * share < 1.0)
+        .map(|(v, adequacy)| format!("{} ({adequacy:.2}, then {:.2})", v.code, adequacy * share))
+        .collect();
+    (!near.is_empty()).then(|| {
+        let message = format!(
+            "discrete elements carry {share:.2} of the limit load of {governing}; with that share these would not be met: {}",
+            near.join(", ")
+        );
+        Warning::new(warning::NEAR_THE_LIMIT, message)
+    })
 }
 
 /// Which factors on weights were tried, and which govern.
