@@ -1,6 +1,6 @@
 //! Many positions of a load: the condensed path against the whole system, position by position.
 
-use mechanics::fem::condensed::{Condensed, Derivatives, Functional, Neighbour, Reached};
+use mechanics::fem::condensed::{Condensed, Derivatives, Functional, LoadPattern, Neighbour, Reached};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use mechanics::fem::{
@@ -173,15 +173,7 @@ fn compare(fill: Material, force: f64) -> (f64, [usize; 4]) {
         &mut Unwatched,
     );
     assert_eq!(first.status, Status::Completed, "{first:?}");
-    let patterns: Vec<Vec<f64>> = vault
-        .surface
-        .iter()
-        .map(|node| {
-            let mut force = vec![0.0; 2 * model.mesh.nodes.len()];
-            force[2 * node.index() + 1] = -1.0;
-            force
-        })
-        .collect();
+    let patterns: Vec<LoadPattern> = vault.surface.iter().map(|node| down(*node)).collect();
     let observed: Vec<Functional> = (0..2)
         .map(|axis| Functional(vec![(2 * vault.crown.index() + axis, 1.0)]))
         .chain([Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)])])
@@ -196,7 +188,7 @@ fn compare(fill: Material, force: f64) -> (f64, [usize; 4]) {
         assert_eq!(visited.position.reached, Reached::Balanced);
         let mut forces = weight.clone();
         for (pattern, a) in patterns.iter().zip(amplitudes(&vault, index, force)) {
-            forces.iter_mut().zip(pattern).for_each(|(f, p)| *f += a * p);
+            pattern.0.iter().for_each(|&(component, force)| forces[component] += a * force);
         }
         let outcome =
             advance(model, &mut state, &mut work, &Target { forces, imposed: vec![] }, &settings(), &mut Unwatched);
@@ -246,12 +238,8 @@ fn going_back_leaves_no_trace() {
     let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, 30f64.to_radians(), 0.0);
     let vault = vault(Material::DruckerPrager(fill), Kinematics::Small);
     let model = &vault.model;
-    let mut patterns = vec![model.weight(vec2(0.0, -9.81))];
-    patterns.extend(vault.surface.iter().map(|node| {
-        let mut force = vec![0.0; 2 * model.mesh.nodes.len()];
-        force[2 * node.index() + 1] = -1.0;
-        force
-    }));
+    let mut patterns = vec![LoadPattern::of_all(&model.weight(vec2(0.0, -9.81)))];
+    patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let observed = [
         Functional(vec![(2 * vault.crown.index() + 1, 1.0)]),
         Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)]),
@@ -282,17 +270,18 @@ fn going_back_leaves_no_trace() {
 /// Moduli of soil and stones [Pa], cohesion of the soil [Pa], friction under it.
 const QUANTITIES: [f64; 4] = [110e6, 16e9, 10e3, 0.4];
 
+/// A unit force downwards on a node.
+fn down(node: NodeId) -> LoadPattern {
+    LoadPattern(vec![(2 * node.index() + 1, -1.0)])
+}
+
 /// The vault with these quantities, the patterns of its weight and of its surface, and what is observed.
-fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<Vec<f64>>, [Functional; 3]) {
+fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadPattern>, [Functional; 3]) {
     let soil = Elastic { modulus: soil, ratio: 0.19 };
     let fill = DruckerPrager::matching(soil, Cone::Compression, cohesion, 30f64.to_radians(), 0.0);
     let vault = vault_of(Material::DruckerPrager(fill), stones, friction, Kinematics::Small);
-    let mut patterns = vec![vault.model.weight(vec2(0.0, -9.81))];
-    patterns.extend(vault.surface.iter().map(|node| {
-        let mut force = vec![0.0; 2 * vault.model.mesh.nodes.len()];
-        force[2 * node.index() + 1] = -1.0;
-        force
-    }));
+    let mut patterns = vec![LoadPattern::of_all(&vault.model.weight(vec2(0.0, -9.81)))];
+    patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let of = |node: NodeId, axis: usize| Functional(vec![(2 * node.index() + axis, 1.0)]);
     let observed = [of(vault.crown, 0), of(vault.crown, 1), of(vault.surface[9], 1)];
     (vault, patterns, observed)

@@ -36,7 +36,7 @@ use parts::{Kind, Part, Remembered, components};
 use rows::{Row, Rows};
 
 pub use passage::{Passage, Visited};
-pub use rows::Functional;
+pub use rows::{Functional, LoadPattern};
 pub use slopes::{Derivatives, Neighbour};
 
 /// How one position ended.
@@ -141,12 +141,12 @@ struct Place {
 }
 
 impl<'a> Condensed<'a> {
-    /// Factorises the linear system of a model at small displacements. Loads, amplitudes of the patterns (forces on all components [N/m]), come on
+    /// Factorises the linear system of a model at small displacements. Loads, amplitudes of the patterns, come on
     /// top of those that `start` carries, which must be balanced.
     pub fn new(
         model: &'a Model,
         start: State,
-        patterns: &[Vec<f64>],
+        patterns: &[LoadPattern],
         observed: &[Functional],
     ) -> Result<Condensed<'a>, CondensedError> {
         if model.kinematics != Kinematics::Small {
@@ -155,11 +155,6 @@ impl<'a> Condensed<'a> {
         let mut work = Workspace::new(model)?;
         work.stiffness(model, &State::new(model))?;
         work.factorise()?;
-        let free = model.dofs().free().iter().enumerate();
-        let entries = |pattern: &Vec<f64>| {
-            let forces = free.clone().map(|(equation, component)| (equation as u32, pattern[*component as usize]));
-            forces.filter(|(_, force)| *force != 0.0).collect()
-        };
         let springs = (0..model.springs().len()).map(|index| Some(Part::spring(model, &start, index)));
         let solids = model.mesh.quads.pairs().map(|(id, _)| id);
         let solids = solids.filter(|id| !model.section(*id).solid.material.linear());
@@ -170,7 +165,7 @@ impl<'a> Condensed<'a> {
         Ok(Condensed {
             work,
             block: Block::default(),
-            patterns: patterns.iter().map(entries).collect(),
+            patterns: patterns.iter().map(|pattern| pattern.on_equations(model)).collect(),
             active: Vec::new(),
             is_active: vec![false; parts.len()],
             moved_at: vec![0; parts.len()],

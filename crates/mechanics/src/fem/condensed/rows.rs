@@ -13,6 +13,30 @@ pub struct Functional(
     pub Vec<(usize, f64)>,
 );
 
+/// Forces of a load pattern on displacement components, numbered as those of a [`Functional`] [N/m]; no component more than once.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LoadPattern(
+    /// Component and force.
+    pub Vec<(usize, f64)>,
+);
+
+impl LoadPattern {
+    /// Of forces on all components.
+    #[must_use]
+    pub fn of_all(forces: &[f64]) -> LoadPattern {
+        LoadPattern(forces.iter().copied().enumerate().filter(|(_, force)| *force != 0.0).collect())
+    }
+
+    /// Its forces on the equations, in ascending order.
+    pub(super) fn on_equations(&self, model: &Model) -> Vec<(u32, f64)> {
+        let equation = |&(component, force): &(usize, f64)| (model.dofs().equation(component), force);
+        let mut forces: Vec<(u32, f64)> = self.0.iter().map(equation).collect();
+        forces.retain(|(equation, force)| *equation != HELD && *force != 0.0);
+        forces.sort_unstable_by_key(|(equation, _)| *equation);
+        forces
+    }
+}
+
 /// A functional on the free components.
 #[derive(Debug, Clone)]
 pub(super) struct Row {

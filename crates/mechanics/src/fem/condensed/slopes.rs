@@ -7,7 +7,7 @@
 
 use super::parts::{Kind, Part, Remembered};
 use super::passage::Visited;
-use super::rows::{Row, Rows, dot};
+use super::rows::{LoadPattern, Row, Rows, dot};
 use super::tangent::{Slope, Tangent};
 use super::{Condensed, CondensedError, Place};
 use crate::fem::many::WIDTHS;
@@ -19,8 +19,8 @@ use crate::fem::state::State;
 pub struct Neighbour<'n> {
     /// Its model.
     pub model: &'n Model,
-    /// Its load patterns: forces on all components [N/m].
-    pub patterns: &'n [Vec<f64>],
+    /// Its load patterns.
+    pub patterns: &'n [LoadPattern],
     /// By how much the quantity differs, in whatever unit derivatives are wanted by.
     pub by: f64,
 }
@@ -131,10 +131,9 @@ impl<'a> Condensed<'a> {
 
     /// Derivatives of the patterns.
     fn heavier(&self, neighbour: &Neighbour<'_>) -> Vec<Vec<(u32, f64)>> {
-        let of = |(own, other): (&Vec<(u32, f64)>, &Vec<f64>)| {
+        let of = |(own, other): (&Vec<(u32, f64)>, &LoadPattern)| {
             let mut more: Vec<(u32, f64)> = own.iter().map(|&(equation, force)| (equation, -force)).collect();
-            let free = self.model.dofs().free().iter().enumerate();
-            more.extend(free.map(|(equation, component)| (equation as u32, other[*component as usize])));
+            more.extend(other.on_equations(self.model));
             more.sort_unstable_by_key(|(equation, _)| *equation);
             let mut merged: Vec<(u32, f64)> = Vec::new();
             for (equation, force) in more {

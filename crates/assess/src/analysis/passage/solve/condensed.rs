@@ -6,26 +6,16 @@ use crate::analysis::AnalysisError;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
-use mechanics::fem::condensed::{Condensed, CondensedError, Functional, Mark, Reached, Visited};
+use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Mark, Reached, Visited};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch, Wish};
 
-/// Sleepers' patterns as forces on all components.
-pub fn patterns(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
-    let surface = &rest.setup.meshed.sets.surface;
-    let whole = |pattern: &Vec<(usize, f64)>| {
-        let mut forces = vec![0.0; rest.weight.len()];
-        for &(node, share) in pattern {
-            forces[2 * surface[node].index() + 1] -= share;
-        }
-        forces
-    };
-    rest.setup.loads.patterns.iter().map(whole).collect()
-}
-
 /// All patterns: the weight, then those of the sleepers.
-pub fn loads(rest: &AtRest<'_>) -> Vec<Vec<f64>> {
-    std::iter::once(rest.weight.to_vec()).chain(patterns(rest)).collect()
+pub fn loads(rest: &AtRest<'_>) -> Vec<LoadPattern> {
+    let surface = &rest.setup.meshed.sets.surface;
+    let down = |&(node, share): &(usize, f64)| (2 * surface[node].index() + 1, -share);
+    let sleepers = rest.setup.loads.patterns.iter().map(|pattern| LoadPattern(pattern.iter().map(down).collect()));
+    std::iter::once(LoadPattern::of_all(rest.weight)).chain(sleepers).collect()
 }
 
 /// Self-weight and passage. The weight is the first pattern, brought on in the load steps of the file and then held.
