@@ -15,6 +15,7 @@ mod respond;
 mod stage;
 mod table_1;
 mod tiny;
+mod twins;
 mod update;
 mod vary;
 mod walls;

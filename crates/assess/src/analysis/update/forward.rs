@@ -35,7 +35,7 @@ type Asked = Option<Vec<usize>>;
 enum Seen {
     /// The start model: for searches that go by derivatives, a few dozen evaluations.
     Start,
-    /// Those, too, in which one parameter stands at either end of its range: for sweeps and surfaces, hundreds of evaluations. Two thirds of the slices are
+    /// Those, too, in which one parameter stands at either end of its range: for sweeps and surfaces, hundreds of evaluations. More than half of the slices are
     /// gone to twice without them, a tenth with them, and an evaluation takes three quarters of the time.
     Ends,
 }
