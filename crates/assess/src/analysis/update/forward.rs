@@ -24,7 +24,7 @@ pub struct Model<'a> {
     /// Whether a parameter moves the mesh, the loads or the sensors.
     moves: bool,
     /// What the answers of some models let expect of all others, by the positions that were asked for; `None` for all of them.
-    usual: Mutex<BTreeMap<(Asked, Seen), Arc<OnceLock<Vec<usize>>>>>,
+    usual: Mutex<BTreeMap<(Asked, Seen), Expected>>,
 }
 
 /// Positions of slices, or `None` for a whole passage.
@@ -39,6 +39,9 @@ enum Seen {
     /// gone to twice without them, a tenth with them, and an evaluation takes three quarters of the time.
     Ends,
 }
+
+/// Parts that are expected, found when they are first asked for.
+type Expected = Arc<OnceLock<Vec<usize>>>;
 
 /// Answers of the sensors, and parts that took part in them.
 struct Answers {
