@@ -9,7 +9,7 @@ use crate::posterior::target::{Draw, Target};
 use crate::watch::Stopped;
 
 /// Places of a chain at which every second one is let go: steps that are that many are correlated over hundreds, so that nothing is lost, and memory
-/// stays where it is (80 walkers with 6 numbers each: 120 MB).
+/// stays where it is (80 walkers with 6 numbers each: 30 MB).
 const LONGEST: usize = 5_000;
 
 /// Walkers on their way.
