@@ -181,3 +181,36 @@ pub fn fill(thickness: f64, density: f64) -> Layer {
         elastic_modulus: None,
     }
 }
+
+/// A wall of bricks on the ring, with its joints.
+pub fn spandrel_wall(b: &Bridge) -> SpandrelWall {
+    SpandrelWall {
+        brick_length: 0.6,
+        brick_height: 0.3,
+        thickness: 0.5,
+        bond: 0.5,
+        density: 2000.0,
+        rounding: 0.01,
+        joint: b.joint,
+        top: None,
+        extent: None,
+        end_walls: false,
+        courses_from: CoursesFrom::Top,
+        head_joint: None,
+        loaded_bricks: None,
+        least_piece: 0.25,
+    }
+}
+
+/// Backing that weighs 2000 kg/m^3 and does nothing else, up to a height above the springings [m].
+pub fn backing(height: f64) -> Backing {
+    Backing {
+        height,
+        density: 2000.0,
+        elastic_modulus: None,
+        poisson_ratio: None,
+        body: BackingBody::Weight,
+        friction_angle: None,
+        cohesion: None,
+    }
+}

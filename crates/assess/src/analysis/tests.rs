@@ -3,7 +3,7 @@
 use super::*;
 use crate::discretise::discretise;
 use crate::outcome::HingeAt;
-use crate::samples::{bridgemill, case_two, semicircle};
+use crate::samples::{bridgemill, case_two, semicircle, spandrel_wall};
 use bridge::{ContactPoints, Method};
 
 fn limit_load(mut b: Bridge, points: ContactPoints) -> f64 {
@@ -284,22 +284,7 @@ fn walled() -> Bridge {
     b.joint.fixed_length = None;
     b.abutments = [bridge::Abutment { top_width: 1.0, height: 1.0 }; 2];
     b.loads[0].position = 1.5;
-    b.spandrel_wall = Some(bridge::SpandrelWall {
-        brick_length: 0.6,
-        brick_height: 0.3,
-        thickness: 0.5,
-        bond: 0.5,
-        density: 2000.0,
-        rounding: 0.01,
-        joint: b.joint,
-        top: None,
-        extent: None,
-        end_walls: false,
-        courses_from: bridge::CoursesFrom::Top,
-        head_joint: None,
-        loaded_bricks: None,
-        least_piece: 0.25,
-    });
+    b.spandrel_wall = Some(spandrel_wall(&b));
     b.plan.method = Method::Limit;
     b.plan.strip = Strip::Wall;
     b

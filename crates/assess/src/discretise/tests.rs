@@ -160,15 +160,7 @@ fn backing_takes_the_place_of_fill_below_its_level() {
         cohesion: None,
     });
     assert!((weight(&b) / without - 1.0).abs() < 1e-12, "equal densities weigh the same");
-    b.cover.backing = Some(bridge::Backing {
-        height: 1.5,
-        density: 2000.0,
-        elastic_modulus: None,
-        poisson_ratio: None,
-        body: bridge::BackingBody::Weight,
-        friction_angle: None,
-        cohesion: None,
-    });
+    b.cover.backing = Some(crate::samples::backing(1.5));
     assert!(weight(&b) > 1.05 * without);
 }
 

@@ -369,31 +369,8 @@ fn every_weight_has_the_factor_of_its_group() {
     let mut b = bridgemill(&[]);
     b.cover.layers.push(Layer { name: LayerKind::Surfacing, ..b.cover.layers[0].clone() });
     b.cover.layers.push(Layer { name: LayerKind::Ballast, ..b.cover.layers[0].clone() });
-    b.cover.backing = Some(bridge::Backing {
-        height: 1.0,
-        density: 2000.0,
-        elastic_modulus: None,
-        poisson_ratio: None,
-        body: bridge::BackingBody::Weight,
-        friction_angle: None,
-        cohesion: None,
-    });
-    b.spandrel_wall = Some(bridge::SpandrelWall {
-        brick_length: 0.5,
-        brick_height: 0.3,
-        thickness: 0.5,
-        bond: 0.5,
-        density: 1700.0,
-        rounding: 0.01,
-        joint: b.joint,
-        top: None,
-        extent: None,
-        end_walls: false,
-        courses_from: bridge::CoursesFrom::Top,
-        head_joint: None,
-        loaded_bricks: None,
-        least_piece: 0.2,
-    });
+    b.cover.backing = Some(samples::backing(1.0));
+    b.spandrel_wall = Some(samples::spandrel_wall(&b));
     let mut factored = b.clone();
     weights::put(&Weights { masonry: 2.0, fill: Some(3.0), surfacing: Some(5.0) }, &mut factored);
     assert_eq!(factored.masonry.density / b.masonry.density, 2.0);
@@ -401,7 +378,7 @@ fn every_weight_has_the_factor_of_its_group() {
         factored.cover.layers.iter().zip(&b.cover.layers).map(|(a, b)| a.density / b.density).collect();
     assert_eq!(layers, [3.0, 5.0, 5.0]);
     assert_eq!(factored.cover.backing.unwrap().density, 6000.0);
-    assert_eq!(factored.spandrel_wall.unwrap().density, 3400.0);
+    assert_eq!(factored.spandrel_wall.unwrap().density, 4000.0);
 }
 
 /// A bridge and its mirror image: what drives to the right over one drives to the left over the other.
