@@ -73,6 +73,12 @@ pub(super) struct Block {
 }
 
 impl Block {
+    /// Of solutions in the order of the equations.
+    #[cfg(test)]
+    pub(super) fn with(width: usize, lanes: Vec<f64>) -> Block {
+        Block { width, lanes, place: Vec::new() }
+    }
+
     #[inline]
     fn start(&self, equation: u32) -> usize {
         self.width * self.place.get(equation as usize).copied().unwrap_or(equation) as usize

@@ -11,7 +11,10 @@
 //! with load patterns `l` of amplitude `a_l`. A row whose excess ever changes costs one solution, found when it is first needed. All parts are
 //! looked at in every position. The equations are those of the whole mesh: nothing is approximated.
 
+mod closed;
+mod glance;
 mod hot;
+mod hourglass;
 mod newton;
 mod parts;
 mod passage;
@@ -30,6 +33,7 @@ use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
+use glance::Glances;
 use hot::Hot;
 use newton::Trial;
 use parts::{Kind, Part, Remembered, components};
@@ -100,6 +104,8 @@ pub struct Condensed<'a> {
     observed: Vec<Row>,
     /// All that may answer otherwise than linearly.
     parts: Vec<Part>,
+    /// What there is to know of them, as they were when the run began.
+    glances: Glances,
     /// Parts whose excess differs or differed from that of the start, in the order in which they joined.
     active: Vec<usize>,
     is_active: Vec<bool>,
@@ -170,6 +176,7 @@ impl<'a> Condensed<'a> {
             is_active: vec![false; parts.len()],
             moved_at: vec![0; parts.len()],
             clock: passage::COOLS + 1,
+            glances: Glances::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
             row_of: vec![None; model.dofs().count()],
@@ -334,8 +341,9 @@ impl<'a> Condensed<'a> {
         }
         let lanes = count + usize::from(beyond);
         let (mut joining, mut stands) = (Vec::new(), vec![true; lanes]);
-        for (index, part) in self.parts.iter_mut().enumerate().filter(|(index, _)| !self.is_active[*index]) {
-            if part.surely_still(self.model, &self.block) {
+        for index in self.glances.doubtful(self.model, &self.block, lanes, &self.is_active) {
+            let part = &mut self.parts[index];
+            if part.surely_still(self.model, &self.block, lanes) {
                 continue;
             }
             let mut joins = false;

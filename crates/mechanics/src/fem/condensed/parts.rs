@@ -1,7 +1,9 @@
 //! The parts that are not linear: springs of interfaces and quadrilaterals that may yield. Each answers what it carries less than the
 //! linear system lets it carry.
 
+use super::closed::Closed;
 use super::quiet::Quiet;
+use super::rows::widest;
 use crate::fem::assemble::moved;
 use crate::fem::dofs::{HELD, dof};
 use crate::fem::element::{self, Kept, Sample, sample};
@@ -295,13 +297,42 @@ impl Part {
         std::array::from_fn(|i| self.excess[i] - self.kept[i])
     }
 
-    /// Whether it is a quadrilateral that surely answers linearly in all of many solutions.
-    pub fn surely_still(&self, model: &Model, block: &Block) -> bool {
-        let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return false };
-        let solid = &model.section(id).solid;
-        let quad =
-            Quiet { solid, samples, points: &self.old.points, base: &self.base, equations: &self.equations, block };
-        !model.incompatible(id) && quad.holds()
+    /// As a quadrilateral that may be quiet.
+    pub fn quiet<'a>(&'a self, model: &'a Model) -> Option<Quiet<'a>> {
+        let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return None };
+        let (solid, points) = (&model.section(id).solid, &self.old.points);
+        let quad = Quiet { solid, samples, points, base: &self.base, equations: &self.equations };
+        (!model.incompatible(id)).then_some(quad)
+    }
+
+    /// As a spring that answers linearly while it is closed, and the kind of its law.
+    pub fn closed<'a>(&'a self, model: &'a Model) -> Option<(usize, Closed<'a>)> {
+        let Kind::Spring(index) = self.kind else { return None };
+        let (kind, area) = (model.springs()[index].kind, model.springs()[index].area);
+        let law = &model.joints[kind];
+        let [normal, tangential] = law.stiffness().map(|stiffness| area * stiffness);
+        let closed = [[normal, 0.0], [0.0, tangential]];
+        let linear = (0..2).all(|i| (0..2).all(|j| self.stiffness[i][j] == closed[i][j]));
+        let openings = [self.openings[0].as_slice(), self.openings[1].as_slice()];
+        let spring = Closed { law, area, memory: &self.old.bond.memory, base: [self.base[0], self.base[1]], openings };
+        linear.then_some((kind, spring))
+    }
+
+    /// Whether it surely answers linearly in all of the first solutions, from what it remembers now; where it may not, it has to be asked.
+    pub fn surely_still(&self, model: &Model, block: &Block, lanes: usize) -> bool {
+        struct Wide<'a>(&'a Part, &'a Model, &'a Block, usize);
+        impl pulp::NullaryFnOnce for Wide<'_> {
+            type Output = bool;
+            #[inline(always)]
+            fn call(self) -> bool {
+                let Wide(part, model, block, lanes) = self;
+                if let Some(quad) = part.quiet(model) {
+                    return quad.holds(block, lanes);
+                }
+                part.closed(model).is_some_and(|(_, spring)| spring.holds(block, lanes))
+            }
+        }
+        widest(Wide(self, model, block, lanes))
     }
 
     /// What it would take to come back.

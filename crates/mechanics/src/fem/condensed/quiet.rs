@@ -1,16 +1,23 @@
 //! Quadrilaterals that flow nowhere, in many solutions at a time: nearly all of them, nearly always.
 //!
-//! Eight solutions stand side by side in the processor's registers. Of a passage with 53,498 unknowns looking over took 16 % of the time while
-//! every law was asked, and takes 8 % this way.
+//! Eight solutions stand side by side in the processor's registers.
 
 use crate::fem::dofs::HELD;
 use crate::fem::element::Sample;
 use crate::fem::factor::Block;
 use crate::fem::law::Solid;
+use crate::fem::many::WIDTHS;
 use crate::fem::state::Point;
 
 /// Solutions that are looked at together.
-const TOGETHER: usize = 8;
+pub(super) const TOGETHER: usize = 8;
+
+/// The solutions at an equation, of a component that is held as well.
+#[inline(always)]
+pub(super) fn solution(block: &Block, equation: u32) -> &[[f64; TOGETHER]] {
+    static HOLDS: [[f64; TOGETHER]; WIDTHS[1] / TOGETHER] = [[0.0; TOGETHER]; WIDTHS[1] / TOGETHER];
+    if equation == HELD { &HOLDS } else { block.of(equation).as_chunks().0 }
+}
 
 /// A quadrilateral without modes and what it remembers.
 pub(super) struct Quiet<'a> {
@@ -20,54 +27,40 @@ pub(super) struct Quiet<'a> {
     /// Displacements of its corners when the run began, and the equations of what is added to them.
     pub base: &'a [f64; 8],
     pub equations: &'a [u32; 8],
-    pub block: &'a Block,
 }
 
 impl Quiet<'_> {
-    /// Whether it surely flows in none of the solutions; where it may, its law has to be asked.
-    pub fn holds(self) -> bool {
-        #[cfg(target_arch = "x86_64")]
-        if let Some(v3) = pulp::x86::V3::try_new() {
-            struct Wide<'a>(Quiet<'a>);
-            impl pulp::NullaryFnOnce for Wide<'_> {
-                type Output = bool;
-                #[inline(always)]
-                fn call(self) -> bool {
-                    self.0.holds_everywhere()
+    /// Whether it surely flows in none of the first solutions; where it may, its law has to be asked.
+    #[inline(always)]
+    pub fn holds(&self, block: &Block, lanes: usize) -> bool {
+        for k in 0..lanes.div_ceil(TOGETHER) {
+            let mut u = [[0.0; TOGETHER]; 8];
+            for i in 0..8 {
+                let values = &solution(block, self.equations[i])[k];
+                for lane in 0..TOGETHER {
+                    u[i][lane] = self.base[i] + values[lane];
                 }
             }
-            return v3.vectorize(Wide(self));
-        }
-        self.holds_everywhere()
-    }
-
-    #[inline(always)]
-    fn holds_everywhere(&self) -> bool {
-        (0..self.block.width()).step_by(TOGETHER).all(|first| self.holds_from(first))
-    }
-
-    #[inline(always)]
-    fn holds_from(&self, first: usize) -> bool {
-        let mut u = [[0.0; TOGETHER]; 8];
-        for i in 0..8 {
-            u[i] = [self.base[i]; TOGETHER];
-            if self.equations[i] != HELD {
-                let lanes = &self.block.of(self.equations[i])[first..first + TOGETHER];
-                for lane in 0..TOGETHER {
-                    u[i][lane] += lanes[lane];
+            for point in 0..4 {
+                if !self.holds_at(point, &u) {
+                    return false;
                 }
             }
         }
-        self.samples.iter().zip(self.points).all(|(sample, point)| {
-            let mut strain = [[0.0; TOGETHER]; 4];
-            for a in 0..4 {
-                for lane in 0..TOGETHER {
-                    strain[0][lane] += sample.dx[a] * u[2 * a][lane];
-                    strain[1][lane] += sample.dy[a] * u[2 * a + 1][lane];
-                    strain[3][lane] += sample.dy[a] * u[2 * a][lane] + sample.dx[a] * u[2 * a + 1][lane];
-                }
+        true
+    }
+
+    #[inline(always)]
+    fn holds_at(&self, point: usize, u: &[[f64; TOGETHER]; 8]) -> bool {
+        let sample = &self.samples[point];
+        let mut strain = [[0.0; TOGETHER]; 4];
+        for a in 0..4 {
+            for lane in 0..TOGETHER {
+                strain[0][lane] += sample.dx[a] * u[2 * a][lane];
+                strain[1][lane] += sample.dy[a] * u[2 * a + 1][lane];
+                strain[3][lane] += sample.dy[a] * u[2 * a][lane] + sample.dx[a] * u[2 * a + 1][lane];
             }
-            self.solid.surely_holds(&strain, &point.memory)
-        })
+        }
+        self.solid.surely_holds(&strain, &self.points[point].memory)
     }
 }

@@ -34,6 +34,27 @@ impl Contact {
             (self.cohesion - pressed * normal, -pressed)
         }
     }
+
+    /// Whether all of many openings leave it closed, with the shear below its strength by more than rounding where that is a root.
+    #[inline(always)]
+    pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], old: &PairMemory) -> bool {
+        const ROUNDING: f64 = 1e-14;
+        let most = if self.separation { 0.0 } else { f64::INFINITY };
+        let rounds = !self.separation && self.rounding > 0.0;
+        let mut holds = self.friction >= 0.0;
+        for lane in 0..L {
+            let normal = self.normal * opening[0][lane];
+            let shear = self.tangential * (opening[1][lane] - old.slip);
+            let length = (normal * normal + self.rounding * self.rounding).sqrt();
+            // Where it overflows nothing is sure.
+            let hyperbola =
+                if length <= f64::MAX { 0.5 * ((1.0 - ROUNDING) * length - normal) } else { f64::NEG_INFINITY };
+            let straight = if normal < 0.0 { -normal } else { 0.0 };
+            let strength = self.cohesion + self.friction * if rounds { hyperbola } else { straight };
+            holds &= (normal <= most) & (shear.abs() <= strength);
+        }
+        holds
+    }
 }
 
 impl PairLaw for Contact {

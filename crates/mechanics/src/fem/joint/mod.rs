@@ -88,6 +88,20 @@ impl JointLaw {
     }
 }
 
+impl JointLaw {
+    /// Whether a pair surely is closed and remembers nothing new at all of many openings, so that it answers with the stiffness of
+    /// [`JointLaw::stiffness`]; where it may not, it has to be asked.
+    #[inline(always)]
+    pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
+        let holds = match self {
+            JointLaw::Elastic(_) => true,
+            JointLaw::Mortar(law) => law.surely_holds(opening, area, old),
+            JointLaw::Contact(law) => law.surely_holds(opening, old),
+        };
+        holds & (old.state == PairState::Closed) & (old.slip.is_finite() & old.crush.is_finite())
+    }
+}
+
 impl PairLaw for JointLaw {
     fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
         match self {

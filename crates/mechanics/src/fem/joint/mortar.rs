@@ -80,6 +80,20 @@ impl Mortar {
         let shear = self.shear_strength.copysign(shear);
         (shear, 0.0, opening - shear / self.tangential, true)
     }
+
+    /// Whether all of many openings are within its strengths.
+    #[inline(always)]
+    pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
+        let tension = if old.broken { 0.0 } else { self.lift_off.stress(area) };
+        let crushed = self.compressive_strength.map_or(f64::NEG_INFINITY, |strength| -strength);
+        let mut holds = true;
+        for lane in 0..L {
+            let stress = self.normal * (opening[0][lane] - old.crush);
+            let shear = self.tangential * (opening[1][lane] - old.slip);
+            holds &= (stress <= tension) & (stress >= crushed) & (shear.abs() <= self.shear_strength);
+        }
+        holds
+    }
 }
 
 impl PairLaw for Mortar {
