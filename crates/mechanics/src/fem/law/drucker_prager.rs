@@ -91,10 +91,11 @@ impl DruckerPrager {
         let mut inside = self.tension_cutoff.is_none();
         for lane in 0..L {
             let [x, y, z, xy] = [0, 1, 2, 3].map(|i| strain[i][lane] - old.plastic[i]);
-            let volume = x + y + z;
-            let [x, y, z] = [x, y, z].map(|e| e - volume / 3.0);
-            let radius = shear * (2.0 * (x * x + y * y + z * z) + xy * xy).sqrt();
-            inside &= radius + self.alpha * 3.0 * bulk * volume < (1.0 - MARGIN) * self.strength;
+            let (apart, across) = (x - y, x + y - 2.0 * z);
+            // J2 over the square of the shear modulus: no root is drawn.
+            let square = apart * apart + across * across * (1.0 / 3.0) + xy * xy;
+            let left = (1.0 - MARGIN) * self.strength - 3.0 * self.alpha * bulk * (x + y + z);
+            inside &= (left > 0.0) & (shear * shear * square < (1.0 - 2.0 * MARGIN) * left * left);
         }
         inside
     }
