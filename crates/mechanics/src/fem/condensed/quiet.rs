@@ -1,6 +1,7 @@
 //! Quadrilaterals that flow nowhere, in many solutions at a time: nearly all of them, nearly always.
 //!
-//! Eight solutions stand side by side in the processor's registers.
+//! Eight solutions stand side by side in the processor's registers. This looks at every point and knows its limit; a glance (`hourglass.rs`) comes first where
+//! nothing has changed since the run began.
 
 use crate::fem::dofs::HELD;
 use crate::fem::element::Sample;
