@@ -1,6 +1,6 @@
 //! A first glance at all parts, as they were when the run began: which of them surely answer linearly in many solutions at a time. Nearly all do,
 //! nearly always. What has to be known for that lies side by side in the order of the parts, 190 bytes of each in place of 3 kB. Of 18,462 parts some
-//! hundred are left to be asked; all of them in 31 solutions take 2.8 ms, and took 22 ms while points were looked at one by one.
+//! hundred are left to be looked at; all of them in 31 solutions take 2.8 ms, and took 22 ms while points were looked at one by one.
 
 use super::closed::Closed;
 use super::hourglass::Hourglass;
