@@ -1,7 +1,7 @@
 //! Factorisation of the tangent: found symbolically once, computed anew for each tangent.
 
 use super::gmres::{self, Refined};
-use super::many::{self, WIDTHS};
+use super::many::{self, WIDEST, WIDTHS};
 use super::pattern::Pattern;
 use super::unsymmetric::Whole;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
@@ -92,6 +92,12 @@ impl Block {
         &mut self.lanes[start..start + self.width]
     }
 
+    /// Adds multiples of `force` on an equation to the first right-hand sides.
+    #[inline]
+    pub(super) fn add(&mut self, equation: u32, force: f64, multiples: &[f64]) {
+        self.at(equation).iter_mut().zip(multiples).for_each(|(lane, multiple)| *lane += force * multiple);
+    }
+
     /// Right-hand sides, those that were not asked for included: their solutions are zero.
     #[inline]
     pub(super) fn width(&self) -> usize {
@@ -103,10 +109,12 @@ impl Block {
         (self.lanes.len() / self.width.max(1)) as u32
     }
 
-    /// Goes on beyond the last of `count` solutions, which are on a way: by a share of all of it. The next solution is lost.
-    pub(super) fn extend_beyond(&mut self, count: usize, share: f64) {
+    /// Goes on beyond the last of `count` solutions, which are on a way: by so many steps like the last few. The next solution is lost.
+    pub(super) fn extend_beyond(&mut self, count: usize, few: usize, steps: usize) {
+        let before = (count - 1).saturating_sub(few);
+        let share = steps as f64 / (count - 1 - before) as f64;
         for lanes in self.lanes.chunks_exact_mut(self.width) {
-            lanes[count] = lanes[count - 1] + share * (lanes[count - 1] - lanes[0]);
+            lanes[count] = lanes[count - 1] + share * (lanes[count - 1] - lanes[before]);
         }
     }
 
@@ -228,11 +236,7 @@ impl Solver {
     ///
     /// Where only some equations are `asked` for, the block holds their solutions and nothing that could be read elsewhere.
     pub(super) fn solve_block(&mut self, right: &[Vec<(u32, f64)>], asked: Option<&Asked>, block: &mut Block) {
-        let wide = right.len() > WIDTHS[0];
-        block.width = WIDTHS[usize::from(wide)];
-        block.lanes.clear();
-        block.lanes.resize(block.width * self.symbolic.nrows(), 0.0);
-        block.place = self.symbolic.perm().map(|perm| perm.arrays().1.to_vec()).unwrap_or_default();
+        self.clear(right.len(), block);
         // A few entries of each at a time: they often stand in the same equations, which are at hand then.
         let longest = right.iter().map(Vec::len).max().unwrap_or(0);
         for first in (0..longest).step_by(FEW) {
@@ -242,13 +246,31 @@ impl Solver {
                 }
             }
         }
+        self.solve_lanes(right.len(), asked, block);
+    }
+
+    /// Solutions for right-hand sides that `load` adds to an empty block.
+    pub(super) fn solve_loaded(&mut self, count: usize, block: &mut Block, load: impl FnOnce(&mut Block)) {
+        self.clear(count, block);
+        load(block);
+        self.solve_lanes(count, None, block);
+    }
+
+    fn clear(&self, count: usize, block: &mut Block) {
+        block.width = WIDTHS.into_iter().find(|width| *width >= count).unwrap_or(WIDEST);
+        block.lanes.clear();
+        block.lanes.resize(block.width * self.symbolic.nrows(), 0.0);
+        block.place = self.symbolic.perm().map(|perm| perm.arrays().1.to_vec()).unwrap_or_default();
+    }
+
+    fn solve_lanes(&mut self, count: usize, asked: Option<&Asked>, block: &mut Block) {
         match (self.symbolic.raw(), self.kind) {
             (SymbolicCholeskyRaw::Supernodal(symbolic), Kind::Definite) => {
                 let wanted = asked.map(|Asked(wanted)| wanted.as_slice()).filter(|wanted| !wanted.is_empty());
                 many::solve(symbolic, &self.values, block.width, &mut block.lanes, wanted);
             }
             _ => {
-                for lane in 0..right.len() {
+                for lane in 0..count {
                     let mut x: Vec<f64> = (0..self.symbolic.nrows() as u32).map(|e| block.of(e)[lane]).collect();
                     self.apply(&mut x);
                     x.iter().enumerate().for_each(|(equation, value)| block.at(equation as u32)[lane] = *value);

@@ -11,8 +11,9 @@ use pulp::{Simd, WithSimd, bytemuck};
 use std::array::from_fn;
 use std::hint::black_box;
 
-/// Right-hand sides of a narrow and of a wide block.
-pub(super) const WIDTHS: [usize; 2] = [8, 32];
+/// Right-hand sides of a block: as many as needed, and no more than so many.
+pub(super) const WIDTHS: [usize; 3] = [8, 16, WIDEST];
+pub(super) const WIDEST: usize = 32;
 
 /// Solves `L L^T x = right` in place: `x` has a number for each of `width` right-hand sides, one of [`WIDTHS`], and after them those of the
 /// next equation in the order of elimination. Of supernodes that are not among the `wanted`, [`reached`], nothing is found.

@@ -138,6 +138,11 @@ impl Workspace {
         self.solver.solve_block(right, None, block);
     }
 
+    /// The same for right-hand sides that `load` adds to an empty block.
+    pub(super) fn solve_loaded(&mut self, count: usize, block: &mut Block, load: impl FnOnce(&mut Block)) {
+        self.solver.solve_loaded(count, block, load);
+    }
+
     /// The same, for what is asked for alone.
     pub(super) fn solve_block_at(&mut self, right: &[Vec<(u32, f64)>], asked: &Asked, block: &mut Block) {
         self.solver.solve_block(right, Some(asked), block);

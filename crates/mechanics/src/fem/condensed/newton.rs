@@ -12,12 +12,9 @@ const FAR: f64 = 1e-3;
 /// Farthest that a row moves in an iteration, over the most that the loads move one of the linear system.
 const FARTHEST: f64 = 2.0;
 
-/// Steps with an older tangent that may be foreseen to end an iteration, each as good as the last, in place of one with its own: a tangent costs five
-/// of them.
-const CHORDS: i32 = 4;
-
-/// Share of the change that a step may leave if the next is to go with its tangent.
-const SHRINKS: f64 = 0.1;
+/// Share of the change that a step may leave before the tangent is factorised anew with all slopes: those that have changed little are not put right, and
+/// count where it is nearly singular.
+const SLOW: f64 = 0.3;
 
 /// A position that is sought.
 #[derive(Debug, Clone, Default)]
@@ -56,9 +53,7 @@ impl Condensed<'_> {
     /// Newton's method on the forces of the hot rows (equation 5); `false` where it finds no end.
     pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
         let Some(mut right) = self.unbalanced(trial) else { return false };
-        let (mut best, mut idle) = (f64::INFINITY, 0);
-        // Share of the change that the last step left, with a tangent found for it or with an older one.
-        let (mut shrinks, mut before, mut has_tangent) = (1.0, f64::INFINITY, false);
+        let (mut best, mut idle, mut before) = (f64::INFINITY, 0, f64::INFINITY);
         while position.iterations < self.iterations {
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             let most = |moves: &mut dyn Iterator<Item = f64>| moves.fold(0.0_f64, |most, m| most.max(m.abs())) / size;
@@ -76,23 +71,18 @@ impl Condensed<'_> {
                 return false;
             }
             position.iterations += 1;
-            shrinks = f64::max(shrinks * f64::from(u8::from(has_tangent)), position.left / before);
+            let slow = position.left > SLOW * before;
             before = position.left;
-            let near = shrinks < SHRINKS && position.left * f64::powi(shrinks, CHORDS) <= TOLERANCE;
-            if !(has_tangent && near) {
-                self.hot.find_tangent(&self.parts);
-                (has_tangent, shrinks) = (true, 0.0);
-            }
+            self.hot.find_tangent(&self.parts, slow);
             let direction = self.hot.solve(&right);
             let Some(next) = self.step(trial, &direction, &right) else { return false };
             right = next;
             // Far from balance, parts that join late would lead the others astray.
             if position.left > FAR {
                 let values = self.values_of_all(trial);
-                let Some(moving) = self.moving_among_the_cool(&values) else { return false };
+                let Some(moving) = self.moving_among_the_cool(&values, None) else { return false };
                 if !moving.is_empty() {
                     self.heat(&moving, trial);
-                    has_tangent = false;
                     let Some(next) = self.unbalanced(trial) else { return false };
                     right = next;
                 }
@@ -109,14 +99,21 @@ impl Condensed<'_> {
         values
     }
 
-    /// Active parts that are not hot and do not answer linearly.
-    pub(super) fn moving_among_the_cool(&mut self, values: &[f64]) -> Option<Vec<usize>> {
+    /// Active parts that are not hot and do not answer linearly. Those that will not do so where the rows go next are foreseen.
+    pub(super) fn moving_among_the_cool(&mut self, values: &[f64], ahead: Option<&[f64]>) -> Option<Vec<usize>> {
         let mut moving = Vec::new();
+        self.foreseen.clear();
         for &index in self.active.iter().filter(|&&index| !self.hot.is_hot(index)) {
             let part = &mut self.parts[index];
+            if part.surely_rests(self.model, |row| [values[row], ahead.map_or(values[row], |ahead| ahead[row])]) {
+                continue;
+            }
+            let goes_on = ahead.is_none_or(|ahead| part.holds_at(self.model, |row| ahead[row]));
             part.answer(self.model, |row| values[row])?;
             if !part.still {
                 moving.push(index);
+            } else if !goes_on {
+                self.foreseen.push(index);
             }
         }
         Some(moving)
@@ -139,7 +136,7 @@ impl Condensed<'_> {
 
     /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
     fn step(&mut self, trial: &mut Trial, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
-        const LEFT: f64 = 0.8;
+        const LEFT: f64 = 1.0;
         const TRIES: usize = 6;
         let way = self.hot.moves(direction);
         let start = dot(right, &way);
@@ -185,7 +182,11 @@ impl Condensed<'_> {
         trial.excess.clone_from(&trial.before);
         for &index in &self.hot.parts {
             let (part, hot, values) = (&mut self.parts[index], &self.hot, &trial.values);
-            part.answer(self.model, |row| hot.place(row).map_or(0.0, |place| values[place]))?;
+            let value = |row: usize| hot.place(row).map_or(0.0, |place| values[place]);
+            if part.surely_rests(self.model, |row| [value(row); 2]) {
+                continue;
+            }
+            part.answer(self.model, value)?;
             if part.still {
                 continue;
             }

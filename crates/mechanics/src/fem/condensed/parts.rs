@@ -154,6 +154,12 @@ impl Part {
         self.answer_at(model, &at)
     }
 
+    /// Whether it would answer linearly at these values of the rows. What it answered last is no longer at hand.
+    pub fn holds_at(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> bool {
+        let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
+        self.is_still(model, &at)
+    }
+
     fn answer_at(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
         self.still = self.is_still(model, at);
         if self.still {
@@ -233,6 +239,11 @@ impl Part {
             }
             (Kind::Quad(_), None) => None,
         }
+    }
+
+    /// Largest entry of the stiffness with which it stands in the linear system [N/m].
+    pub fn stiffest(&self) -> f64 {
+        self.stiffness.iter().flatten().fold(0.0, |most, entry| most.max(entry.abs()))
     }
 
     /// Entries of its slope between active rows: row, column, derivative.
@@ -333,6 +344,24 @@ impl Part {
             }
         }
         widest(Wide(self, model, block, lanes))
+    }
+
+    /// Whether it surely answers linearly from what it remembers, and did so when it was last kept, at both of these values of its rows. It need not
+    /// be asked there.
+    #[inline]
+    pub fn surely_rests(&mut self, model: &Model, value: impl Fn(usize) -> [f64; 2]) -> bool {
+        let at = std::array::from_fn(|i| self.rows[i].map_or([self.base[i]; 2], &value));
+        let rests = self.was_still
+            && match self.quiet(model) {
+                Some(quad) => quad.holds_at(&at),
+                None => self
+                    .closed(model)
+                    .is_some_and(|(_, spring)| spring.law.surely_holds(&[at[0], at[1]], spring.area, spring.memory)),
+            };
+        if rests {
+            (self.still, self.excess) = (true, self.kept);
+        }
+        rests
     }
 
     /// What it would take to come back.

@@ -7,7 +7,7 @@ use crate::fem::dofs::HELD;
 use crate::fem::element::Sample;
 use crate::fem::factor::Block;
 use crate::fem::law::Solid;
-use crate::fem::many::WIDTHS;
+use crate::fem::many::WIDEST;
 use crate::fem::state::Point;
 
 /// Solutions that are looked at together.
@@ -16,7 +16,7 @@ pub(super) const TOGETHER: usize = 8;
 /// The solutions at an equation, of a component that is held as well.
 #[inline(always)]
 pub(super) fn solution(block: &Block, equation: u32) -> &[[f64; TOGETHER]] {
-    static HOLDS: [[f64; TOGETHER]; WIDTHS[1] / TOGETHER] = [[0.0; TOGETHER]; WIDTHS[1] / TOGETHER];
+    static HOLDS: [[f64; TOGETHER]; WIDEST / TOGETHER] = [[0.0; TOGETHER]; WIDEST / TOGETHER];
     if equation == HELD { &HOLDS } else { block.of(equation).as_chunks().0 }
 }
 
@@ -42,21 +42,25 @@ impl Quiet<'_> {
                     u[i][lane] = self.base[i] + values[lane];
                 }
             }
-            for point in 0..4 {
-                if !self.holds_at(point, &u) {
-                    return false;
-                }
+            if !self.holds_at(&u) {
+                return false;
             }
         }
         true
     }
 
+    /// The same where its corners are displaced so.
     #[inline(always)]
-    fn holds_at(&self, point: usize, u: &[[f64; TOGETHER]; 8]) -> bool {
+    pub fn holds_at<const L: usize>(&self, u: &[[f64; L]; 8]) -> bool {
+        (0..4).all(|point| self.point_holds_at(point, u))
+    }
+
+    #[inline(always)]
+    fn point_holds_at<const L: usize>(&self, point: usize, u: &[[f64; L]; 8]) -> bool {
         let sample = &self.samples[point];
-        let mut strain = [[0.0; TOGETHER]; 4];
+        let mut strain = [[0.0; L]; 4];
         for a in 0..4 {
-            for lane in 0..TOGETHER {
+            for lane in 0..L {
                 strain[0][lane] += sample.dx[a] * u[2 * a][lane];
                 strain[1][lane] += sample.dy[a] * u[2 * a + 1][lane];
                 strain[3][lane] += sample.dy[a] * u[2 * a][lane] + sample.dx[a] * u[2 * a + 1][lane];

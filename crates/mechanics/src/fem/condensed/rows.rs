@@ -2,7 +2,7 @@
 
 use crate::fem::dofs::HELD;
 use crate::fem::factor::Block;
-use crate::fem::many::WIDTHS;
+use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
 
@@ -53,6 +53,11 @@ impl Row {
             terms: functional.0.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect(),
             start: functional.0.iter().map(|&(component, weight)| weight * displacements[component]).sum(),
         }
+    }
+
+    /// Equations and weights.
+    pub fn terms(&self) -> &[(u32, f64)] {
+        &self.terms
     }
 
     /// Its change in a solution.
@@ -135,8 +140,8 @@ impl Rows {
         let read = self.list.iter().flat_map(|row| &row.terms);
         let loaded = patterns.iter().filter(|pattern| pattern.len() <= FEW).flatten();
         let asked = work.asked(read.chain(loaded).map(|(equation, _)| *equation));
-        for start in (first..all).step_by(WIDTHS[1]) {
-            let lanes = start..(start + WIDTHS[1]).min(all);
+        for start in (first..all).step_by(WIDEST) {
+            let lanes = start..(start + WIDEST).min(all);
             let unit = |row: usize| {
                 let mut right = Vec::new();
                 self.list[row].push(&mut right, 1.0);
@@ -171,12 +176,18 @@ impl Rows {
         }
         self.broad = patterns.iter().map(|_| None).collect();
         let broad: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > FEW).collect();
-        for some in broad.chunks(WIDTHS[1]) {
+        for some in broad.chunks(WIDEST) {
             work.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), block);
             for (lane, &k) in some.iter().enumerate() {
                 self.broad[k] = Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
             }
         }
+    }
+
+    /// How far loads and forces on all rows move one.
+    pub fn value(&self, row: usize, amplitudes: &[f64], forces: &[f64]) -> f64 {
+        let loads = self.moved.iter().zip(amplitudes).map(|(moved, amplitude)| amplitude * moved[row]);
+        loads.sum::<f64>() + dot(&self.answers[row], forces)
     }
 
     /// How far loads alone move each row.
@@ -238,6 +249,40 @@ impl<'c, I: Iterator<Item = (&'c [f64], f64)>> pulp::NullaryFnOnce for Multiples
                     return;
                 }
             }
+        }
+    }
+}
+
+/// Products of a vector with others, each as far as it goes, on top of what `found` has already. As wide as the processor's registers are, with the same
+/// bits for any of them.
+pub(super) fn dots<'c>(with: &[f64], others: impl Iterator<Item = &'c [f64]>, found: &mut Vec<f64>) {
+    widest(Dots { with, others, found });
+}
+
+struct Dots<'d, I> {
+    with: &'d [f64],
+    others: I,
+    found: &'d mut Vec<f64>,
+}
+
+impl<'c, I: Iterator<Item = &'c [f64]>> pulp::NullaryFnOnce for Dots<'_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        const LANES: usize = 32;
+        let Dots { with, others, found } = self;
+        for other in others {
+            let count = with.len().min(other.len());
+            let whole = count - count % LANES;
+            let mut sums = [0.0; LANES];
+            for (a, b) in with[..whole].chunks_exact(LANES).zip(other[..whole].chunks_exact(LANES)) {
+                for k in 0..LANES {
+                    sums[k] += a[k] * b[k];
+                }
+            }
+            let rest: f64 = with[whole..count].iter().zip(&other[whole..count]).map(|(a, b)| a * b).sum();
+            found.push(sums.iter().sum::<f64>() + rest);
         }
     }
 }

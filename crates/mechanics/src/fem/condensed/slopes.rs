@@ -10,7 +10,7 @@ use super::passage::Visited;
 use super::rows::{LoadPattern, Row, Rows, dot};
 use super::tangent::{Slope, Tangent};
 use super::{Condensed, CondensedError, Place};
-use crate::fem::many::WIDTHS;
+use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::state::State;
 
@@ -49,7 +49,7 @@ struct Walk<'n> {
     by: Vec<f64>,
     /// Of the model itself first.
     parts: Vec<Vec<Part>>,
-    tangent: Tangent,
+    tangent: Tangent<f64>,
 }
 
 impl<'a> Condensed<'a> {
@@ -96,7 +96,7 @@ impl<'a> Condensed<'a> {
         self.work.values.clone_from(&own);
         let heavier: Vec<Vec<Vec<(u32, f64)>>> = neighbours.iter().map(|other| self.heavier(other)).collect();
         let mut all = Vec::with_capacity(places.len());
-        for places in places.chunks(WIDTHS[1]) {
+        for places in places.chunks(WIDEST) {
             self.displace(places);
             let mut right = Vec::with_capacity(places.len() * neighbours.len());
             for (lane, place) in places.iter().enumerate() {
@@ -116,10 +116,10 @@ impl<'a> Condensed<'a> {
                 }
             }
             let first = all.len() - places.len();
-            for (chunk, right) in right.chunks(WIDTHS[1]).enumerate() {
+            for (chunk, right) in right.chunks(WIDEST).enumerate() {
                 self.work.solve_block(right, &mut self.block);
                 for lane in 0..right.len() {
-                    let led = &mut all[first + (chunk * WIDTHS[1] + lane) / neighbours.len()];
+                    let led = &mut all[first + (chunk * WIDEST + lane) / neighbours.len()];
                     let of = |rows: &[Row]| rows.iter().map(|row| row.of(&self.block, lane)).collect();
                     led.rows.push(of(self.rows.list()));
                     led.observed.push(of(&self.observed));
@@ -152,7 +152,7 @@ impl<'a> Condensed<'a> {
     /// For each observed functional what forces on the active rows do to it.
     fn answers_of_observed(&mut self) -> Vec<Vec<f64>> {
         let mut all = Vec::with_capacity(self.observed.len());
-        for some in self.observed.chunks(WIDTHS[1]) {
+        for some in self.observed.chunks(WIDEST) {
             let unit = |row: &Row| {
                 let mut right = Vec::new();
                 row.push(&mut right, 1.0);
@@ -224,7 +224,7 @@ impl Walk<'_> {
             tangent.steep.iter().for_each(|&row| given[row] = 0.0);
             let mut values = led.rows[k].clone();
             rows.add_moves(&mut values, given.into_iter().enumerate());
-            let step = tangent.solve(&slopes, &right, &values);
+            let step = tangent.solve(&right, &values);
             rows.add_moves(&mut values, tangent.steep.iter().map(|&row| (row, step[row])));
             found.push(led.observed[k].iter().zip(observed).map(|(led, row)| led + dot(row, &step)).collect());
             for part in parts {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairState};
 use crate::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
-use crate::fem::many::WIDTHS;
+use crate::fem::many::{WIDEST, WIDTHS};
 use crate::fem::settings::Kinematics;
 use crate::fem::state::State;
 use crate::fem::{Element, Interface, Mesh, Quad, Quadrature, Section, Support};
@@ -118,7 +118,7 @@ impl Case {
     fn surely(&self, index: usize, way: &[f64], share: f64, lane: usize) -> [bool; 2] {
         let skipped: Vec<bool> = (0..self.parts.len()).map(|other| other != index).collect();
         let narrow = self.block(way, share, lane % 7, WIDTHS[0]);
-        let wide = self.block(way, share, lane, WIDTHS[1]);
+        let wide = self.block(way, share, lane, WIDEST);
         let glance =
             |block: &Block, lanes: usize| self.glances.doubtful(&self.model, block, lanes, &skipped).is_empty();
         let plain = |block, lanes| All { glances: &self.glances, model: &self.model, block, lanes, skipped: &skipped };
