@@ -333,7 +333,7 @@ mod tests {
         let n = matrix.nrows();
         // A right-hand side that is all but empty, so that supernodes are passed over in an empty block, and full ones.
         let alone = |k: usize| f64::from(u8::from(k / width == 40));
-        let full = |k: usize| if k % width == 0 { alone(k) } else { ((7 * k) % 13) as f64 - 6.0 };
+        let full = |k: usize| if k.is_multiple_of(width) { alone(k) } else { ((7 * k) % 13) as f64 - 6.0 };
         let few = [3_u32, 17, 40];
         let wanted = reached(nodes, few.into_iter());
         for right in [(0..n * width).map(alone).collect::<Vec<f64>>(), (0..n * width).map(full).collect()] {

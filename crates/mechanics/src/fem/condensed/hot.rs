@@ -64,7 +64,9 @@ impl Hot {
             self.rows.clear();
             self.is_hot.clear();
             self.place.fill(NOWHERE);
-            self.add(hot, parts, rows);
+            // Those that move side by side: the tangent reads `G` between them.
+            let (moving, calm): (Vec<usize>, Vec<usize>) = hot.partition(|&part| !parts[part].still);
+            self.add(moving.into_iter().chain(calm), parts, rows);
             self.settle_tangent();
             return;
         }
@@ -169,8 +171,9 @@ impl Hot {
             }
             let (now, then) = (if part.still { &FLAT } else { &part.slope }, known.map_or(&FLAT, |known| &known.by));
             let by: [[f64; ROWS]; ROWS] = std::array::from_fn(|i| std::array::from_fn(|j| now[i][j] - then[i][j]));
-            let most = by.iter().flatten().fold(0.0_f64, |most, change| most.max(change.abs()));
-            if most > CHANGED * part.stiffest() {
+            let least = CHANGED * part.stiffest;
+            let changed = by.iter().flatten().fold(0, |changed, change| changed | u32::from(change.abs() > least));
+            if changed != 0 {
                 self.changed.push(Sloped { part: index, rows: part.rows, by });
             }
         }

@@ -83,6 +83,7 @@ impl Condensed<'_> {
                 let Some(moving) = self.moving_among_the_cool(&values, None) else { return false };
                 if !moving.is_empty() {
                     self.heat(&moving, trial);
+                    before = f64::INFINITY;
                     let Some(next) = self.unbalanced(trial) else { return false };
                     right = next;
                 }

@@ -37,6 +37,8 @@ pub(super) struct Part {
     equations: [u32; ROWS],
     /// Stiffness with which it stands in the linear system.
     stiffness: [[f64; ROWS]; ROWS],
+    /// Largest entry of that.
+    pub stiffest: f64,
     /// Values of its rows when the run began: those of held components do not change.
     base: [f64; ROWS],
     samples: Option<[Sample; 4]>,
@@ -124,6 +126,7 @@ impl Part {
             openings: Default::default(),
             equations: [HELD; ROWS],
             stiffness: [[0.0; ROWS]; ROWS],
+            stiffest: 0.0,
             base: [0.0; ROWS],
             samples: None,
             old: Kept4::default(),
@@ -143,6 +146,7 @@ impl Part {
         self.start = [0.0; ROWS];
         self.answer_in_full(model, &at)?;
         self.start = self.excess;
+        self.stiffest = self.stiffness.iter().flatten().fold(0.0, |most, entry| most.max(entry.abs()));
         self.excess = [0.0; ROWS];
         Some(())
     }
@@ -239,11 +243,6 @@ impl Part {
             }
             (Kind::Quad(_), None) => None,
         }
-    }
-
-    /// Largest entry of the stiffness with which it stands in the linear system [N/m].
-    pub fn stiffest(&self) -> f64 {
-        self.stiffness.iter().flatten().fold(0.0, |most, entry| most.max(entry.abs()))
     }
 
     /// Entries of its slope between active rows: row, column, derivative.

@@ -2,6 +2,7 @@
 
 use super::dense::{Dense, Digits};
 use super::rows::widest;
+use std::ops::Range;
 
 /// One entry of `S`: row, column, derivative, by places among the rows at hand.
 pub(super) type Slope = (usize, usize, f64);
@@ -86,10 +87,11 @@ struct Less<'t, D> {
 /// Rows of `G` at the steep ones.
 #[derive(Default)]
 struct Looked<D> {
-    whole: Vec<D>,
     rows: Vec<D>,
     /// Place of a row among them.
     place: Vec<u32>,
+    /// The steep rows, by stretches of neighbouring ones.
+    runs: Vec<Range<usize>>,
 }
 
 impl<D: Digits> pulp::NullaryFnOnce for Less<'_, D> {
@@ -97,19 +99,29 @@ impl<D: Digits> pulp::NullaryFnOnce for Less<'_, D> {
 
     #[inline(always)]
     fn call(self) {
-        let (size, Looked { whole, rows, place }) = (self.steep.len(), self.looked);
+        let (size, Looked { rows, place, runs }) = (self.steep.len(), self.looked);
         rows.clear();
         place.clear();
         place.resize(self.answers.len(), u32::MAX);
+        runs.clear();
+        for &p in self.steep {
+            match runs.last_mut().filter(|run| run.end == p) {
+                Some(run) => run.end += 1,
+                None => runs.push(p..p + 1),
+            }
+        }
         let mut count = 0;
         for &(p, q, s) in self.slopes {
             if place[q] == u32::MAX {
                 place[q] = count;
                 count += 1;
-                // Gone through in order, for it comes from afar.
-                whole.resize(self.answers[q].len(), D::default());
-                whole.iter_mut().zip(&self.answers[q]).for_each(|(digits, answer)| *digits = D::of(*answer));
-                rows.extend(self.steep.iter().map(|&p| whole[p]));
+                rows.reserve(size);
+                for run in runs.iter() {
+                    let first = rows.len();
+                    rows.resize(first + run.len(), D::default());
+                    let answers = &self.answers[q][run.clone()];
+                    rows[first..].iter_mut().zip(answers).for_each(|(digits, answer)| *digits = D::of(*answer));
+                }
             }
             let (to, from) = (self.among[p] * size, place[q] as usize * size);
             let (to, from) = (&mut self.factors[to..to + size], &rows[from..from + size]);
