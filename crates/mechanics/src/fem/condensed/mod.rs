@@ -224,14 +224,23 @@ impl<'a> Condensed<'a> {
         let foreseen = std::mem::take(&mut self.foreseen);
         self.hot.add(foreseen.into_iter(), &self.parts, &self.rows);
         let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
-        let mut trial = self.guess(self.rows.moved(&more));
-        trial.to = to;
+        let led = self.rows.moved(&more);
+        let mut guesses = self.hot.foretells();
+        let mut trial = self.guess(led.clone());
         while self.iterate(&mut trial, &mut position) {
             let values = self.values_of_all(&trial);
             let ahead = |(now, before): (&f64, &f64)| now + FORESEEN * (now - before);
             let ahead: Vec<f64> = values.iter().zip(&self.at.values).map(ahead).collect();
             let Some(moving) = self.moving_among_the_cool(&values, Some(&ahead)) else { break };
+            if moving.is_empty() && guesses && self.breaks() {
+                // It has two balanced states, and the one that the guess led to may not be that next to the last position.
+                self.hot.forget();
+                guesses = false;
+                trial = self.guess(led.clone());
+                continue;
+            }
             if moving.is_empty() {
+                trial.to = to;
                 position.reached = Reached::Balanced;
                 self.keep(&trial, values, before);
                 break;
@@ -239,6 +248,11 @@ impl<'a> Condensed<'a> {
             self.heat(&moving, &mut trial);
         }
         position
+    }
+
+    /// Whether a joint breaks here that has not been broken before.
+    fn breaks(&self) -> bool {
+        self.active.iter().any(|&index| self.parts[index].breaks())
     }
 
     fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Remembered)>) {

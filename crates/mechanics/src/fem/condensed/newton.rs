@@ -137,7 +137,7 @@ impl Condensed<'_> {
 
     /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
     fn step(&mut self, trial: &mut Trial, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
-        const LEFT: f64 = 1.0;
+        const LEFT: f64 = 0.8;
         const TRIES: usize = 6;
         let way = self.hot.moves(direction);
         let start = dot(right, &way);
