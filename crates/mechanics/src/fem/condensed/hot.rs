@@ -134,15 +134,10 @@ impl Hot {
         (self.has_tangent, self.foretells) = (false, false);
     }
 
-    /// Whether the last tangent foretells anything.
-    pub fn foretells(&self) -> bool {
-        self.has_tangent && self.foretells
-    }
-
     /// Change of the forces that the last tangent makes of a change of the rows' values without them.
     pub fn predict(&mut self, values: &[f64]) -> Vec<f64> {
         let mut right = vec![0.0; self.rows.len()];
-        if !self.foretells() {
+        if !(self.has_tangent && self.foretells) {
             return right;
         }
         for (p, q, s) in self.placed(&self.slopes).into_iter().chain(self.placed(&self.changed)) {

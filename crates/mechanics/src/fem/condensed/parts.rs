@@ -390,11 +390,6 @@ impl Part {
         matches!(self.kind, Kind::Spring(_)).then_some(&self.old.bond)
     }
 
-    /// Whether it is a spring that was whole when it was last kept and is no longer.
-    pub fn breaks(&self) -> bool {
-        !self.still && self.new.bond.memory.broken && !self.old.bond.memory.broken
-    }
-
     /// Points that flow, as they were kept.
     pub fn yielding(&self) -> usize {
         match self.kind {

@@ -8,10 +8,6 @@ use crate::watch::{Progress, Watch, Wish};
 /// How often the way from one position to the next is halved before the run gives up.
 const HALVINGS: u32 = 6;
 
-/// Positions beyond a stretch at which parts are looked at too, going on as in the last of them: those that would answer otherwise there join early. With ten
-/// in place of five a fifth more rows join.
-const AHEAD: usize = 5;
-
 /// Positions after which a part that has not moved any more is hot no longer.
 pub(super) const COOLS: u64 = 4;
 
@@ -86,21 +82,19 @@ impl Condensed<'_> {
                 }
             }
             let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
-            let ahead = (count - at - steps.len()).min(AHEAD);
-            let (observed, good) = self.look_over(&mut steps, ahead)?;
-            let observed_any = !steps.is_empty();
+            let (observed, good) = self.look_over(&mut steps)?;
             for (step, observed) in steps.into_iter().zip(observed) {
                 let place = self.keeps_places.then_some(step.to);
                 passage.visited.push(Visited { observed, position: step.position, counts: step.counts, place });
             }
             if !good {
                 passage.repeated += 1;
-                stretch = if observed_any { WIDTHS[0] - 1 } else { 1 };
+                stretch = WIDTHS[0] - 1;
             } else if failed.is_some() {
                 passage.stopped_at = Some(passage.visited.len());
                 return Ok(passage);
             } else {
-                stretch = (stretch + 1 + stretch / 2).min(WIDEST - 1);
+                stretch = (2 * stretch + 2).clamp(WIDTHS[0], WIDEST) - 1;
             }
         }
         Ok(passage)
@@ -112,7 +106,7 @@ impl Condensed<'_> {
             self.cool_down();
             let step = self.reach(to)?;
             let position = step.position;
-            if position.reached != Reached::Balanced || self.look_over(&mut vec![step], 0)?.1 {
+            if position.reached != Reached::Balanced || self.look_over(&mut vec![step])?.1 {
                 return Ok(position);
             }
         }
@@ -148,9 +142,9 @@ impl Condensed<'_> {
 
     /// Looks at all parts in the positions that were reached. Those from which on others than the active ones take part are undone and taken off `steps`;
     /// tells what is observed in those that are left, and whether these are all.
-    fn look_over(&mut self, steps: &mut Vec<Step>, ahead: usize) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
+    fn look_over(&mut self, steps: &mut Vec<Step>) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
         let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
-        let (joining, stands) = self.joining(&places, Look::Way { ahead })?;
+        let (joining, stands) = self.joining(&places, Look::Way)?;
         let first = stands.iter().position(|stands| !stands).unwrap_or(places.len());
         for step in steps.drain(first..).rev() {
             self.undo(step);
