@@ -61,9 +61,9 @@ fn records_scaled_to_table_1_are_those_of_the_start_model() {
         }
         let kept = std::fs::read_to_string(&path).expect("a record");
         assert!(kept.starts_with("# synthetic: "), "{}", path.display());
-        // A spring that lets go of its lift-off of 1 kN has two balanced states, and rounding decides which: 1e-4 of a strain's peak.
+        // Printed with six decimals.
         for (one, two) in cells(&text).iter().zip(&cells(&kept)) {
-            let near = one.iter().zip(two).all(|(a, b)| (a - b).abs() <= 5e-4 * b.abs().max(1.0));
+            let near = one.iter().zip(two).all(|(a, b)| (a - b).abs() <= 2e-6 * b.abs().max(1.0));
             assert!(near, "{}: {one:?} {two:?}", path.display());
         }
         assert_eq!(text.lines().count(), kept.lines().count());

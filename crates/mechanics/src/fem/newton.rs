@@ -4,11 +4,13 @@ use super::assemble::assemble;
 use super::dofs::dof;
 use super::factor::FactorError;
 use super::gmres::{dot, norm};
+use super::interface::Spring;
+use super::joint::weakest;
 use super::model::{Model, count};
 use super::newmark::Inertia;
 use super::outcome::{Outcome, Status, Step};
 use super::settings::Settings;
-use super::state::State;
+use super::state::{Bond, State};
 use super::workspace::Workspace;
 use crate::ids::NodeId;
 use crate::watch::{Progress, Watch, Wish};
@@ -151,6 +153,16 @@ pub(super) struct Attempt {
 }
 
 impl Attempt {
+    /// This one, and another that went on from there.
+    fn then(self, next: Attempt) -> Attempt {
+        Attempt {
+            iterations: self.iterations + next.iterations,
+            line_searches: self.line_searches + next.line_searches,
+            indefinite: self.indefinite + next.indefinite,
+            ..next
+        }
+    }
+
     pub(super) fn step(&self, work: &Workspace, reached: f64) -> Step {
         let (open, sliding) = count(work.trial.bonds.iter().map(|bond| bond.state));
         Step {
@@ -182,27 +194,63 @@ const RUNAWAY: f64 = 1e12;
 /// Residual to which unsymmetric tangents are solved: Newton's method makes up for the rest.
 const ACCURACY: f64 = 1e-4;
 
-/// Finds displacements at which internal forces balance what is aimed at; `work` then holds them (equation 15).
+/// Finds displacements at which internal forces balance what is aimed at and no pair of `state` that is whole is beyond its strength; `work` then holds them,
+/// and pairs that broke are marked in `state`, unless there is no balance.
 pub(super) fn balance(
     model: &Model,
-    state: &State,
+    state: &mut State,
     work: &mut Workspace,
     aim: &Aim,
     inertia: Option<&Inertia>,
     settings: &Settings,
 ) -> Attempt {
+    let mut broken = Vec::new();
+    let mut attempt = seek(&Equations { model, state, aim, inertia }, work, settings, Begin::State);
+    while attempt.end == End::Balanced {
+        let breaking = weakest(overstressed(model, &work.trial.bonds));
+        if breaking.is_empty() {
+            return attempt;
+        }
+        breaking.iter().for_each(|&pair| state.bonds[pair].memory.broken = true);
+        broken.extend(breaking);
+        attempt = attempt.then(seek(&Equations { model, state, aim, inertia }, work, settings, Begin::Trial));
+    }
+    broken.iter().for_each(|&pair| state.bonds[pair].memory.broken = false);
+    attempt
+}
+
+/// Tension over strength of all pairs.
+fn overstressed<'a>(model: &'a Model, bonds: &'a [Bond]) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let overstress = |(spring, bond): (&Spring, &Bond)| {
+        model.joints[spring.kind].overstress(bond.traction[0], spring.area, &bond.memory)
+    };
+    model.springs().iter().zip(bonds).map(overstress).enumerate()
+}
+
+/// Where an attempt begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Begin {
+    /// At the state, along its tangent.
+    State,
+    /// At the displacements that were tried last.
+    Trial,
+}
+
+/// Finds displacements at which internal forces balance what is aimed at; `work` then holds them (equation 15).
+fn seek(equations: &Equations<'_>, work: &mut Workspace, settings: &Settings, begin: Begin) -> Attempt {
+    let model = equations.model;
     let mut attempt =
         Attempt { end: End::Diverged, iterations: 0, unbalanced: f64::INFINITY, line_searches: 0, indefinite: 0 };
-    let equations = Equations { model, state, aim, inertia };
-    let (mut right, imposes) = match equations.predict(work) {
-        Some(first) => first,
-        None => return attempt,
+    let begins = match begin {
+        Begin::State => equations.predict(work),
+        Begin::Trial => equations.evaluate(work).map(|()| (equations.unbalanced(work), false)),
     };
+    let Some((mut right, imposes)) = begins else { return attempt };
     let mut best = (f64::INFINITY, 0);
     let mut damping = 0.0;
     while attempt.iterations < settings.iteration_limit.max(1) {
         attempt.iterations += 1;
-        let first = attempt.iterations == 1;
+        let first = attempt.iterations == 1 && begin == Begin::State;
         let direction = match direction(work, &right, &mut damping) {
             Ok((direction, definite)) => {
                 attempt.indefinite += u32::from(!definite);

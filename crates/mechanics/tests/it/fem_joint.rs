@@ -34,12 +34,23 @@ fn a_bed_of_mortar_has_the_stiffness_of_the_railway_paper() {
 }
 
 #[test]
-fn mortar_lifts_off_at_its_force_and_never_holds_again() {
+fn mortar_holds_until_it_is_broken_and_never_again() {
     let (law, area) = (mortar(), 0.54 / 7.0);
     let limit = 1e3 / area / law.normal;
     let before = law.respond([limit * 0.999, 0.0], area, &FRESH);
     assert!(before.state == PairState::Closed && before.traction[0] * area > 0.99e3 && !before.memory.broken);
-    let after = law.respond([limit * 1.001, 1e-6], area, &FRESH);
+    let overstress = |opening: f64, memory: &PairMemory| {
+        let tension = law.respond([opening, 0.0], area, memory).traction[0];
+        JointLaw::Mortar(law).overstress(tension, area, memory)
+    };
+    assert!((overstress(limit * 0.999, &FRESH) - 0.999).abs() < 1e-12);
+    // Whoever seeks balance breaks it; until then it answers as if it were whole, and says how far it is beyond its strength.
+    let beyond = law.respond([limit * 3.0, 1e-6], area, &FRESH);
+    assert!(beyond.state == PairState::Closed && beyond.tangent == before.tangent && !beyond.memory.broken);
+    assert!((overstress(limit * 3.0, &FRESH) - 3.0).abs() < 1e-12);
+    let broken = PairMemory { broken: true, ..FRESH };
+    assert_eq!(overstress(limit * 3.0, &broken), 0.0);
+    let after = law.respond([limit * 1.001, 1e-6], area, &broken);
     assert!(after.state == PairState::Open && after.traction == [0.0, 0.0] && after.tangent == [[0.0; 2]; 2]);
     let again = law.respond([limit * 0.5, 1e-6], area, &after.memory);
     assert!(again.state == PairState::Open && again.traction[0] == 0.0);
@@ -48,6 +59,14 @@ fn mortar_lifts_off_at_its_force_and_never_holds_again() {
     assert!(
         (shut.traction[0] + law.normal * 1e-6).abs() < 1e-6 && (shut.traction[1] - law.tangential * 1e-6).abs() < 1e-3
     );
+}
+
+#[test]
+fn mortar_without_strength_opens_at_once() {
+    let law = Mortar { lift_off: LiftOff::Stress(0.0), ..mortar() };
+    let open = law.respond([1e-12, 0.0], 0.1, &FRESH);
+    assert!(open.state == PairState::Open && open.traction == [0.0, 0.0] && open.memory.broken);
+    assert_eq!(JointLaw::Mortar(law).overstress(1.0, 0.1, &FRESH), 0.0);
 }
 
 #[test]
@@ -67,7 +86,7 @@ fn a_panel_slides_at_its_strength_and_remembers() {
     let back = law.respond([-1e-5, 1e-3 - 1e-6], 0.1, &slid.memory);
     assert!(back.state == PairState::Closed && (back.traction[1] - (1e6 - 1e-6 * law.tangential)).abs() < 1e-3);
     let panels = Mortar { shear_when_open: true, ..law };
-    let open = panels.respond([1e-3, 1e-3], 0.1, &FRESH);
+    let open = panels.respond([1e-3, 1e-3], 0.1, &PairMemory { broken: true, ..FRESH });
     assert!(open.state == PairState::Open && open.traction == [0.0, 1e6]);
 }
 

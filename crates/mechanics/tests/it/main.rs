@@ -15,6 +15,7 @@ mod dem_support;
 mod dem_table;
 mod dem_time_step;
 mod dem_viscous;
+mod fem_breaking;
 mod fem_condensed;
 mod fem_convergence;
 mod fem_elements;

@@ -28,7 +28,7 @@ mod tangent;
 use super::dofs::HELD;
 use super::element::Kept;
 use super::factor::{Block, FactorError};
-use super::joint::PairState;
+use super::joint::{PairState, weakest};
 use super::model::{Model, count};
 use super::settings::Kinematics;
 use super::state::{Bond, Point, State};
@@ -152,6 +152,8 @@ struct Place {
     values: Vec<f64>,
     /// Values of the observed functionals.
     observed: Vec<f64>,
+    /// Parts that broke on the way here, in that order.
+    broken: Vec<usize>,
 }
 
 impl<'a> Condensed<'a> {
@@ -221,25 +223,51 @@ impl<'a> Condensed<'a> {
     /// Balances loads on top of what was there at the start, from the last position, with the active parts. What parts remembered before
     /// goes to `before`; where there is no balance, nothing has changed.
     fn go(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
+        let (known, whole) = (before.len(), self.at.broken.len());
+        let position = self.balance(to, before);
+        if position.reached != Reached::Balanced {
+            self.at.broken.truncate(whole);
+            before.drain(known..).rev().for_each(|(part, remembered)| self.parts[part].recall(&remembered));
+        }
+        position
+    }
+
+    fn balance(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
         let foreseen = std::mem::take(&mut self.foreseen);
         self.hot.add(foreseen.into_iter(), &self.parts, &self.rows);
         let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
         let mut trial = self.guess(self.rows.moved(&more));
-        trial.to = to;
+        (trial.to, trial.limit) = (to, self.iterations);
         while self.iterate(&mut trial, &mut position) {
             let values = self.values_of_all(&trial);
             let ahead = |(now, before): (&f64, &f64)| now + FORESEEN * (now - before);
             let ahead: Vec<f64> = values.iter().zip(&self.at.values).map(ahead).collect();
             let Some(moving) = self.moving_among_the_cool(&values, Some(&ahead)) else { break };
-            if moving.is_empty() {
+            if !moving.is_empty() {
+                self.heat(&moving, &mut trial);
+            } else if !self.lets_go(before) {
                 position.reached = Reached::Balanced;
                 self.keep(&trial, values, before);
                 break;
+            } else {
+                trial.limit = position.iterations + self.iterations;
             }
-            self.heat(&moving, &mut trial);
         }
         position
+    }
+
+    /// Breaks the springs that are most beyond their strength; `false` where none is.
+    fn lets_go(&mut self, before: &mut Vec<(usize, Remembered)>) -> bool {
+        let parts = &self.parts;
+        let moving = self.hot.parts.iter().filter(|index| !parts[**index].still);
+        let breaking = weakest(moving.map(|&index| (index, parts[index].overstress(self.model))));
+        for &index in &breaking {
+            before.push((index, self.parts[index].remembered()));
+            self.parts[index].let_go();
+        }
+        self.at.broken.extend(&breaking);
+        !breaking.is_empty()
     }
 
     fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Remembered)>) {
@@ -365,7 +393,7 @@ impl<'a> Condensed<'a> {
             let mut joins = false;
             for lane in 0..lanes {
                 part.answer_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
-                if part.changes() {
+                if part.changes(self.model) {
                     (joins, stands[lane]) = (true, false);
                     if look == Look::Way {
                         break;

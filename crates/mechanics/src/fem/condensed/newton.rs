@@ -21,6 +21,8 @@ const SLOW: f64 = 0.3;
 pub(super) struct Trial {
     /// Amplitudes of the load patterns.
     pub to: Vec<f64>,
+    /// Iterations of the position at which it is given up.
+    pub limit: u32,
     /// How far the loads alone move each active row beyond the last position.
     pub led: Vec<f64>,
     /// Forces on the hot rows, what they were in the last position, and the excess that was found last.
@@ -54,7 +56,7 @@ impl Condensed<'_> {
     pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
         let Some(mut right) = self.unbalanced(trial) else { return false };
         let (mut best, mut idle, mut before) = (f64::INFINITY, 0, f64::INFINITY);
-        while position.iterations < self.iterations {
+        while position.iterations < trial.limit {
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             let most = |moves: &mut dyn Iterator<Item = f64>| moves.fold(0.0_f64, |most, m| most.max(m.abs())) / size;
             position.left = most(&mut self.hot.moves_alone(&right));

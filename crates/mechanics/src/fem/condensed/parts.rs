@@ -195,7 +195,7 @@ impl Part {
             (Kind::Spring(index), _) => {
                 let tangent = self.pull(model, index, [at[0], at[1]]);
                 let linear = (0..2).all(|i| (0..2).all(|j| tangent[i][j] == self.stiffness[i][j]));
-                linear && self.new.bond.memory == self.old.bond.memory
+                linear && self.new.bond.memory == self.old.bond.memory && self.overstress(model) <= 1.0
             }
             (Kind::Quad(_), None) => false,
         }
@@ -221,6 +221,18 @@ impl Part {
         let answer = model.joints[spring.kind].respond(opening, spring.area, &self.old.bond.memory);
         self.new.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
         answer.tangent.map(|row| row.map(|entry| spring.area * entry))
+    }
+
+    /// Tension of a spring that is whole over its strength, as it answered last.
+    pub fn overstress(&self, model: &Model) -> f64 {
+        let Kind::Spring(index) = self.kind else { return 0.0 };
+        let spring = &model.springs()[index];
+        model.joints[spring.kind].overstress(self.new.bond.traction[0], spring.area, &self.old.bond.memory)
+    }
+
+    /// The spring is whole no longer.
+    pub fn let_go(&mut self) {
+        self.old.bond.memory.broken = true;
     }
 
     fn carries(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<([f64; ROWS], [[f64; ROWS]; ROWS])> {
@@ -267,11 +279,12 @@ impl Part {
         most > ROUNDING * scale * displaced
     }
 
-    /// Whether it answers otherwise than it did when the run began, or would remember something new.
-    pub fn changes(&self) -> bool {
+    /// Whether it answers otherwise than it did when the run began, would remember something new, or is beyond its strength.
+    pub fn changes(&self, model: &Model) -> bool {
         let points = self.new.points.iter().zip(&self.old.points);
         !self.still
             && (self.differs()
+                || self.overstress(model) > 1.0
                 || self.new.bond.memory != self.old.bond.memory
                 || points.into_iter().any(|(new, old)| new.memory != old.memory))
     }

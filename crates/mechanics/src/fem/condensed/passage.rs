@@ -163,7 +163,6 @@ impl Condensed<'_> {
         self.foreseen.clear();
         // Rows that have joined since carried nothing there.
         self.complete();
-        // A joint that breaks has two balanced states, and a guess from elsewhere may end in the wrong one.
         self.hot.forget();
         for (part, before) in step.before.iter().rev() {
             self.parts[*part].recall(before);

@@ -41,6 +41,8 @@ struct Led {
     /// By neighbour: derivatives without any change of the parts' forces, of active rows and of observed functionals.
     rows: Vec<Vec<f64>>,
     observed: Vec<Vec<f64>>,
+    /// Which of the active parts are broken there.
+    broken: Vec<usize>,
 }
 
 /// The active parts of the model and of its neighbours, on their way.
@@ -101,7 +103,9 @@ impl<'a> Condensed<'a> {
             let mut right = Vec::with_capacity(places.len() * neighbours.len());
             for (lane, place) in places.iter().enumerate() {
                 let values = self.rows.list().iter().map(|row| row.start + row.of(&self.block, lane)).collect();
-                all.push(Led { values, rows: Vec::new(), observed: Vec::new() });
+                let broken =
+                    place.broken.iter().filter_map(|part| self.active.iter().position(|active| active == part));
+                all.push(Led { values, rows: Vec::new(), observed: Vec::new(), broken: broken.collect() });
                 let moved: Vec<f64> = (0..self.model.equations() as u32).map(|e| self.block.of(e)[lane]).collect();
                 for (stiffer, heavier) in stiffer.iter().zip(&heavier) {
                     let mut force = vec![0.0; moved.len()];
@@ -198,6 +202,9 @@ impl Walk<'_> {
     /// Goes on to a place; derivatives of the observed functionals there, by neighbour. `None` where a part has no answer.
     fn to(&mut self, rows: &Rows, led: &Led, observed: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
         let Walk { models, by, parts, tangent } = self;
+        for parts in parts.iter_mut() {
+            led.broken.iter().for_each(|&part| parts[part].let_go());
+        }
         let (own, others) = parts.split_first_mut()?;
         let mut slopes: Vec<Slope> = Vec::new();
         for part in own.iter_mut() {

@@ -4,10 +4,12 @@
 //! point of side `two` has moved, relative to that of side `one`, along the way walked. Traction is what works on
 //! that opening: positive normally in tension. Memory is that at the end of the last step that was kept.
 
+mod breaking;
 mod contact;
 mod elastic;
 mod mortar;
 
+pub(super) use breaking::weakest;
 pub use contact::Contact;
 pub use elastic::ElasticJoint;
 pub use mortar::{LiftOff, Mortar};
@@ -86,9 +88,17 @@ impl JointLaw {
             JointLaw::Contact(law) => [law.normal, law.tangential],
         }
     }
-}
 
-impl JointLaw {
+    /// Tension over the strength of a pair that lets go of it at once when it breaks; nothing of others and of those that are broken. Beyond one the
+    /// pair still answers as if it were whole: whoever seeks balance marks the pairs that break ([`PairMemory::broken`]).
+    #[must_use]
+    pub fn overstress(&self, tension: f64, area: f64, memory: &PairMemory) -> f64 {
+        match self {
+            JointLaw::Mortar(law) => law.overstress(tension, area, memory),
+            JointLaw::Elastic(_) | JointLaw::Contact(_) => 0.0,
+        }
+    }
+
     /// Whether a pair surely is closed and remembers nothing new at all of many openings, so that it answers with the stiffness of
     /// [`JointLaw::stiffness`]; where it may not, it has to be asked.
     #[inline(always)]

@@ -25,7 +25,8 @@ impl LiftOff {
 
 /// Springs across the bed that lift off and may crush, and a shear panel with a strength along it.
 ///
-/// Beyond its lift-off a pair carries no tension, and once a step has ended so, it carries none again.
+/// A pair that is broken carries no tension. One that is whole and has a strength holds, whatever the tension: [`Mortar::overstress`] tells how far that is
+/// beyond the strength, and whoever seeks balance breaks the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mortar {
     /// Normal stiffness per area [Pa/m]: modulus over thickness.
@@ -58,11 +59,22 @@ impl Mortar {
         }
     }
 
+    /// Tension [Pa] at which a pair breaks; none where it is broken.
+    #[inline(always)]
+    fn tensile_strength(&self, area: f64, old: &PairMemory) -> f64 {
+        if old.broken { 0.0 } else { self.lift_off.stress(area) }
+    }
+
+    /// Tension over the strength of a pair that is whole; nothing for one that is broken.
+    pub(super) fn overstress(&self, tension: f64, area: f64, old: &PairMemory) -> f64 {
+        let strength = self.tensile_strength(area, old);
+        if strength > 0.0 { tension / strength } else { 0.0 }
+    }
+
     /// Normal stress [Pa], its stiffness [Pa/m], where the compression would vanish [m], and whether the pair has lifted off.
     fn across(&self, opening: f64, area: f64, old: &PairMemory) -> (f64, f64, f64, bool) {
         let stress = self.normal * (opening - old.crush);
-        let tension = if old.broken { 0.0 } else { self.lift_off.stress(area) };
-        if stress > tension {
+        if stress > 0.0 && self.tensile_strength(area, old) <= 0.0 {
             return (0.0, 0.0, old.crush, true);
         }
         match self.compressive_strength {
@@ -84,7 +96,7 @@ impl Mortar {
     /// Whether all of many openings are within its strengths.
     #[inline(always)]
     pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
-        let tension = if old.broken { 0.0 } else { self.lift_off.stress(area) };
+        let tension = self.tensile_strength(area, old);
         let crushed = self.compressive_strength.map_or(f64::NEG_INFINITY, |strength| -strength);
         let mut holds = true;
         for lane in 0..L {
