@@ -109,10 +109,12 @@ impl Block {
         (self.lanes.len() / self.width.max(1)) as u32
     }
 
-    /// Goes on beyond the last of `count` solutions, which are on a way: by a share of all of it. The next solution is lost.
-    pub(super) fn extend_beyond(&mut self, count: usize, share: f64) {
+    /// Goes on beyond the last of `count` solutions, which are on a way, by so many steps like the last few. What is found takes the place of another solution.
+    pub(super) fn extend_beyond(&mut self, count: usize, few: usize, steps: usize, into: usize) {
+        let before = (count - 1).saturating_sub(few);
+        let share = steps as f64 / (count - 1 - before) as f64;
         for lanes in self.lanes.chunks_exact_mut(self.width) {
-            lanes[count] = lanes[count - 1] + share * (lanes[count - 1] - lanes[0]);
+            lanes[into] = lanes[count - 1] + share * (lanes[count - 1] - lanes[before]);
         }
     }
 

@@ -59,23 +59,24 @@ fn the_weakest_bed_gives_way_and_spares_the_others() {
     }
 }
 
-/// A block on a bed between two ties, pulled up in the middle.
-fn tied(strength: f64) -> Model {
-    let mut mesh = grid(3, 1, |s, t| vec2(1.2 * s, 0.3 * t));
-    mesh.kinds = vec!["bed".into(), "tie".into()];
-    for (i, kind) in [(0, 1), (1, 0), (2, 1)] {
-        let two = vec![node(3, i, 0), node(3, i + 1, 0)];
+/// A block that moves as one above a floor, with these edges of its elements [m] and interfaces of these kinds under them.
+fn block(edges: &[f64], kinds: &[Option<usize>], laws: Vec<JointLaw>) -> Model {
+    let n = kinds.len();
+    let mut mesh = grid(n, 1, |s, t| vec2(edges[(s * n as f64).round() as usize], 0.3 * t));
+    mesh.kinds = laws.iter().enumerate().map(|(k, _)| k.to_string()).collect();
+    for (i, kind) in kinds.iter().enumerate().filter_map(|(i, kind)| kind.map(|kind| (i, kind))) {
+        let two = vec![node(n, i, 0), node(n, i + 1, 0)];
         let one = two.iter().map(|at| mesh.nodes[*at]).collect::<Vec<_>>();
         let one = one.into_iter().map(|place| mesh.nodes.push(place)).collect();
         mesh.interfaces.push(Interface { one, two, kind, quadrature: Quadrature::EqualSprings });
     }
     let supports: Vec<_> =
         mesh.interfaces.iter().flat_map(|joint| joint.one.iter().map(|at| held(*at, true, true))).collect();
-    // Stiff enough that it moves as one.
     let section = elastic(1e6 * STONE, 0.0, Plane::Stress, Element::QM6);
-    let tie = JointLaw::Elastic(ElasticJoint { normal: 50e9, tangential: 50e9 });
-    with_joints(mesh, section, vec![bed(strength), tie], &supports, Kinematics::Small)
+    with_joints(mesh, section, laws, &supports, Kinematics::Small)
 }
+
+const TIE: JointLaw = JointLaw::Elastic(ElasticJoint { normal: 50e9, tangential: 50e9 });
 
 /// A bed beside ties: whole as long as its share is within its strength, gone beyond, and gone for good. Between the force at which it breaks and that at which it
 /// would be beyond its strength without carrying, both are balanced. By both paths, in one step or many.
@@ -84,7 +85,7 @@ fn a_bed_between_ties_holds_while_it_can_and_never_again() {
     let (strength, width, tie) = (200e3, 0.4, 50e9);
     let mortar = 1.25e9 / 0.0125;
     let breaks = strength * width * (1.0 + 2.0 * tie / mortar);
-    let model = tied(strength);
+    let model = block(&[0.0, 0.4, 0.8, 1.2], &[Some(1), Some(0), Some(1)], vec![bed(strength), TIE]);
     let pulled = |force: f64| forces(&model, &(0..4).map(|i| (node(3, i, 1), 0.0, force / 4.0)).collect::<Vec<_>>());
     let (whole, gone) = (width * (mortar + 2.0 * tie), width * 2.0 * tie);
     let way = [(0.5, whole), (0.99, whole), (1.01, gone), (0.99, gone), (-0.5, whole), (0.2, gone)];
@@ -105,5 +106,31 @@ fn a_bed_between_ties_holds_while_it_can_and_never_again() {
                 assert!((lifted / closed - 1.0).abs() < 1e-3, "{share} in {steps}: {lifted:e} {closed:e}");
             }
         }
+    }
+}
+
+/// A block on two beds with a tie in the middle, where it is pulled up: both beds are beyond their strength, but once one of them has gone the block tilts about
+/// the tie and the other is spared. The weaker goes, whichever of them takes part from the beginning.
+#[test]
+fn what_does_not_take_part_yet_breaks_first_if_it_has_to() {
+    let edges = [0.0, 0.1, 0.55, 0.65, 1.1, 1.2];
+    let model = block(&edges, &[Some(0), None, Some(2), None, Some(1)], vec![bed(100e3), bed(130e3), TIE]);
+    let (beds, tie) = (0.2 * 1.25e9 / 0.0125, 0.1 * 50e9);
+    let pull = 143e3 / 1e11 * (beds + tie);
+    let pull = forces(&model, &[2, 3].map(|i| (node(5, i, 1), 0.0, 0.5 * pull)));
+    let broken = |state: &State, kind: usize| {
+        let bonds = model.springs().iter().zip(&state.bonds).filter(|(spring, _)| spring.kind == kind);
+        bonds.map(|(_, bond)| bond.memory.broken).collect::<Vec<bool>>()
+    };
+    let (plain, _, outcome) = carried(&model, &Target { forces: pull.clone(), imposed: Vec::new() }, &tight(1));
+    assert_eq!(outcome.status, Status::Completed, "{outcome:?}");
+    assert_eq!((broken(&plain, 0), broken(&plain, 1)), (vec![true; 2], vec![false; 2]));
+    for known in [None, Some(0), Some(1)] {
+        let mut condensed = Condensed::new(&model, State::new(&model), &[LoadPattern::of_all(&pull)], &[]).unwrap();
+        let springs = model.springs().iter().enumerate().filter(|(_, spring)| Some(spring.kind) == known);
+        condensed.expect(&springs.map(|(index, _)| index).collect::<Vec<_>>());
+        assert_eq!(condensed.settle(&[1.0]).unwrap().reached, Reached::Balanced);
+        let state = condensed.state().unwrap();
+        assert_eq!((broken(&state, 0), broken(&state, 1)), (vec![true; 2], vec![false; 2]), "{known:?}");
     }
 }

@@ -16,6 +16,7 @@ mod dense;
 mod glance;
 mod hot;
 mod hourglass;
+mod look;
 mod nearby;
 mod newton;
 mod parts;
@@ -85,10 +86,6 @@ pub struct Counts {
 /// Largest change left in a row, over the largest value of a row, at which a position counts as balanced.
 pub const TOLERANCE: f64 = 1e-10;
 
-/// How far beyond a stretch of positions parts are looked at, over its length: those that would answer otherwise there join early. Without it a third of
-/// all positions are gone through twice; at one half twice as many rows join as are needed.
-const AHEAD: f64 = 0.2;
-
 /// How many steps like the last are foreseen for active parts that may begin to move. Without it a passage makes half as many iterations again.
 const FORESEEN: f64 = 2.0;
 
@@ -134,15 +131,6 @@ pub struct Condensed<'a> {
     keeps_places: bool,
 }
 
-/// How positions are looked at together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Look {
-    /// One after the other on a way: what comes after one that does not stand, counts for nothing.
-    Way,
-    /// Each for itself.
-    Each,
-}
-
 /// A position in balance.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Place {
@@ -154,6 +142,15 @@ struct Place {
     observed: Vec<f64>,
     /// Parts that broke on the way here, in that order.
     broken: Vec<usize>,
+}
+
+/// What happened on the way to a position.
+#[derive(Debug, Default)]
+struct Track {
+    /// What parts remembered before, in the order in which that changed.
+    before: Vec<(usize, Remembered)>,
+    /// Balanced places in which something was beyond its strength and broke: other parts are looked at there, too, for they may have to break first.
+    breaks: Vec<Place>,
 }
 
 impl<'a> Condensed<'a> {
@@ -220,19 +217,20 @@ impl<'a> Condensed<'a> {
         self
     }
 
-    /// Balances loads on top of what was there at the start, from the last position, with the active parts. What parts remembered before
-    /// goes to `before`; where there is no balance, nothing has changed.
-    fn go(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
-        let (known, whole) = (before.len(), self.at.broken.len());
-        let position = self.balance(to, before);
+    /// Balances loads on top of what was there at the start, from the last position, with the active parts. What happens goes to `track`; where there is no
+    /// balance, nothing has changed.
+    fn go(&mut self, to: Vec<f64>, track: &mut Track) -> Position {
+        let (known, breaks, whole) = (track.before.len(), track.breaks.len(), self.at.broken.len());
+        let position = self.balance(to, track);
         if position.reached != Reached::Balanced {
             self.at.broken.truncate(whole);
-            before.drain(known..).rev().for_each(|(part, remembered)| self.parts[part].recall(&remembered));
+            track.breaks.truncate(breaks);
+            track.before.drain(known..).rev().for_each(|(part, remembered)| self.parts[part].recall(&remembered));
         }
         position
     }
 
-    fn balance(&mut self, to: Vec<f64>, before: &mut Vec<(usize, Remembered)>) -> Position {
+    fn balance(&mut self, to: Vec<f64>, track: &mut Track) -> Position {
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
         let foreseen = std::mem::take(&mut self.foreseen);
         self.hot.add(foreseen.into_iter(), &self.parts, &self.rows);
@@ -246,9 +244,9 @@ impl<'a> Condensed<'a> {
             let Some(moving) = self.moving_among_the_cool(&values, Some(&ahead)) else { break };
             if !moving.is_empty() {
                 self.heat(&moving, &mut trial);
-            } else if !self.lets_go(before) {
+            } else if !self.lets_go(&trial, track) {
                 position.reached = Reached::Balanced;
-                self.keep(&trial, values, before);
+                self.keep(&trial, values, &mut track.before);
                 break;
             } else {
                 trial.limit = position.iterations + self.iterations;
@@ -258,16 +256,22 @@ impl<'a> Condensed<'a> {
     }
 
     /// Breaks the springs that are most beyond their strength; `false` where none is.
-    fn lets_go(&mut self, before: &mut Vec<(usize, Remembered)>) -> bool {
+    fn lets_go(&mut self, trial: &Trial, track: &mut Track) -> bool {
         let parts = &self.parts;
         let moving = self.hot.parts.iter().filter(|index| !parts[**index].still);
         let breaking = weakest(moving.map(|&index| (index, parts[index].overstress(self.model))));
+        if breaking.is_empty() {
+            return false;
+        }
+        let mut place = Place { amplitudes: trial.to.clone(), forces: self.at.forces.clone(), ..Place::default() };
+        self.hot.rows.iter().zip(&trial.forces).for_each(|(&row, force)| place.forces[row] = *force);
+        track.breaks.push(place);
         for &index in &breaking {
-            before.push((index, self.parts[index].remembered()));
+            track.before.push((index, self.parts[index].remembered()));
             self.parts[index].let_go();
         }
         self.at.broken.extend(&breaking);
-        !breaking.is_empty()
+        true
     }
 
     fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Remembered)>) {
@@ -355,7 +359,7 @@ impl<'a> Condensed<'a> {
     }
 
     /// Solves the whole linear system under the loads and forces of some positions, [`Condensed::block`].
-    fn displace(&mut self, places: &[Place]) {
+    fn displace(&mut self, places: &[&Place]) {
         let Condensed { work, block, patterns, rows, .. } = self;
         work.solve_loaded(places.len(), block, |block| {
             let mut multiples = vec![0.0; places.len()];
@@ -372,40 +376,6 @@ impl<'a> Condensed<'a> {
                 add(row.terms(), &|place| place.forces.get(k).copied().unwrap_or(0.0));
             }
         });
-    }
-
-    /// Parts that would have to take part somewhere in these positions, and whether each of the positions stands as it is. Positions on a
-    /// way are looked at up to the first that does not stand, and a little beyond their end.
-    fn joining(&mut self, places: &[Place], look: Look) -> Result<(Vec<usize>, Vec<bool>), CondensedError> {
-        self.displace(places);
-        let count = places.len();
-        let beyond = look == Look::Way && count > 1 && count < self.block.width();
-        if beyond {
-            self.block.extend_beyond(count, AHEAD);
-        }
-        let lanes = count + usize::from(beyond);
-        let (mut joining, mut stands) = (Vec::new(), vec![true; lanes]);
-        for index in self.glances.doubtful(self.model, &self.block, lanes, &self.is_active) {
-            let part = &mut self.parts[index];
-            if part.surely_still(self.model, &self.block, lanes) {
-                continue;
-            }
-            let mut joins = false;
-            for lane in 0..lanes {
-                part.answer_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
-                if part.changes(self.model) {
-                    (joins, stands[lane]) = (true, false);
-                    if look == Look::Way {
-                        break;
-                    }
-                }
-            }
-            if joins {
-                joining.push(index);
-            }
-        }
-        stands.truncate(count);
-        Ok((joining, stands))
     }
 
     /// Values of the observed functionals in one of the solutions found last.
@@ -500,7 +470,7 @@ impl<'a> Condensed<'a> {
     /// Displacements of all components [m] in the last position: one solution of the whole system.
     pub fn displacements(&mut self) -> Vec<f64> {
         let here = std::mem::take(&mut self.at);
-        self.displace(std::slice::from_ref(&here));
+        self.displace(&[&here]);
         self.at = here;
         let mut all = self.start.displacements.clone();
         for (equation, component) in self.model.dofs().free().iter().enumerate() {

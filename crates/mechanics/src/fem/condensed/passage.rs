@@ -1,12 +1,15 @@
 //! A run of positions, found a stretch at a time and then looked over at all of them at once.
 
-use super::parts::Remembered;
-use super::{Condensed, CondensedError, Counts, Look, Mark, Place, Position, Reached};
+use super::{Condensed, CondensedError, Counts, Mark, Place, Position, Reached, Track};
 use crate::fem::many::{WIDEST, WIDTHS};
 use crate::watch::{Progress, Watch, Wish};
 
 /// How often the way from one position to the next is halved before the run gives up.
 const HALVINGS: u32 = 6;
+
+/// Positions beyond a stretch at which parts are looked at too, going on as in the last of them: those that would answer otherwise there join early. With ten
+/// in place of five a fifth more rows join.
+const AHEAD: usize = 5;
 
 /// Positions after which a part that has not moved any more is hot no longer.
 pub(super) const COOLS: u64 = 4;
@@ -44,8 +47,13 @@ pub(super) struct Step {
     counts: Counts,
     from: Place,
     to: Place,
-    /// What parts remembered before, in the order in which that changed.
-    before: Vec<(usize, Remembered)>,
+    track: Track,
+}
+
+/// Where steps end, and where something broke on the way to which of them.
+fn places(steps: &[Step]) -> (Vec<&Place>, Vec<(usize, &Place)>) {
+    let breaks = steps.iter().enumerate().flat_map(|(k, step)| step.track.breaks.iter().map(move |place| (k, place)));
+    (steps.iter().map(|step| &step.to).collect(), breaks.collect())
 }
 
 impl Condensed<'_> {
@@ -82,19 +90,21 @@ impl Condensed<'_> {
                 }
             }
             let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
-            let (observed, good) = self.look_over(&mut steps)?;
+            let ahead = (count - at - steps.len()).min(AHEAD);
+            let (observed, good) = self.look_over(&mut steps, ahead)?;
+            let observed_any = !steps.is_empty();
             for (step, observed) in steps.into_iter().zip(observed) {
                 let place = self.keeps_places.then_some(step.to);
                 passage.visited.push(Visited { observed, position: step.position, counts: step.counts, place });
             }
             if !good {
                 passage.repeated += 1;
-                stretch = WIDTHS[0] - 1;
+                stretch = if observed_any { WIDTHS[0] - 1 } else { 1 };
             } else if failed.is_some() {
                 passage.stopped_at = Some(passage.visited.len());
                 return Ok(passage);
             } else {
-                stretch = (2 * stretch + 2).clamp(WIDTHS[0], WIDEST) - 1;
+                stretch = (stretch + 1 + stretch / 2).min(WIDEST - 1);
             }
         }
         Ok(passage)
@@ -106,7 +116,7 @@ impl Condensed<'_> {
             self.cool_down();
             let step = self.reach(to)?;
             let position = step.position;
-            if position.reached != Reached::Balanced || self.look_over(&mut vec![step])?.1 {
+            if position.reached != Reached::Balanced || self.look_over(&mut vec![step], 0)?.1 {
                 return Ok(position);
             }
         }
@@ -128,8 +138,8 @@ impl Condensed<'_> {
                 self.cool_down();
                 steps.push(self.reach(&to[k])?);
             }
-            let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
-            let (joining, stands) = self.joining(&places, Look::Each)?;
+            let (ends, breaks) = places(&steps);
+            let (joining, stands) = self.joining(&ends, &breaks, 0)?;
             for (lane, (k, step)) in open.into_iter().zip(steps).enumerate().filter(|(lane, _)| stands[*lane]) {
                 let balanced = step.position.reached == Reached::Balanced;
                 let observed = if balanced { self.observed_in(lane) } else { Vec::new() };
@@ -142,10 +152,10 @@ impl Condensed<'_> {
 
     /// Looks at all parts in the positions that were reached. Those from which on others than the active ones take part are undone and taken off `steps`;
     /// tells what is observed in those that are left, and whether these are all.
-    fn look_over(&mut self, steps: &mut Vec<Step>) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
-        let places: Vec<Place> = steps.iter().map(|step| step.to.clone()).collect();
-        let (joining, stands) = self.joining(&places, Look::Way)?;
-        let first = stands.iter().position(|stands| !stands).unwrap_or(places.len());
+    fn look_over(&mut self, steps: &mut Vec<Step>, ahead: usize) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
+        let (ends, breaks) = places(steps);
+        let (joining, stands) = self.joining(&ends, &breaks, ahead)?;
+        let first = stands.iter().position(|stands| !stands).unwrap_or(stands.len());
         for step in steps.drain(first..).rev() {
             self.undo(step);
         }
@@ -153,7 +163,7 @@ impl Condensed<'_> {
         if let Some(last) = observed.last() {
             self.at.observed.clone_from(last);
         }
-        let good = first == places.len();
+        let good = first == stands.len();
         self.activate(&joining);
         Ok((observed, good))
     }
@@ -164,7 +174,7 @@ impl Condensed<'_> {
         // Rows that have joined since carried nothing there.
         self.complete();
         self.hot.forget();
-        for (part, before) in step.before.iter().rev() {
+        for (part, before) in step.track.before.iter().rev() {
             self.parts[*part].recall(before);
         }
     }
@@ -180,18 +190,18 @@ impl Condensed<'_> {
     fn reach(&mut self, to: &[f64]) -> Result<Step, CondensedError> {
         let from = self.at.clone();
         let (mut reached, mut step, mut iterations) = (0.0, 1.0, 0);
-        let mut before = Vec::new();
+        let mut track = Track::default();
         loop {
             let next = if reached + step > 1.0 - 1e-9 { 1.0 } else { reached + step };
             let mix = |(a, b): (&f64, &f64)| if next == 1.0 { *b } else { a + next * (b - a) };
             let amplitudes = from.amplitudes.iter().zip(to).map(mix).collect();
-            let mut position = self.go(amplitudes, &mut before);
+            let mut position = self.go(amplitudes, &mut track);
             iterations += position.iterations;
             position.iterations = iterations;
             if position.reached == Reached::Balanced {
                 reached = next;
                 if reached == 1.0 {
-                    return Ok(Step { position, counts: self.counts(), from, to: self.at.clone(), before });
+                    return Ok(Step { position, counts: self.counts(), from, to: self.at.clone(), track });
                 }
                 continue;
             }
@@ -199,14 +209,14 @@ impl Condensed<'_> {
             if step < 0.5_f64.powi(HALVINGS as i32) {
                 // It may be for want of parts that flow or slide where it got to.
                 let here = self.at.clone();
-                let (joining, _) = self.joining(std::slice::from_ref(&here), Look::Each)?;
+                let (joining, _) = self.joining(&[&here], &[], 0)?;
                 let counts = Counts::default();
-                self.undo(Step { position, counts, from: from.clone(), to: Place::default(), before });
+                self.undo(Step { position, counts, from: from.clone(), to: Place::default(), track });
                 if joining.is_empty() {
-                    return Ok(Step { position, counts, from: from.clone(), to: from, before: Vec::new() });
+                    return Ok(Step { position, counts, from: from.clone(), to: from, track: Track::default() });
                 }
                 self.activate(&joining);
-                (reached, step, before) = (0.0, 1.0, Vec::new());
+                (reached, step, track) = (0.0, 1.0, Track::default());
             }
         }
     }

@@ -99,7 +99,7 @@ impl<'a> Condensed<'a> {
         let heavier: Vec<Vec<Vec<(u32, f64)>>> = neighbours.iter().map(|other| self.heavier(other)).collect();
         let mut all = Vec::with_capacity(places.len());
         for places in places.chunks(WIDEST) {
-            self.displace(places);
+            self.displace(&places.iter().collect::<Vec<_>>());
             let mut right = Vec::with_capacity(places.len() * neighbours.len());
             for (lane, place) in places.iter().enumerate() {
                 let values = self.rows.list().iter().map(|row| row.start + row.of(&self.block, lane)).collect();
