@@ -279,13 +279,12 @@ impl Solver {
         }
     }
 
-    /// What has to be gone through for solutions at some equations.
-    pub(super) fn asked(&self, equations: impl Iterator<Item = u32>) -> Asked {
+    /// Solutions at these equations are asked for, too.
+    pub(super) fn ask(&self, asked: &mut Asked, equations: impl Iterator<Item = u32>) {
         let place = self.symbolic.perm().map(|perm| perm.arrays().1);
         let place = |equation: u32| place.map_or(equation, |place| place[equation as usize]);
-        match self.symbolic.raw() {
-            SymbolicCholeskyRaw::Supernodal(symbolic) => Asked(many::reached(symbolic, equations.map(place))),
-            SymbolicCholeskyRaw::Simplicial(_) => Asked::default(),
+        if let SymbolicCholeskyRaw::Supernodal(symbolic) = self.symbolic.raw() {
+            many::reach(symbolic, &mut asked.0, equations.map(place));
         }
     }
 

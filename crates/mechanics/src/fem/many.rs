@@ -16,7 +16,7 @@ pub(super) const WIDTHS: [usize; 3] = [8, 16, WIDEST];
 pub(super) const WIDEST: usize = 32;
 
 /// Solves `L L^T x = right` in place: `x` has a number for each of `width` right-hand sides, one of [`WIDTHS`], and after them those of the
-/// next equation in the order of elimination. Of supernodes that are not among the `wanted`, [`reached`], nothing is found.
+/// next equation in the order of elimination. Of supernodes that are not among the `wanted`, [`reach`], nothing is found.
 pub(super) fn solve(
     symbolic: &SymbolicSupernodalCholesky<u32>,
     values: &[f64],
@@ -28,12 +28,16 @@ pub(super) fn solve(
     pulp::Arch::new().dispatch(Work { factor, width, x, wanted });
 }
 
-/// Supernodes that have to be gone through backward for the solution at some places of the order of elimination: theirs, and those that were eliminated
-/// after them and are coupled with them.
-pub(super) fn reached(symbolic: &SymbolicSupernodalCholesky<u32>, places: impl Iterator<Item = u32>) -> Vec<bool> {
+/// Marks supernodes that have to be gone through backward for the solution at some places of the order of elimination, too: theirs, and those that were
+/// eliminated after them and are coupled with them.
+pub(super) fn reach(
+    symbolic: &SymbolicSupernodalCholesky<u32>,
+    wanted: &mut Vec<bool>,
+    places: impl Iterator<Item = u32>,
+) {
     let begin = symbolic.supernode_begin();
     let node = |place: u32| begin.partition_point(|first| *first <= place) - 1;
-    let mut wanted = vec![false; symbolic.n_supernodes()];
+    wanted.resize(symbolic.n_supernodes(), false);
     places.for_each(|place| wanted[node(place)] = true);
     for index in 0..wanted.len() {
         // All others that it is coupled with are among those of the first one's.
@@ -41,7 +45,6 @@ pub(super) fn reached(symbolic: &SymbolicSupernodalCholesky<u32>, places: impl I
             wanted[node(next)] = true;
         }
     }
-    wanted
 }
 
 struct Work<'a> {
@@ -335,7 +338,8 @@ mod tests {
         let alone = |k: usize| f64::from(u8::from(k / width == 40));
         let full = |k: usize| if k.is_multiple_of(width) { alone(k) } else { ((7 * k) % 13) as f64 - 6.0 };
         let few = [3_u32, 17, 40];
-        let wanted = reached(nodes, few.into_iter());
+        let mut wanted = Vec::new();
+        few.into_iter().for_each(|place| reach(nodes, &mut wanted, std::iter::once(place)));
         for right in [(0..n * width).map(alone).collect::<Vec<f64>>(), (0..n * width).map(full).collect()] {
             let mut wide = right.clone();
             solve(nodes, values, width, &mut wide, None);

@@ -148,9 +148,9 @@ impl Workspace {
         self.solver.solve_block(right, Some(asked), block);
     }
 
-    /// What has to be found for solutions at some equations.
-    pub(super) fn asked(&self, equations: impl Iterator<Item = u32>) -> Asked {
-        self.solver.asked(equations)
+    /// Solutions at these equations are asked for, too.
+    pub(super) fn ask(&self, asked: &mut Asked, equations: impl Iterator<Item = u32>) {
+        self.solver.ask(asked, equations);
     }
 
     /// What is out of balance at the free components: loads less internal forces [N/m].

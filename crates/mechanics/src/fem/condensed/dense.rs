@@ -5,10 +5,12 @@ use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::traits::RealField;
 use faer::{Conj, MatMut, MatRef, Par};
-use std::ops::{Mul, SubAssign};
+use std::ops::{Add, Mul, SubAssign};
 
 /// Numbers with which a system is kept.
-pub(super) trait Digits: RealField + Copy + Default + Mul<Output = Self> + SubAssign {
+pub(super) trait Digits:
+    RealField + Copy + Default + Add<Output = Self> + Mul<Output = Self> + SubAssign
+{
     /// As near to the number as it comes.
     fn of(value: f64) -> Self;
     fn whole(self) -> f64;

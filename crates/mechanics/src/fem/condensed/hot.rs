@@ -134,11 +134,11 @@ impl Hot {
         (self.has_tangent, self.foretells) = (false, false);
     }
 
-    /// Change of the forces that the last tangent makes of a change of the rows' values without them.
-    pub fn predict(&mut self, values: &[f64]) -> Vec<f64> {
+    /// Change of the forces that the last tangent makes of a change of the rows' values without them, and what it does to these.
+    pub fn predict(&mut self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut right = vec![0.0; self.rows.len()];
         if !(self.has_tangent && self.foretells) {
-            return right;
+            return (right.clone(), right);
         }
         for (p, q, s) in self.placed(&self.slopes).into_iter().chain(self.placed(&self.changed)) {
             right[p] += s * values[q];
@@ -225,13 +225,15 @@ impl Hot {
         slopes
     }
 
-    /// Solves `(1 - S G) step = right` with the tangent that was found last.
-    pub fn solve(&mut self, right: &[f64]) -> Vec<f64> {
+    /// Solves `(1 - S G) step = right` with the tangent that was found last; the step, and how it moves the rows.
+    pub fn solve(&mut self, right: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut given = right.to_vec();
         self.tangent.steep.iter().for_each(|&p| given[p] = 0.0);
-        let given = self.moves(&given);
-        let mut step = self.tangent.solve(right, &given);
+        let mut way = self.moves(&given);
+        let mut step = self.tangent.solve(right, &way);
         self.nearby.correct(&mut step, &self.answers[..self.rows.len()]);
-        step
+        let more = step.iter().zip(given).map(|(step, given)| step - given);
+        add_multiples(&mut way, self.answers.iter().map(Vec::as_slice).zip(more));
+        (step, way)
     }
 }

@@ -243,7 +243,7 @@ impl<'a> Condensed<'a> {
             let ahead: Vec<f64> = values.iter().zip(&self.at.values).map(ahead).collect();
             let Some(moving) = self.moving_among_the_cool(&values, Some(&ahead)) else { break };
             if !moving.is_empty() {
-                self.heat(&moving, &mut trial);
+                self.heat(&moving, &mut trial, &values);
             } else if !self.lets_go(&trial, track) {
                 position.reached = Reached::Balanced;
                 self.keep(&trial, values, &mut track.before);

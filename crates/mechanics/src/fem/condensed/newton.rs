@@ -38,34 +38,39 @@ impl Condensed<'_> {
     pub(super) fn guess(&mut self, led: Vec<f64>) -> Trial {
         let most = self.hot.rows.iter().map(|&row| led[row].abs());
         self.most_moved = most.fold(self.most_moved, f64::max);
-        let step = self.hot.predict(&self.hot.rows.iter().map(|&row| led[row]).collect::<Vec<f64>>());
+        let (step, way) = self.hot.predict(&self.hot.rows.iter().map(|&row| led[row]).collect::<Vec<f64>>());
         let before: Vec<f64> = self.hot.rows.iter().map(|&row| self.at.forces[row]).collect();
         let forces = before.iter().zip(step).map(|(force, step)| force + step).collect();
-        Trial { led, forces, before, ..Trial::default() }
+        let values = self.hot.rows.iter().zip(way).map(|(&row, way)| self.at.values[row] + led[row] + way).collect();
+        Trial { led, forces, before, values, ..Trial::default() }
     }
 
-    /// More parts are hot from now on.
-    pub(super) fn heat(&mut self, more: &[usize], trial: &mut Trial) {
+    /// More parts are hot from now on; values of the active rows.
+    pub(super) fn heat(&mut self, more: &[usize], trial: &mut Trial, values: &[f64]) {
         self.hot.add(more.iter().copied(), &self.parts, &self.rows);
-        let fresh = self.hot.rows[trial.forces.len()..].iter().map(|&row| self.at.forces[row]);
-        trial.forces.extend(fresh.clone());
-        trial.before.extend(fresh);
+        for &row in &self.hot.rows[trial.forces.len()..] {
+            trial.forces.push(self.at.forces[row]);
+            trial.before.push(self.at.forces[row]);
+            trial.values.push(values[row]);
+        }
     }
 
     /// Newton's method on the forces of the hot rows (equation 5); `false` where it finds no end.
     pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
-        let Some(mut right) = self.unbalanced(trial) else { return false };
+        let Some(mut right) = self.right(trial) else { return false };
         let (mut best, mut idle, mut before) = (f64::INFINITY, 0, f64::INFINITY);
         while position.iterations < trial.limit {
             let size = trial.values.iter().fold(1e-9_f64, |most, value| most.max(value.abs()));
             let most = |moves: &mut dyn Iterator<Item = f64>| moves.fold(0.0_f64, |most, m| most.max(m.abs())) / size;
             position.left = most(&mut self.hot.moves_alone(&right));
             if position.left <= TOLERANCE {
-                position.left = most(&mut self.hot.moves(&right).into_iter());
-            }
-            if position.left <= TOLERANCE {
-                trial.forces.copy_from_slice(&trial.excess);
-                return true;
+                let moves = self.hot.moves(&right);
+                position.left = most(&mut moves.iter().copied());
+                if position.left <= TOLERANCE {
+                    trial.forces.copy_from_slice(&trial.excess);
+                    trial.values.iter_mut().zip(moves).for_each(|(value, moves)| *value += moves);
+                    return true;
+                }
             }
             idle = if position.left < 0.9 * best { 0 } else { idle + 1 };
             best = best.min(position.left);
@@ -76,17 +81,17 @@ impl Condensed<'_> {
             let slow = position.left > SLOW * before;
             before = position.left;
             self.hot.find_tangent(&self.parts, slow);
-            let direction = self.hot.solve(&right);
-            let Some(next) = self.step(trial, &direction, &right) else { return false };
+            let (direction, way) = self.hot.solve(&right);
+            let Some(next) = self.step(trial, &direction, &way, &right) else { return false };
             right = next;
             // Far from balance, parts that join late would lead the others astray.
             if position.left > FAR {
                 let values = self.values_of_all(trial);
                 let Some(moving) = self.moving_among_the_cool(&values, None) else { return false };
                 if !moving.is_empty() {
-                    self.heat(&moving, trial);
+                    self.heat(&moving, trial, &values);
                     before = f64::INFINITY;
-                    let Some(next) = self.unbalanced(trial) else { return false };
+                    let Some(next) = self.right(trial) else { return false };
                     right = next;
                 }
             }
@@ -122,36 +127,27 @@ impl Condensed<'_> {
         Some(moving)
     }
 
-    /// Values of the hot rows under loads and forces, and the excess of their parts less those forces.
-    fn unbalanced(&mut self, trial: &mut Trial) -> Option<Vec<f64>> {
-        let since: Vec<f64> = trial.forces.iter().zip(&trial.before).map(|(now, before)| now - before).collect();
-        let more = self.hot.moves(&since);
-        let values = self.hot.rows.iter().zip(more);
-        trial.values = values.map(|(&row, more)| self.at.values[row] + trial.led[row] + more).collect();
-        self.right(trial)
-    }
-
     /// The excess of the hot parts at the values at hand, less the forces that stand for it.
     fn right(&mut self, trial: &mut Trial) -> Option<Vec<f64>> {
         self.find_excess(trial)?;
         Some(trial.excess.iter().zip(&trial.forces).map(|(excess, force)| excess - force).collect())
     }
 
-    /// Goes along the direction of Newton's method: all of it, or the part at which the unbalanced forces do no more work along it.
-    fn step(&mut self, trial: &mut Trial, direction: &[f64], right: &[f64]) -> Option<Vec<f64>> {
+    /// Goes along the direction of Newton's method, which moves the hot rows by `way`: all of it, or the part at which the unbalanced forces do no more work
+    /// along it.
+    fn step(&mut self, trial: &mut Trial, direction: &[f64], way: &[f64], right: &[f64]) -> Option<Vec<f64>> {
         const LEFT: f64 = 0.8;
         const TRIES: usize = 6;
-        let way = self.hot.moves(direction);
-        let start = dot(right, &way);
+        let start = dot(right, way);
         let from = (trial.forces.clone(), trial.values.clone());
         let along = |from: &[f64], way: &[f64], share: f64| from.iter().zip(way).map(|(f, d)| f + share * d).collect();
         let reach = FARTHEST * self.most_moved;
         // Where a law or an element has no answer the step was too long.
         let mut at = |share: f64| {
             trial.forces = along(&from.0, direction, share);
-            trial.values = along(&from.1, &way, share);
+            trial.values = along(&from.1, way, share);
             let found = self.right(trial);
-            (found.as_ref().map_or(f64::INFINITY, |right| dot(right, &way)), found)
+            (found.as_ref().map_or(f64::INFINITY, |right| dot(right, way)), found)
         };
         // Where the tangent is all but singular, no step goes farther than a multiple of what the loads do to the linear system.
         let longest = way.iter().fold(0.0_f64, |most, w| most.max(w.abs()));

@@ -1,7 +1,7 @@
 //! Active rows: sums of displacement components on which forces stand for excess, and what loads and forces on the others do to each.
 
 use crate::fem::dofs::HELD;
-use crate::fem::factor::Block;
+use crate::fem::factor::{Asked, Block};
 use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
@@ -95,6 +95,8 @@ pub(super) struct Rows {
     moved: Vec<Vec<f64>>,
     /// Solutions for the patterns that load more than [`FEW`] equations.
     broad: Vec<Option<Vec<f64>>>,
+    /// Equations that rows read, and those that other patterns load.
+    asked: Asked,
 }
 
 /// Equations that a pattern may load for its `H` to be read from the solutions of the rows, which then have to be found there.
@@ -137,9 +139,9 @@ impl Rows {
             return;
         }
         self.solve_broad(patterns, work, block);
-        let read = self.list.iter().flat_map(|row| &row.terms);
-        let loaded = patterns.iter().filter(|pattern| pattern.len() <= FEW).flatten();
-        let asked = work.asked(read.chain(loaded).map(|(equation, _)| *equation));
+        let read = self.list[first..].iter().flat_map(|row| &row.terms);
+        let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= FEW).flatten();
+        work.ask(&mut self.asked, read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDEST) {
             let lanes = start..(start + WIDEST).min(all);
             let unit = |row: usize| {
@@ -147,7 +149,7 @@ impl Rows {
                 self.list[row].push(&mut right, 1.0);
                 right
             };
-            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &asked, block);
+            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &self.asked, block);
             for (row, answers) in self.list.iter().zip(&mut self.answers) {
                 row.read(block, &mut answers[lanes.clone()]);
             }

@@ -111,22 +111,33 @@ impl<D: Digits> pulp::NullaryFnOnce for Less<'_, D> {
             }
         }
         let mut count = 0;
-        for &(p, q, s) in self.slopes {
-            if place[q] == u32::MAX {
-                place[q] = count;
-                count += 1;
-                rows.reserve(size);
-                for run in runs.iter() {
-                    let first = rows.len();
-                    rows.resize(first + run.len(), D::default());
-                    let answers = &self.answers[q][run.clone()];
-                    rows[first..].iter_mut().zip(answers).for_each(|(digits, answer)| *digits = D::of(*answer));
+        for &(_, q, _) in self.slopes {
+            if place[q] != u32::MAX {
+                continue;
+            }
+            place[q] = count;
+            count += 1;
+            for run in runs.iter() {
+                rows.extend(self.answers[q][run.clone()].iter().map(|answer| D::of(*answer)));
+            }
+        }
+        // Entries of one row one after the other, four at a time: what they are taken off is read and written once for four.
+        for slopes in self.slopes.chunk_by(|one, other| one.0 == other.0) {
+            let to = self.among[slopes[0].0] * size;
+            let to = &mut self.factors[to..to + size];
+            let from = |&(_, q, s): &Slope| (&rows[place[q] as usize * size..][..size], D::of(s));
+            for some in slopes.chunks(4) {
+                if let [a, b, c, d] = some {
+                    let [(a, fa), (b, fb), (c, fc), (d, fd)] = [a, b, c, d].map(from);
+                    for ((((entry, a), b), c), d) in to.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                        *entry -= (fa * *a + fb * *b) + (fc * *c + fd * *d);
+                    }
+                } else {
+                    for (from, s) in some.iter().map(from) {
+                        to.iter_mut().zip(from).for_each(|(entry, answer)| *entry -= s * *answer);
+                    }
                 }
             }
-            let (to, from) = (self.among[p] * size, place[q] as usize * size);
-            let (to, from) = (&mut self.factors[to..to + size], &rows[from..from + size]);
-            let s = D::of(s);
-            to.iter_mut().zip(from).for_each(|(entry, answer)| *entry -= s * *answer);
         }
     }
 }
