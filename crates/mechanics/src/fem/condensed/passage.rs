@@ -7,9 +7,12 @@ use crate::watch::{Progress, Watch, Wish};
 /// How often the way from one position to the next is halved before the run gives up.
 const HALVINGS: u32 = 6;
 
+/// Positions that are looked over together: twice as many are undone too often, and half as many cost as much to look over.
+const LONGEST: usize = WIDTHS[1] - 1;
+
 /// Positions beyond a stretch at which parts are looked at too, going on as in the last of them: those that would answer otherwise there join early. With ten
-/// in place of five a fifth more rows join.
-const AHEAD: usize = 5;
+/// a fifth more rows join than with five.
+const AHEAD: usize = 6;
 
 /// Positions after which a part that has not moved any more is hot no longer.
 pub(super) const COOLS: u64 = 4;
@@ -104,7 +107,7 @@ impl Condensed<'_> {
                 passage.stopped_at = Some(passage.visited.len());
                 return Ok(passage);
             } else {
-                stretch = (stretch + 1 + stretch / 2).min(WIDEST - 1);
+                stretch = (stretch + 1 + stretch / 2).min(LONGEST);
             }
         }
         Ok(passage)
