@@ -205,7 +205,7 @@ impl Rows {
     }
 }
 
-/// Adds multiples of columns, four at a time: what they are added to is read and written once for four. Columns of which nothing is added are not
+/// Adds multiples of columns, eight at a time: what they are added to is read and written once for eight. Columns of which nothing is added are not
 /// read. As wide as the processor's registers are, with the same bits for any of them.
 pub(super) fn add_multiples<'c>(sums: &mut [f64], columns: impl Iterator<Item = (&'c [f64], f64)>) {
     widest(Multiples { sums, columns });
@@ -238,10 +238,21 @@ impl<'c, I: Iterator<Item = (&'c [f64], f64)>> pulp::NullaryFnOnce for Multiples
         let Multiples { sums, columns } = self;
         let mut some = columns.filter(|(_, factor)| *factor != 0.0).fuse();
         loop {
-            match [some.next(), some.next(), some.next(), some.next()] {
-                [Some((a, fa)), Some((b, fb)), Some((c, fc)), Some((d, fd))] => {
-                    for ((((sum, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-                        *sum += (fa * a + fb * b) + (fc * c + fd * d);
+            let eight: [_; 8] = std::array::from_fn(|_| some.next());
+            match eight {
+                [
+                    Some((a, fa)),
+                    Some((b, fb)),
+                    Some((c, fc)),
+                    Some((d, fd)),
+                    Some((e, fe)),
+                    Some((f, ff)),
+                    Some((g, fg)),
+                    Some((h, fh)),
+                ] => {
+                    let all = sums.iter_mut().zip(a).zip(b).zip(c).zip(d).zip(e).zip(f).zip(g).zip(h);
+                    for ((((((((sum, a), b), c), d), e), f), g), h) in all {
+                        *sum += ((fa * a + fb * b) + (fc * c + fd * d)) + ((fe * e + ff * f) + (fg * g + fh * h));
                     }
                 }
                 few => {
