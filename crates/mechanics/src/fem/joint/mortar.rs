@@ -25,7 +25,7 @@ impl LiftOff {
 
 /// Springs across the bed that lift off and may crush, and a shear panel with a strength along it.
 ///
-/// A pair that is broken carries no tension. One that is whole and has a strength holds, whatever the tension: [`Mortar::overstress`] tells how far that is
+/// A pair that is broken carries no tension. One that is whole and has a strength holds, whatever the tension: [`super::JointLaw::overstress`] tells how far that is
 /// beyond the strength, and whoever seeks balance breaks the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mortar {
