@@ -150,7 +150,9 @@ mod tests {
     fn the_step_solves_the_system() {
         let answers: Vec<Vec<f64>> =
             (0..5).map(|i| (0..5).map(|j| 1.0 / (1.0 + i as f64 + j as f64)).collect()).collect();
-        let slopes = [(1, 0, 0.3), (1, 1, -0.7), (3, 2, 0.4), (3, 1, 0.9), (4, 3, -0.2)];
+        // Of one row five entries, more than are taken at a time.
+        let full = [0.3, -0.7, 0.05, -0.1, 0.02].into_iter().enumerate().map(|(q, s)| (1, q, s));
+        let slopes: Vec<Slope> = full.chain([(3, 2, 0.4), (3, 1, 0.9), (4, 3, -0.2)]).collect();
         let right = [1.0, -2.0, 0.5, 3.0, 0.25];
         let mut tangent = Tangent::<f64>::default();
         tangent.find(&slopes, &answers);
