@@ -17,7 +17,7 @@ pub struct Settings {
     pub tolerance: f64,
     /// Load steps asked for: no step is larger than one over this.
     pub load_steps: u32,
-    /// Iterations allowed in one step.
+    /// Iterations allowed in one step; anew after pairs have broken in it.
     pub iteration_limit: u32,
     /// How often a step may be halved before the run gives up.
     pub cut_limit: u32,

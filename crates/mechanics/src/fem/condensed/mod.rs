@@ -11,6 +11,7 @@
 //! with load patterns `l` of amplitude `a_l`. A row whose excess ever changes costs one solution, found when it is first needed. All parts are
 //! looked at in every position. The equations are those of the whole mesh: nothing is approximated.
 
+mod balance;
 mod closed;
 mod dense;
 mod glance;
@@ -29,7 +30,7 @@ mod tangent;
 use super::dofs::HELD;
 use super::element::Kept;
 use super::factor::{Block, FactorError};
-use super::joint::{PairState, weakest};
+use super::joint::PairState;
 use super::model::{Model, count};
 use super::settings::Kinematics;
 use super::state::{Bond, Point, State};
@@ -38,7 +39,6 @@ use super::{assemble, element};
 use crate::ids::{Id, QuadId};
 use glance::Glances;
 use hot::Hot;
-use newton::Trial;
 use parts::{Kind, Part, Remembered, components};
 use rows::{Row, Rows};
 
@@ -86,9 +86,6 @@ pub struct Counts {
 /// Largest change left in a row, over the largest value of a row, at which a position counts as balanced. Over the 2,717 positions of a passage records are then
 /// within 1.2e-9 of a channel's largest value of those found with 1e-12, and take seven iterations where these take ten.
 pub const TOLERANCE: f64 = 1e-9;
-
-/// How many steps like the last are foreseen for active parts that may begin to move. Without it a passage makes half as many iterations again.
-const FORESEEN: f64 = 2.0;
 
 /// Iterations allowed in one position where nobody says how many.
 const ITERATIONS: u32 = 60;
@@ -143,15 +140,6 @@ struct Place {
     observed: Vec<f64>,
     /// Parts that broke on the way here, in that order.
     broken: Vec<usize>,
-}
-
-/// What happened on the way to a position.
-#[derive(Debug, Default)]
-struct Track {
-    /// What parts remembered before, in the order in which that changed.
-    before: Vec<(usize, Remembered)>,
-    /// Balanced places in which something was beyond its strength and broke: other parts are looked at there, too, for they may have to break first.
-    breaks: Vec<Place>,
 }
 
 impl<'a> Condensed<'a> {
@@ -216,79 +204,6 @@ impl<'a> Condensed<'a> {
     pub fn with_places(mut self) -> Condensed<'a> {
         self.keeps_places = true;
         self
-    }
-
-    /// Balances loads on top of what was there at the start, from the last position, with the active parts. What happens goes to `track`; where there is no
-    /// balance, nothing has changed.
-    fn go(&mut self, to: Vec<f64>, track: &mut Track) -> Position {
-        let (known, breaks, whole) = (track.before.len(), track.breaks.len(), self.at.broken.len());
-        let position = self.balance(to, track);
-        if position.reached != Reached::Balanced {
-            self.at.broken.truncate(whole);
-            track.breaks.truncate(breaks);
-            track.before.drain(known..).rev().for_each(|(part, remembered)| self.parts[part].recall(&remembered));
-        }
-        position
-    }
-
-    fn balance(&mut self, to: Vec<f64>, track: &mut Track) -> Position {
-        let mut position = Position { reached: Reached::NotConverged, iterations: 0, left: f64::INFINITY };
-        let foreseen = std::mem::take(&mut self.foreseen);
-        self.hot.add(foreseen.into_iter(), &self.parts, &self.rows);
-        let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
-        let mut trial = self.guess(self.rows.moved(&more));
-        (trial.to, trial.limit) = (to, self.iterations);
-        while self.iterate(&mut trial, &mut position) {
-            let values = self.values_of_all(&trial);
-            let ahead = |(now, before): (&f64, &f64)| now + FORESEEN * (now - before);
-            let ahead: Vec<f64> = values.iter().zip(&self.at.values).map(ahead).collect();
-            let Some(moving) = self.moving_among_the_cool(&values, Some(&ahead)) else { break };
-            if !moving.is_empty() {
-                self.heat(&moving, &mut trial, &values);
-            } else if !self.lets_go(&trial, track) {
-                position.reached = Reached::Balanced;
-                self.keep(&trial, values, &mut track.before);
-                break;
-            } else {
-                trial.limit = position.iterations + self.iterations;
-            }
-        }
-        position
-    }
-
-    /// Breaks the springs that are most beyond their strength; `false` where none is.
-    fn lets_go(&mut self, trial: &Trial, track: &mut Track) -> bool {
-        let parts = &self.parts;
-        let moving = self.hot.parts.iter().filter(|index| !parts[**index].still);
-        let breaking = weakest(moving.map(|&index| (index, parts[index].overstress(self.model))));
-        if breaking.is_empty() {
-            return false;
-        }
-        let mut place = Place { amplitudes: trial.to.clone(), forces: self.at.forces.clone(), ..Place::default() };
-        self.hot.rows.iter().zip(&trial.forces).for_each(|(&row, force)| place.forces[row] = *force);
-        track.breaks.push(place);
-        for &index in &breaking {
-            track.before.push((index, self.parts[index].remembered()));
-            self.parts[index].let_go();
-        }
-        self.at.broken.extend(&breaking);
-        true
-    }
-
-    fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Remembered)>) {
-        self.at.amplitudes.clone_from(&trial.to);
-        self.at.values = values;
-        for (&row, force) in self.hot.rows.iter().zip(&trial.forces) {
-            self.at.forces[row] = *force;
-        }
-        self.clock += 1;
-        for &index in &self.active {
-            let part = &mut self.parts[index];
-            if !part.still {
-                self.moved_at[index] = self.clock;
-            }
-            before.extend(part.keep().map(|remembered| (index, remembered)));
-        }
     }
 
     /// Rows that joined since carry nothing here.

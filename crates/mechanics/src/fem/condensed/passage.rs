@@ -1,6 +1,7 @@
 //! A run of positions, found a stretch at a time and then looked over at all of them at once.
 
-use super::{Condensed, CondensedError, Counts, Mark, Place, Position, Reached, Track};
+use super::balance::Track;
+use super::{Condensed, CondensedError, Counts, Mark, Place, Position, Reached};
 use crate::fem::many::{WIDEST, WIDTHS};
 use crate::watch::{Progress, Watch, Wish};
 
