@@ -171,6 +171,17 @@ pub struct LoadArrow {
     pub force: Point,
 }
 
+/// A layer of the cover, or backing, as drawn behind the ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// What it is: "fill", "surfacing", "backing".
+    pub name: String,
+    /// Its size in words: thickness above the crown, or the level of its upper face.
+    pub size: String,
+    /// Outlines, one for each connected part, counter-clockwise [m].
+    pub outlines: Vec<Vec<Point>>,
+}
+
 /// What a dimension measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
@@ -182,6 +193,10 @@ pub enum Measure {
     Thickness,
     /// Height of a pier or a wall: from its foot to its head.
     Height,
+    /// Width of a pier: from its left face to its right one.
+    Width,
+    /// Depth of the cover: from the crown's extrados to the road surface.
+    Depth,
 }
 
 /// A dimension to be drawn on the bridge as built.
@@ -208,6 +223,10 @@ pub struct Picture {
     pub layers: Vec<String>,
     /// Outline of the region that particles fill, counter-clockwise [m]; empty where there is none.
     pub fill: Vec<Point>,
+    /// Layers of the cover that are weight alone, and backing, from the extrados up.
+    pub bands: Vec<Band>,
+    /// What the loads of the drawing are, where they are one case of many: vehicle, factor, place, direction.
+    pub case: Option<String>,
     /// Outline of the road surface, where there is a cover [m].
     pub surface: Vec<Point>,
     /// Where loads touch the surface: middle and length [m].

@@ -1,4 +1,4 @@
-//! Dimension lines: span below, rise in the opening, thickness across the ring.
+//! Dimension lines: spans and piers below, rises in the openings, thickness across the ring, depth above the crown.
 
 use crate::elevation::INK;
 use crate::geometry::{Extent, View};
@@ -13,7 +13,8 @@ const EXTENSION: Pen = Pen::line("#777777", HAIR);
 /// Draws all dimensions; `lowest` is the extent of the drawing. Returns the y below the span dimensions.
 pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[Dimension], extent: Extent, room: Room) -> f64 {
     let foot = view.spot(extent.low)[1];
-    let spans = || dimensions.iter().filter(|d| d.measure == Measure::Span);
+    // Spans and piers form one chain of dimensions below the drawing.
+    let spans = || dimensions.iter().filter(|d| matches!(d.measure, Measure::Span | Measure::Width));
     let below = if spans().next().is_some() { foot + 22.0 } else { foot };
     sheet.open("dimensions");
     for d in spans() {
@@ -21,9 +22,9 @@ pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[Dimension], extent: Ex
     }
     for d in dimensions {
         match d.measure {
-            Measure::Span => {}
+            Measure::Span | Measure::Width => {}
             Measure::Rise => upright(sheet, view, d, d.to[0], room),
-            Measure::Height => upright(sheet, view, d, d.from[0], room),
+            Measure::Height | Measure::Depth => upright(sheet, view, d, d.from[0], room),
             Measure::Thickness => {
                 let near = |r: &Dimension| (view.spot(r.to)[0] - view.spot(d.from)[0]).abs() < 40.0;
                 let taken = dimensions.iter().any(|r| r.measure == Measure::Rise && near(r));

@@ -1,5 +1,6 @@
 //! The bridge as its file draws it.
 
+use crate::cover;
 use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, Sign};
@@ -16,6 +17,7 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     let Some(extent) = draw::extent(picture) else { return sheet.finish(top) };
     let frame = draw::frame(extent, top + draw::ARROW, draw::TALLEST);
     let view = View::fit(extent, frame);
+    cover::bands(&mut sheet, &view, picture);
     discs::by_layer(&mut sheet, &view, picture, None);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
@@ -37,6 +39,7 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
         entries.push((Sign::Load, if on_surface { "variable load on the surface" } else { "variable load" }));
     }
     y = discs::key(&mut sheet, y + 4.0, picture, false);
+    y = cover::key(&mut sheet, y, picture);
     if !entries.is_empty() {
         y = draw::key(&mut sheet, y, &entries);
     }

@@ -207,6 +207,12 @@ pub fn collapse_load(picture: &Picture) -> Option<f64> {
     picture.collapse_load.or_else(|| picture.path.iter().find(|s| !s.at_rest).map(|s| s.load)).filter(|l| l.is_finite())
 }
 
+/// Title and second line, and below them which case is drawn where it is one of many; returns the y below.
+pub fn heading(sheet: &mut Sheet, picture: &Picture, second: &str) -> f64 {
+    let top = sheet.title(&picture.title, second);
+    picture.case.as_ref().map_or(top, |case| sheet.caption(top, case))
+}
+
 /// A small row of signs and what they mean; returns the y below it.
 pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str)]) -> f64 {
     let style = Style { size: crate::sheet::SMALL, ..Style::default() };

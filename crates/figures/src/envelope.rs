@@ -34,8 +34,8 @@ const HEIGHT: f64 = 340.0;
 const X_NAME: &str = "position of the reference point along the bridge [m]";
 const FIRST_AXLE: &str = "position of the first axle along the bridge [m]";
 
-/// The curves, with the least value of all marked as governing. None without a finite point.
-pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<String> {
+/// The curves, with the least value of all marked as governing, and a note below them. None without a finite point.
+pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep], note: Option<&str>) -> Option<String> {
     let unit = |v: f64| if quantity == Quantity::Load { v / 1e3 } else { v };
     let finite = |&(x, v): &(f64, f64)| x.is_finite() && v.is_finite();
     let points = || sweeps.iter().flat_map(|s| s.points.iter().copied()).filter(finite);
@@ -104,6 +104,9 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep]) -> Option<Str
         .collect();
     if !entries.is_empty() {
         bottom = key(&mut sheet, bottom, &entries);
+    }
+    if let Some(note) = note {
+        bottom = sheet.caption(bottom, note);
     }
     Some(sheet.finish(bottom))
 }

@@ -14,6 +14,7 @@ mod calibration;
 mod chains;
 mod chart;
 mod colour;
+mod cover;
 mod dimension;
 mod discs;
 mod displaced;

@@ -44,7 +44,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
         Some(load) => format!("Mechanism at collapse, {}", words::force(load)),
         None => "Mechanism".to_string(),
     };
-    let top = sheet.title(&picture.title, &second);
+    let top = draw::heading(&mut sheet, picture, &second);
     let deformed = Extent::of((0..motions.len()).flat_map(&place)).unwrap_or(built);
     let extent = draw::extent(picture).map_or(deformed, |e| e.with(deformed));
     // Labels of hinges and tails of arrows stand above and below the blocks.

@@ -49,7 +49,7 @@ pub fn stress(picture: &Picture, snapshot: usize) -> Option<String> {
         () if picture.last_stable == Some(snapshot) => ", last stable",
         () => "",
     };
-    let top = sheet.title(&picture.title, &format!("Compressive stress at {at}{which}"));
+    let top = draw::heading(&mut sheet, picture, &format!("Compressive stress at {at}{which}"));
     let deformed = Extent::of((0..count).flat_map(&place)).unwrap_or(extent);
     let roomy = extent.grown(0.5 * extent.size()[0].max(extent.size()[1]));
     let shown = blocks_only.with(deformed.within(roomy));

@@ -29,7 +29,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         (_, Some(load)) => format!("Line of thrust at collapse, {}", words::force(load)),
         _ => "Line of thrust".to_string(),
     };
-    let top = sheet.title(&picture.title, &second);
+    let top = draw::heading(&mut sheet, picture, &second);
     let extent = draw::extent(picture).unwrap_or(built);
     let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
     let view = View::fit(extent, frame);
@@ -85,8 +85,17 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     Some(sheet.finish(y))
 }
 
-/// Where the size of the thrust is told: at the first and last joint, and nearest to the middle between them.
+/// Whether a line rises more than it runs: that of a pier.
+fn upright(line: &[ThrustPoint]) -> bool {
+    let (a, b) = (line[0].point, line[line.len() - 1].point);
+    (b[1] - a[1]).abs() > (b[0] - a[0]).abs()
+}
+
+/// Where the size of the thrust is told: at the first and last joint, and nearest to the middle between them; of a pier at its foot.
 fn told(line: &[ThrustPoint]) -> Vec<usize> {
+    if upright(line) {
+        return vec![0];
+    }
     let last = line.len() - 1;
     let middle = 0.5 * (line[0].point[0] + line[last].point[0]);
     let off = |k: usize| (line[k].point[0] - middle).abs();
@@ -98,7 +107,9 @@ fn told(line: &[ThrustPoint]) -> Vec<usize> {
 fn magnitudes(sheet: &mut Sheet, view: &View, line: &[ThrustPoint], room: Room) {
     for k in told(line) {
         // Into the opening: below the crown, and from the springings towards the middle of the span.
-        let side = if k == 0 {
+        let side = if upright(line) {
+            [1.0, 0.0]
+        } else if k == 0 {
             [0.8, 0.6]
         } else if k + 1 == line.len() {
             [-0.8, 0.6]

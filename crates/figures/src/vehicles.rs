@@ -18,11 +18,20 @@ pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
         drawings.push(("adequacy", svg));
     }
     if let Some(v) = found.governing.and_then(|k| found.vehicles.get(k))
-        && let Some(svg) = envelope(&format!("{}: {}", found.bridge, v.title), Quantity::Adequacy, &curves(v))
+        && let title = format!("{}: {}", found.bridge, v.title)
+        && let Some(svg) = envelope(&title, Quantity::Adequacy, &curves(v), governing_case(found).as_deref())
     {
         drawings.push(("envelope", svg));
     }
     drawings
+}
+
+/// What governs, in words, and what the axis of places means.
+fn governing_case(found: &VehicleSweep) -> Option<String> {
+    let case = found.collapse.as_ref()?.picture.case.as_ref()?;
+    Some(format!(
+        "Governing: {case} The first axle is the foremost of the whole vehicle, whether it stands on the bridge or has passed it."
+    ))
 }
 
 /// The least factor over arrangements at every place of the first axle, one curve for each way.

@@ -1,27 +1,36 @@
-//! Dimensions of a drawing: spans, piers, and rise and thickness of the first span.
+//! Dimensions of a drawing: every span and rise, piers, and thicknesses and heights where they differ from those before.
 
 use crate::outcome::{Dimension, Measure, Point};
 use bridge::ring::{Intrados, Profile};
 use bridge::{Bridge, Span};
 
-/// What an engineer measures first, on the bridge as built.
-pub fn dimensions(bridge: &Bridge) -> Vec<Dimension> {
+/// What an engineer measures first, on the bridge as built; `surface` is the level of the road [m].
+pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<Dimension> {
     let mut found = Vec::new();
     let mut add = |measure, from, to| found.push(Dimension { measure, from, to });
-    let mut left = 0.0;
+    let (mut left, mut thickness_before, mut height_before) = (0.0, None, None);
     for (index, span) in bridge.spans.iter().enumerate() {
+        let over = left + crown(span);
         add(Measure::Span, [left, 0.0], [left + span.span, 0.0]);
-        if index == 0 {
-            add(Measure::Rise, [left, 0.0], [left + crown(span), span.rise]);
-            if let Some([from, to]) = across(span) {
-                add(Measure::Thickness, [left + from[0], from[1]], [left + to[0], to[1]]);
-            }
+        add(Measure::Rise, [left, 0.0], [over, span.rise]);
+        let thickness: f64 = span.rings.iter().map(|ring| ring.crown_thickness).sum();
+        if thickness_before != Some(thickness)
+            && let Some([from, to]) = across(span, thickness)
+        {
+            add(Measure::Thickness, [left + from[0], from[1]], [left + to[0], to[1]]);
+            thickness_before = Some(thickness);
+        }
+        let back = span.rise + thickness;
+        if index + 1 == bridge.spans.len() && surface > back + 1e-9 && !bridge.cover.layers.is_empty() {
+            add(Measure::Depth, [over, back], [over, surface]);
         }
         left += span.span;
         if let Some(pier) = bridge.piers.get(index) {
-            if index == 0 {
-                let middle = left + 0.5 * pier.width;
+            let middle = left + 0.5 * pier.width;
+            add(Measure::Width, [left, 0.0], [left + pier.width, 0.0]);
+            if height_before != Some(pier.height) {
                 add(Measure::Height, [middle, -pier.height], [middle, 0.0]);
+                height_before = Some(pier.height);
             }
             left += pier.width;
         }
@@ -40,8 +49,7 @@ fn crown(span: &Span) -> f64 {
 }
 
 /// Both ends of the joint halfway along the intrados, all rings together.
-fn across(span: &Span) -> Option<[Point; 2]> {
+fn across(span: &Span, thickness: f64) -> Option<[Point; 2]> {
     let middle = Intrados::new(&span.profile, span.span, span.rise).ok()?.at(0.5);
-    let thickness: f64 = span.rings.iter().map(|ring| ring.crown_thickness).sum();
     Some([middle.offset(0.0), middle.offset(thickness)])
 }

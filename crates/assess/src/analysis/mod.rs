@@ -1,5 +1,6 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
+mod bands;
 pub mod by_dem;
 pub mod by_fe;
 pub mod by_limit;

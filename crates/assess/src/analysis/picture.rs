@@ -1,5 +1,6 @@
 //! The parts of a picture that every analysis shares.
 
+use super::bands::bands;
 use super::dimensions::dimensions;
 use super::places::point;
 use crate::discretise::{Discretised, cover};
@@ -28,7 +29,8 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         surface: surface.into_iter().map(point).collect(),
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
-        dimensions: dimensions(bridge),
+        bands: bands(bridge, d),
+        dimensions: dimensions(bridge, d.surface),
         ..Picture::default()
     }
 }

@@ -36,6 +36,21 @@ fn springing(d: &Discretised, voussoir: BlockId, support: BlockId, i: usize) -> 
     if middle(support) < middle(voussoir) { i } else { i + 1 }
 }
 
+/// Pier, as its support is counted, and number (0 on the foundation) of the joint between two of its courses or the lowest and the
+/// foundation.
+pub fn joint_in_pier(d: &Discretised, a: BlockId, b: BlockId) -> Option<(usize, usize)> {
+    match (d.origins[a], d.origins[b]) {
+        (Origin::Pier { support: s, course: i }, Origin::Pier { support: t, course: j }) => {
+            (s == t && i.abs_diff(j) == 1).then(|| (s, i.max(j)))
+        }
+        (Origin::Pier { support: s, course }, Origin::Foundation { support: t })
+        | (Origin::Foundation { support: t }, Origin::Pier { support: s, course }) => {
+            (s == t && course == 0).then_some((s, 0))
+        }
+        _ => None,
+    }
+}
+
 /// Whether two blocks are voussoirs of different rings of one span. Rings part and slide there; a joint that opens along
 /// the ring is no hinge of the mechanism.
 pub fn between_rings(d: &Discretised, a: BlockId, b: BlockId) -> bool {
@@ -116,19 +131,15 @@ pub fn scaled(motions: Vec<Motion>) -> Option<Vec<Motion>> {
     })
 }
 
-/// Sorts points of joints into one polyline per span and ring, from left to right.
+/// Sorts points of joints into one polyline per span and ring, from left to right, and after them one per pier, from its foundation
+/// up.
 pub fn lines<T: Copy>(d: &Discretised, points: impl Iterator<Item = (BlockId, BlockId, T)>) -> Vec<Vec<T>> {
-    let mut placed: Vec<_> =
-        points.filter_map(|(a, b, value)| joint_in_ring(d, a, b).map(|place| (place, value))).collect();
+    let place = |a, b| {
+        let in_ring = joint_in_ring(d, a, b).map(|(span, ring, joint)| ((false, span, ring), joint));
+        in_ring.or_else(|| joint_in_pier(d, a, b).map(|(support, joint)| ((true, support, 0), joint)))
+    };
+    let mut placed: Vec<_> = points.filter_map(|(a, b, value)| place(a, b).map(|place| (place, value))).collect();
     placed.sort_by_key(|(place, _)| *place);
-    let mut lines: Vec<Vec<T>> = Vec::new();
-    let mut before = None;
-    for ((span, ring, _), value) in placed {
-        if before != Some((span, ring)) {
-            lines.push(Vec::new());
-            before = Some((span, ring));
-        }
-        lines.last_mut().expect("a line was just started").push(value);
-    }
-    lines
+    let line = |rest: &[(_, T)]| rest.iter().map(|(_, value)| *value).collect();
+    placed.chunk_by(|a, b| a.0.0 == b.0.0).map(line).collect()
 }

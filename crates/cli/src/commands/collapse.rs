@@ -197,7 +197,7 @@ fn sweep(
     let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "load factor".to_owned(), points };
     let mut files = Vec::new();
-    if let Some(svg) = figures::envelope(&bridge.name, figures::Quantity::Factor, &[curve]) {
+    if let Some(svg) = figures::envelope(&bridge.name, figures::Quantity::Factor, &[curve], None) {
         files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     files.push(table("sweep", wire::sweep_table(&found)));

@@ -4,6 +4,7 @@ mod answers;
 mod assess;
 mod calibration;
 mod drawings;
+mod drawn;
 mod examples;
 mod house;
 mod interruption;

@@ -13,6 +13,7 @@ mod sections;
 mod standing;
 #[cfg(test)]
 mod tests;
+mod told;
 mod weights;
 
 pub use confirm::Confirmation;
@@ -177,7 +178,8 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     if let Some((k, case)) = governing.and_then(|k| found.vehicles[k].case.clone().map(|case| (k, case))) {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k].vehicle, &case);
-        let by_limit = super::collapse_by_limit(&one)?;
+        let mut by_limit = super::collapse_by_limit(&one)?;
+        by_limit.picture.case = Some(told::case(&found.vehicles[k], &case, &one));
         if plan.confirm {
             let limit = found.vehicles[k].adequacy;
             found.confirmation = Some(confirm::confirm(&one, &by_limit, &found.rule, limit, watch));

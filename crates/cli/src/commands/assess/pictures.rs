@@ -26,7 +26,7 @@ pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     let envelope = found.sweep.as_ref().and_then(|sweep| {
         let points = sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
         let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
-        figures::envelope(bridge, figures::Quantity::Factor, &[curve])
+        figures::envelope(bridge, figures::Quantity::Factor, &[curve], None)
     });
     let all = [
         figure(

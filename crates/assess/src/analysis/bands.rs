@@ -1,0 +1,109 @@
+//! Layers of the cover and backing as areas of the elevation, with their depths in words.
+
+use super::places::point;
+use crate::discretise::extrados::Extrados;
+use crate::discretise::{Discretised, cover};
+use crate::outcome::{Band, Point};
+use bridge::{BackingBody, Bridge};
+use mechanics::plane::{Vec2, vec2};
+
+/// Layers that are weight alone, and backing that is: particles, slabs and blocks are drawn as what they are. Backing comes last,
+/// to lie over the fill.
+pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
+    let line = line(&d.extrados);
+    let (Some(&first), Some(&last)) = (line.first(), line.last()) else { return Vec::new() };
+    let road = cover::surface(bridge, &d.extrados);
+    let mut found = Vec::new();
+    let mut bottom = d.extrados.crown();
+    for (k, layer) in bridge.cover.layers.iter().enumerate() {
+        let top = bottom + layer.thickness;
+        if !layer.particles && layer.slabs.is_none() {
+            let outlines = if k == 0 {
+                below(&line, top)
+            } else {
+                let (low, high) = (bottom.min(road), top.min(road));
+                vec![vec![[first.x, low], [last.x, low], [last.x, high], [first.x, high]]]
+            };
+            let over = if k == 0 { "over the crown" } else { "thick" };
+            let size = format!("{} m {over}", decimals(layer.thickness));
+            found.push(Band { name: layer.name.word().to_string(), size, outlines });
+        }
+        bottom = top;
+    }
+    if let Some(backing) = bridge.cover.backing.filter(|b| b.body == BackingBody::Weight) {
+        let size = format!("to {} m above the springings", decimals(backing.height));
+        found.push(Band { name: "backing".to_string(), size, outlines: below(&line, backing.height) });
+    }
+    found.retain(|band| !band.outlines.is_empty());
+    found
+}
+
+/// A length [m] to the millimetre, without trailing zeros.
+fn decimals(x: f64) -> String {
+    let text = format!("{x:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// The extrados from left to right, tops of piers and abutments among it.
+fn line(extrados: &Extrados) -> Vec<Vec2> {
+    let mut points: Vec<Vec2> = Vec::new();
+    for p in extrados.stretches.iter().flat_map(|s| [s.left, s.right]) {
+        if points.last().is_none_or(|last| (p - *last).norm() > 1e-9) {
+            points.push(p);
+        }
+    }
+    points
+}
+
+/// Areas between the line and a level above it, from left to right.
+fn below(line: &[Vec2], level: f64) -> Vec<Vec<Point>> {
+    let mut areas = Vec::new();
+    let mut run: Vec<Vec2> = Vec::new();
+    let mut finish = |run: &mut Vec<Vec2>| {
+        if let [first, .., last] = run[..] {
+            let lid = [vec2(last.x, level), vec2(first.x, level)];
+            let mut outline: Vec<Point> = run.iter().chain(&lid).map(|&p| point(p)).collect();
+            outline.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-9);
+            areas.push(outline);
+        }
+        run.clear();
+    };
+    for (k, &p) in line.iter().enumerate() {
+        let before = k.checked_sub(1).map(|k| line[k]);
+        if let Some(q) = before.filter(|q| (q.y - level) * (p.y - level) < 0.0) {
+            run.push(q + (p - q) * ((level - q.y) / (p.y - q.y)));
+        }
+        if p.y < level {
+            run.push(p);
+        } else {
+            finish(&mut run);
+        }
+    }
+    finish(&mut run);
+    areas
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(outline: &[Point]) -> f64 {
+        let n = outline.len();
+        let cross = |a: Point, b: Point| a[0] * b[1] - a[1] * b[0];
+        (0..n).map(|k| 0.5 * cross(outline[k], outline[(k + 1) % n])).sum()
+    }
+
+    /// A triangular back of height 2 over a base of 4, between flat ends of length 1.
+    #[test]
+    fn a_level_cuts_the_back_in_two_parts_of_the_same_area() {
+        let line = [vec2(-1.0, 0.0), vec2(0.0, 0.0), vec2(2.0, 2.0), vec2(4.0, 0.0), vec2(5.0, 0.0)];
+        let areas = below(&line, 1.0);
+        assert_eq!(areas.len(), 2);
+        // Each: a square beside the springing and half a square over the haunch.
+        areas.iter().for_each(|outline| assert!((area(outline) - 1.5).abs() < 1e-12, "{outline:?}"));
+        let over = below(&line, 3.0);
+        assert_eq!(over.len(), 1);
+        assert!((area(&over[0]) - (6.0 * 3.0 - 4.0)).abs() < 1e-12);
+        assert!(below(&line, -0.5).is_empty());
+    }
+}
