@@ -176,6 +176,14 @@ cards! {
         "The typesetter refused the report; the message holds its words. report.html and result.json are complete, verdict and \
          numbers stand. The usual cause is a drawing that is no valid SVG, which is a mistake of this program: please report it with \
          the bridge file.";
+    /// No ultimate check under sourced factors.
+    STRENGTH_OPEN = "A190", "strength was not assessed",
+        "The ladder of verdicts, from its lowest rung: inadequate, a limit is not met (exit code 1); undetermined, an analysis that a \
+         check rests on came to no end (3); undetermined, limits are met or there are none, but no ultimate check was made under \
+         factors with a source, so that strength was not assessed (1); adequate, strength was assessed so and every limit that was \
+         compared with is met (0). An ultimate check under factors with a source is C204 by a rule with a live load factor above 1 that is \
+         read, calculated or recalled in a named document, or C201 with adequacy_source in [assess] and a factor above 1. Deflections, stresses, lines of \
+         thrust, shares of a load and MEXE assess no strength at ultimate. The message says what is missing.";
 }
 
 impl Warning {

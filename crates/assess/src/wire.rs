@@ -18,7 +18,8 @@ pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli}
 pub use collapse::CollapseObject;
 pub use facts::{
     AugmentFacts, ChangeFacts, ChannelFacts, FitFacts, JointFacts, MovementFacts, ParameterFacts, PlaceFacts,
-    SensitivityFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts, UpdateFacts, VehicleFacts,
+    SafetyFacts, SensitivityFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts, UpdateFacts,
+    VehicleFacts,
 };
 pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};

@@ -48,6 +48,10 @@ pub struct Limits {
     pub thrust_zone: Option<f64>,
     /// Least adequacy factor at ultimate.
     pub adequacy_factor: Option<f64>,
+    /// Document and clause that it is from; without one it assesses no strength.
+    pub adequacy_source: Option<String>,
+    /// Factor that the forces of the file's loads already carry; 1 where they are nominal.
+    pub load_factor_included: f64,
     /// Largest share of the ultimate load in service.
     pub permissible_share: Option<f64>,
     /// Cycles of load in the life that is asked for.

@@ -20,12 +20,29 @@ pub struct Report {
     pub errors: Vec<Value>,
     /// The answer in words.
     pub summary: String,
+    /// Whether every analysis came to its end: an answer that is undetermined for lack of something else says so by its code.
+    pub finished: bool,
 }
 
 impl Report {
     /// An answer without fields yet.
     pub fn new(status: Status) -> Report {
-        Report { status, fields: Map::new(), warnings: Vec::new(), errors: Vec::new(), summary: String::new() }
+        Report {
+            status,
+            fields: Map::new(),
+            warnings: Vec::new(),
+            errors: Vec::new(),
+            summary: String::new(),
+            finished: false,
+        }
+    }
+
+    /// The exit code of the command: an assessment that finished without a verdict is 1, one that could not finish 3.
+    pub fn exit_code(&self) -> u8 {
+        match self.status {
+            Status::Undetermined if self.finished => Status::Inadequate.exit_code(),
+            status => status.exit_code(),
+        }
     }
 
     /// Adds a field.

@@ -122,8 +122,9 @@ impl Status {
             Status::Adequate => (
                 "adequate",
                 0,
-                "An assessment finished, and every check that could be made is met. Checks without a limit in the file are listed as not \
-                 made and do not count.",
+                "An assessment finished, an ultimate check was made under factors with a source, and every check that could be made is met. \
+                 Checks without a limit in the file are listed as not made and do not count; what qualifies the verdict stands beside it. \
+                 extrados explain A190 has the ladder of verdicts.",
             ),
             Status::Inadequate => (
                 "inadequate",
@@ -133,8 +134,10 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: no position of the loads makes a mechanism of the bridge, no run of many found \
-                 the number that was asked for, or no contact stiffness gives the fill the wanted modulus.",
+                "The command finished without an answer: an analysis that a check rests on came to no end; no position of the loads makes a mechanism of the bridge, no run of many found \
+                 the number that was asked for, or no contact stiffness gives the fill the wanted modulus. An \
+                 assessment whose analyses all finished, but which made no ultimate check under factors with a source, is undetermined too \
+                 and ends with exit code 1: its limits may be met, its strength was not assessed, and `missing` says what to write.",
             ),
             Status::UnusableInput => (
                 "unusable-input",

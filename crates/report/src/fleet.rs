@@ -18,6 +18,8 @@ pub struct FleetRow {
     pub governing: String,
     /// The load that it is for.
     pub load_model: String,
+    /// Whether every analysis of it came to its end.
+    pub finished: bool,
     /// Comparisons that are not met.
     pub broken: usize,
     /// The verdict, or what is wrong with the file.
@@ -128,6 +130,7 @@ mod tests {
             utilisation,
             governing: String::new(),
             load_model: String::new(),
+            finished: true,
             broken: 0,
             words: "a \"word\"\nmore".into(),
             report: format!("{file}/report.html"),

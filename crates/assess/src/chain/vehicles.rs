@@ -4,26 +4,67 @@ use super::spoken;
 use crate::analysis::Status;
 use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep};
 use crate::warning;
-use crate::wire::{SweptFacts, VehicleFacts};
+use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
+use rules::{Confidence, Rule};
 
 /// The facts of a sweep of vehicles.
 pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
     let source = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
     VehicleFacts {
-        rule: format!("{}: {}", found.rule.title, source(&found.rule.source)),
+        rule: rule_line(&found.rule),
         factors: found
             .rule
             .listed()
             .into_iter()
             .map(|(name, factor)| [name.to_owned(), factor.value.to_string(), source(&factor.source)])
             .collect(),
+        safety: safety(&found.rule),
         vehicles: found.vehicles.iter().map(swept).collect(),
         step_m: found.step,
         governing: found.governing.and_then(|k| found.vehicles.get(k)).map(|one| one.code.clone()),
         confirmation: found.confirmation.as_ref().map(confirmed),
         adequacy_by_discrete_elements: found.confirmation.as_ref().and_then(|confirmed| confirmed.adequacy),
         assumptions: found.assumptions.clone(),
-        warnings: spoken(&found.warnings).into_iter().chain(apart(found)).collect(),
+        warnings: warnings(found),
+    }
+}
+
+/// Warnings of the sweep, of the governing case as a collapse analysis, and of the two methods apart; each once.
+fn warnings(found: &VehicleSweep) -> Vec<[String; 2]> {
+    let governing = found.collapse.as_ref().map_or(Vec::new(), |collapse| spoken(&collapse.warnings));
+    let mut all = spoken(&found.warnings);
+    for warning in governing.into_iter().chain(apart(found)) {
+        if !all.contains(&warning) {
+            all.push(warning);
+        }
+    }
+    all
+}
+
+/// A rule, where it is from, and how sure its factors are: its title may be read while its factors are recalled.
+fn rule_line(rule: &Rule) -> String {
+    let listed = rule.listed();
+    let counted =
+        [Confidence::Read, Confidence::Calculated, Confidence::Recalled, Confidence::Assumed].map(|confidence| {
+            let count = listed.iter().filter(|(_, factor)| factor.source.confidence == confidence).count();
+            (count > 0).then(|| format!("{count} {}", confidence.word()))
+        });
+    let counted: Vec<String> = counted.into_iter().flatten().collect();
+    let (source, total) = (&rule.source, listed.len());
+    format!("{}: {} ({}); of its {total} factors {}", rule.title, source.text, source.date, counted.join(", "))
+}
+
+/// What safety a rule holds: its factor on live loads, and how sure each factor is.
+fn safety(rule: &Rule) -> SafetyFacts {
+    let live = &rule.factors.live_load;
+    let named = rule.listed().into_iter();
+    SafetyFacts {
+        rule: rule.code.clone(),
+        live_load: live.value,
+        live_load_confidence: live.source.confidence.word().to_owned(),
+        factors: named
+            .map(|(name, factor)| (format!("{name} {}", factor.value), factor.source.confidence.word().to_owned()))
+            .collect(),
     }
 }
 

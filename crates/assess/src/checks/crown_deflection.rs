@@ -41,6 +41,7 @@ impl Check for CrownDeflection {
                     basis: format!("{}; first axle at {:.2} m", place.about, place.minimum_at_m),
                     position: Some(place.minimum_at_m),
                     columns: Some(columns(facts, place.self_weight, place.minimum)),
+                    strength: false,
                 });
             }
         }

@@ -55,6 +55,7 @@ impl Check for StressRange {
                 basis: format!("{}; {cycles:.0e} cycles, strength {strength:.2} MPa", at.about),
                 position: Some(at.minimum_at_m),
                 columns: None,
+                strength: false,
             });
         }
         if list.is_empty() { Err(NotMade::because("no stress was watched while the train crossed")) } else { Ok(list) }

@@ -31,6 +31,7 @@ impl Check for JointShear {
             basis: joint.shear_at.clone(),
             position: Some(joint.shear_position_m),
             columns: None,
+            strength: false,
         })
     }
 }

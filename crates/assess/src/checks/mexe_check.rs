@@ -52,6 +52,7 @@ impl Check for MexeAxle {
             basis,
             position: None,
             columns: None,
+            strength: false,
         }])
     }
 }

@@ -9,6 +9,7 @@ pub mod mexe;
 mod mexe_check;
 mod movement;
 mod permissible;
+mod strength;
 mod stress;
 mod thrust;
 mod vehicles;
@@ -54,6 +55,8 @@ pub struct Finding {
     /// Self-weight, live load with design augment, their sum, live load with total augment, their sum: the columns of the
     /// railway paper's Table 7, where the check has them.
     pub columns: Option<[f64; 5]>,
+    /// Whether this is a check of strength: at ultimate, under factors with a source.
+    pub strength: bool,
 }
 
 impl Finding {

@@ -37,6 +37,7 @@ impl Check for SupportMovement {
             basis: format!("the bridge stood at {stood:.1} mm; safety on the movement {:.2}", limits.movement_factor),
             position: None,
             columns: None,
+            strength: false,
         }])
     }
 }

@@ -37,6 +37,7 @@ impl Check for PermissibleShare {
             basis: format!("adequacy factor {factor:.3}"),
             position: facts.position_m,
             columns: None,
+            strength: false,
         }])
     }
 }

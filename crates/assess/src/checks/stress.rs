@@ -65,6 +65,7 @@ fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
                     basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
                     position: Some(position),
                     columns: Some(columns(facts, at.self_weight, live)),
+                    strength: false,
                 });
             }
         }

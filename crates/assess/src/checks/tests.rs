@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::wire::{
-    AugmentFacts, JointFacts, MovementFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts,
-    VehicleFacts,
+    AugmentFacts, JointFacts, MovementFacts, PlaceFacts, SafetyFacts, ServiceFacts, ServiceLoadFacts, SweptFacts,
+    UltimateFacts, VehicleFacts,
 };
 use bridge::assess::{Assess, Limits};
 
@@ -52,6 +52,8 @@ fn assessment() -> Assessment {
         joint_shear: Some(1e6),
         thrust_zone: Some(0.5),
         adequacy_factor: Some(2.0),
+        adequacy_source: Some("a test, clause 1".into()),
+        load_factor_included: 1.0,
         permissible_share: Some(0.5),
         movement_factor: 1.0,
         ..Limits::default()
@@ -94,14 +96,83 @@ fn the_largest_utilisation_governs_and_failures_leave_nothing_settled() {
     let worst = &checked[check].outcome.as_ref().unwrap()[finding];
     // 0.2 of the depth against 0.25.
     assert_eq!((checked[check].card.code, worst.utilisation), ("C106", 0.8));
-    assert_eq!(verdict(&checked).status, "adequate");
+    let judged = |a: &Assessment| verdict(a, &run(a));
+    assert_eq!((judged(&a).status, judged(&a).strength.assessed), ("adequate", true));
     a.ultimate = Stage::Failed("no answer".into());
-    assert_eq!(verdict(&run(&a)).status, "undetermined");
+    assert_eq!((judged(&a).status, judged(&a).finished), ("undetermined", false));
     a.asked.limits.joint_shear = Some(0.3e6);
-    assert_eq!(verdict(&run(&a)).status, "inadequate");
+    assert_eq!(judged(&a).status, "inadequate");
     a.asked = Assess::default();
     a.ultimate = Stage::NotAsked("no load".into());
-    assert_eq!(verdict(&run(&a)).status, "undetermined");
+    assert_eq!((judged(&a).status, judged(&a).finished), ("undetermined", true));
+}
+
+/// Limits that are met are no verdict on strength: not without a source of the factor, nor with a factor of 1.
+#[test]
+fn limits_that_are_met_assess_no_strength() {
+    let mut a = assessment();
+    a.asked.limits.adequacy_source = None;
+    let found = verdict(&a, &run(&a));
+    assert_eq!((found.status, found.headline), ("undetermined", "Limits met; strength not assessed"));
+    assert!(
+        found.finished && found.strength.missing.iter().any(|words| words.contains("adequacy_source")),
+        "{found:?}"
+    );
+    let sourced = Some("a test".to_owned());
+    (a.asked.limits.adequacy_source, a.asked.limits.adequacy_factor) = (sourced, Some(1.0));
+    assert_eq!(verdict(&a, &run(&a)).status, "undetermined");
+    a.asked.limits.load_factor_included = 1.9;
+    assert_eq!(verdict(&a, &run(&a)).status, "adequate");
+}
+
+/// A rule without a factor on live loads passes nothing, and turns down what fails even so.
+#[test]
+fn a_rule_without_safety_passes_no_vehicle() {
+    let mut a = assessment();
+    a.asked.limits.adequacy_factor = None;
+    let mut with = |adequacy: f64, live_load: f64, confidence: &str| {
+        let vehicle = SweptFacts {
+            code: "heavy".into(),
+            status: "collapsed".into(),
+            adequacy: Some(adequacy),
+            ..SweptFacts::default()
+        };
+        let safety = SafetyFacts {
+            rule: "own".into(),
+            live_load,
+            live_load_confidence: confidence.into(),
+            ..SafetyFacts::default()
+        };
+        a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
+        let found = verdict(&a, &run(&a));
+        (found.status, found.strength.assessed)
+    };
+    assert_eq!(with(24.0, 1.0, "read"), ("undetermined", false));
+    assert_eq!(with(24.0, 1.9, "assumed"), ("undetermined", false));
+    assert_eq!(with(0.99, 1.0, "read"), ("inadequate", false));
+    assert_eq!(with(1.01, 1.9, "recalled"), ("adequate", true));
+    assert_eq!(with(0.99, 1.9, "recalled"), ("inadequate", true));
+}
+
+/// A vehicle that limit analysis left open is neither passed nor forgotten; one that fails is turned down all the same.
+#[test]
+fn a_vehicle_left_open_leaves_the_verdict_open() {
+    let mut a = assessment();
+    let mut with = |other: f64| {
+        let vehicle = |code: &str, adequacy: Option<f64>, status: &str| SweptFacts {
+            code: code.into(),
+            status: status.into(),
+            adequacy,
+            ..SweptFacts::default()
+        };
+        let vehicles = vec![vehicle("light", Some(other), "collapsed"), vehicle("heavy", None, "not-converged")];
+        let safety = SafetyFacts { live_load: 1.9, live_load_confidence: "read".into(), ..SafetyFacts::default() };
+        a.vehicles = Stage::Made(VehicleFacts { vehicles, safety, ..VehicleFacts::default() });
+        let found = verdict(&a, &run(&a));
+        (found.status, found.finished)
+    };
+    assert_eq!(with(2.0), ("undetermined", false));
+    assert_eq!(with(0.9), ("inadequate", true));
 }
 
 #[test]
@@ -179,7 +250,7 @@ fn a_bridge_that_does_not_stand_settles_nothing_of_its_share() {
     }
     a.asked.limits.adequacy_factor = Some(1.0);
     a.ultimate = Stage::Made(with("unstable-under-self-weight"));
-    assert_eq!(verdict(&run(&a)).status, "inadequate");
+    assert_eq!(verdict(&a, &run(&a)).status, "inadequate");
 }
 
 /// The smaller of both methods counts, for the vehicle that was made by both.
@@ -198,6 +269,7 @@ fn discrete_elements_count_where_they_carry_less() {
             vehicles: vec![vehicle("heavy", 1.1), vehicle("light", 2.0)],
             governing: Some("heavy".into()),
             adequacy_by_discrete_elements: Some(by_dem),
+            safety: SafetyFacts { live_load: 1.9, live_load_confidence: "read".into(), ..SafetyFacts::default() },
             ..VehicleFacts::default()
         });
         let found = vehicles::Vehicles.run(&a).unwrap();

@@ -33,6 +33,7 @@ impl Check for ThrustZone {
             basis: joint.eccentricity_at.clone(),
             position: Some(joint.eccentricity_position_m),
             columns: None,
+            strength: false,
         })
     }
 }

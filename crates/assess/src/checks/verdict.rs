@@ -1,14 +1,23 @@
-//! From findings to a verdict: everything that was checked is met, something is not, or nothing is settled.
+//! From findings to a verdict, by a ladder: a limit that is not met, an analysis that came to no end, limits that are met without
+//! strength being assessed, strength assessed and everything met.
 
+use super::strength::{Strength, strength};
 use super::{Checked, Finding};
+use crate::assessment::Assessment;
 
 /// The verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// "adequate", "inadequate" or "undetermined".
     pub status: &'static str,
+    /// The rung of the ladder, in a few words.
+    pub headline: &'static str,
     /// In a sentence or two.
     pub words: String,
+    /// Whether every analysis that a check rests on came to an end.
+    pub finished: bool,
+    /// Whether strength was assessed, what is missing, and what qualifies it.
+    pub strength: Strength,
 }
 
 /// The finding with the largest utilisation: indices of its check and of itself.
@@ -21,56 +30,69 @@ pub fn governing(checked: &[Checked]) -> Option<(usize, usize)> {
     worst.map(|(check, finding, _)| (check, finding))
 }
 
-/// Inadequate where a limit is not met; undetermined where an analysis failed that a check rests on, or where nothing could
-/// be checked; adequate otherwise: checks that the file gives no limit for are listed and do not count.
-pub fn verdict(checked: &[Checked]) -> Verdict {
+/// Inadequate where a limit is not met. Undetermined where an analysis failed that a check rests on, where nothing could be
+/// compared, and where limits are met but no ultimate check was made under factors with a source. Adequate otherwise: checks
+/// that the file gives no limit for are listed and do not count.
+pub fn verdict(a: &Assessment, checked: &[Checked]) -> Verdict {
     let made: Vec<&Finding> = checked.iter().flat_map(|check| check.outcome.iter().flatten()).collect();
     let broken = made.iter().filter(|finding| !finding.met()).count();
     let failed: Vec<&str> =
         checked.iter().filter(|check| check.outcome.as_ref().is_err_and(|e| e.failed)).map(|c| c.card.title).collect();
-    let most = governing(checked).map(|(c, k)| {
-        let finding = &checked[c].outcome.as_ref().expect("a finding governs")[k];
-        format!(
-            "{} ({}) governs: {:.0} % of its limit is used",
-            checked[c].card.title,
-            finding.load_model,
-            100.0 * finding.utilisation.min(1e6)
-        )
-    });
-    let most = most.map(|words| capital(&words)).unwrap_or_default();
+    let most = most(checked);
     let open = checked.iter().filter(|check| check.outcome.is_err()).count();
     let not_made = match open {
         0 => String::new(),
         1 => " One check was not made; the report says why.".to_owned(),
         n => format!(" {n} checks were not made; the report says why of each."),
     };
-    match (broken, failed.is_empty(), made.is_empty()) {
-        (1.., _, _) => Verdict {
-            status: "inadequate",
-            words: format!(
-                "The bridge does not meet {broken} of the {} comparisons that were made. {most}.{not_made}",
-                made.len()
+    let strength = strength(a, checked);
+    let comparisons = match made.len() {
+        1 => "one comparison".to_owned(),
+        n => format!("{n} comparisons"),
+    };
+    let (status, headline, words) = match (broken, failed.is_empty(), made.is_empty()) {
+        (1.., _, _) => (
+            "inadequate",
+            "Not adequate",
+            format!("The bridge does not meet {broken} of the {} comparisons that were made. {most}.", made.len()),
+        ),
+        (0, false, _) => (
+            "undetermined",
+            "Undetermined",
+            format!("An analysis came to no end, so that nothing is settled: {} open.", failed.join(", ")),
+        ),
+        (0, true, true) => (
+            "undetermined",
+            "Undetermined: strength not assessed",
+            "No check could be made: the file gives no limits to compare with, and no factors with a source."
+                .to_owned(),
+        ),
+        (0, true, false) if !strength.assessed => (
+            "undetermined",
+            "Limits met; strength not assessed",
+            format!(
+                "The bridge meets every limit that it was compared with ({comparisons}), but nothing says that it is safe: no \
+                 ultimate check was made under factors with a source. {most}."
             ),
-        },
-        (0, false, _) => Verdict {
-            status: "undetermined",
-            words: format!(
-                "An analysis came to no end, so that nothing is settled: {} open.{not_made}",
-                failed.join(", ")
-            ),
-        },
-        (0, true, true) => Verdict {
-            status: "undetermined",
-            words: format!("No check could be made: the file gives no limits to compare with.{not_made}"),
-        },
-        (0, true, false) => Verdict {
-            status: "adequate",
-            words: format!(
-                "The bridge meets every limit that it was compared with, {} comparisons in all. {most}.{not_made}",
-                made.len()
-            ),
-        },
-    }
+        ),
+        (0, true, false) => (
+            "adequate",
+            "Adequate",
+            format!("The bridge meets every limit that it was compared with, {comparisons} in all. {most}."),
+        ),
+    };
+    Verdict { status, headline, words: words + &not_made, finished: failed.is_empty(), strength }
+}
+
+/// What governs, in a sentence.
+fn most(checked: &[Checked]) -> String {
+    let found =
+        governing(checked).and_then(|(c, k)| Some((checked[c].card, checked[c].outcome.as_ref().ok()?.get(k)?)));
+    let words = found.map(|(card, finding)| {
+        let used = 100.0 * finding.utilisation.min(1e6);
+        format!("{} ({}) governs: {used:.0} % of its limit is used", card.title, finding.load_model)
+    });
+    words.map(|words| capital(&words)).unwrap_or_default()
 }
 
 /// A sentence begins with a capital.

@@ -12,6 +12,10 @@ use serde_json::Value;
 pub struct AssessObject {
     bridge: String,
     verdict: String,
+    headline: &'static str,
+    strength_assessed: bool,
+    missing: Vec<String>,
+    qualifications: Vec<String>,
     checks: Vec<CheckObject>,
     not_made: Vec<NotMadeObject>,
     governing: Option<GoverningObject>,
@@ -111,6 +115,10 @@ impl AssessObject {
         AssessObject {
             bridge: a.bridge.name.clone(),
             verdict: verdict.words.clone(),
+            headline: verdict.headline,
+            strength_assessed: verdict.strength.assessed,
+            missing: verdict.strength.missing.clone(),
+            qualifications: verdict.strength.qualifications.clone(),
             checks: found.collect(),
             not_made: not_made.collect(),
             governing: worst,

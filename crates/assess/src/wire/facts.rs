@@ -150,6 +150,8 @@ pub struct VehicleFacts {
     pub rule: String,
     /// Every factor of the rule: name, value, source.
     pub factors: Vec<[String; 3]>,
+    /// What safety the rule holds.
+    pub safety: SafetyFacts,
     /// One entry a vehicle.
     pub vehicles: Vec<SweptFacts>,
     /// Distance between positions [m].
@@ -164,6 +166,19 @@ pub struct VehicleFacts {
     pub assumptions: Vec<String>,
     /// Warnings: code and words.
     pub warnings: Vec<[String; 2]>,
+}
+
+/// What safety a rule holds.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SafetyFacts {
+    /// Code of the rule.
+    pub rule: String,
+    /// Factor on live loads, without impact.
+    pub live_load: f64,
+    /// How sure it is: "read", "calculated", "recalled" or "assumed".
+    pub live_load_confidence: String,
+    /// Every factor as "name value", and how sure it is.
+    pub factors: Vec<(String, String)>,
 }
 
 /// A vehicle that was moved over the bridge.

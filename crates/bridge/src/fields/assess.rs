@@ -39,6 +39,16 @@ pub(super) static ASSESS: Section = Section {
         Field::new("adequacy_factor", Kind::Number, "least factor on loads at ultimate", "1.0")
             .positive()
             .optional("factors are listed and not checked"),
+        Field::new(
+            "adequacy_source",
+            Kind::Text,
+            "document and clause that `adequacy_factor` is from",
+            "BS 5400-2, Table 1",
+        )
+        .optional("`adequacy_factor` is compared with, but assesses no strength: no verdict of adequacy rests on it"),
+        Field::new("load_factor_included", Kind::Number, "factor that the forces of [[load]] already carry", "1.9")
+            .at_least(1.0)
+            .default("1"),
         Field::new("permissible_share", Kind::Number, "largest share of the ultimate load in service", "0.5")
             .above(0.0)
             .at_most(1.0)

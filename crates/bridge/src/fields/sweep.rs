@@ -20,8 +20,9 @@ pub(super) static SWEEP: Section = Section {
           neighbouring axles, loads and weights with the factors of a rule. Vehicles and rules of the library are listed in \
           docs/theory/load-rules.md.",
     fields: &[
-        Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454")
-            .optional("\"characteristic\": no safety, for comparisons; or given by `rule_file`"),
+        Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454").optional(
+            "\"characteristic\": no safety, for comparisons and never for a verdict; or given by `rule_file`",
+        ),
         Field::new("rule_file", Kind::Text, "file with a rule, relative to the bridge file", "our-rule.toml")
             .optional("a rule of the library"),
         Field::new(

@@ -13,7 +13,7 @@ pub(crate) const SECTIONS: [&str; 4] = ["assess", "service_load", "mexe", "expec
 pub(crate) fn assess(file: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<Assess> {
     let limits = match file.has("assess") {
         true => file.table("assess", findings).and_then(|table| limits(&table, findings)),
-        false => Some(Limits { movement_factor: 1.0, ..Limits::default() }),
+        false => Some(Limits { movement_factor: 1.0, load_factor_included: 1.0, ..Limits::default() }),
     };
     let loads: Vec<Option<ServiceLoad>> =
         file.tables("service_load", findings).iter().map(|table| service_load(table, findings)).collect();
@@ -50,7 +50,7 @@ fn text(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<Option<
 }
 
 fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
-    let [source, rule] = ["source", "rule"].map(|key| text(table, key, findings));
+    let [source, rule, adequacy_source] = ["source", "rule", "adequacy_source"].map(|key| text(table, key, findings));
     let [loaded_length, cushion, deflection, compression, tension, joint_shear, expected_movement] = [
         "loaded_length",
         "cushion",
@@ -61,8 +61,8 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
         "expected_movement",
     ]
     .map(|key| quantity(table, key, findings));
-    let [adequacy_factor, permissible_share, load_cycles, movement_factor] =
-        ["adequacy_factor", "permissible_share", "load_cycles", "movement_factor"]
+    let [adequacy_factor, load_factor_included, permissible_share, load_cycles, movement_factor] =
+        ["adequacy_factor", "load_factor_included", "permissible_share", "load_cycles", "movement_factor"]
             .map(|key| number(table, key, findings));
     let zone = table.word("thrust_zone", findings);
     let zone = maybe(table, "thrust_zone", zone)?;
@@ -77,6 +77,8 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
         joint_shear: joint_shear?,
         thrust_zone: zone.map(|word| if word == "middle-third" { 1.0 / 3.0 } else { 0.5 }),
         adequacy_factor: adequacy_factor?,
+        adequacy_source: adequacy_source?,
+        load_factor_included: load_factor_included?.unwrap_or(1.0),
         permissible_share: permissible_share?,
         load_cycles: load_cycles?,
         expected_movement: expected_movement?,

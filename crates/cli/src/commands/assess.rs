@@ -44,6 +44,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     for [code, message] in done.warnings() {
         report.warn(&mut desk.screen, &code, &message);
     }
+    if !done.verdict.strength.assessed {
+        report.warn(&mut desk.screen, ::assess::warning::STRENGTH_OPEN, &done.verdict.strength.missing.join("; "));
+    }
     for stage in &done.appendix.stages {
         if stage.state.starts_with("failed") {
             report.warn(
@@ -103,6 +106,7 @@ impl Done {
     /// The answer for scripts.
     pub fn report(&self, source: &Source) -> Report {
         let mut report = source.report(Status::named(self.verdict.status).unwrap_or(Status::Undetermined));
+        report.finished = self.verdict.finished;
         report.fields =
             report::fields_of(wire::AssessObject::new(&self.assessment, &self.checked, &self.verdict, &self.condition));
         let stages: Vec<serde_json::Value> = self
@@ -157,7 +161,7 @@ fn assessed(
     let chain = Chain { source, path, folder, kept: &kept, skip: &arguments.skip, quiet };
     let Some(linked) = chain.run()? else { return Ok(None) };
     let (assessment, checked, figures, stages) = linked;
-    let verdict = checks::verdict(&checked);
+    let verdict = checks::verdict(&assessment, &checked);
     let condition = condition(&assessment);
     let text = String::from_utf8_lossy(&source.text);
     let appendix = Appendix {

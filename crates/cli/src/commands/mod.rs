@@ -117,7 +117,7 @@ fn speak(desk: &mut Desk, answer: Answer) -> u8 {
                 false => report.summary.clone(),
             };
             desk.screen.result(&text);
-            report.status.exit_code()
+            report.exit_code()
         }
     }
 }

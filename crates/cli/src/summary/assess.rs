@@ -15,7 +15,19 @@ pub fn assessment(
     report: &str,
     folder: &Path,
 ) -> String {
-    let mut text = format!("{}: {}\n\n{}\n", a.bridge.name, verdict.status.to_uppercase(), verdict.words);
+    let rung = match verdict.headline.eq_ignore_ascii_case(verdict.status) {
+        true => String::new(),
+        false => format!(" ({})", verdict.headline),
+    };
+    let mut text = format!("{}: {}{rung}\n\n{}\n", a.bridge.name, verdict.status.to_uppercase(), verdict.words);
+    for (title, list) in
+        [("missing", &verdict.strength.missing), ("what qualifies this verdict", &verdict.strength.qualifications)]
+    {
+        if !list.is_empty() {
+            let _ = writeln!(text, "\n  {title}");
+            list.iter().for_each(|words| text += &format!("    - {words}\n"));
+        }
+    }
     let _ = writeln!(
         text,
         "\n  {:<5}{:<27}{:<34}{:>11}{:>11}  {:<22}{:>8}",

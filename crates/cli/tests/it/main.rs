@@ -19,4 +19,5 @@ mod tiny;
 mod twins;
 mod update;
 mod vary;
+mod verdict;
 mod walls;

@@ -51,6 +51,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         (0, 0, 0) => Status::Adequate,
         _ => Status::Undetermined,
     });
+    report.finished = rows.iter().all(|row| row.finished);
     let listed = |row: &&FleetRow| json!({ "file": row.file, "status": row.status, "message": row.words });
     report = report
         .with("bridges", rows.len())
@@ -118,6 +119,7 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
         utilisation: None,
         governing: String::new(),
         load_model: String::new(),
+        finished: false,
         broken: 0,
         words,
         report: String::new(),
@@ -164,6 +166,7 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
         governing: finding
             .map_or(String::new(), |(c, _)| format!("{} {}", done.checked[c].card.code, done.checked[c].card.title)),
         load_model: finding.map_or(String::new(), |(_, finding)| finding.load_model.clone()),
+        finished: done.verdict.finished,
         broken: all.filter(|finding| !finding.met()).count(),
         report: format!("{}/report.html", web(&stem)),
         ..blank(Status::named(done.verdict.status).unwrap_or(Status::Undetermined), done.verdict.words.clone())

@@ -1,0 +1,99 @@
+//! Whether strength was assessed: what an ultimate check under factors with a source still needs, and what qualifies one that
+//! was made.
+
+use super::Checked;
+use crate::assessment::Assessment;
+use crate::warning;
+
+/// Codes of the checks at ultimate that can assess strength.
+const ULTIMATE: [&str; 2] = ["C201", "C204"];
+/// Warnings that do not qualify a verdict: numbers chosen for the reader, and factors that are listed by name anyway.
+const BESIDE: [&str; 2] = [warning::CHOSEN, warning::RECALLED_FACTOR];
+/// What assesses strength, in words.
+const WANTED: &str = "strength was not assessed: no ultimate check was made under factors with a source";
+
+/// Whether strength was assessed.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Strength {
+    /// Whether an ultimate check was made under factors with a source, and none came to no end.
+    pub assessed: bool,
+    /// What is missing, in words; empty where it was assessed.
+    pub missing: Vec<String>,
+    /// What qualifies a check that was made, in words.
+    pub qualifications: Vec<String>,
+}
+
+/// Reads it off the checks.
+pub fn strength(a: &Assessment, checked: &[Checked]) -> Strength {
+    let ultimate: Vec<&Checked> = checked.iter().filter(|one| ULTIMATE.contains(&one.card.code)).collect();
+    let failed = ultimate.iter().any(|one| one.outcome.as_ref().is_err_and(|why| why.failed));
+    let made = ultimate.iter().flat_map(|one| one.outcome.iter().flatten());
+    let assessed = made.clone().any(|finding| finding.strength) && !failed;
+    let missing = if assessed { Vec::new() } else { missing(a, &ultimate) };
+    let qualifications = if made.count() > 0 { qualifications(a) } else { Vec::new() };
+    Strength { assessed, missing, qualifications }
+}
+
+fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
+    let mut list = vec![WANTED.to_owned()];
+    for check in ultimate {
+        let card = check.card;
+        match &check.outcome {
+            Err(why) => list.push(format!("{} ({}): {}", card.title, card.code, why.why)),
+            Ok(_) if card.code == "C201" => {
+                list.extend(of_the_file(a).map(|why| format!("{} (C201): {why}", card.title)))
+            }
+            Ok(_) => {}
+        }
+    }
+    list
+}
+
+/// Why the factor of the file is none that assesses strength; none where it is one.
+pub(super) fn of_the_file(a: &Assessment) -> Option<String> {
+    let limits = &a.asked.limits;
+    let asked = limits.adequacy_factor?;
+    if asked * limits.load_factor_included <= 1.0 {
+        return Some(format!(
+            "a factor of {asked} on loads that carry a factor of {} is no safety: write the factor of a rule as adequacy_factor, or \
+             load_factor_included where the forces of the file carry it, in [assess]",
+            limits.load_factor_included
+        ));
+    }
+    match limits.adequacy_source {
+        Some(_) => None,
+        None => Some(
+            "the file names no source of its adequacy_factor: write adequacy_source = \"document, clause\" in [assess]"
+                .to_owned(),
+        ),
+    }
+}
+
+/// Factors that were not read in their source, and warnings of the analyses behind the ultimate checks, each in a line.
+fn qualifications(a: &Assessment) -> Vec<String> {
+    let mut list = Vec::new();
+    if let Some(facts) = a.vehicles.made() {
+        let told = |word: &str| {
+            let some = facts.safety.factors.iter().filter(|(_, confidence)| confidence == word);
+            some.map(|(named, _)| named.as_str()).collect::<Vec<_>>().join(", ")
+        };
+        for (word, what) in [
+            ("recalled", "recalled and not read in their source, confirm them"),
+            ("assumed", "assumed, since no source gives them"),
+        ] {
+            let named = told(word);
+            if !named.is_empty() {
+                list.push(format!("factors of rule \"{}\" that are {what}: {named}", facts.safety.rule));
+            }
+        }
+    }
+    let stages = [a.vehicles.made().map(|facts| &facts.warnings), a.ultimate.made().map(|facts| &facts.warnings)];
+    for [code, message] in stages.into_iter().flatten().flatten() {
+        let title = warning::explain(code).map_or(message.as_str(), |card| card.title);
+        let line = format!("{title} ({code})");
+        if !BESIDE.contains(&code.as_str()) && !list.contains(&line) {
+            list.push(line);
+        }
+    }
+    list
+}
