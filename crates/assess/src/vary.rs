@@ -2,6 +2,7 @@
 
 mod design;
 mod sensitivity;
+mod sweep;
 
 pub use design::{Design, Run, count, runs};
 pub use sensitivity::{Extreme, Sensitivity, Trend, sensitivity};
@@ -47,6 +48,17 @@ pub const COLLAPSE: Analysis = Analysis {
         })
     },
 };
+
+/// Vehicles of the file's [sweep] moved over the bridge, or else its loads.
+pub const SWEEP: Analysis = Analysis {
+    name: "sweep",
+    leading: &["adequacy_factor", "load_factor"],
+    brackets: &[["adequacy_upper_bound", "adequacy_lower_bound"]],
+    run: sweep::run,
+};
+
+/// Numbers that only a sweep finds.
+pub const OF_SWEEPS: [&str; 3] = ["adequacy_factor", "load_factor", "governing_position_m"];
 
 /// What one run gave. That it did not converge, or did not stand, is an outcome too.
 #[derive(Debug, Clone, PartialEq, Default)]

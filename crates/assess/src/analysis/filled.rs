@@ -100,7 +100,7 @@ pub fn as_saved(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
 }
 
 /// Refuses a packing of another region: the centres of its particles must lie in this one.
-fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), AnalysisError> {
+pub(super) fn fits(region: &FillRegion, grains: &[[f64; 3]]) -> Result<(), AnalysisError> {
     let astray = |g: &&[f64; 3]| !region.holds(vec2(g[0], g[1]));
     match grains.iter().find(astray) {
         None => Ok(()),

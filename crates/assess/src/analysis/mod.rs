@@ -13,6 +13,7 @@ mod of_blocks;
 pub mod passage;
 mod picture;
 mod places;
+mod planned;
 mod report;
 mod strips;
 mod sweep;
@@ -25,6 +26,7 @@ pub use by_fe::collapse_by_fe;
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
+pub use planned::planned;
 pub use report::{
     Collapse, Combination, Component, DemReport, FiniteReport, LimitReport, PackingReport, Status, SupportReport,
     ThicknessReport,

@@ -20,7 +20,7 @@ const THICKEST: f64 = 8.0;
 const THINNEST: f64 = 0.02;
 
 /// The same bridge with all rings `factor` times as thick, on the same intrados, its loads at rest on it.
-fn thickened(bridge: &Bridge, factor: f64) -> Result<Discretised, AnalysisError> {
+pub(super) fn thickened(bridge: &Bridge, factor: f64) -> Result<Discretised, AnalysisError> {
     let mut changed = bridge.clone();
     for ring in changed.spans.iter_mut().flat_map(|s| &mut s.rings) {
         ring.crown_thickness *= factor;

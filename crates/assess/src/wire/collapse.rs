@@ -49,8 +49,10 @@ pub struct CollapseObject {
     warnings: Vec<WarningObject>,
     tolerance: f64,
     seed: u64,
-    threads: usize,
-    wall_seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    threads: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_seconds: Option<f64>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -294,8 +296,8 @@ impl CollapseObject {
             warnings,
             tolerance: c.tolerance,
             seed: c.seed,
-            threads: run.threads,
-            wall_seconds: run.wall_seconds,
+            threads: (run.threads > 0).then_some(run.threads),
+            wall_seconds: (run.threads > 0).then_some(run.wall_seconds),
         }
     }
 }

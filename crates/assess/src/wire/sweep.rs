@@ -13,8 +13,10 @@ pub struct SweepObject {
     governing: Option<Position>,
     positions: Vec<Position>,
     warnings: Vec<WarningObject>,
-    threads: usize,
-    wall_seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    threads: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_seconds: Option<f64>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -49,8 +51,8 @@ impl SweepObject {
             governing: sweep.governing.map(|k| position(&sweep.points[k])),
             positions: sweep.points.iter().map(position).collect(),
             warnings: run.file_warnings.clone(),
-            threads: run.threads,
-            wall_seconds: run.wall_seconds,
+            threads: (run.threads > 0).then_some(run.threads),
+            wall_seconds: (run.threads > 0).then_some(run.wall_seconds),
         }
     }
 }

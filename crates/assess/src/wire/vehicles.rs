@@ -24,8 +24,10 @@ pub struct VehicleSweepObject {
     collapse: Option<CollapseObject>,
     assumptions: Vec<String>,
     warnings: Vec<WarningObject>,
-    threads: usize,
-    wall_seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    threads: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_seconds: Option<f64>,
 }
 
 /// The governing position, as in sweeps of the file's own loads, with its vehicle.
@@ -141,7 +143,7 @@ impl VehicleSweepObject {
     pub fn new(found: &VehicleSweep, run: &Run) -> VehicleSweepObject {
         let governing = found.governing.and_then(|k| found.vehicles.get(k));
         VehicleSweepObject {
-            schema: "extrados.sweep/1",
+            schema: "extrados.vehicle-sweep/1",
             status: if governing.is_some() { "completed" } else { "undetermined" },
             bridge: found.bridge.clone(),
             rule: RuleObject {
@@ -162,8 +164,8 @@ impl VehicleSweepObject {
             collapse: found.collapse.as_ref().map(|c| CollapseObject::new(c, &Run::default())),
             assumptions: found.assumptions.clone(),
             warnings: run.file_warnings.iter().cloned().chain(found.warnings.iter().map(WarningObject::from)).collect(),
-            threads: run.threads,
-            wall_seconds: run.wall_seconds,
+            threads: (run.threads > 0).then_some(run.threads),
+            wall_seconds: (run.threads > 0).then_some(run.wall_seconds),
         }
     }
 }

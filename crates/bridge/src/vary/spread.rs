@@ -66,17 +66,57 @@ pub fn settle(quantity: &Quantity, spread: &Spread) -> Result<Varied, Slip> {
     };
     let scale = own.as_ref().map(|(_, scale)| scale.clone());
     let scale = scale.or_else(|| literals.iter().find_map(|value| Some(measure(quantity.field, value)?.1)));
-    let setting = |literal: &str| {
+    let setting = |literal: &str, text: String| {
         let number = measure(quantity.field, literal);
         let number = number.zip(scale.as_ref()).and_then(|((number, from), to)| convert(number, &from, to));
-        Setting { literal: literal.to_owned(), text: text_of(literal), number }
+        Setting { literal: literal.to_owned(), text, number }
     };
+    let texts = texts(quantity.field, spread, &literals);
     Ok(Varied {
         path: quantity.path.clone(),
         unit: scale.as_ref().map(Scale::unit).unwrap_or_default(),
-        own: quantity.own.as_deref().map(setting),
-        values: literals.iter().map(|literal| setting(literal)).collect(),
+        own: quantity.own.as_deref().map(|own| setting(own, text_of(own))),
+        values: literals.iter().zip(texts).map(|(literal, text)| setting(literal, text)).collect(),
     })
+}
+
+/// Values as people write them: what somebody wrote as it stands, what was worked out with the digits that tell one value from the
+/// next. Runs take the value itself.
+fn texts(field: &Field, spread: &Spread, literals: &[String]) -> Vec<String> {
+    let number = |literal: &String| measure(field, literal).map(|(number, _)| number);
+    let last = literals.len().saturating_sub(1);
+    let one = |(k, literal): (usize, &String)| {
+        let written = match spread {
+            Spread::List(list) => list.get(k).is_some_and(|written| factor_of(written).is_none()),
+            Spread::Range { from, to, .. } => {
+                (k == 0 && factor_of(from).is_none()) || (k == last && factor_of(to).is_none())
+            }
+        };
+        let near = |other: Option<usize>| Some((number(literal)? - number(literals.get(other?)?)?).abs());
+        let steps = [near(k.checked_sub(1)), near(Some(k + 1))].into_iter().flatten().filter(|step| *step > 0.0);
+        match measure(field, literal).filter(|_| !written) {
+            Some((number, scale)) => {
+                let least = number.abs() / 100.0;
+                text_of(&scale.literal(rounded(number, steps.fold(least, f64::min))))
+            }
+            None => text_of(literal),
+        }
+    };
+    literals.iter().enumerate().map(one).collect()
+}
+
+/// The factor of a relative value, as TOML has it.
+fn factor_of(written: &str) -> Option<f64> {
+    written.trim().parse::<Value>().ok()?.as_str().and_then(factor)
+}
+
+/// A number to a hundredth of the power of ten below a step.
+fn rounded(number: f64, step: f64) -> f64 {
+    let digits = 2.0 - step.log10().floor();
+    if !(0.0..=12.0).contains(&digits) || !number.is_finite() {
+        return tidy(number);
+    }
+    format!("{number:.0$}", digits as usize).parse().unwrap_or(number)
 }
 
 /// A value without quotes, with a blank before its unit.
@@ -184,6 +224,21 @@ mod tests {
         assert_eq!(texts("load[1].at", &range("1/10 of span 1", "1/2 of span 1", 3, false))[1], "0.3 of span 1");
         assert_eq!(texts("analysis.seed", &Spread::List(vec!["1".into(), "2".into()])), ["1", "2"]);
         assert_eq!(texts("analysis.damping", &Spread::List(vec!["\"adaptive\"".into()])), ["adaptive"]);
+    }
+
+    #[test]
+    fn values_that_were_worked_out_have_the_digits_people_write() {
+        assert_eq!(
+            texts("span.thickness", &range("0.267 m", "0.8 m", 4, false)),
+            ["0.267 m", "0.445 m", "0.622 m", "0.8 m"]
+        );
+        let thirds = find(&Document::parse(FILE).unwrap(), "span.thickness").unwrap();
+        let varied = settle(&thirds, &range("0.267 m", "0.8 m", 4, false)).unwrap();
+        assert_eq!(varied.values[1].number, Some(0.444666666667), "runs take the value itself");
+        let close = texts("span.thickness", &range("0.711 m", "0.7113 m", 4, false));
+        assert!(close.windows(2).all(|pair| pair[0] != pair[1]), "{close:?}");
+        let list = Spread::List(vec!["\"0.444666666667 m\"".into()]);
+        assert_eq!(texts("span.thickness", &list), ["0.444666666667 m"], "what somebody wrote stands");
     }
 
     #[test]

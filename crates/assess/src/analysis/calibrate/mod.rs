@@ -21,11 +21,12 @@ pub use sample::{Cut, Sample};
 use super::by_dem::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
 use crate::warning::{self, Warning};
-use bridge::{Bridge, Modulus, Particles, Strip};
+use bridge::{Bridge, Modulus, Particles, Sizes, Strip};
 use crowd::Crowd;
 use mechanics::watch::Watch;
 use press::Rig;
 use search::{Found, search};
+use std::f64::consts::PI;
 
 /// Share of the work of one sample's press that one packing takes, for the estimate of the time left.
 const PACKING_WORK: f64 = 30.0;
@@ -79,6 +80,31 @@ const EXPECTED_ROUNDS: f64 = 5.0;
 
 /// Squares in one packing, until it is known.
 const EXPECTED_SQUARES: f64 = 12.0;
+
+/// Refuses what calibration refuses before it packs: fill without particles, a saved packing, a square that the fill cannot hold, or that
+/// holds too few particles of the mean size that the fill leaves them.
+pub fn planned(bridge: &Bridge) -> Result<(), AnalysisError> {
+    let (bridge, particles) = prepared(bridge)?;
+    require_stiffness(&bridge)?;
+    let d = crate::discretise::discretise(&bridge)?;
+    let Some(region) = &d.fill else { return Err(AnalysisError::NoParticles) };
+    let size = bridge.calibration.sample_size;
+    let diameter = match particles.sizes {
+        Sizes::Diameters { smallest, .. } => smallest,
+        // Discs that fill the region wholly; packed ones are a little smaller.
+        Sizes::Count { count, .. } => PACKED * (4.0 * region.area / (PI * count.max(1) as f64)).sqrt(),
+    };
+    if size < LEAST_SAMPLE * diameter {
+        return Err(AnalysisError::SmallSample { size, diameter });
+    }
+    if squares::squares(region, size, diameter).is_empty() {
+        return Err(AnalysisError::NoSample { size });
+    }
+    Ok(())
+}
+
+/// Mean diameter of packed discs over that of discs which fill the region wholly, at the least: a solid fraction of 0.75 and spread sizes.
+const PACKED: f64 = 0.75;
 
 /// The bridge with the plan that calibration needs, and its particles.
 fn prepared(bridge: &Bridge) -> Result<(Bridge, Particles), AnalysisError> {

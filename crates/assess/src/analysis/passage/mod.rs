@@ -100,6 +100,13 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         );
         warnings.push(Warning::new(warning::LOOSE_PASSAGE, message));
     }
+    let mut assumptions: Vec<String> = setup.assumptions.iter().cloned().chain(solution.assumptions).collect();
+    if plan.path == PassagePath::Condensed && !solve::condenses(setup) {
+        let why = "a transient analysis, large displacements and sensors of stress need them";
+        assumptions.push(format!(
+            "all degrees of freedom were solved at every position in place of the condensed path: {why}"
+        ));
+    }
     let open_joints = kept(&solution.log).map(|step| step.open_joints).max().unwrap_or(0);
     let plastic_points = kept(&solution.log).map(|step| step.plastic_points).max().unwrap_or(0);
     let solved = solution.values.first().map_or(0, Vec::len);
@@ -116,7 +123,7 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         speed: plan.speed,
         analysis: if plan.analysis == PassageAnalysis::Transient { "transient" } else { "static" },
         kinematics: if plan.kinematics == PassageKinematics::Large { "large" } else { "small" },
-        path: if plan.path == PassagePath::Plain { "plain" } else { "condensed" },
+        path: if solve::condenses(setup) { "condensed" } else { "plain" },
         status: solution.status,
         reason: solution.reason,
         times: setup.times[..solved].to_vec(),
@@ -129,7 +136,7 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         plastic_points,
         effective_width: setup.effective_width,
         tolerance: plan.tolerance,
-        assumptions: setup.assumptions.iter().cloned().chain(solution.assumptions).collect(),
+        assumptions,
         warnings,
         log: solution.log,
         mesh: setup.picture(),

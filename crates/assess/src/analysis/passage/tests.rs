@@ -97,6 +97,36 @@ fn a_report_ends_where_the_solution_ends() {
     assert_eq!(report.assumptions.last().unwrap(), "also");
 }
 
+/// A plan for the condensed path that cannot be followed: what was done is told, and why.
+#[test]
+fn the_path_that_was_taken_is_told() {
+    let mut bridge = railway();
+    let told = |bridge: &Bridge| {
+        let setup = setup(bridge).unwrap();
+        let solution = Solution {
+            status: PassageStatus::Completed,
+            reason: None,
+            self_weight: vec![0.0; 6],
+            values: vec![vec![0.0]; 6],
+            degrees_of_freedom: 7,
+            condensed_degrees_of_freedom: None,
+            taking_part: Vec::new(),
+            log: Vec::new(),
+            moments: Vec::new(),
+            influence: None,
+            assumptions: Vec::new(),
+            warnings: Vec::new(),
+        };
+        let report = report(bridge, &setup, solution);
+        (report.path, report.assumptions.iter().any(|line| line.contains("in place of the condensed path")))
+    };
+    assert_eq!(told(&bridge), ("condensed", false));
+    bridge.passage.as_mut().unwrap().plan.analysis = PassageAnalysis::Transient;
+    assert_eq!(told(&bridge), ("plain", true));
+    bridge.passage.as_mut().unwrap().plan.path = PassagePath::Plain;
+    assert_eq!(told(&bridge), ("plain", false));
+}
+
 /// The names that scripts rely on, in the units that they say.
 #[test]
 fn the_object_has_the_fields_that_scripts_read() {

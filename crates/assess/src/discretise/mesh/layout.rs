@@ -5,7 +5,7 @@ use super::patch::growing;
 use super::saddle::{Layers, Side};
 use super::sets::Role;
 use super::stations::Stations;
-use super::{MOST_NODES, MeshError, MeshOptions};
+use super::{MeshError, MeshOptions};
 use crate::discretise::curve::Curve;
 use bridge::{Bridge, LayerKind};
 use mechanics::plane::{Vec2, vec2};
@@ -235,5 +235,6 @@ pub(super) fn refuse_too_fine(
     let behind = layout.behind.iter().map(|d| d.len() as f64).fold(0.0, f64::max) * tall / options.size;
     let others = below / (options.size * options.size) + 2.0 * behind;
     let nodes = rings.saturating_add(columns.saturating_mul(layout.rows + 1)).saturating_add(others as usize);
-    if nodes > MOST_NODES { Err(MeshError::TooFine { nodes, most: MOST_NODES }) } else { Ok(()) }
+    let most = options.most_nodes;
+    if nodes > most { Err(MeshError::TooFine { nodes, most }) } else { Ok(()) }
 }

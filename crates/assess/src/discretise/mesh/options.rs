@@ -1,5 +1,6 @@
 //! How fine a mesh is and how far it reaches.
 
+use super::MOST_NODES;
 use bridge::{Bridge, Springs};
 use mechanics::fem::Quadrature;
 
@@ -17,6 +18,8 @@ pub struct MeshOptions {
     pub farther: f64,
     /// How mortar joints are integrated.
     pub joints: Quadrature,
+    /// A mesh that is expected to have more nodes is refused before it is made.
+    pub most_nodes: usize,
 }
 
 impl MeshOptions {
@@ -30,6 +33,7 @@ impl MeshOptions {
             ring_nodes: plan.ring_nodes.max(2),
             side_distance: plan.side_distance,
             farther: 1.0,
+            most_nodes: MOST_NODES,
             joints: match bridge.service.mortar.springs {
                 Springs::Equal => Quadrature::EqualSprings,
                 Springs::Nodal => Quadrature::Nodal,

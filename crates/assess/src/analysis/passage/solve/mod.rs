@@ -102,9 +102,7 @@ fn solve_for(
         warnings: Vec::new(),
     };
     let bridge_at_rest = AtRest { setup, model: &model, weight: &weight };
-    let still = setup.plan.analysis == PassageAnalysis::Static;
-    let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
-    if still && !large && setup.plan.path == PassagePath::Condensed && linear_sensors {
+    if condenses(setup) {
         condensed::pass(&bridge_at_rest, &mut solution, wanted, expected, watch)?;
         return Ok(solution);
     }
@@ -131,6 +129,14 @@ fn solve_for(
     solution.moments.push(moment::moment(setup, &model, &state, "self-weight", None));
     plain::pass(&bridge_at_rest, state, work, &mut solution, watch)?;
     Ok(solution)
+}
+
+/// Whether the condensed path is taken: it is asked for, nothing moves fast or far, and every sensor is a sum of displacements.
+pub(super) fn condenses(setup: &Setup) -> bool {
+    let plan = &setup.plan;
+    let still = plan.analysis == PassageAnalysis::Static && plan.kinematics != PassageKinematics::Large;
+    let linear_sensors = setup.sensors.iter().all(|sensor| functional(&sensor.reading).is_some());
+    still && plan.path == PassagePath::Condensed && linear_sensors
 }
 
 /// A bridge and its own weight.
