@@ -36,7 +36,10 @@ pub enum CheckpointError {
     Damaged(&'static str),
     /// Of another bridge or plan.
     #[error("the checkpoint belongs to another bridge file or plan than the one given")]
-    OtherInput,
+    OtherInput {
+        /// The fingerprint of that one.
+        found: u64,
+    },
 }
 
 /// Fingerprint of everything that decides a run: the bridge or the block model, with its plan.
@@ -102,7 +105,7 @@ fn parse(bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, CheckpointError> {
         return Err(CheckpointError::Damaged("its checksum does not fit"));
     }
     if words[2] != fingerprint {
-        return Err(CheckpointError::OtherInput);
+        return Err(CheckpointError::OtherInput { found: words[2] });
     }
     Ok(words[4..words.len() - 1].to_vec())
 }
@@ -122,7 +125,7 @@ mod tests {
         assert_ne!(mine, other);
         write(&path, mine, &words).unwrap();
         assert_eq!(read(&path, mine).unwrap(), words);
-        assert!(matches!(read(&path, other), Err(CheckpointError::OtherInput)));
+        assert!(matches!(read(&path, other), Err(CheckpointError::OtherInput { found }) if found == mine));
         assert!(!folder.join("run.checkpoint.part").exists());
         fs::remove_dir_all(folder).unwrap();
     }

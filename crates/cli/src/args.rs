@@ -59,6 +59,9 @@ pub struct Speech {
     /// No progress and no warnings on stderr
     #[arg(long, short)]
     pub quiet: bool,
+    /// Where stderr is no terminal, say this often how far the run is; 0 for never
+    #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = seconds)]
+    pub progress_every: f64,
     /// Threads to use [default: one per core]; the numbers are the same whatever it is
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -158,7 +161,11 @@ pub struct Vary {
     /// Refuse to start more runs than this
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub most_runs: u32,
-    /// The number that figures and sensitivities are about, such as max_compressive_stress_mpa
+    /// Repeat the sweep of vehicles, or of the file's loads, in place of the analysis at one position
+    #[arg(long)]
+    pub sweep: bool,
+    /// The number that figures and sensitivities are about, such as max_compressive_stress_mpa; of sweeps adequacy_factor,
+    /// load_factor, governing_position_m
     #[arg(long, value_name = "NAME")]
     pub outcome: Option<String>,
     /// Only list the quantities that can be varied

@@ -28,8 +28,14 @@ impl Checkpoint {
         &self.path
     }
 
+    /// What to tell of it when the run is interrupted.
+    pub fn words(&self) -> String {
+        format!("the run is kept in {}\ngo on with the same command and --resume", self.path.display())
+    }
+
     /// Keeps a state, whole or not at all.
     pub fn keep(&self, words: &[u64]) -> Result<(), Failure> {
+        let _busy = crate::signs::busy();
         checkpoint::write(&self.path, self.fingerprint, words).map_err(|error| match error {
             CheckpointError::Io(error) => Failure::not_written(&self.path, &error),
             other => self.unusable(&other),
@@ -40,8 +46,16 @@ impl Checkpoint {
     pub fn take_up(&self) -> Result<Option<Vec<u64>>, Failure> {
         match checkpoint::read(&self.path, self.fingerprint) {
             Ok(words) => Ok(Some(words)),
-            Err(CheckpointError::Io(error)) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(CheckpointError::OtherInput) => {
+            Err(CheckpointError::Io(error)) if error.kind() == io::ErrorKind::NotFound => {
+                Ok(checkpoint::read(&self.set_aside(self.fingerprint), self.fingerprint).ok())
+            }
+            Err(CheckpointError::OtherInput { .. }) if self.set_aside(self.fingerprint).exists() => {
+                match checkpoint::read(&self.set_aside(self.fingerprint), self.fingerprint) {
+                    Ok(words) => Ok(Some(words)),
+                    Err(error) => Err(self.unusable(&error)),
+                }
+            }
+            Err(CheckpointError::OtherInput { .. }) => {
                 let message = format!("{} belongs to another bridge or another plan", self.path.display());
                 Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
             }
@@ -49,9 +63,38 @@ impl Checkpoint {
         }
     }
 
+    /// Makes way for a run that starts anew: the state of another run is kept under a name of its own, a file that is no checkpoint
+    /// is refused. Says what a reader should know.
+    pub fn make_way(&self) -> Result<Option<String>, Failure> {
+        let shown = self.path.display();
+        match checkpoint::read(&self.path, self.fingerprint) {
+            Ok(_) => {
+                Ok(Some(format!("{shown} holds this run as it was interrupted: it starts anew; --resume would go on")))
+            }
+            Err(CheckpointError::OtherInput { found }) => {
+                let aside = self.set_aside(found);
+                std::fs::rename(&self.path, &aside).map_err(|error| Failure::not_written(&aside, &error))?;
+                let what =
+                    format!("{shown} belongs to another run that was interrupted: it is kept as {}", aside.display());
+                Ok(Some(format!("{what}, where --resume of that run finds it")))
+            }
+            Err(CheckpointError::Foreign) => {
+                let folder = self.path.parent().unwrap_or(Path::new(""));
+                Err(Failure::replaces_foreign(folder, &[(false, NAME.to_owned())]))
+            }
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// Where the state of another run is kept.
+    fn set_aside(&self, fingerprint: u64) -> PathBuf {
+        self.path.with_file_name(format!("run-{fingerprint:016x}.checkpoint"))
+    }
+
     /// Takes it away when the run is finished. One that stays would only be refused or taken up to the same end.
     pub fn remove(&self) {
         let _ = folder::remove(&self.path);
+        let _ = folder::remove(&self.set_aside(self.fingerprint));
     }
 
     fn unusable(&self, error: &CheckpointError) -> Failure {

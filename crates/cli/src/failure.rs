@@ -89,7 +89,8 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F111",
         title: "no verification cases found",
-        text: "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/.",
+        text: "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/ of the \
+               current folder. The cases come with the source and not with the program: run it in a clone, or name the folder.",
     },
     Card {
         code: "F112",
@@ -159,6 +160,25 @@ pub const CARDS: &[Card] = &[
                axle, its distance counted from the first axle back. The message names each line that cannot be read.",
     },
     Card {
+        code: "F122",
+        title: "an output would replace an input",
+        text: "A file that the command reads stands where a result of the same name goes: with --out . beside a drawing model.dxf, say. \
+               Nothing was computed and nothing was written. Name a folder of its own with --out DIR.",
+    },
+    Card {
+        code: "F123",
+        title: "an output would replace a file that the command did not make",
+        text: "The command keeps a list of the files that it made in a folder of results (.extrados-files.json) with a hash of each, \
+               and replaces those alone. A file that is not on it, or was changed since it was made, is yours: the message names it, \
+               nothing was computed and nothing was written. Move the file, or name another folder with --out DIR.",
+    },
+    Card {
+        code: "F124",
+        title: "the model is too large",
+        text: "The size of the model was estimated before it was made, and is beyond what can be answered: the message gives the number and \
+               what it may be at the most. Most often a length such as `size` in [mesh] was meant in another unit.",
+    },
+    Card {
         code: "F130",
         title: "nothing can be updated",
         text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] with `place`, a table or a \
@@ -191,6 +211,25 @@ impl Failure {
         Failure::input("F102", message, "choose a folder that you may write to with --out DIR")
     }
 
+    /// Results would be written over files that are read.
+    pub fn replaces_input(folder: &Path, names: &[String]) -> Failure {
+        let message =
+            format!("results in {} would replace what this command reads: {}", folder.display(), listed(names));
+        Failure::input("F122", message, "name a folder of its own with --out DIR")
+    }
+
+    /// Results would be written over files of somebody else; whether each was made here and changed since, and its name.
+    pub fn replaces_foreign(folder: &Path, files: &[(bool, String)]) -> Failure {
+        let named = |(changed, name): &(bool, String)| match changed {
+            true => format!("{name} (changed since it was made)"),
+            false => name.clone(),
+        };
+        let names: Vec<String> = files.iter().map(named).collect();
+        let what = "files that this command did not make";
+        let message = format!("results in {} would replace {what}: {}", folder.display(), listed(&names));
+        Failure::input("F123", message, "move the files away, or name another folder with --out DIR")
+    }
+
     /// Results could not be written after the work was done.
     pub fn not_written(path: &Path, error: &io::Error) -> Failure {
         Failure {
@@ -199,6 +238,16 @@ impl Failure {
             message: format!("could not write {}: {}", path.display(), reason(error)),
             help: "make room or choose another folder with --out DIR".to_owned(),
         }
+    }
+}
+
+/// Names one after the other; of many the first, and how many more.
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 10;
+    let shown = names.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(MOST) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
     }
 }
 

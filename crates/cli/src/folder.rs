@@ -1,6 +1,13 @@
 //! The folder of results: written whole beside its place, then moved there, so that nobody ever reads half of it.
 
+mod earlier;
+mod list;
+mod purpose;
+
+pub use purpose::Purpose;
+
 use crate::failure::Failure;
+use list::List;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,6 +19,16 @@ pub const SEAL: &str = "result.json";
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
+    purpose: Purpose,
+}
+
+/// Where an answer went.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Placed {
+    /// Where the answer of another run was moved, which stood there before.
+    pub earlier: Option<PathBuf>,
+    /// Files of somebody else that came while the run went on: the answer stands beside them in a folder of its own.
+    pub avoided: Vec<String>,
 }
 
 /// The default folder for a file: out/NAME beside the current folder.
@@ -20,13 +37,16 @@ pub fn default_for(file: &Path) -> PathBuf {
 }
 
 impl Folder {
-    /// Makes sure that results can be written here, before anything is computed.
-    pub fn prepare(path: &Path) -> Result<Folder, Failure> {
+    /// Makes sure, before anything is computed, that results can be written here, and that they replace nothing but what the
+    /// command made here before.
+    pub fn prepare(path: &Path, purpose: Purpose) -> Result<Folder, Failure> {
         let unwritable = |error: io::Error| Failure::unwritable(path, &error);
         fs::create_dir_all(path).map_err(unwritable)?;
+        let folder = Folder { path: path.to_owned(), purpose };
+        folder.guard()?;
         let probe = path.join(format!(".extrados-probe-{}", std::process::id()));
         fs::write(&probe, b"").and_then(|()| fs::remove_file(&probe)).map_err(unwritable)?;
-        Ok(Folder { path: path.to_owned() })
+        Ok(folder)
     }
 
     /// Where it is.
@@ -39,42 +59,144 @@ impl Folder {
         self.path.join(name)
     }
 
+    /// Refuses, by name, to replace a file that the run reads or that the command did not make.
+    fn guard(&self) -> Result<(), Failure> {
+        let list = List::read(&self.path);
+        let (mut read, mut foreign) = (Vec::new(), Vec::new());
+        for name in self.present().map_err(|error| Failure::unwritable(&self.path, &error))? {
+            if !self.purpose.may_write(&name) {
+                continue;
+            }
+            if self.purpose.reads(&self.file(&name)) {
+                read.push(name);
+            } else if !list.holds(&self.path, &name) {
+                foreign.push((list.knows(&name), name));
+            }
+        }
+        match (read.is_empty(), foreign.is_empty()) {
+            (false, _) => Err(Failure::replaces_input(&self.path, &read)),
+            (_, false) => Err(Failure::replaces_foreign(&self.path, &foreign)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Names of what stands where results go; folders below are looked into where results have them.
+    fn present(&self) -> io::Result<Vec<String>> {
+        let mut names = Vec::new();
+        for below in std::iter::once("").chain(purpose::BELOW) {
+            let Ok(entries) = fs::read_dir(self.path.join(below)) else { continue };
+            for entry in entries {
+                let name = entry?.file_name().to_string_lossy().into_owned();
+                names.push(if below.is_empty() { name } else { format!("{below}/{name}") });
+            }
+        }
+        names.sort();
+        Ok(names)
+    }
+
     /// Lets `write` fill an empty folder beside the results, then moves its files into their place; what `seal` makes of
-    /// their names becomes [`SEAL`]. Files of an earlier answer that are not part of this one are taken away.
+    /// their names and of their place becomes [`SEAL`]. Files of an earlier answer of the same run that are not part of this one
+    /// are taken away; an earlier answer of another run is moved into `earlier`.
     pub fn fill(
         &self,
         write: impl FnOnce(&Path) -> io::Result<()>,
-        seal: impl FnOnce(&[String]) -> String,
-    ) -> Result<(), Failure> {
+        seal: impl FnOnce(&[String], &Path, &Placed) -> String,
+    ) -> Result<Placed, Failure> {
+        let _busy = crate::signs::busy();
         let staging = Staging::new(self.path.join(format!(".extrados-partial-{}", std::process::id())));
         let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
         fs::create_dir_all(&staging.path).map_err(not_written)?;
         write(&staging.path).map_err(not_written)?;
         let files = files_in(&staging.path).map_err(not_written)?;
-        fs::write(staging.path.join(SEAL), seal(&files)).map_err(not_written)?;
-        self.replace(&staging.path, &files).map_err(not_written)
+        let (mut placed, place) = self.clear(&files).map_err(not_written)?;
+        let target = place.as_deref().unwrap_or(&self.path);
+        if target == self.path {
+            placed.earlier = self.keep_earlier().map_err(not_written)?;
+        }
+        fs::write(staging.path.join(SEAL), seal(&files, target, &placed)).map_err(not_written)?;
+        self.replace(&staging.path, target, &files).map_err(not_written)?;
+        Ok(placed)
     }
 
-    /// Writes one file, whole or not at all, beside whatever else is there.
-    pub fn put(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
-        write_whole(&self.file(name), bytes).map_err(|error| Failure::not_written(&self.file(name), &error))
+    /// Writes files, each whole or not at all, beside whatever else is there. An answer of another file is moved away first.
+    pub fn put(&self, files: &[(&str, &[u8])]) -> Result<Placed, Failure> {
+        let not_written = |error: io::Error| Failure::not_written(&self.path, &error);
+        self.guard()?;
+        let mut placed = Placed::default();
+        let mut list = List::read(&self.path);
+        if list.of != self.purpose.of() {
+            placed.earlier = earlier::keep(&self.path, &mut list).map_err(not_written)?;
+            (list.kind, list.of) = (String::new(), self.purpose.of());
+        }
+        for (name, bytes) in files {
+            list.expect(name, blake3::hash(bytes).to_hex().to_string());
+        }
+        list.write(&self.path).map_err(not_written)?;
+        for (name, bytes) in files {
+            write_whole(&self.file(name), bytes).map_err(|error| Failure::not_written(&self.file(name), &error))?;
+            list.settle(name, blake3::hash(bytes).to_hex().to_string());
+        }
+        list.write(&self.path).map_err(not_written)?;
+        Ok(placed)
     }
 
-    fn replace(&self, staging: &Path, files: &[String]) -> io::Result<()> {
-        let earlier = earlier_files(&self.file(SEAL));
-        remove(&self.file(SEAL))?;
-        for stale in earlier.iter().filter(|name| !files.contains(name)) {
-            remove(&self.file(stale))?;
+    /// Files of somebody else in the way of an answer, which came since [`Folder::prepare`] looked, and the free place that the
+    /// answer goes to in that case.
+    fn clear(&self, files: &[String]) -> io::Result<(Placed, Option<PathBuf>)> {
+        let list = List::read(&self.path);
+        let names = files.iter().map(String::as_str).chain([SEAL]);
+        let taken = |name: &&str| fs::symlink_metadata(self.file(name)).is_ok();
+        let somebody = |name: &&str| self.purpose.reads(&self.file(name)) || !list.holds(&self.path, name);
+        let avoided: Vec<String> = names.filter(taken).filter(somebody).map(str::to_owned).collect();
+        if avoided.is_empty() {
+            return Ok((Placed::default(), None));
+        }
+        let numbered = |number: usize| self.path.join(format!("results-{number}"));
+        let place = (1..).map(numbered).find(|place| fs::symlink_metadata(place).is_err());
+        let place = place.unwrap_or_else(|| numbered(0));
+        fs::create_dir_all(&place)?;
+        Ok((Placed { avoided, ..Placed::default() }, Some(place)))
+    }
+
+    /// Moves the answer of another run, or of another file, out of the way.
+    fn keep_earlier(&self) -> io::Result<Option<PathBuf>> {
+        let mut list = List::read(&self.path);
+        if list.kind == self.purpose.kind && list.of == self.purpose.of() {
+            return Ok(None);
+        }
+        let place = earlier::keep(&self.path, &mut list)?;
+        list.write(&self.path)?;
+        Ok(place)
+    }
+
+    fn replace(&self, staging: &Path, target: &Path, files: &[String]) -> io::Result<()> {
+        let mut list = List::read(target);
+        let all: Vec<String> = files.iter().cloned().chain([SEAL.to_owned()]).collect();
+        let hashes: Vec<String> = all.iter().map(|name| list::hash(&staging.join(name))).collect::<io::Result<_>>()?;
+        let stale: Vec<String> = list.last.iter().filter(|name| !all.contains(name)).cloned().collect();
+        let stale: Vec<String> = stale.into_iter().filter(|name| list.holds(target, name)).collect();
+        all.iter().zip(&hashes).for_each(|(name, hash)| list.expect(name, hash.clone()));
+        (list.kind, list.of, list.last) = (self.purpose.kind.clone(), self.purpose.of(), all.clone());
+        list.last.extend(stale.iter().cloned());
+        // Should the move be cut off, whatever then stands there is on the list.
+        list.write(target)?;
+        remove(&target.join(SEAL))?;
+        for name in &stale {
+            remove(&target.join(name))?;
+            list.forget(name);
         }
         for name in files {
-            let place = self.file(name);
+            let place = target.join(name);
             if let Some(parent) = place.parent() {
                 fs::create_dir_all(parent)?;
             }
             fs::rename(staging.join(name), place)?;
         }
         fs::File::open(staging.join(SEAL))?.sync_all()?;
-        fs::rename(staging.join(SEAL), self.file(SEAL))
+        fs::rename(staging.join(SEAL), target.join(SEAL))?;
+        all.iter().zip(hashes).for_each(|(name, hash)| list.settle(name, hash));
+        list.last = all;
+        list.write(target)
     }
 }
 
@@ -87,7 +209,8 @@ impl Drop for Folder {
 
 /// Writes a file whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let partial = path.with_extension("partial");
+    let _busy = crate::signs::busy();
+    let partial = partial(path);
     let written = fs::File::create(&partial).and_then(|mut file| {
         io::Write::write_all(&mut file, bytes)?;
         file.sync_all()
@@ -99,21 +222,18 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     moved
 }
 
+/// A name beside a file that nobody else uses.
+fn partial(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{name}.extrados-partial-{}", std::process::id()))
+}
+
 /// Removes a file that may not be there.
 pub fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }
-}
-
-/// Files of the answer that is there already, as its seal lists them: plain names inside the folder only.
-fn earlier_files(seal: &Path) -> Vec<String> {
-    let Ok(bytes) = fs::read(seal) else { return Vec::new() };
-    let Ok(value) = serde_json::from_slice::<serde_json::Value>(&bytes) else { return Vec::new() };
-    let names = value["files"].as_array().cloned().unwrap_or_default();
-    let inside = |name: &String| Path::new(name).components().all(|c| matches!(c, std::path::Component::Normal(_)));
-    names.iter().filter_map(|name| name.as_str().map(str::to_owned)).filter(inside).collect()
 }
 
 /// Every file below a folder, relative to it, with forward slashes, in order.

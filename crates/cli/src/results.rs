@@ -39,17 +39,58 @@ fn write(folder: &Path, files: &[figures::File]) -> io::Result<()> {
     Ok(())
 }
 
-/// Moves the files into the folder, sealed with the object that scripts read.
-pub fn publish(desk: &Desk, mut report: Report, folder: &Folder, files: &[figures::File]) -> Result<Report, Failure> {
-    report.fields.insert("out".to_owned(), json!(folder.path().display().to_string()));
-    folder.fill(
+/// Moves the files into the folder, sealed with the object that scripts read. Says where an earlier answer of another run went.
+pub fn publish(
+    desk: &mut Desk,
+    mut report: Report,
+    folder: &Folder,
+    files: &[figures::File],
+) -> Result<Report, Failure> {
+    let placed = folder.fill(
         |staging| write(staging, files),
-        |names| {
+        |names, place, placed| {
+            report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
+            if let Some(earlier) = &placed.earlier {
+                report.fields.insert("earlier".to_owned(), json!(earlier.display().to_string()));
+            }
+            if !placed.avoided.is_empty() {
+                let what = format!("{} came while this ran and is not the command's", placed.avoided.join(", "));
+                report.warn(&mut desk.screen, "F123", &format!("{what}: the results are in {}", place.display()));
+            }
             report::text_of(&report.object(&desk.schema, desk.clock))
         },
     )?;
+    report.summary += &written(files);
+    if let Some(earlier) = &placed.earlier {
+        report.summary += &format!("The results of another run that stood there are kept in {}\n", earlier.display());
+    }
     Ok(report)
+}
+
+/// What was written, in lines: only what is there is named.
+fn written(files: &[figures::File]) -> String {
+    let ending = |name: &str| name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_owned());
+    let top = |wanted: &str| -> Vec<&str> {
+        let names = files.iter().map(|file| file.name.as_str());
+        names.filter(|name| !name.contains('/') && ending(name) == wanted).collect()
+    };
+    let stems: Vec<String> = top("svg").iter().map(|name| name.trim_end_matches(".svg").to_owned()).collect();
+    let animation = files.iter().filter(|file| file.name == "animation.png").map(|file| file.name.clone());
+    let named = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect::<Vec<_>>();
+    let below = |folder: &str| files.iter().filter(|file| file.name.starts_with(folder)).count();
+    let counted =
+        |folder: &str, count: usize| if count > 0 { vec![format!("{count} in {folder}")] } else { Vec::new() };
+    let groups = [
+        ("figures", stems.into_iter().chain(animation).collect()),
+        ("tables", named(top("csv"))),
+        ("drawings for CAD", named(top("dxf"))),
+        ("reports", named(top("html").into_iter().chain(top("pdf")).collect())),
+        ("files for ParaView", counted("paraview/", below("paraview/"))),
+        ("of the other strip", counted("wall/", below("wall/"))),
+    ];
+    let filled = groups.iter().filter(|(_, names)| !names.is_empty());
+    filled.map(|(what, names)| format!("  {what}: {}\n", names.join(", "))).collect()
 }
 
 /// Tables (name without extension, text) as files; those without a row are left out.

@@ -46,7 +46,7 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
             let _ = writeln!(page, "  - {line}");
         }
     }
-    let _ = writeln!(page, "\nFigures, tables and ParaView files are in {out}");
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }
 
@@ -69,7 +69,7 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
         }
         None => page += "  no position makes a mechanism of the bridge\n",
     }
-    let _ = writeln!(page, "\nThe envelope and its table are in {out}");
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }
 
@@ -115,7 +115,7 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
             wanted / 1e6
         );
     }
-    let _ = writeln!(page, "\nFigures and tables are in {out}");
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }
 

@@ -1,33 +1,15 @@
-//! Looks on a run: draws its progress, hears Ctrl-C, keeps its checkpoint.
+//! Looks on a run: draws its progress, passes on that somebody asked to stop, keeps its checkpoint.
 
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
+use crate::signs;
+pub use crate::signs::asked_to_stop;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use mechanics::watch::{Progress, Watch, Wish};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Steps of the bar.
 const BAR: u64 = 1000;
-
-/// Whether somebody asked the command to stop. Signals reach a program, not a part of it: this is the one global.
-static STOP: AtomicBool = AtomicBool::new(false);
-
-/// Listens to Ctrl-C and to termination: the first asks the run to stop, the second ends the command at once.
-pub fn listen() {
-    let heard = ctrlc::set_handler(|| {
-        if STOP.swap(true, Ordering::SeqCst) {
-            std::process::exit(i32::from(crate::status::Status::Cancelled.exit_code()));
-        }
-    });
-    // Without a handler a signal ends the command as the system does; the last checkpoint stands either way.
-    drop(heard);
-}
-
-/// Whether the command was asked to stop.
-pub fn asked_to_stop() -> bool {
-    STOP.load(Ordering::SeqCst)
-}
 
 /// Looks on one run.
 pub struct Watcher {
@@ -86,13 +68,22 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
     if let Some(fraction) = progress.fraction {
         bar.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
     }
-    bar.set_message(format!("{}, {} steps", progress.stage, progress.steps));
+    let words = format!("{}, {} steps", progress.stage, progress.steps);
+    signs::tell(&words, progress.fraction);
+    bar.set_message(words);
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
 }
 
 /// A bar that counts pieces of work.
 pub fn count(quiet: bool, pieces: usize) -> ProgressBar {
     bar(quiet, pieces as u64)
+}
+
+/// A piece of work is done.
+pub fn counted(bar: &ProgressBar, what: &str) {
+    bar.inc(1);
+    let (done, all) = (bar.position(), bar.length().unwrap_or(1).max(1));
+    signs::tell(&format!("{done} of {all} {what}"), Some(done as f64 / all as f64));
 }
 
 /// A bar on stderr; nothing is drawn where that is no terminal.
@@ -120,7 +111,10 @@ impl Watch for Watcher {
             return;
         }
         match checkpoint.keep(&words()) {
-            Ok(()) => self.kept = Some(Instant::now()),
+            Ok(()) => {
+                self.kept = Some(Instant::now());
+                signs::keeps("checkpoint", checkpoint.path(), checkpoint.words());
+            }
             Err(failure) => self.trouble = Some(failure),
         }
     }
@@ -163,6 +157,8 @@ impl Onlooker<'_> {
     fn draw(&mut self, position: u64) {
         self.bar.inc(position.saturating_sub(self.drawn));
         self.drawn = self.drawn.max(position);
+        let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(1).max(1));
+        signs::tell(&format!("{} of {} runs", done / BAR, all / BAR), Some(done as f64 / all as f64));
     }
 }
 

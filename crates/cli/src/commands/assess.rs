@@ -12,6 +12,7 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::{self, Report};
 use crate::results;
+use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use ::assess::assessment::Assessment;
@@ -34,11 +35,12 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     if source.read.bridge.is_none() {
         return Ok(source.report(Status::UnusableInput));
     }
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, "assess")?;
     let program = Program::running();
+    signs::keeps("out", folder.path(), KEPT);
     let Some(done) = assessed(&source, &arguments.file, &folder, &program, arguments, desk.screen.quiet)? else {
-        let said = "interrupted; finished stages are kept, and the same command takes them up\n";
-        return Ok(source.report(Status::Cancelled).saying(said));
+        return Ok(source.report(Status::Cancelled).saying(format!("interrupted; {KEPT}\n")));
     };
     let mut report = done.report(&source);
     for [code, message] in done.warnings() {
@@ -67,6 +69,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         summary::assessment(&done.assessment, &done.checked, &done.verdict, &done.condition, named, folder.path());
     results::publish(desk, report, &folder, &files)
 }
+
+/// What stays of an assessment that is interrupted.
+const KEPT: &str = "finished stages are kept, and the same command takes them up";
 
 /// A bridge that was judged.
 pub struct Done {

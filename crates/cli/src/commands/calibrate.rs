@@ -18,7 +18,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
     plan(&mut bridge, arguments)?;
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, "calibrate-fill")?;
     let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
     let found = calibrate::calibrate_fill(&bridge, &mut watcher);
     watcher.finish();
@@ -45,7 +46,7 @@ fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn write(desk: &Desk, found: &CalibrationReport, report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &mut Desk, found: &CalibrationReport, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let mut files = Vec::new();
     for (name, svg) in figures::calibration(found) {
         files.extend(figures::both(&name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);

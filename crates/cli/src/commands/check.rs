@@ -3,14 +3,16 @@
 use super::{Desk, Source, model};
 use crate::args::Check;
 use crate::failure::Failure;
-use crate::folder::{self, Folder};
+use crate::folder;
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
-use assess::discretise::mesh::{MeshError, Meshed};
+use assess::analysis::{self, AnalysisError, calibrate, passage};
+use assess::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
 use bridge::{Bridge, Strip};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::Path;
 
 /// Reads the file and draws the bridge.
 pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
@@ -20,7 +22,9 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = &source.read.bridge else { return Ok(source.report(Status::UnusableInput)) };
     let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    planned(&source, bridge)?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, "check")?;
     let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
     let mut files: Vec<figures::File> = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?.into();
     let meshed = mesh(bridge);
@@ -30,9 +34,8 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
         files.extend(drawing.map_err(|error| results::not_drawn(folder.path(), &error))?);
         files.push(figures::File { name: "mesh.vtu".into(), bytes: figures::vtk::mesh(&picture).into_bytes() });
     }
-    for file in &files {
-        folder.put(&file.name, &file.bytes)?;
-    }
+    let pairs: Vec<(&str, &[u8])> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
+    folder.put(&pairs)?;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     let shown = folder.path().display().to_string();
     let report = source
@@ -60,9 +63,41 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     })
 }
 
+/// Refuses what the command that the file is made for would refuse before it computes.
+fn planned(source: &Source, bridge: &Bridge) -> Result<(), Failure> {
+    let refused = |error: &AnalysisError| results::not_set_up(error);
+    analysis::planned(bridge).map_err(|error| refused(&error))?;
+    if bridge.calibration.wanted_modulus.is_some() {
+        calibrate::planned(bridge).map_err(|error| refused(&error))?;
+    }
+    if let Some(asked) = &source.read.update {
+        super::update::records(Path::new(&source.name), &asked.records.place)?;
+    }
+    if bridge.passage.is_none() {
+        return Ok(());
+    }
+    match assess::discretise::mesh::mesh_with(bridge, options(bridge)) {
+        // What is too large to draw is not made here; what is too large to answer is refused.
+        Err(MeshError::TooFine { nodes, .. }) if nodes <= MOST_NODES => Ok(()),
+        Err(MeshError::TooFine { nodes, .. }) => {
+            let error = MeshError::TooFine { nodes, most: MOST_NODES };
+            Err(Failure::input("F124", error.to_string(), "give a larger `size` in [mesh]"))
+        }
+        _ => passage::setup(bridge).map(|_| ()).map_err(|error| refused(&error)),
+    }
+}
+
+/// Most nodes of a mesh that is made for a drawing: some seconds, and less than a gigabyte.
+const MOST_DRAWN: usize = 200_000;
+
+fn options(bridge: &Bridge) -> MeshOptions {
+    MeshOptions { most_nodes: MOST_DRAWN, ..MeshOptions::of(bridge) }
+}
+
 /// The finite element mesh of a file that describes what only that model reads.
 fn mesh(bridge: &Bridge) -> Option<Result<Meshed, MeshError>> {
-    (bridge.service != bridge::Service::of_cover(&bridge.cover)).then(|| assess::discretise::mesh::mesh(bridge))
+    (bridge.service != bridge::Service::of_cover(&bridge.cover))
+        .then(|| assess::discretise::mesh::mesh_with(bridge, options(bridge)))
 }
 
 fn quality(meshed: &Meshed) -> Value {
@@ -177,6 +212,9 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
     match meshed {
         Some(Ok(meshed)) => {
             let _ = writeln!(page, "  finite element mesh: {}", meshed.quality.words());
+        }
+        Some(Err(MeshError::TooFine { nodes, most })) => {
+            let _ = writeln!(page, "  finite element mesh: about {nodes} nodes, not drawn: {most} at the most are");
         }
         Some(Err(error)) => {
             let _ = writeln!(page, "  no finite element mesh: {error}");

@@ -24,7 +24,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
     let width = bridge.width;
     plan(&mut bridge.plan, width, arguments)?;
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, &kind(&bridge.plan, arguments.sweep.then_some(bridge.sweep.is_some())))?;
     if arguments.sweep && bridge.sweep.is_some() {
         return vehicles(desk, arguments, &source, &mut bridge, &folder);
     }
@@ -35,6 +36,16 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let checkpoint = Checkpoint::of(&bridge, &folder);
     let report = source.report(Status::Completed);
     analyse(desk, arguments, report, checkpoint, &folder, run)
+}
+
+/// Which run this is: an answer of another one is kept when this one's takes its place. A sweep is of vehicles or of loads.
+pub(super) fn kind(plan: &bridge::Plan, sweep_of_vehicles: Option<bool>) -> String {
+    let (analysis, method) = (&plan.analysis, &plan.method);
+    match sweep_of_vehicles {
+        Some(true) => "sweep-vehicles".to_owned(),
+        Some(false) => "sweep-loads".to_owned(),
+        None => format!("collapse-{analysis:?}-{method:?}").to_lowercase(),
+    }
 }
 
 /// Sets what the command line says in place of the file.
@@ -56,6 +67,9 @@ pub(super) fn analyse(
     run: impl FnOnce(Option<&[u64]>, &mut Watcher) -> Result<Collapse, AnalysisError>,
 ) -> Result<Report, Failure> {
     let resume = if arguments.resume { checkpoint.take_up()? } else { None };
+    if let Some(words) = if arguments.resume { None } else { checkpoint.make_way()? } {
+        report.warn(&mut desk.screen, "F110", &words);
+    }
     if arguments.resume && resume.is_none() {
         let message = format!("there is no checkpoint in {}: the run starts anew", folder.path().display());
         report.warn(&mut desk.screen, "F110", &message);
@@ -71,8 +85,10 @@ pub(super) fn analyse(
     }
     report.status = results::status(found.status);
     if report.status != Status::Cancelled {
+        let report = write(desk, arguments, &found, report, folder)?;
+        // Only now is there nothing more to lose.
         checkpoint.remove();
-        return write(desk, arguments, &found, report, folder);
+        return Ok(report);
     }
     let shown = checkpoint.path().display().to_string();
     report.summary = match kept {
@@ -140,7 +156,7 @@ fn vehicles(
     bridge: &mut Bridge,
     folder: &Folder,
 ) -> Result<Report, Failure> {
-    desk.schema = "extrados.sweep/1".to_owned();
+    desk.schema = "extrados.vehicle-sweep/1".to_owned();
     if let (Some(text), Some(plan)) = (&arguments.sweep_step, &mut bridge.sweep) {
         plan.step = Some(quantities::length("--sweep-step", text)?);
     }

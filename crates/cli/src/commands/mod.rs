@@ -19,17 +19,19 @@ mod verify;
 use crate::args::{Arguments, Command};
 use crate::clock::Clock;
 use crate::failure::Failure;
+use crate::folder::{Folder, Purpose};
+use crate::host::{self, Ended};
 use crate::render::{self, Paint};
 use crate::report::{self, Report};
 use crate::screen::Screen;
+use crate::signs;
 use crate::status::Status;
-use crate::watcher;
 use clap::Parser;
 use clap::error::ErrorKind;
 use serde_json::json;
 use std::ffi::OsString;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What every command is given.
 pub struct Desk {
@@ -67,8 +69,22 @@ pub fn run(words: Vec<OsString>) -> u8 {
     let threads = usize::from(speech.threads.unwrap_or(unasked));
     // Only fails when a pool is there already; then its size is the one that `threads` reports.
     let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
-    watcher::listen();
-    let code = match obey(&mut desk, &arguments.command) {
+    signs::listen();
+    let lines = host::lines(speech.quiet, speech.progress_every);
+    let schema = desk.schema.clone();
+    let work = move || {
+        let answer = obey(&mut desk, &arguments.command);
+        (desk, answer)
+    };
+    let (mut desk, answer) = match host::wait(work, lines) {
+        Ended::Whole(done) => done,
+        Ended::CutOff => {
+            let desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema };
+            (desk, Ok(host::cut_off().into()))
+        }
+        Ended::Broken => return BROKEN,
+    };
+    let code = match answer {
         Ok(answer) => speak(&mut desk, answer),
         Err(failure) => {
             desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
@@ -85,6 +101,9 @@ pub fn run(words: Vec<OsString>) -> u8 {
         None => code,
     }
 }
+
+/// The exit code of a program that broke, as Rust's own.
+const BROKEN: u8 = 101;
 
 fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
     match command {
@@ -159,6 +178,8 @@ struct Source {
     name: String,
     text: Vec<u8>,
     read: bridge::Read,
+    /// Every file that was read, and every record that is going to be.
+    inputs: Vec<PathBuf>,
 }
 
 impl Source {
@@ -176,33 +197,28 @@ impl Source {
     fn read(path: &Path) -> Result<Source, Failure> {
         let text = read_file(path)?;
         let mut read = bridge::read(&text);
-        if let Some(particles) = read.bridge.as_mut().and_then(|bridge| bridge.particles.as_mut()) {
-            take_packing(particles, path)?;
-        }
-        if let Some(sweep) = read.bridge.as_mut().and_then(|bridge| bridge.sweep.as_mut()) {
-            take_vehicles(sweep, path)?;
-        }
-        if let Some(passage) = read.bridge.as_mut().and_then(|bridge| bridge.passage.as_mut()) {
-            take_train(&mut passage.train, path)?;
-        }
+        take_files(&mut read, None, path)?;
         names::look_up(&mut read, &text);
-        Ok(Source { name: path.display().to_string(), text, read })
+        let inputs = inputs(&read, path);
+        Ok(Source { name: path.display().to_string(), text, read, inputs })
     }
 
-    /// The bridge of an edited text, with what other files gave the one that was read.
+    /// Reads an edited text of the same file, with what other files give it: those that were read already are not read again.
+    fn read_again(&self, text: &[u8]) -> Result<bridge::Read, Failure> {
+        let mut read = bridge::read(text);
+        take_files(&mut read, self.read.bridge.as_ref(), Path::new(&self.name))?;
+        names::look_up(&mut read, text);
+        Ok(read)
+    }
+
+    /// The bridge of an edited text, likewise.
     fn again(&self, edited: &bridge::edit::Document) -> Option<bridge::Bridge> {
-        let own = self.read.bridge.as_ref()?;
-        let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
-        if let (Some(new), Some(old)) = (&mut bridge.passage, &own.passage) {
-            new.train.clone_from(&old.train);
-        }
-        if let (Some(new), Some(old)) = (&mut bridge.particles, &own.particles) {
-            new.grains.clone_from(&old.grains);
-        }
-        if let (Some(new), Some(old)) = (&mut bridge.sweep, &own.sweep) {
-            new.texts.clone_from(&old.texts);
-        }
-        Some(bridge)
+        self.read_again(edited.text().as_bytes()).ok()?.bridge
+    }
+
+    /// The folder for the results of a run of this kind.
+    fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
+        Folder::prepare(path, Purpose::new(kind, Path::new(&self.name), &self.inputs))
     }
 
     /// An answer with what was found.
@@ -211,6 +227,55 @@ impl Source {
         report.add_findings(&self.name, &self.text, &self.read.diagnostics);
         report
     }
+}
+
+/// Reads the files that a bridge file names; those that `known` took from files of the same names are taken over from it.
+fn take_files(read: &mut bridge::Read, known: Option<&bridge::Bridge>, path: &Path) -> Result<(), Failure> {
+    let Some(bridge) = read.bridge.as_mut() else { return Ok(()) };
+    if let Some(particles) = &mut bridge.particles {
+        match known.and_then(|known| known.particles.as_ref()).filter(|known| known.file == particles.file) {
+            Some(known) => particles.grains.clone_from(&known.grains),
+            None => take_packing(particles, path)?,
+        }
+    }
+    if let Some(sweep) = &mut bridge.sweep {
+        let same = |known: &&bridge::SweepPlan| {
+            known.rule_file == sweep.rule_file && known.vehicle_files == sweep.vehicle_files
+        };
+        match known.and_then(|known| known.sweep.as_ref()).filter(same) {
+            Some(known) => sweep.texts.clone_from(&known.texts),
+            None => take_vehicles(sweep, path)?,
+        }
+    }
+    if let Some(passage) = &mut bridge.passage {
+        let train = &mut passage.train;
+        let same = |known: &&bridge::train::Train| train.file.is_some() && known.file == train.file;
+        match known.and_then(|known| known.passage.as_ref()).map(|known| &known.train).filter(same) {
+            Some(known) => train.vehicles.clone_from(&known.vehicles),
+            None => take_train(train, path)?,
+        }
+    }
+    Ok(())
+}
+
+/// Files that a bridge file names, beside it.
+fn inputs(read: &bridge::Read, path: &Path) -> Vec<PathBuf> {
+    let Some(bridge) = &read.bridge else { return Vec::new() };
+    let mut names: Vec<&str> = Vec::new();
+    names.extend(bridge.particles.as_ref().and_then(|particles| particles.file.as_deref()));
+    names.extend(bridge.passage.as_ref().and_then(|passage| passage.train.file.as_deref()));
+    names.extend(
+        bridge.sweep.iter().flat_map(|sweep| sweep.rule_file.iter().chain(&sweep.vehicle_files)).map(String::as_str),
+    );
+    let beside = path.parent().unwrap_or(Path::new(""));
+    let mut all: Vec<PathBuf> = names.into_iter().map(|name| beside.join(name)).collect();
+    // A folder of records is every file in it.
+    if let Some(place) = read.update.as_ref().map(|update| beside.join(&update.records.place)) {
+        let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
+        all.extend(entries.map(|entry| entry.path()));
+        all.push(place);
+    }
+    all
 }
 
 /// Reads the packing that the bridge file names; its path is relative to the bridge file.

@@ -4,7 +4,7 @@ use super::{Desk, read_file};
 use crate::args::{Check, Collapse};
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
-use crate::folder::{self, Folder};
+use crate::folder::{self, Folder, Purpose};
 use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::results;
@@ -65,6 +65,12 @@ impl Model {
         Ok(model)
     }
 
+    /// The folder for the results of a run of this kind.
+    fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
+        let inputs: Vec<PathBuf> = self.drawing.iter().cloned().collect();
+        Folder::prepare(path, Purpose::new(kind, Path::new(&self.name), &inputs))
+    }
+
     /// An answer with what was found.
     pub fn report(&self, status: Status) -> Report {
         let mut report = Report::new(status);
@@ -112,12 +118,12 @@ pub fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     let model = Model::open(desk, &arguments.file)?;
     let Some(scene) = &model.scene else { return Ok(model.report(Status::UnusableInput)) };
     let picture = analysis::blocks_as_built(scene);
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = model.folder(&out, "check")?;
     let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
     let files = drawing.map_err(|error| results::not_drawn(folder.path(), &error))?;
-    for file in &files {
-        folder.put(&file.name, &file.bytes)?;
-    }
+    let pairs: Vec<(&str, &[u8])> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
+    folder.put(&pairs)?;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     let shown = folder.path().display().to_string();
     let report = model
@@ -193,7 +199,8 @@ pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure
         let help = "say --method dem, or give their layers role = \"ignore\" to analyse the blocks alone";
         return Err(Failure::input("D406", message, help));
     }
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
     let run = |resume: Option<&[u64]>, watcher: &mut Watcher| analysis::collapse_of_blocks(&scene, resume, watcher);
     let checkpoint = Checkpoint::of(&scene, &folder);
     super::collapse::analyse(desk, arguments, model.report(Status::Completed), checkpoint, &folder, run)

@@ -23,7 +23,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
     plan(&mut bridge, arguments)?;
     let recorder = Recorder::new(arguments)?;
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, "respond")?;
     let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
     let found = passage::passage(&bridge, &mut watcher);
     watcher.finish();
@@ -76,7 +77,7 @@ fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn write(desk: &Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let mut files = figures::passage(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
     let tables = [
         ("influence", wire::influence_table(found)),

@@ -29,7 +29,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     chosen(&mut asked.plan, arguments);
     let document = document(&source)?;
     let files = records(&arguments.file, &asked.records.place)?;
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, if arguments.records_only { "update-records" } else { "update" })?;
     let task = Task { bridge: &own, document: &document, asked: &asked, files: &files };
     if arguments.records_only {
         return judged(desk, &source, &task, &folder);
@@ -156,7 +157,7 @@ fn refused(error: &UpdateError) -> Failure {
     }
 }
 
-fn write(desk: &Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {
+fn write(desk: &mut Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let tables = [
         ("histories", wire::histories_table(found)),
         ("sweeps", wire::sweeps_table(found)),

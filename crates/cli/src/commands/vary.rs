@@ -13,6 +13,7 @@ use crate::folder::Folder;
 use crate::render::{self, Paint};
 use crate::report::{self, Report};
 use crate::results;
+use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use assess::vary::{self, Analysis, Study};
@@ -28,7 +29,7 @@ type Refusals = Vec<Failure>;
 
 /// Reads the file, checks every run, makes those that were not made yet, writes the study.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
-    let analysis = vary::COLLAPSE;
+    let analysis = analysis(arguments)?;
     let source = Source::open(desk, &arguments.file)?;
     let Some(own) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
     let document = requests::document(&source)?;
@@ -40,12 +41,18 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         Ok(varied) => varied,
         Err(refusals) => return Ok(refused(desk, report, &refusals)),
     };
-    let plan = task::Plan { own: &own, document: &document, choice: &arguments.choice, grid: arguments.grid };
+    let plan =
+        task::Plan { source: &source, own: &own, document: &document, choice: &arguments.choice, grid: arguments.grid };
     if let Err(refusals) = plan.check(&varied) {
         return Ok(refused(desk, report, &refusals));
     }
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.file));
+    let folder =
+        source.folder(&out, &format!("vary-{}{}", analysis.name, if arguments.grid { "-grid" } else { "" }))?;
     let cache = Cache::in_folder(folder.path());
+    let kept =
+        format!("finished runs are kept in {}\nthe same command takes them up by itself", cache.path().display());
+    signs::keeps("cache", cache.path(), kept);
     let work = Work { analysis: &analysis, cache: &cache, quiet: desk.screen.quiet };
     let count = vary::count(plan.design(), &varied.iter().map(|one| one.values.len()).collect::<Vec<_>>());
     if let Some(runs) = too_many(count, arguments.most_runs) {
@@ -69,6 +76,20 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         }
         None => Ok(interrupted(report, found.finished, found.runs, &cache)),
     }
+}
+
+/// What is repeated: a sweep where it is asked for, or where only a sweep finds the number that is.
+fn analysis(arguments: &Arguments) -> Result<Analysis, Failure> {
+    let asked = arguments
+        .outcome
+        .as_deref()
+        .is_some_and(|name| vary::OF_SWEEPS.contains(&name) || name.starts_with(vary::OF_SWEEPS[0]));
+    let sweeps = arguments.sweep || asked;
+    if sweeps && arguments.choice.method.is_some_and(|method| method != crate::args::Method::Limit) {
+        let message = "a sweep is limit analysis: no other --method can make it";
+        return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
+    }
+    Ok(if sweeps { vary::SWEEP } else { vary::COLLAPSE })
 }
 
 /// out/NAME-vary beside the current folder, so that an answer of `collapse` stays.
@@ -156,7 +177,7 @@ fn interrupted(mut report: Report, finished: usize, runs: usize, cache: &Cache) 
 }
 
 fn write(
-    desk: &Desk,
+    desk: &mut Desk,
     mut report: Report,
     arguments: &Arguments,
     analysis: &Analysis,

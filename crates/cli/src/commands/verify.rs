@@ -33,7 +33,7 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
         .par_iter()
         .map(|case| {
             let judged = (!watcher::asked_to_stop()).then(|| verify::run(case));
-            bar.inc(1);
+            watcher::counted(&bar, "cases");
             judged
         })
         .collect();
@@ -61,6 +61,12 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
 }
 
 fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
+    if !folder.exists() {
+        let message = format!("there is no folder {} here", folder.display());
+        let help =
+            "the cases stand in verification/ of the source: run the command in a clone of it, or name the folder";
+        return Err(Failure::input("F111", message, help));
+    }
     let found = verify::discover(folder).map_err(|error| Failure::unreadable(folder, &error))?;
     if found.is_empty() {
         let message = format!("{} holds no folder with a case.toml", folder.display());

@@ -50,6 +50,6 @@ pub fn passage(found: &Passage, out: &str) -> String {
     for line in &found.assumptions {
         let _ = writeln!(page, "  - {line}");
     }
-    let _ = writeln!(page, "\nRecords (channels.csv), figures, tables and ParaView files are in {out}");
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }

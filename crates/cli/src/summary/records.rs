@@ -29,7 +29,7 @@ pub fn records(found: &Update, out: &str) -> String {
     }
     let done = used.done.iter().map(|done| format!("{} {}: {}", done.run, done.channel, done.what));
     list(&mut page, "Done to the records", done);
-    let _ = writeln!(page, "\nNothing was sought. result.json and histories are in {out}");
+    let _ = writeln!(page, "\nNothing was sought. Results are in {out}");
     page
 }
 

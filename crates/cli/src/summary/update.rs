@@ -21,7 +21,7 @@ pub fn update(found: &Update, out: &str) -> String {
     let done = found.records.done.iter().map(|done| format!("{} {}: {}", done.run, done.channel, done.what));
     list(&mut page, "Done to the records", done);
     list(&mut page, "This assumes", found.assumptions.iter().cloned());
-    let _ = writeln!(page, "\nHistories, sweeps, result.json and the log of evaluations are in {out}");
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }
 

@@ -50,7 +50,7 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
     for line in &found.assumptions {
         let _ = writeln!(page, "  - {line}");
     }
-    let _ = writeln!(page, "\nFigures, the mechanism and tables of vehicles, positions and sections are in {out}");
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }
 

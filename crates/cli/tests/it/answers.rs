@@ -172,7 +172,7 @@ fn vehicles_of_the_library_and_of_a_file_are_moved_over_the_bridge() {
     stage.write("bridge/own.toml", text.replacen("[dispersal]", asked, 1).replace("confirm = true", "confirm = false"));
     let (answer, ending) = stage.object(&["collapse", "bridge/own.toml", "--sweep"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
-    assert_eq!(answer["schema"], "extrados.sweep/1");
+    assert_eq!(answer["schema"], "extrados.vehicle-sweep/1");
     assert_eq!(answer["governing"]["vehicle"], "lm1");
     assert!(answer["governing"]["position_m"].is_number(), "{}", answer["governing"]);
     let vehicles = answer["vehicles"].as_array().expect("vehicles");

@@ -9,7 +9,8 @@ use crate::commands::Source;
 use crate::commands::update::{self, log::Keeper};
 use crate::failure::Failure;
 use crate::folder::Folder;
-use crate::watcher::Spectator;
+use crate::signs;
+use crate::watcher::{self, Spectator};
 use ::assess::analysis;
 use ::assess::analysis::update::{Means, Task, Threads, UpdateStatus};
 use ::assess::assessment::{Assessment, Stage};
@@ -102,6 +103,10 @@ impl Chain<'_> {
             book.figures.extend(finished.figures);
             return Some(Stage::Made(finished.facts));
         }
+        if watcher::asked_to_stop() {
+            return None;
+        }
+        signs::begin(&self.named(name));
         let clock = Clock::start();
         match run() {
             Ran::Made(facts, figures) => {
@@ -117,6 +122,11 @@ impl Chain<'_> {
             }
             Ran::Cancelled => None,
         }
+    }
+
+    /// A stage as lines of progress call it.
+    fn named(&self, stage: &str) -> String {
+        format!("{}: stage {stage}", self.source.name)
     }
 
     /// A stage that the file does not ask for.
@@ -311,6 +321,6 @@ struct Silent;
 
 impl Watch for Silent {
     fn look(&mut self, _: &Progress) -> Wish {
-        if crate::watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+        if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
     }
 }

@@ -6,9 +6,10 @@ use super::{assessed, command};
 use crate::args::Assess as Arguments;
 use crate::commands::{Desk, Source};
 use crate::failure::Failure;
-use crate::folder::{Folder, SEAL};
+use crate::folder::{Folder, Purpose};
 use crate::report::{self, Report};
 use crate::results;
+use crate::signs;
 use crate::status::Status;
 use crate::watcher;
 use ::report::FleetRow;
@@ -21,8 +22,10 @@ use std::path::{Path, PathBuf};
 /// Every bridge file of the folder, in the order of their names.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let files = bridge_files(&arguments.file)?;
-    let folder = Folder::prepare(&arguments.out.clone().unwrap_or_else(|| default_for(&arguments.file)))?;
+    let out = arguments.out.clone().unwrap_or_else(|| default_for(&arguments.file));
+    let folder = Folder::prepare(&out, Purpose::new("fleet", &arguments.file, &files))?;
     let program = Program::running();
+    signs::keeps("out", folder.path(), KEPT);
     let bar = watcher::count(desk.screen.quiet, files.len());
     let rows: Vec<Option<FleetRow>> = files
         .par_iter()
@@ -31,15 +34,14 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
                 return None;
             }
             let row = one(file, arguments, &folder, &program);
-            bar.inc(1);
+            watcher::counted(&bar, "bridges");
             row
         })
         .collect();
     bar.finish_and_clear();
     desk.schema = "extrados.fleet/1".to_owned();
     if rows.iter().any(Option::is_none) {
-        let said = "interrupted; finished bridges are kept, and the same command takes them up\n";
-        return Ok(Report::new(Status::Cancelled).saying(said));
+        return Ok(Report::new(Status::Cancelled).saying(format!("interrupted; {KEPT}\n")));
     }
     let rows: Vec<FleetRow> = rows.into_iter().flatten().collect();
     let count = |status: Status| rows.iter().filter(|row| row.status == status.name()).count();
@@ -83,6 +85,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     ];
     results::publish(desk, report, &folder, &tables)
 }
+
+/// What stays of a fleet that is interrupted.
+const KEPT: &str = "finished bridges are kept, and the same command takes them up";
 
 /// Files named one by one on the screen; the table has all.
 const MOST_LISTED: usize = 40;
@@ -137,7 +142,7 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
         });
         return Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; ")));
     }
-    let folder = match Folder::prepare(&fleet.file(&stem)) {
+    let folder = match source.folder(&fleet.file(&stem), "assess") {
         Ok(folder) => folder,
         Err(failure) => return Some(refused(failure)),
     };
@@ -148,7 +153,8 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
     let mut report = done.report(&source);
     let written = folder.fill(
         |staging| done.files().iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
-        |names| {
+        |names, place, _| {
+            report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
             report::text_of(&report.object("extrados.assess/1", crate::clock::Clock::start()))
         },
@@ -156,7 +162,6 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
     if let Err(failure) = written {
         return Some(refused(failure));
     }
-    debug_assert!(folder.file(SEAL).exists());
     let worst = ::assess::checks::governing(&done.checked);
     let finding = worst.and_then(|(c, k)| done.checked[c].outcome.as_ref().ok()?.get(k).map(|finding| (c, finding)));
     let all = done.checked.iter().flat_map(|check| check.outcome.iter().flatten());

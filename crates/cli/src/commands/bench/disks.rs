@@ -5,7 +5,7 @@ use crate::checkpoint::Checkpoint;
 use crate::clock::Clock;
 use crate::commands::Desk;
 use crate::failure::Failure;
-use crate::folder::Folder;
+use crate::folder::{Folder, Purpose};
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
@@ -126,7 +126,8 @@ fn from_the_packing(desk: &Desk, arguments: &Bench, count: usize, steps: u64) ->
     };
     let (mut state, mut work, mut searches) = (begin(&disks.model, &settings()), Workspace::default(), 0);
     // An empty folder goes when it is let go of.
-    let folder = arguments.checkpoint.as_deref().map(Folder::prepare).transpose()?;
+    let folder = arguments.checkpoint.as_deref();
+    let folder = folder.map(|path| Folder::prepare(path, Purpose::new("bench", path, &[]))).transpose()?;
     let checkpoint = folder.as_ref().map(|folder| Checkpoint::of(&("disks", count, steps), folder));
     if let Some(words) = checkpoint.as_ref().map(Checkpoint::take_up).transpose()?.flatten() {
         let foreign = || Failure::input("F110", "the checkpoint is of another box of discs", "name another folder");

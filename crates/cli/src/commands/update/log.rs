@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::folder::Folder;
+use crate::signs;
 use crate::watcher;
 use calibrate::log::Unreadable;
 use calibrate::{Log, Progress, Watch, Wish};
@@ -25,15 +26,24 @@ impl Keeper {
     /// What an earlier run of the same model did, if it is to be taken up, and someone who keeps what comes.
     pub fn open(folder: &Folder, identity: &str, resume: bool, quiet: bool) -> Result<(Log, Keeper), Failure> {
         let path = folder.file(NAME);
-        let kept = if resume { read(&path)? } else { None };
-        let log = match kept {
-            Some(text) => take_up(&path, identity, &text)?,
+        let log = match read(&path)? {
+            Some(text) if resume => take_up(folder, identity, &text)?,
+            Some(text) => {
+                make_way(folder, &text)?;
+                Log::new(identity)
+            }
+            None if resume => {
+                let kept = read(&aside(folder, identity))?;
+                kept.and_then(|text| Log::read(identity, &text).ok()).map_or_else(|| Log::new(identity), |(log, _)| log)
+            }
             None => Log::new(identity),
         };
         // Written anew, so that a torn last line of a killed run does not spoil the next one.
         let unwritable = |error: io::Error| Failure::not_written(&path, &error);
         crate::folder::write_whole(&path, log.text().as_bytes()).map_err(unwritable)?;
         let file = OpenOptions::new().append(true).open(&path).map_err(unwritable)?;
+        let words = format!("evaluations are kept in {}\nthe same command with --resume goes on", path.display());
+        signs::keeps("log", &path, words);
         let bar = watcher::count(quiet, 1);
         Ok((log, Keeper { bar, path, file, trouble: None }))
     }
@@ -62,7 +72,9 @@ impl Onlooker {
 
 impl Watch for Onlooker {
     fn look(&mut self, progress: &Progress) -> Wish {
-        self.0.set_message(format!("{}: {} evaluations", progress.stage, progress.done));
+        let words = format!("{}: {} evaluations", progress.stage, progress.done);
+        signs::tell(&words, None);
+        self.0.set_message(words);
         if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
     }
 }
@@ -75,10 +87,32 @@ fn read(path: &std::path::Path) -> Result<Option<String>, Failure> {
     }
 }
 
-fn take_up(path: &std::path::Path, identity: &str, text: &str) -> Result<Log, Failure> {
+/// Keeps the log of an earlier run under a name of its own; a file that is no log is refused.
+fn make_way(folder: &Folder, text: &str) -> Result<(), Failure> {
+    // No model has an empty identity: the answer tells whose log it is.
+    let Err(Unreadable::Other { identity }) = Log::read("", text) else {
+        return Err(Failure::replaces_foreign(folder.path(), &[(false, NAME.to_owned())]));
+    };
+    let aside = aside(folder, &identity);
+    std::fs::rename(folder.file(NAME), &aside).map_err(|error| Failure::not_written(&aside, &error))
+}
+
+/// Where the evaluations of a model are kept while another one's stand in the log.
+fn aside(folder: &Folder, identity: &str) -> PathBuf {
+    let hash = blake3::hash(identity.as_bytes()).to_hex();
+    folder.file(&format!("evaluations-{}.log", &hash.as_str()[..16]))
+}
+
+fn take_up(folder: &Folder, identity: &str, text: &str) -> Result<Log, Failure> {
+    let path = folder.file(NAME);
     match Log::read(identity, text) {
         Ok((log, _)) => Ok(log),
         Err(Unreadable::Other { .. }) => {
+            let kept = read(&aside(folder, identity))?;
+            if let Some((log, _)) = kept.and_then(|text| Log::read(identity, &text).ok()) {
+                make_way(folder, text)?;
+                return Ok(log);
+            }
             let message = format!("{} belongs to another bridge or other parameters", path.display());
             Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
         }
@@ -95,7 +129,9 @@ impl Watch for Keeper {
         self.bar.set_length((progress.done + to_come).max(1) as u64);
         self.bar.set_position(progress.done as u64);
         let left = progress.to_come.map_or(String::new(), |left| format!(", at most {left} to come"));
-        self.bar.set_message(format!("{}: {} evaluations{left}", progress.stage, progress.done));
+        let words = format!("{}: {} evaluations{left}", progress.stage, progress.done);
+        signs::tell(&words, None);
+        self.bar.set_message(words);
         if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
     }
 

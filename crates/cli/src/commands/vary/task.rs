@@ -3,6 +3,7 @@
 use super::Refusals;
 use crate::args::Choice;
 use crate::cache::{Cache, Key};
+use crate::commands::Source;
 use crate::failure::Failure;
 use assess::vary::{Analysis, Design, Run, runs};
 use bridge::edit::Document;
@@ -15,6 +16,8 @@ const MOST_REFUSALS: usize = 50;
 
 /// What every run starts from.
 pub struct Plan<'a> {
+    /// The file, with what other files gave it.
+    pub source: &'a Source,
     /// The bridge as its file has it.
     pub own: &'a Bridge,
     /// The file's text.
@@ -139,7 +142,7 @@ impl Plan<'_> {
                 return Err(vec![Failure::input("F114", message, "extrados vary FILE --list shows what the file has")]);
             }
         }
-        let read = bridge::read(document.text().as_bytes());
+        let read = self.source.read_again(document.text().as_bytes()).map_err(|failure| vec![failure])?;
         let codes = |list: &[Diagnostic]| list.iter().map(|finding| finding.code).collect();
         match read.bridge {
             Some(bridge) => Ok((bridge, codes(&read.diagnostics))),

@@ -1,0 +1,117 @@
+//! The list of files that the command made in a folder, each with the hash of what it wrote: what is not on it, or was changed
+//! since, belongs to somebody else and is never replaced.
+
+use super::{SEAL, write_whole};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Component, Path};
+
+/// Name of the list in its folder.
+pub const NAME: &str = ".extrados-files.json";
+const SCHEMA: &str = "extrados.files/1";
+
+/// What the command made in a folder.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct List {
+    /// Which run made the result that stands there, such as "collapse-load-dem"; empty where none does.
+    pub kind: String,
+    /// The file that it was made from.
+    pub of: String,
+    /// Files of that result.
+    pub last: Vec<String>,
+    /// Every file that was made there, with the hashes it may have; none where nobody kept them.
+    made: BTreeMap<String, Vec<String>>,
+}
+
+impl List {
+    /// The list of a folder. Where there is none, files that a result names count as made: results of earlier versions have no
+    /// list.
+    pub fn read(folder: &Path) -> List {
+        let value = |name: &str| serde_json::from_slice::<Value>(&fs::read(folder.join(name)).ok()?).ok();
+        if let Some(value) = value(NAME).filter(|value| value["schema"] == SCHEMA) {
+            return List::from_value(&value);
+        }
+        let Some(seal) = value(SEAL) else { return List::default() };
+        if !seal["schema"].as_str().is_some_and(|schema| schema.starts_with("extrados.")) {
+            return List::default();
+        }
+        let mut last: Vec<String> = strings(&seal["files"]).into_iter().filter(|name| is_inside(name)).collect();
+        last.push(SEAL.to_owned());
+        let made = last.iter().map(|name| (name.clone(), Vec::new())).collect();
+        List { kind: String::new(), of: String::new(), last, made }
+    }
+
+    fn from_value(value: &Value) -> List {
+        let made = value["made"].as_object().into_iter().flatten();
+        let made = made.filter(|(name, _)| is_inside(name)).map(|(name, hashes)| (name.clone(), strings(hashes)));
+        let word = |key: &str| value[key].as_str().unwrap_or_default().to_owned();
+        let last = strings(&value["last"]).into_iter().filter(|name| is_inside(name)).collect();
+        List { kind: word("kind"), of: word("of"), last, made: made.collect() }
+    }
+
+    /// Writes it, whole or not at all.
+    pub fn write(&self, folder: &Path) -> io::Result<()> {
+        let made: Map<String, Value> = self.made.iter().map(|(name, hashes)| (name.clone(), json!(hashes))).collect();
+        let about = "Files that extrados made here, and may replace as long as they are as it made them.";
+        let value = json!({
+            "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": made,
+        });
+        write_whole(&folder.join(NAME), format!("{value:#}\n").as_bytes())
+    }
+
+    /// Whether the file of this name is as the command made it.
+    pub fn holds(&self, folder: &Path, name: &str) -> bool {
+        let Some(hashes) = self.made.get(name) else { return false };
+        let path = folder.join(name);
+        let plain = fs::symlink_metadata(&path).is_ok_and(|data| data.is_file());
+        plain && (hashes.is_empty() || hash(&path).is_ok_and(|hash| hashes.contains(&hash)))
+    }
+
+    /// Whether a file of this name was made, whatever became of it.
+    pub fn knows(&self, name: &str) -> bool {
+        self.made.contains_key(name)
+    }
+
+    /// A file may have this content too.
+    pub fn expect(&mut self, name: &str, hash: String) {
+        let known = self.made.entry(name.to_owned()).or_default();
+        if !known.contains(&hash) {
+            known.push(hash);
+        }
+    }
+
+    /// A file has this content and no other.
+    pub fn settle(&mut self, name: &str, hash: String) {
+        self.made.insert(name.to_owned(), vec![hash]);
+    }
+
+    /// A file is gone.
+    pub fn forget(&mut self, name: &str) {
+        self.made.remove(name);
+    }
+
+    /// The list of these files alone.
+    pub fn only(&self, names: &[String]) -> List {
+        let made = self.made.iter().filter(|(name, _)| names.contains(name));
+        let made = made.map(|(name, hashes)| (name.clone(), hashes.clone())).collect();
+        List { last: names.to_vec(), made, ..self.clone() }
+    }
+}
+
+/// The hash of a file's content, in hexadecimal digits.
+pub fn hash(path: &Path) -> io::Result<String> {
+    let mut hasher = blake3::Hasher::new();
+    io::copy(&mut fs::File::open(path)?, &mut hasher)?;
+    Ok(hasher.finalize().to_hex().to_string())
+}
+
+/// A plain name below the folder.
+fn is_inside(name: &str) -> bool {
+    !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+}
+
+fn strings(value: &Value) -> Vec<String> {
+    value.as_array().into_iter().flatten().filter_map(|one| one.as_str().map(str::to_owned)).collect()
+}

@@ -1,0 +1,136 @@
+//! What a folder of results is for: which run, of which file, and which names it may write.
+
+use std::path::{Path, PathBuf};
+
+/// A run that wants a folder.
+#[derive(Debug, Clone)]
+pub struct Purpose {
+    /// Which run, such as "collapse-load-dem": its own earlier answer is replaced, that of another run is kept.
+    pub kind: String,
+    /// The file that it reads, canonical.
+    pub of: PathBuf,
+    /// Every file that it reads.
+    inputs: Vec<PathBuf>,
+    /// Stems of the files that it may write; `*` at the end stands for anything.
+    stems: &'static [&'static str],
+}
+
+/// Endings of files of results.
+const ENDINGS: [&str; 9] = ["json", "csv", "svg", "png", "dxf", "vtu", "pvd", "html", "pdf"];
+
+/// Folders below the folder of results whose files are all results.
+pub const BELOW: [&str; 3] = ["paraview", "wall", "wall/paraview"];
+
+const COLLAPSE: &[&str] = &[
+    "result",
+    "bridge",
+    "mechanism",
+    "thrust-line",
+    "stress",
+    "load-displacement",
+    "collapse",
+    "packing",
+    "force-chains",
+    "displacement",
+    "fill-stress",
+    "animation",
+    "model",
+    "deformed",
+    "path",
+    "hinges",
+    "blocks",
+    "contacts",
+    "particles",
+    "particle-contacts",
+];
+const SWEEP: &[&str] = &[
+    "result",
+    "bridge",
+    "mechanism",
+    "thrust-line",
+    "stress",
+    "load-displacement",
+    "collapse",
+    "packing",
+    "force-chains",
+    "displacement",
+    "fill-stress",
+    "animation",
+    "envelope",
+    "adequacy",
+    "sweep",
+    "vehicles",
+    "sections",
+];
+const RESPOND: &[&str] =
+    &["result", "records", "influence-lines", "moment-*", "influence", "channels", "log", "joints", "thrust-lines"];
+const UPDATE: &[&str] = &[
+    "result",
+    "histories",
+    "residuals",
+    "sensitivity-*",
+    "surface-*",
+    "posterior",
+    "correlation",
+    "sweeps",
+    "samples",
+];
+const VARY: &[&str] = &["result", "tornado", "curve-*", "heat-map", "vary"];
+const ASSESS: &[&str] = &["result", "report", "checks"];
+const FLEET: &[&str] = &["result", "fleet"];
+const CALIBRATE: &[&str] = &["result", "stress-strain", "moduli", "sample", "curve"];
+const CHECK: &[&str] = &["bridge", "mesh"];
+
+impl Purpose {
+    /// A run of this kind on a file, which reads these files too. The kind begins with the command.
+    pub fn new(kind: &str, file: &Path, inputs: &[PathBuf]) -> Purpose {
+        let stems = match kind.split('-').next().unwrap_or_default() {
+            "collapse" => COLLAPSE,
+            "sweep" => SWEEP,
+            "respond" => RESPOND,
+            "update" => UPDATE,
+            "vary" => VARY,
+            "assess" => ASSESS,
+            "fleet" => FLEET,
+            "calibrate" => CALIBRATE,
+            _ => CHECK,
+        };
+        let mut all: Vec<PathBuf> = inputs.iter().filter_map(|input| input.canonicalize().ok()).collect();
+        let of = file.canonicalize().unwrap_or_else(|_| file.to_owned());
+        all.push(of.clone());
+        Purpose { kind: kind.to_owned(), of, inputs: all, stems }
+    }
+
+    /// Whether the run may write a file of this name. Letters are compared as file systems that do not tell small from capital
+    /// ones compare them.
+    pub fn may_write(&self, name: &str) -> bool {
+        let name = name.to_lowercase();
+        let Some((stem, ending)) = name.rsplit_once('.') else { return false };
+        let fits = |known: &&str| known.strip_suffix('*').map_or(stem == *known, |start| stem.starts_with(start));
+        ENDINGS.contains(&ending) && (stem.contains('/') || self.stems.iter().any(|known| fits(&known)))
+    }
+
+    /// Whether a file is one that the run reads.
+    pub fn reads(&self, path: &Path) -> bool {
+        path.canonicalize().is_ok_and(|path| self.inputs.contains(&path))
+    }
+
+    /// The file that it reads, as text.
+    pub fn of(&self) -> String {
+        self.of.display().to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_lays_claim_to_its_own_names_alone() {
+        let purpose = Purpose::new("collapse-load-dem", Path::new("b.toml"), &[]);
+        let may = |names: &[&str]| names.iter().map(|name| purpose.may_write(name)).collect::<Vec<_>>();
+        assert_eq!(may(&["model.dxf", "Model.DXF", "result.json", "paraview/a.vtu"]), [true; 4]);
+        assert_eq!(may(&["survey.dxf", "model.txt", "channels.csv", "model"]), [false; 4]);
+        assert!(Purpose::new("respond", Path::new("b.toml"), &[]).may_write("moment-3-ring.svg"));
+    }
+}

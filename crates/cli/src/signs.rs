@@ -1,0 +1,115 @@
+//! What passes between signals, the run and the thread that waits for it. Signals reach a program, not a part of it: this is the
+//! one global state.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+struct Signs {
+    stop: AtomicBool,
+    busy: AtomicUsize,
+    now: Mutex<Now>,
+}
+
+static SIGNS: Signs = Signs {
+    stop: AtomicBool::new(false),
+    busy: AtomicUsize::new(0),
+    now: Mutex::new(Now { task: String::new(), words: String::new(), fraction: None, begun: None, kept: None }),
+};
+
+/// What the run does just now.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Now {
+    /// Which part of the command, such as a stage of an assessment; empty where there is one only.
+    pub task: String,
+    /// What it last said.
+    pub words: String,
+    /// Share of the part that is done, where it can be told.
+    pub fraction: Option<f64>,
+    /// When the part began.
+    pub begun: Option<Instant>,
+    /// What is kept of it.
+    pub kept: Option<Kept>,
+}
+
+/// What stays of a run that is cut off.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Kept {
+    /// Its key in the object: "checkpoint", "cache", "log".
+    pub key: &'static str,
+    /// Where it is.
+    pub place: String,
+    /// The same for people.
+    pub words: String,
+}
+
+/// Listens to Ctrl-C, to termination and to a terminal that closes: the first asks the run to stop, the second ends the command at
+/// once.
+pub fn listen() {
+    let heard = ctrlc::set_handler(|| {
+        if SIGNS.stop.swap(true, Ordering::SeqCst) {
+            std::process::exit(i32::from(crate::status::Status::Cancelled.exit_code()));
+        }
+    });
+    // Without a handler a signal ends the command as the system does; the last checkpoint stands either way.
+    drop(heard);
+}
+
+/// Whether the command was asked to stop.
+pub fn asked_to_stop() -> bool {
+    SIGNS.stop.load(Ordering::SeqCst)
+}
+
+/// Files are being moved into their place as long as this lives: the command ends after that and not in between.
+pub struct Busy(());
+
+/// Says that files are being moved.
+pub fn busy() -> Busy {
+    SIGNS.busy.fetch_add(1, Ordering::SeqCst);
+    Busy(())
+}
+
+/// Whether files are being moved.
+pub fn is_busy() -> bool {
+    SIGNS.busy.load(Ordering::SeqCst) > 0
+}
+
+impl Drop for Busy {
+    fn drop(&mut self) {
+        SIGNS.busy.fetch_sub(1, Ordering::SeqCst);
+    }
+}
+
+fn lock() -> MutexGuard<'static, Now> {
+    SIGNS.now.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What the run does just now.
+pub fn now() -> Now {
+    lock().clone()
+}
+
+/// Begins a part of the command.
+pub fn begin(task: &str) {
+    let mut now = lock();
+    (now.task, now.words, now.fraction, now.begun) = (task.to_owned(), String::new(), None, Some(Instant::now()));
+}
+
+/// A share that falls by more than this is that of another part.
+const FALL: f64 = 0.05;
+
+/// Tells what is being done.
+pub fn tell(words: &str, fraction: Option<f64>) {
+    let mut now = lock();
+    let fell = now.fraction.zip(fraction).is_some_and(|(old, new)| new < old - FALL);
+    if fell || now.begun.is_none() {
+        now.begun = Some(Instant::now());
+    }
+    words.clone_into(&mut now.words);
+    now.fraction = fraction;
+}
+
+/// Tells what stays should the run be cut off.
+pub fn keeps(key: &'static str, place: &std::path::Path, words: impl Into<String>) {
+    lock().kept = Some(Kept { key, place: place.display().to_string(), words: words.into() });
+}
