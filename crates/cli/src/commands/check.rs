@@ -12,7 +12,6 @@ use assess::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
 use bridge::{Bridge, Strip};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
 
 /// Reads the file and draws the bridge.
 pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
@@ -22,7 +21,7 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
     let Some(bridge) = &source.read.bridge else { return Ok(source.report(Status::UnusableInput)) };
     let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;
-    planned(&source, bridge)?;
+    planned(bridge)?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = source.folder(&out, "check")?;
     let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
@@ -57,21 +56,25 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
         .with("out", shown.as_str())
         .with("files", names)
         .saying(summary(bridge, picture.shapes.len(), meshed.as_ref(), &shown));
-    Ok(match &meshed {
+    let mut report = match &meshed {
         Some(Ok(meshed)) => report.with("mesh", quality(meshed)),
         _ => report,
-    })
+    };
+    // Records come after their file has been written, so that missing ones are a doubt.
+    let asked = source.read.update.as_ref();
+    let records = asked.map(|asked| super::update::records(&arguments.file, &asked.records.place));
+    if let Some(Err(failure)) = records {
+        report.warn(&mut desk.screen, failure.code, &format!("update cannot use this file yet: {}", failure.message));
+    }
+    Ok(report)
 }
 
 /// Refuses what the command that the file is made for would refuse before it computes.
-fn planned(source: &Source, bridge: &Bridge) -> Result<(), Failure> {
+fn planned(bridge: &Bridge) -> Result<(), Failure> {
     let refused = |error: &AnalysisError| results::not_set_up(error);
     analysis::planned(bridge).map_err(|error| refused(&error))?;
     if bridge.calibration.wanted_modulus.is_some() {
         calibrate::planned(bridge).map_err(|error| refused(&error))?;
-    }
-    if let Some(asked) = &source.read.update {
-        super::update::records(Path::new(&source.name), &asked.records.place)?;
     }
     if bridge.passage.is_none() {
         return Ok(());

@@ -3,6 +3,7 @@
 mod answers;
 mod assess;
 mod calibration;
+mod checked;
 mod drawings;
 mod drawn;
 mod examples;
