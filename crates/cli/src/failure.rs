@@ -179,6 +179,13 @@ pub const CARDS: &[Card] = &[
                what it may be at the most. Most often a length such as `size` in [mesh] was meant in another unit.",
     },
     Card {
+        code: "F125",
+        title: "results of another run were kept",
+        text: "The folder held the answer of another run (another analysis or method, a sweep, a grid) or of another file of the same \
+               name. It was moved to `earlier` in that folder before the new answer took its place. --out DIR gives each run a folder of \
+               its own.",
+    },
+    Card {
         code: "F130",
         title: "nothing can be updated",
         text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] with `place`, a table or a \

@@ -46,13 +46,14 @@ pub fn publish(
     folder: &Folder,
     files: &[figures::File],
 ) -> Result<Report, Failure> {
-    let placed = folder.fill(
+    folder.fill(
         |staging| write(staging, files),
         |names, place, placed| {
             report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
             if let Some(earlier) = &placed.earlier {
-                report.fields.insert("earlier".to_owned(), json!(earlier.display().to_string()));
+                let what = format!("the results of another run stood in {}", place.display());
+                report.warn(&mut desk.screen, "F125", &format!("{what}: they are kept in {}", earlier.display()));
             }
             if !placed.avoided.is_empty() {
                 let what = format!("{} came while this ran and is not the command's", placed.avoided.join(", "));
@@ -62,9 +63,6 @@ pub fn publish(
         },
     )?;
     report.summary += &written(files);
-    if let Some(earlier) = &placed.earlier {
-        report.summary += &format!("The results of another run that stood there are kept in {}\n", earlier.display());
-    }
     Ok(report)
 }
 

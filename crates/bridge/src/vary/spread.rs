@@ -86,21 +86,23 @@ fn texts(field: &Field, spread: &Spread, literals: &[String]) -> Vec<String> {
     let number = |literal: &String| measure(field, literal).map(|(number, _)| number);
     let last = literals.len().saturating_sub(1);
     let one = |(k, literal): (usize, &String)| {
-        let written = match spread {
-            Spread::List(list) => list.get(k).is_some_and(|written| factor_of(written).is_none()),
-            Spread::Range { from, to, .. } => {
-                (k == 0 && factor_of(from).is_none()) || (k == last && factor_of(to).is_none())
+        let given = match spread {
+            Spread::List(list) => list.get(k),
+            Spread::Range { from, .. } if k == 0 => Some(from),
+            Spread::Range { to, .. } if k == last => Some(to),
+            Spread::Range { .. } => None,
+        };
+        let Some((value, scale)) = measure(field, literal) else { return text_of(literal) };
+        let step = match given {
+            Some(written) if factor_of(written).is_none() => return text_of(literal),
+            Some(_) => value.abs() / 1e3,
+            None => {
+                let next = [k.wrapping_sub(1), k + 1].map(|k| literals.get(k).and_then(number));
+                let steps = next.into_iter().flatten().map(|next| (next - value).abs());
+                steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min)
             }
         };
-        let near = |other: Option<usize>| Some((number(literal)? - number(literals.get(other?)?)?).abs());
-        let steps = [near(k.checked_sub(1)), near(Some(k + 1))].into_iter().flatten().filter(|step| *step > 0.0);
-        match measure(field, literal).filter(|_| !written) {
-            Some((number, scale)) => {
-                let least = number.abs() / 100.0;
-                text_of(&scale.literal(rounded(number, steps.fold(least, f64::min))))
-            }
-            None => text_of(literal),
-        }
+        text_of(&scale.literal(rounded(value, step)))
     };
     literals.iter().enumerate().map(one).collect()
 }

@@ -91,7 +91,7 @@ fn planned(bridge: &Bridge) -> Result<(), Failure> {
 }
 
 /// Most nodes of a mesh that is made for a drawing: some seconds, and less than a gigabyte.
-const MOST_DRAWN: usize = 200_000;
+const MOST_DRAWN: usize = 100_000;
 
 fn options(bridge: &Bridge) -> MeshOptions {
     MeshOptions { most_nodes: MOST_DRAWN, ..MeshOptions::of(bridge) }

@@ -25,7 +25,7 @@ pub fn vary(study: &Study, out: &str) -> String {
         let sharp = figures::four_digits(study.resolution);
         let _ = writeln!(page, "\n  changes up to {sharp} {unit} are steps of the search");
     }
-    let _ = writeln!(page, "\nResults are in {out}");
+    let _ = writeln!(page, "\nThe table and finished runs are in {out}");
     page
 }
 

@@ -173,44 +173,6 @@ fn two_methods_answer_as_their_page_tells() {
 }
 
 #[test]
-fn what_vary_prints_is_what_its_page_shows() {
-    let stage = Stage::with_example("tutorials-vary", "bridgemill");
-    let page = page("vary.md");
-    let blocks = blocks(&page);
-    let shown = |begins: &str| {
-        let found = blocks.iter().find(|(_, text)| text.contains(begins));
-        found.unwrap_or_else(|| panic!("no block begins with {begins}")).1.clone()
-    };
-    let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let runs: [(&str, Vec<&str>); 2] = [
-        ("by limit analysis, 6 quantities", vec!["vary", "bridge/vary.toml", "--method", "limit", "--out", "one"]),
-        (
-            "a grid of 2 quantities",
-            vec![
-                "vary",
-                "bridge/case-1.toml",
-                "--method",
-                "limit",
-                "--grid",
-                "--out",
-                "grid",
-                "--set",
-                "joint.friction_angle=8deg..20deg:5",
-                "--set",
-                "span.thickness=-10%..+10%:5",
-            ],
-        ),
-    ];
-    for (begins, words) in runs {
-        let ending = stage.run(&words);
-        assert_eq!(ending.code, Some(0), "{}", ending.stderr);
-        for line in shown(begins).lines().map(squeezed).filter(|line| !line.is_empty()) {
-            assert!(squeezed(&ending.stdout).contains(&line), "the page shows {line:?}, the command {}", ending.stdout);
-        }
-    }
-}
-
-#[test]
 #[ignore = "minutes: a train crosses, moduli are sought, a bridge is assessed"]
 fn long_commands_of_the_tutorials_end_well() {
     let stage = Stage::new("tutorials-long");
