@@ -1,7 +1,7 @@
 //! Many positions of a load: the condensed path against the whole system, position by position.
 
 use mechanics::fem::condensed::{Condensed, Derivatives, Functional, LoadPattern, Neighbour, Reached};
-use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar};
+use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use mechanics::fem::{
     Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, Section, Settings, State, Status, Support, Target,
@@ -24,11 +24,13 @@ struct Vault {
 }
 
 fn vault(fill: Material, kinematics: Kinematics) -> Vault {
-    vault_of(fill, 16e9, 0.4, kinematics)
+    vault_of(fill, 16e9, 0.4, PANEL, kinematics)
 }
 
-/// With stones of this modulus [Pa] and this friction under the fill.
-fn vault_of(fill: Material, modulus: f64, friction: f64, kinematics: Kinematics) -> Vault {
+const PANEL: Shear = Shear::Panel { strength: 1e6, when_open: false };
+
+/// With stones of this modulus [Pa], this friction under the fill and this shear in the joints.
+fn vault_of(fill: Material, modulus: f64, friction: f64, shear: Shear, kinematics: Kinematics) -> Vault {
     let (stone, thick, high) = (0.4, 0.5, 0.8);
     let mut mesh = Mesh::default();
     let (stones, soil) = (mesh.zones.push("stones".into()), mesh.zones.push("fill".into()));
@@ -120,14 +122,8 @@ fn vault_of(fill: Material, modulus: f64, friction: f64, kinematics: Kinematics)
     ]
     .into_iter()
     .collect();
-    let joint = Mortar {
-        normal: 100e9,
-        tangential: 40e9,
-        lift_off: LiftOff::Force(1e3),
-        compressive_strength: None,
-        shear_strength: 1e6,
-        shear_when_open: false,
-    };
+    let joint =
+        Mortar { normal: 100e9, tangential: 40e9, lift_off: LiftOff::Force(1e3), compressive_strength: None, shear };
     let contact =
         Contact { normal: 10e9, tangential: 4e9, friction, cohesion: 0.0, separation: false, rounding: 500.0 };
     let model =
@@ -159,7 +155,10 @@ fn amplitudes(vault: &Vault, index: usize, force: f64) -> Vec<f64> {
 /// Largest difference of the observed values between the two paths over the largest value, over all positions; most springs that
 /// were open and that slid, most points that flowed, and looks after which positions were gone through again.
 fn compare(fill: Material, force: f64) -> (f64, [usize; 4]) {
-    let vault = vault(fill, Kinematics::Small);
+    compare_in(&vault(fill, Kinematics::Small), force)
+}
+
+fn compare_in(vault: &Vault, force: f64) -> (f64, [usize; 4]) {
     let model = &vault.model;
     let weight = model.weight(vec2(0.0, -9.81));
     let mut state = State::new(model);
@@ -180,14 +179,14 @@ fn compare(fill: Material, force: f64) -> (f64, [usize; 4]) {
         .collect();
     let mut condensed = Condensed::new(model, state.clone(), &patterns, &observed).unwrap();
     let count = 50;
-    let passage = condensed.pass(count, &|i| amplitudes(&vault, i, force), &mut Unwatched).unwrap();
+    let passage = condensed.pass(count, &|i| amplitudes(vault, i, force), &mut Unwatched).unwrap();
     assert_eq!((passage.visited.len(), passage.stopped_at), (count, None));
     let (mut worst, mut size) = (0.0_f64, 0.0_f64);
     let (mut open, mut sliding, mut yielding) = (0, 0, 0);
     for (index, visited) in passage.visited.iter().enumerate() {
         assert_eq!(visited.position.reached, Reached::Balanced);
         let mut forces = weight.clone();
-        for (pattern, a) in patterns.iter().zip(amplitudes(&vault, index, force)) {
+        for (pattern, a) in patterns.iter().zip(amplitudes(vault, index, force)) {
             pattern.0.iter().for_each(|&(component, force)| forces[component] += a * force);
         }
         let outcome =
@@ -219,6 +218,19 @@ fn joints_that_open_and_slide_give_the_plain_path_to_1e_8() {
     let (worst, [open, sliding, ..]) = compare(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), 60e3);
     assert!(open > 0 && sliding > 0, "{open} open, {sliding} sliding: nothing to compare");
     assert!(worst <= 1e-8, "{worst:e}");
+}
+
+/// Joints that rub: their shear follows what presses, and vanishes where they open.
+#[test]
+fn joints_that_rub_give_the_plain_path_to_1e_8() {
+    let fill = Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 });
+    for (coefficient, cohesion) in [(1.5, 0.0), (1.5, 20e3)] {
+        let rubs = Shear::Friction { coefficient, cohesion };
+        let vault = vault_of(fill, 16e9, 10.0, rubs, Kinematics::Small);
+        let (worst, [open, sliding, ..]) = compare_in(&vault, 60e3);
+        assert!(open > 0 && sliding > 0, "{open} open, {sliding} sliding: nothing to compare");
+        assert!(worst <= 1e-8, "cohesion {cohesion}: {worst:e}");
+    }
 }
 
 /// Looked over in stretches or each by itself, positions break the same pairs of mortar: steps back, guesses and what is looked at early do not matter.
@@ -308,7 +320,7 @@ fn down(node: NodeId) -> LoadPattern {
 fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadPattern>, [Functional; 3]) {
     let soil = Elastic { modulus: soil, ratio: 0.19 };
     let fill = DruckerPrager::matching(soil, Cone::Compression, cohesion, 30f64.to_radians(), 0.0);
-    let vault = vault_of(Material::DruckerPrager(fill), stones, friction, Kinematics::Small);
+    let vault = vault_of(Material::DruckerPrager(fill), stones, friction, PANEL, Kinematics::Small);
     let mut patterns = vec![LoadPattern::of_all(&vault.model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let of = |node: NodeId, axis: usize| Functional(vec![(2 * node.index() + axis, 1.0)]);

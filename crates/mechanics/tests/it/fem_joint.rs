@@ -1,12 +1,21 @@
 //! Laws of pairs of facing points.
 
 use crate::fem_law::Dice;
-use mechanics::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairLaw, PairMemory, PairState};
+use mechanics::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairLaw, PairMemory, PairState, Shear};
 
 const FRESH: PairMemory = PairMemory { slip: 0.0, crush: 0.0, broken: false, state: PairState::Closed };
 
 fn mortar() -> Mortar {
     Mortar { lift_off: LiftOff::Force(1e3), ..Mortar::bed(1.25e9, 0.19, 0.0125, 1e6) }
+}
+
+fn panel(when_open: bool) -> Shear {
+    Shear::Panel { strength: 1e6, when_open }
+}
+
+/// A bed that rubs: friction 0.6 and a cohesion [Pa].
+fn rubbing(cohesion: f64) -> Mortar {
+    Mortar { shear: Shear::Friction { coefficient: 0.6, cohesion }, ..mortar() }
 }
 
 fn contact(separation: bool) -> Contact {
@@ -17,7 +26,10 @@ fn all() -> Vec<JointLaw> {
     vec![
         JointLaw::Elastic(ElasticJoint { normal: 100e9, tangential: 40e9 }),
         JointLaw::Mortar(mortar()),
-        JointLaw::Mortar(Mortar { compressive_strength: Some(5e6), shear_when_open: true, ..mortar() }),
+        JointLaw::Mortar(Mortar { compressive_strength: Some(5e6), shear: panel(true), ..mortar() }),
+        JointLaw::Mortar(rubbing(0.0)),
+        JointLaw::Mortar(rubbing(2e5)),
+        JointLaw::Mortar(Mortar { compressive_strength: Some(5e6), lift_off: LiftOff::Stress(0.0), ..rubbing(2e5) }),
         JointLaw::Contact(contact(true)),
         JointLaw::Contact(contact(false)),
         JointLaw::Contact(Contact { cohesion: 2e5, ..contact(true) }),
@@ -85,9 +97,40 @@ fn a_panel_slides_at_its_strength_and_remembers() {
     assert!(slid.state == PairState::Sliding && slid.traction[1] == 1e6 && slid.tangent[1] == [0.0, 0.0]);
     let back = law.respond([-1e-5, 1e-3 - 1e-6], 0.1, &slid.memory);
     assert!(back.state == PairState::Closed && (back.traction[1] - (1e6 - 1e-6 * law.tangential)).abs() < 1e-3);
-    let panels = Mortar { shear_when_open: true, ..law };
+    let panels = Mortar { shear: panel(true), ..law };
     let open = panels.respond([1e-3, 1e-3], 0.1, &PairMemory { broken: true, ..FRESH });
     assert!(open.state == PairState::Open && open.traction == [0.0, 1e6]);
+}
+
+/// Coulomb with the tension that a whole pair takes: under pressure, under tension, without any, and where it has opened.
+#[test]
+fn mortar_that_rubs_has_the_strength_of_coulomb() {
+    let (law, area) = (rubbing(2e5), 0.1);
+    let shear = |normal: f64, memory: &PairMemory| law.respond([normal / law.normal, 1.0], area, memory).traction[1];
+    for (normal, strength) in [(-1e6, 8e5), (0.0, 2e5), (5e3, 1.97e5)] {
+        assert!((shear(normal, &FRESH) - strength).abs() < 1e-6 * strength, "{normal}");
+    }
+    // A bond is lost with the tension that it took; friction is not.
+    let broken = PairMemory { broken: true, ..FRESH };
+    assert!(law.respond([1e-6, 1.0], area, &broken).traction == [0.0; 2]);
+    assert!((shear(-1e6, &broken) - 6e5).abs() < 1e-3);
+    // Under more tension than cohesion over friction nothing is left.
+    let pulled = Mortar { lift_off: LiftOff::Stress(1e6), ..law }.respond([5e5 / law.normal, 1.0], area, &FRESH);
+    assert!(pulled.traction[1] == 0.0 && pulled.state == PairState::Sliding);
+    // It slides at pressure, and its shear follows what presses.
+    let slid = law.respond([-1e6 / law.normal, -1.0], area, &FRESH);
+    assert!(slid.state == PairState::Sliding && (slid.tangent[1][0] - 0.6 * law.normal).abs() < 1.0);
+    assert!(slid.tangent[1][1] == 0.0 && !JointLaw::Mortar(law).symmetric());
+}
+
+/// Cohesion without strength in tension is lost in one event: whoever seeks balance breaks the pair.
+#[test]
+fn a_bond_without_tension_breaks_and_does_not_flicker() {
+    let law = Mortar { lift_off: LiftOff::Stress(0.0), ..rubbing(2e5) };
+    let overstress = |tension: f64| JointLaw::Mortar(law).overstress(tension, 0.1, &FRESH);
+    assert!(overstress(0.1) < 1.0 && overstress(0.5) > 1.0);
+    let whole = law.respond([1e-9, 1e-7], 0.1, &FRESH);
+    assert!(whole.state == PairState::Closed && !whole.memory.broken);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::discretise::laws;
 use crate::discretise::ring_mesh::RingMesh;
 use bridge::Bridge;
 use mechanics::blocks::Stiffness;
-use mechanics::fem::joint::{JointLaw, LiftOff, Mortar};
+use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Elastic, Material, Plane, Solid};
 use mechanics::fem::{Element, Kinematics, Model, Section};
 
@@ -62,8 +62,7 @@ pub fn parts(bridge: &Bridge, d: &Discretised) -> Parts {
         tangential,
         lift_off: LiftOff::Stress(0.0),
         compressive_strength: None,
-        shear_strength: f64::MAX,
-        shear_when_open: true,
+        shear: Shear::Friction { coefficient: bridge.joint.friction_angle.tan(), cohesion: bridge.joint.cohesion },
     };
     Parts { stone, density: bridge.masonry.density, joint, words }
 }

@@ -2,8 +2,8 @@
 
 use super::PassageError;
 use crate::discretise::mesh::{Meshed, Role, Substance};
-use bridge::{Bridge, Cone as FileCone, Soil, SoilLaw};
-use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar};
+use bridge::{Bridge, Cone as FileCone, Joint, Soil, SoilLaw};
+use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane, Solid};
 use mechanics::fem::{Element, Kinematics, Model, Section, Support};
 use mechanics::ids::NodeId;
@@ -22,7 +22,7 @@ pub fn model(bridge: &Bridge, meshed: &Meshed, kinematics: Kinematics) -> Result
         return Err(PassageError::Missing(keys.join(", ")));
     }
     let sections = meshed.roles.iter().map(|role| section(bridge, *role)).collect();
-    let joints = vec![mortar(bridge), mortar(bridge), contact(bridge, meshed)];
+    let joints = vec![mortar(bridge, &bridge.joint), mortar(bridge, &bridge.ring_joint), contact(bridge, meshed)];
     Model::new(meshed.mesh.clone(), sections, joints, &supports(meshed), kinematics).map_err(PassageError::Model)
 }
 
@@ -92,8 +92,9 @@ fn soil_law(soil: &Soil, elastic: Elastic) -> Material {
     }
 }
 
-/// Springs of the mortar's modulus over its thickness (railway paper, equation 1), beside shear panels of the stone's modulus.
-fn mortar(bridge: &Bridge) -> JointLaw {
+/// Springs of the mortar's modulus over its thickness (railway paper, equation 1), beside shear panels of the stone's modulus where the
+/// mortar has a shear strength, and friction and cohesion of the joint where it has none.
+fn mortar(bridge: &Bridge, joint: &Joint) -> JointLaw {
     let bed = &bridge.service.mortar;
     let (modulus, thickness) = (bed.elastic_modulus.unwrap_or_default(), bed.thickness.unwrap_or(1.0));
     let stone = bridge.masonry.elastic_modulus.unwrap_or(modulus);
@@ -103,9 +104,11 @@ fn mortar(bridge: &Bridge) -> JointLaw {
         tangential: stone / (2.0 * (1.0 + ratio)) / thickness,
         lift_off: LiftOff::Force(bed.lift_off),
         compressive_strength: None,
-        shear_strength: bed.shear_strength.unwrap_or(f64::MAX),
-        // The panels stand beside the springs: what lifts off does not let go of them.
-        shear_when_open: true,
+        shear: match bed.shear_strength {
+            // The panels stand beside the springs: what lifts off does not let go of them.
+            Some(strength) => Shear::Panel { strength, when_open: true },
+            None => Shear::Friction { coefficient: joint.friction_angle.tan(), cohesion: joint.cohesion },
+        },
     })
 }
 
@@ -131,9 +134,11 @@ pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
         "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear elastic, of \
          elements with incompatible modes; soil that yields is of plain four-node elements."
             .into(),
-        "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, beside panels that \
-         shear like stone up to their strength, where springs have lifted off too; stones reach to the middle of the joints."
-            .into(),
+        format!(
+            "Joints are springs of the mortar's modulus over its thickness, without tension beyond their lift-off, {}; stones reach to \
+             the middle of the joints.",
+            shear(bridge)
+        ),
         format!(
             "Fill touches masonry through {:.1} GPa/m, friction {:.2}, and {}.",
             contact.normal / 1e9,
@@ -143,4 +148,55 @@ pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
         "The base of piers, abutments and the fill behind them is fixed; the side boundaries hold the fill horizontally.".into(),
         "Self-weight is carried by the finished bridge, without the centring's stages, and taken off the records.".into(),
     ]
+}
+
+/// What carries shear in joints, in words.
+fn shear(bridge: &Bridge) -> String {
+    match bridge.service.mortar.shear_strength {
+        Some(strength) => format!(
+            "beside panels that shear like stone up to {:.3} MPa whatever presses on them, where springs have lifted off too",
+            strength / 1e6
+        ),
+        None => {
+            let of = |joint: &Joint| {
+                format!("tan {:.1}° and {:.1} kPa", joint.friction_angle.to_degrees(), joint.cohesion / 1e3)
+            };
+            let (joint, rings) = (of(&bridge.joint), of(&bridge.ring_joint));
+            let between = if rings == joint { String::new() } else { format!(" ({rings} between rings)") };
+            format!(
+                "and shear like stone up to friction and cohesion of [joint], {joint}{between}: nothing where they have opened, friction \
+                 alone once they have"
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechanics::fem::joint::{PairLaw, PairMemory, PairState};
+
+    /// What the reference says of a file that gives no shear strength: friction and cohesion of its joints decide.
+    #[test]
+    fn joints_without_shear_strength_rub_and_carry_nothing_where_open() {
+        let mut bridge = super::super::tests::railway();
+        let bed = &mut bridge.service.mortar;
+        (bed.elastic_modulus, bed.thickness, bed.shear_strength) = (Some(1e9), Some(0.01), None);
+        (bridge.joint.friction_angle, bridge.joint.cohesion) = (0.6_f64.atan(), 20e3);
+        (bridge.ring_joint.friction_angle, bridge.ring_joint.cohesion) = (0.4_f64.atan(), 0.0);
+        for (joint, friction, cohesion) in [(bridge.joint, 0.6, 20e3), (bridge.ring_joint, 0.4, 0.0)] {
+            let law = mortar(&bridge, &joint);
+            let fresh = PairMemory::default();
+            let press = -200e3 / law.stiffness()[0];
+            let slid = law.respond([press, 1.0], 0.1, &fresh);
+            assert_eq!(slid.state, PairState::Sliding);
+            assert!((slid.traction[1] - (200e3 * friction + cohesion)).abs() < 1e-3, "{:?}", slid.traction);
+            let open = law.respond([1e-3, 1e-3], 0.1, &PairMemory { broken: true, ..fresh });
+            assert_eq!(open.traction, [0.0; 2], "an open joint carries no shear");
+        }
+        // A strength of the mortar is what it is, whatever the joint's friction.
+        bridge.service.mortar.shear_strength = Some(1e6);
+        let panel = mortar(&bridge, &bridge.joint).respond([-1e-6, 1.0], 0.1, &PairMemory::default());
+        assert_eq!(panel.traction[1], 1e6);
+    }
 }

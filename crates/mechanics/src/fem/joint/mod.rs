@@ -12,7 +12,7 @@ mod mortar;
 pub(super) use breaking::weakest;
 pub use contact::Contact;
 pub use elastic::ElasticJoint;
-pub use mortar::{LiftOff, Mortar};
+pub use mortar::{LiftOff, Mortar, Shear};
 
 /// Whether a pair touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -63,7 +63,7 @@ pub trait PairLaw {
 pub enum JointLaw {
     /// Linear, whatever the opening.
     Elastic(ElasticJoint),
-    /// A mortar bed: springs that lift off, and a shear panel with a strength.
+    /// A mortar bed: springs that lift off, and shear up to a strength or to friction.
     Mortar(Mortar),
     /// Coulomb friction.
     Contact(Contact),
@@ -74,7 +74,8 @@ impl JointLaw {
     #[must_use]
     pub fn symmetric(&self) -> bool {
         match self {
-            JointLaw::Elastic(_) | JointLaw::Mortar(_) => true,
+            JointLaw::Elastic(_) => true,
+            JointLaw::Mortar(law) => !law.shear.frictional(),
             JointLaw::Contact(law) => law.friction <= 0.0,
         }
     }

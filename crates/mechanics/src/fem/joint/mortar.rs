@@ -23,7 +23,56 @@ impl LiftOff {
     }
 }
 
-/// Springs across the bed that lift off and may crush, and a shear panel with a strength along it.
+/// What a bed carries along itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shear {
+    /// A panel of a strength that knows no pressure; elastic, perfectly plastic.
+    Panel {
+        /// Shear strength [Pa].
+        strength: f64,
+        /// Whether the panel still carries shear where the springs have lifted off, as separate panels of stone would.
+        /// If not, shear vanishes there and the pair starts unstressed where it closes again.
+        when_open: bool,
+    },
+    /// Coulomb's law: cohesion and friction on what presses, less what pulls, and nothing where the springs have lifted off.
+    /// Cohesion is a bond: a pair that has once opened keeps its friction alone.
+    Friction {
+        /// Coefficient of friction.
+        coefficient: f64,
+        /// Cohesion [Pa].
+        cohesion: f64,
+    },
+}
+
+impl Shear {
+    /// Strength [Pa] under a normal stress, and its derivative.
+    #[inline(always)]
+    fn strength(&self, normal: f64, broken: bool) -> (f64, f64) {
+        match *self {
+            Shear::Panel { strength, .. } => (strength, 0.0),
+            Shear::Friction { coefficient, cohesion } => {
+                let strength = if broken { 0.0 } else { cohesion } - coefficient * normal;
+                if strength > 0.0 { (strength, -coefficient) } else { (0.0, 0.0) }
+            }
+        }
+    }
+
+    fn when_open(&self) -> bool {
+        matches!(self, Shear::Panel { when_open: true, .. })
+    }
+
+    /// Whether strength depends on what presses.
+    #[must_use]
+    pub fn frictional(&self) -> bool {
+        matches!(self, Shear::Friction { coefficient, .. } if *coefficient > 0.0)
+    }
+}
+
+/// Tension over cohesion up to which a pair holds that has a bond and no strength in tension: the bond is lost in one event, as a strength in
+/// tension is, so that the state that is found does not depend on the way there.
+const BOND: f64 = 1e-6;
+
+/// Springs across the bed that lift off and may crush, and what resists shear along it.
 ///
 /// A pair that is broken carries no tension. One that is whole and has a strength holds, whatever the tension: [`super::JointLaw::overstress`] tells how far that is
 /// beyond the strength, and whoever seeks balance breaks the pair.
@@ -37,11 +86,8 @@ pub struct Mortar {
     pub lift_off: LiftOff,
     /// Compressive strength [Pa], beyond which the bed is crushed for good.
     pub compressive_strength: Option<f64>,
-    /// Shear strength [Pa]; elastic, perfectly plastic.
-    pub shear_strength: f64,
-    /// Whether the panel still carries shear where the springs have lifted off, as separate panels of stone would.
-    /// If not, shear vanishes there and the pair starts unstressed where it closes again.
-    pub shear_when_open: bool,
+    /// What resists shear.
+    pub shear: Shear,
 }
 
 impl Mortar {
@@ -54,15 +100,21 @@ impl Mortar {
             tangential: normal / (2.0 * (1.0 + ratio)),
             lift_off: LiftOff::Stress(0.0),
             compressive_strength: None,
-            shear_strength,
-            shear_when_open: false,
+            shear: Shear::Panel { strength: shear_strength, when_open: false },
         }
     }
 
     /// Tension [Pa] at which a pair breaks; none where it is broken.
     #[inline(always)]
     fn tensile_strength(&self, area: f64, old: &PairMemory) -> f64 {
-        if old.broken { 0.0 } else { self.lift_off.stress(area) }
+        if old.broken {
+            return 0.0;
+        }
+        let bond = match self.shear {
+            Shear::Friction { cohesion, .. } => BOND * cohesion,
+            Shear::Panel { .. } => 0.0,
+        };
+        self.lift_off.stress(area).max(bond)
     }
 
     /// Tension over the strength of a pair that is whole; nothing for one that is broken.
@@ -83,14 +135,17 @@ impl Mortar {
         }
     }
 
-    /// Shear stress [Pa], its stiffness [Pa/m], the slip [m], and whether the panel is at its strength.
-    fn along(&self, opening: f64, old: &PairMemory) -> (f64, f64, f64, bool) {
+    /// Shear stress [Pa] under a normal stress and its stiffness [Pa/m], its stiffnesses along normal and tangential opening [Pa/m], the slip
+    /// [m], and whether it is at its strength.
+    fn along(&self, opening: f64, (normal, across): (f64, f64), old: &PairMemory) -> (f64, [f64; 2], f64, bool) {
         let shear = self.tangential * (opening - old.slip);
-        if shear.abs() <= self.shear_strength {
-            return (shear, self.tangential, old.slip, false);
+        let (strength, slope) = self.shear.strength(normal, old.broken);
+        if shear.abs() <= strength {
+            return (shear, [0.0, self.tangential], old.slip, false);
         }
-        let shear = self.shear_strength.copysign(shear);
-        (shear, 0.0, opening - shear / self.tangential, true)
+        let way = 1.0_f64.copysign(shear);
+        let shear = way * strength;
+        (shear, [way * slope * across, 0.0], opening - shear / self.tangential, true)
     }
 
     /// Whether all of many openings are within its strengths.
@@ -102,7 +157,8 @@ impl Mortar {
         for lane in 0..L {
             let stress = self.normal * (opening[0][lane] - old.crush);
             let shear = self.tangential * (opening[1][lane] - old.slip);
-            holds &= (stress <= tension) & (stress >= crushed) & (shear.abs() <= self.shear_strength);
+            let (strength, _) = self.shear.strength(stress, old.broken);
+            holds &= (stress <= tension) & (stress >= crushed) & (shear.abs() <= strength);
         }
         holds
     }
@@ -111,8 +167,11 @@ impl Mortar {
 impl PairLaw for Mortar {
     fn respond(&self, opening: [f64; 2], area: f64, old: &PairMemory) -> PairResponse {
         let (normal, across, crush, open) = self.across(opening[0], area, old);
-        let (shear, along, slip, slides) =
-            if open && !self.shear_when_open { (0.0, 0.0, opening[1], false) } else { self.along(opening[1], old) };
+        let (shear, along, slip, slides) = if open && !self.shear.when_open() {
+            (0.0, [0.0; 2], opening[1], false)
+        } else {
+            self.along(opening[1], (normal, across), old)
+        };
         let state = match (open, slides) {
             (true, _) => PairState::Open,
             (false, true) => PairState::Sliding,
@@ -120,7 +179,7 @@ impl PairLaw for Mortar {
         };
         PairResponse {
             traction: [normal, shear],
-            tangent: [[across, 0.0], [0.0, along]],
+            tangent: [[across, 0.0], along],
             memory: PairMemory { slip, crush, broken: old.broken || open, state },
             state,
         }

@@ -1,7 +1,7 @@
 //! What is called still, at a glance or at a look at the points, against the laws, on both sides of the limit and as near to it as numbers are.
 
 use super::*;
-use crate::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairState};
+use crate::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairState, Shear};
 use crate::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use crate::fem::many::{WIDEST, WIDTHS};
 use crate::fem::settings::Kinematics;
@@ -37,18 +37,21 @@ fn model(cohesion: f64) -> Model {
         mesh.quads.push(Quad { nodes, zone: fill });
     }
     held.push(Support { node: NodeId::new(19), held: [true, false] });
-    let mortar = |lift_off, compressive_strength, shear_when_open| {
-        let (normal, tangential, shear_strength) = (1e11, 4e10, 1e6);
-        Mortar { normal, tangential, lift_off, compressive_strength, shear_strength, shear_when_open }
+    let mortar = |lift_off, compressive_strength, shear| {
+        let (normal, tangential) = (1e11, 4e10);
+        Mortar { normal, tangential, lift_off, compressive_strength, shear }
     };
+    let panel = |when_open| Shear::Panel { strength: 1e6, when_open };
     let contact = |separation, rounding, cohesion| {
         let (normal, tangential, friction) = (1e10, 4e9, 0.4);
         Contact { normal, tangential, friction, cohesion, separation, rounding }
     };
     let joints = vec![
         JointLaw::Elastic(ElasticJoint { normal: 1e11, tangential: 4e10 }),
-        JointLaw::Mortar(mortar(LiftOff::Force(1e3), None, false)),
-        JointLaw::Mortar(mortar(LiftOff::Stress(0.0), Some(5e6), true)),
+        JointLaw::Mortar(mortar(LiftOff::Force(1e3), None, panel(false))),
+        JointLaw::Mortar(mortar(LiftOff::Stress(0.0), Some(5e6), panel(true))),
+        JointLaw::Mortar(mortar(LiftOff::Force(1e3), None, Shear::Friction { coefficient: 0.6, cohesion: 2e3 })),
+        JointLaw::Mortar(mortar(LiftOff::Stress(0.0), None, Shear::Friction { coefficient: 0.7, cohesion: 0.0 })),
         JointLaw::Contact(contact(false, 500.0, 0.0)),
         JointLaw::Contact(contact(false, 500.0, 2e3)),
         JointLaw::Contact(contact(false, 0.0, 2e3)),
