@@ -119,15 +119,38 @@ pub struct Soil {
 /// Where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Cone {
-    /// In triaxial compression: outside of the pyramid.
-    #[default]
+    /// In triaxial compression: outside of the pyramid, and stronger than the soil in plane strain.
     Compression,
     /// In triaxial extension.
     Extension,
     /// In plane strain at failure.
+    #[default]
     PlaneStrain,
     /// Touching the pyramid from inside.
     Inner,
+}
+
+impl Soil {
+    /// Friction angle [rad] and cohesion [Pa] with which the cone of triaxial compression acts in plane strain: those of the plane-strain cone
+    /// (docs/theory/materials.md) that has its α and k, for its own flow. None for other cones and laws.
+    pub fn acts_with(&self) -> Option<[f64; 2]> {
+        if self.law != SoilLaw::DruckerPrager || self.cone != Cone::Compression {
+            return None;
+        }
+        let (friction, cohesion) = (self.friction_angle?, self.cohesion?);
+        let root = 3.0_f64.sqrt();
+        let outer = |angle: f64| 2.0 * angle.sin() / (root * (3.0 - angle.sin()));
+        let (alpha, beta) = (outer(friction), outer(self.dilatancy_angle));
+        let strength = 6.0 * friction.cos() * cohesion / (root * (3.0 - friction.sin()));
+        // α = sin φ / 3s and k = c cos φ / s with s = share + β sin φ, solved for φ and c.
+        let share = (1.0 - 3.0 * beta * beta).sqrt();
+        let sine = 3.0 * alpha * share / (1.0 - 3.0 * alpha * beta);
+        if !(sine < 1.0) {
+            return None;
+        }
+        let acts = sine.asin();
+        Some([acts, strength * (share + beta * sine) / acts.cos()])
+    }
 }
 
 /// When a soil yields.
@@ -201,5 +224,43 @@ pub struct FillContact {
 impl Default for FillContact {
     fn default() -> FillContact {
         FillContact { friction_coefficient: None, separation: true, stiffness: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = include_str!("../tests/it/files/service.toml");
+
+    fn codes(text: &str) -> Vec<&'static str> {
+        crate::read(text.as_bytes()).diagnostics.iter().map(|finding| finding.code).collect()
+    }
+
+    /// A fill of 30 degrees may not act as one of 44 because nobody named a cone.
+    #[test]
+    fn the_cone_that_is_not_named_has_the_strength_of_the_soil() {
+        let without = FILE.replacen("cone = \"plane-strain\"\n", "", 1);
+        assert!(without != FILE);
+        let fill = crate::read(without.as_bytes()).bridge.unwrap().service.fill;
+        assert_eq!((fill.cone, fill.acts_with()), (Cone::PlaneStrain, None));
+        let soil = Soil {
+            friction_angle: Some(30f64.to_radians()),
+            cohesion: Some(10e3),
+            cone: Cone::Compression,
+            ..Soil::default()
+        };
+        let [friction, cohesion] = soil.acts_with().unwrap();
+        assert!(
+            (friction.to_degrees() - 43.854).abs() < 1e-3 && (cohesion - 16641.0).abs() < 1.0,
+            "{friction} {cohesion}"
+        );
+    }
+
+    /// Whoever asks for the outer cone is told what it does.
+    #[test]
+    fn the_outer_cone_is_doubted() {
+        let outer = FILE.replacen("cone = \"plane-strain\"", "cone = \"compression\"", 1);
+        assert!(codes(&outer).contains(&"P070") && !codes(FILE).contains(&"P070"));
     }
 }

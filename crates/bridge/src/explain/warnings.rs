@@ -223,4 +223,13 @@ courses = 6"#,
         right: r#"thickness = "12.5 mm""#,
         source: "W. S. McNary and D. P. Abrams, Mechanics of masonry in compression, 1985, for the modulus of weak mortar",
     },
+    Card {
+        code: "P070",
+        title: "a cone stronger than the soil",
+        meaning: "The fill yields on the cone that meets the pyramid of Mohr and Coulomb in triaxial compression.",
+        why: "A bridge is computed in plane strain, where that cone lies outside the pyramid: without dilatancy a friction angle of 30 deg acts as 43.9 deg and cohesion as 1.66 times as much. Fill then holds more than it does, and moduli that are identified from records make up for it.",
+        wrong: r#"cone = "compression""#,
+        right: r#"cone = "plane-strain""#,
+        source: "W. F. Chen and D. J. Han, Plasticity for Structural Engineers, 1988, on matching the cone in plane strain; docs/theory/materials.md",
+    },
 ];

@@ -65,7 +65,7 @@ const CONE: Field = Field::new(
     "cone",
     Kind::Word(CONES),
     "where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb",
-    "plane-strain",
+    "inner",
 );
 const LAW: Field = Field::new("law", Kind::Word(LAWS), "when the fill yields", "mohr-coulomb");
 
@@ -82,7 +82,7 @@ pub(super) static FILL: Section = Section {
         COHESION.optional("unknown; `respond` needs it unless the fill is elastic"),
         DILATANCY.default("0 deg"),
         CUTOFF.optional("no bound but the apex of cone or pyramid"),
-        CONE.default("compression"),
+        CONE.default("plane-strain"),
         LAW.default("drucker-prager"),
     ],
 };

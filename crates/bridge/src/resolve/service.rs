@@ -82,9 +82,9 @@ fn soil(table: &Table<'_>, otherwise: Soil, findings: &mut Findings) -> Option<S
         tension_cutoff: tension_cutoff?.or(otherwise.tension_cutoff),
         cone: maybe(table, "cone", cone)?.map_or(otherwise.cone, |word| match word {
             "extension" => Cone::Extension,
-            "plane-strain" => Cone::PlaneStrain,
+            "compression" => Cone::Compression,
             "inner" => Cone::Inner,
-            _ => Cone::Compression,
+            _ => Cone::PlaneStrain,
         }),
         law: maybe(table, "law", law)?.map_or(otherwise.law, |word| match word {
             "mohr-coulomb" => SoilLaw::MohrCoulomb,
@@ -92,7 +92,28 @@ fn soil(table: &Table<'_>, otherwise: Soil, findings: &mut Findings) -> Option<S
             _ => SoilLaw::DruckerPrager,
         }),
     };
+    outer_cone(table, &soil, findings);
     dilates_as_it_rubs(table, &soil, findings).then_some(soil)
+}
+
+/// A cone that makes the soil stronger than the file says it is.
+fn outer_cone(table: &Table<'_>, soil: &Soil, findings: &mut Findings) {
+    let (Some([acts, cohesion]), Some(friction)) =
+        (soil.acts_with().filter(|_| table.has("cone")), soil.friction_angle)
+    else {
+        return;
+    };
+    let times = soil
+        .cohesion
+        .filter(|own| *own > 0.0)
+        .map_or(String::new(), |own| format!(", and its cohesion {:.2} times as much", cohesion / own));
+    findings.warning(
+        "P070",
+        table.place("cone"),
+        "the cone of triaxial compression makes the fill stronger than its friction angle",
+        format!("in plane strain {:.1} deg act as {:.1} deg{times}", friction.to_degrees(), acts.to_degrees()),
+        "leave `cone` out for the cone that gives the soil's own failure load in plane strain",
+    );
 }
 
 /// A soil that dilated by more than its friction would give work away for nothing.
