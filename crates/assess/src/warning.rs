@@ -161,6 +161,13 @@ cards! {
          vehicles in the message are met by limit analysis with less room than that: with the same share taken off they would not \
          be met. Name each of them alone in vehicles of [sweep] to have it made by discrete elements too, and judge by the smaller \
          number.";
+    /// Plain elements that flow.
+    LOCKING_FILL = "A153", "fill flows in plain elements, which lock",
+        "Soil that yields is made of plain four-node elements. Plastic flow keeps volume in a fixed ratio to shear at each of their four points, \
+         which is more than four nodes can follow: where every point of an element flows, it locks and carries too much (Nagtegaal, Parks \
+         and Rice 1974). A footing on such elements ends 12 % above Prandtl's load, and a slope stands at 1.6 that fails at 1.4; \
+         peaks of a ring under such fill are a little low. Halve size in [mesh] and compare the peaks; where they \
+         move, halve it again. More cohesion or a denser fill, if that is what is there, keeps it from flowing.";
     /// A stage of an assessment that failed.
     STAGE_FAILED = "A160", "a stage of the assessment came to no end",
         "An analysis that the file asks for could not be set up or found no answer; the message says which and why. The other \

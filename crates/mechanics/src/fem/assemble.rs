@@ -20,12 +20,12 @@ pub(super) fn assemble(model: &Model, work: &mut Workspace, state: &State) -> Re
     work.values.fill(0.0);
     work.skew.fill(0.0);
     work.skewed = false;
-    work.loose = 0;
+    work.loose = 0.0;
     work.internal.fill(0.0);
     work.fresh = false;
     for (id, quad) in model.mesh.quads.pairs() {
         let answer = quadrilateral(model, &mut work.trial, id, quad, state).ok_or(Broken)?;
-        work.loose += usize::from(answer.loose);
+        work.loose = work.loose.hypot(answer.loose);
         let components: [usize; 8] = std::array::from_fn(|i| 2 * quad.nodes[i / 2].index() + i % 2);
         let symmetric = model.section(id).solid.material.symmetric();
         add(model, work, id.index(), &components, (&answer.force, &answer.tangent), symmetric);
@@ -40,7 +40,12 @@ fn quadrilateral(model: &Model, trial: &mut Trial, id: QuadId, quad: &Quad, stat
     let section = model.section(id);
     let u = moved(&trial.displacements, &quad.nodes);
     let old: &[Point] = &state.points[4 * index..4 * index + 4];
-    let kept = Kept { points: &mut trial.points[4 * index..4 * index + 4], modes: &mut trial.modes[index] };
+    let kept = Kept {
+        points: &mut trial.points[4 * index..4 * index + 4],
+        modes: &mut trial.modes[index],
+        from: state.modes[index],
+        misses: &mut trial.misses[index],
+    };
     let incompatible = model.incompatible(id);
     let samples = sample(&corners);
     match model.kinematics {

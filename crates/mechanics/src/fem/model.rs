@@ -4,8 +4,10 @@ use super::dofs::{Dofs, dof};
 use super::element::{Element, Section, mass, sample};
 use super::interface::{Spring, springs};
 use super::joint::{JointLaw, PairState};
+use super::law::Material;
 use super::mesh::{Mesh, Quad};
 use super::settings::Kinematics;
+use super::state::Point;
 use crate::ids::{Id, InterfaceId, NodeId, QuadId, Table, ZoneId};
 use crate::plane::Vec2;
 use thiserror::Error;
@@ -154,6 +156,19 @@ impl Model {
             }
         }
         forces
+    }
+
+    /// Whether a quadrilateral locks where all of its points flow: plain ones do (Nagtegaal, Parks and Rice 1974).
+    pub(super) fn may_lock(&self, quad: QuadId) -> bool {
+        let section = self.section(quad);
+        section.element == Element::Q4
+            && !matches!(section.solid.material, Material::Elastic(_) | Material::NoTension(_))
+    }
+
+    /// Those that do, by what the points of all quadrilaterals answer; and those that `holds` its modes.
+    pub(super) fn locking(&self, points: &[Point], holds: impl Fn(QuadId) -> bool) -> usize {
+        let flows = |quad: QuadId| points[4 * quad.index()..4 * quad.index() + 4].iter().all(|point| point.yields);
+        self.mesh.quads.pairs().filter(|(quad, _)| (self.may_lock(*quad) || holds(*quad)) && flows(*quad)).count()
     }
 
     /// Whether the modes of a quadrilateral are to be sought.

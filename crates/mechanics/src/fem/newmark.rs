@@ -246,7 +246,7 @@ pub fn transient(
         let attempt = balance(model, state, work, &aim, Some(&inertia), settings);
         outcome.iterations += u64::from(attempt.iterations);
         let reached = (step + 1) as f64 / steps as f64;
-        outcome.steps.push(attempt.step(work, reached));
+        outcome.steps.push(attempt.step(model, work, reached));
         if attempt.end != End::Balanced {
             outcome.status = if attempt.end == End::Singular { Status::Singular } else { Status::NotConverged };
             return outcome;

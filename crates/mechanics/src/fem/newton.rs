@@ -2,6 +2,7 @@
 
 use super::assemble::assemble;
 use super::dofs::dof;
+use super::element::held;
 use super::factor::FactorError;
 use super::gmres::{dot, norm};
 use super::interface::Spring;
@@ -12,7 +13,7 @@ use super::outcome::{Outcome, Status, Step};
 use super::settings::Settings;
 use super::state::{Bond, State};
 use super::workspace::Workspace;
-use crate::ids::NodeId;
+use crate::ids::{Id, NodeId};
 use crate::watch::{Progress, Watch, Wish};
 
 /// What is to be carried in the end.
@@ -54,7 +55,7 @@ pub fn advance(
         let aim = from.towards(&to, path.next());
         let attempt = balance(model, state, work, &aim, None, settings);
         outcome.iterations += u64::from(attempt.iterations);
-        outcome.steps.push(attempt.step(work, path.next()));
+        outcome.steps.push(attempt.step(model, work, path.next()));
         if attempt.end == End::Balanced {
             work.keep(state, &aim.forces);
             path.accept(attempt.iterations);
@@ -163,7 +164,7 @@ impl Attempt {
         }
     }
 
-    pub(super) fn step(&self, work: &Workspace, reached: f64) -> Step {
+    pub(super) fn step(&self, model: &Model, work: &Workspace, reached: f64) -> Step {
         let (open, sliding) = count(work.trial.bonds.iter().map(|bond| bond.state));
         Step {
             reached,
@@ -172,6 +173,7 @@ impl Attempt {
             line_searches: self.line_searches,
             indefinite: self.indefinite,
             yielding: work.trial.points.iter().filter(|point| point.yields).count(),
+            locking: model.locking(&work.trial.points, |quad| held(work.trial.misses[quad.index()])),
             open,
             sliding,
             kept: self.end == End::Balanced,
@@ -256,13 +258,14 @@ fn seek(equations: &Equations<'_>, work: &mut Workspace, settings: &Settings, be
                 attempt.indefinite += u32::from(!definite);
                 direction
             }
+            Err(FactorError::IllConditioned) => return attempt,
             Err(_) => {
                 attempt.end = End::Singular;
                 return attempt;
             }
         };
         let start = dot(&right, &direction);
-        let skewed = work.skewed;
+        let (skewed, before) = (work.skewed, norm(&right).hypot(work.loose));
         if first {
             equations.impose(work);
         }
@@ -270,7 +273,7 @@ fn seek(equations: &Equations<'_>, work: &mut Workspace, settings: &Settings, be
         let found = if !settings.line_search || (first && imposes) {
             whole
         } else if skewed {
-            equations.shorten(work, &direction, norm(&right), whole, &mut attempt.line_searches)
+            equations.shorten(work, &direction, before, whole, &mut attempt.line_searches)
         } else if damping > 0.0 {
             attempt.line_searches += 1;
             equations.descend(work, &direction, start, whole)
@@ -282,11 +285,12 @@ fn seek(equations: &Equations<'_>, work: &mut Workspace, settings: &Settings, be
         };
         let Some(now) = found else { return attempt };
         right = now;
-        attempt.unbalanced = norm(&right) / equations.size(work).max(f64::MIN_POSITIVE);
+        let left = norm(&right).hypot(work.loose);
+        attempt.unbalanced = left / equations.size(work).max(f64::MIN_POSITIVE);
         // Balanced, or as near to it as numbers can come.
         let stalled = attempt.iterations > best.1 + PATIENCE;
-        let rounded = stalled && attempt.unbalanced <= ROUNDED && norm(&right) <= work.rounding(model);
-        if work.loose == 0 && (attempt.unbalanced <= settings.tolerance || rounded) {
+        let rounded = stalled && attempt.unbalanced <= ROUNDED && left <= work.rounding(model);
+        if attempt.unbalanced <= settings.tolerance || rounded {
             attempt.end = End::Balanced;
             return attempt;
         }
@@ -421,10 +425,11 @@ impl Equations<'_> {
         searches: &mut u32,
     ) -> Option<Vec<f64>> {
         const TRIES: usize = 4;
-        let falls = |found: &Option<Vec<f64>>| found.as_ref().is_some_and(|found| norm(found) < start);
+        let falls =
+            |found: &Option<Vec<f64>>, loose: f64| found.as_ref().is_some_and(|found| norm(found).hypot(loose) < start);
         let (mut found, mut share) = (whole, 1.0);
         for tries in 0..TRIES {
-            if falls(&found) {
+            if falls(&found, work.loose) {
                 break;
             }
             *searches += u32::from(tries == 0);

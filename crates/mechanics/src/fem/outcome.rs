@@ -28,6 +28,9 @@ pub struct Step {
     pub indefinite: u32,
     /// Points that flow or crack.
     pub yielding: usize,
+    /// Plain elements (`Q4`, and `QM6` whose modes found no balance in flow that is not associated) in which every point flows. Flow keeps volume in a fixed ratio to shear, to which four such points bind more than the
+    /// element's nodes can follow: it locks, and what it carries is too much.
+    pub locking: usize,
     /// Springs of interfaces that are open.
     pub open: usize,
     /// Springs of interfaces that slide.

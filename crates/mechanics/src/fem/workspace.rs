@@ -19,8 +19,8 @@ pub struct Workspace {
     pub(super) skew: Vec<f64>,
     /// Whether anything in `skew` differs from zero.
     pub(super) skewed: bool,
-    /// Elements whose modes are not balanced yet.
-    pub(super) loose: usize,
+    /// Force on modes of elements that is not balanced yet [N/m], all together.
+    pub(super) loose: f64,
     /// Internal forces on all components.
     pub(super) internal: Vec<f64>,
     /// What the state would be if it were kept.
@@ -35,6 +35,8 @@ pub(super) struct Trial {
     pub displacements: Vec<f64>,
     pub points: Vec<Point>,
     pub modes: Vec<[f64; 4]>,
+    /// How often in this attempt the modes of an element found no balance.
+    pub misses: Vec<u8>,
     pub bonds: Vec<Bond>,
 }
 
@@ -52,9 +54,10 @@ impl Workspace {
             values: vec![0.0; pattern.places()],
             skew: if model.symmetric() { Vec::new() } else { vec![0.0; pattern.places()] },
             skewed: false,
-            loose: 0,
+            loose: 0.0,
             internal: vec![0.0; model.dofs().count()],
             trial: Trial {
+                misses: vec![0; state.modes.len()],
                 displacements: state.displacements,
                 points: state.points,
                 modes: state.modes,
@@ -121,6 +124,7 @@ impl Workspace {
     pub(super) fn take(&mut self, state: &State) {
         self.trial.displacements.copy_from_slice(&state.displacements);
         self.trial.modes.copy_from_slice(&state.modes);
+        self.trial.misses.fill(0);
     }
 
     /// Keeps what was tried: memories are exchanged, not copied.

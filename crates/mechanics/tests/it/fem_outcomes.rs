@@ -206,3 +206,41 @@ proptest! {
         prop_assert!((outcome.reached == 1.0) == (outcome.status == Status::Completed));
     }
 }
+
+/// A soft column on a stiff contact on another: the displacement of its top, which the contact hardly adds to.
+fn on_a_stiff_contact(normal: f64) -> (Status, f64) {
+    let mut mesh = grid(4, 4, vec2);
+    let zone = mesh.quads.iter().next().unwrap().zone;
+    let below = |i: usize, j: usize| NodeId::new(25 + 5 * j + i);
+    for j in 0..=4 {
+        for i in 0..=4 {
+            mesh.nodes.push(vec2(0.25 * i as f64, -1.0 + 0.25 * j as f64));
+        }
+    }
+    for (i, j) in (0..4).flat_map(|j| (0..4).map(move |i| (i, j))) {
+        mesh.quads.push(Quad { nodes: [below(i, j), below(i + 1, j), below(i + 1, j + 1), below(i, j + 1)], zone });
+    }
+    mesh.kinds = vec!["contact".into()];
+    let (one, two) = ((0..=4).map(|i| below(i, 4)).collect(), (0..=4).map(|i| node(4, i, 0)).collect());
+    mesh.interfaces.push(Interface { one, two, kind: 0, quadrature: Quadrature::Nodal });
+    let contact =
+        Contact { normal, tangential: 0.4 * normal, friction: 0.4, cohesion: 0.0, separation: true, rounding: 0.0 };
+    let supports: Vec<_> =
+        (0..=4).map(|i| held(below(i, 0), true, true)).chain([held(node(4, 0, 4), true, false)]).collect();
+    let soft = elastic(1e5, 0.2, Plane::Strain, Element::QM6);
+    let model = with_joints(mesh, soft, vec![JointLaw::Contact(contact)], &supports, Kinematics::Small);
+    let target = Target { forces: model.weight(vec2(0.0, -9.81)), imposed: vec![] };
+    let (state, _, outcome) = carried(&model, &target, &Settings { load_steps: 2, ..Settings::default() });
+    (outcome.status, state.displacements[2 * node(4, 4, 4).index() + 1])
+}
+
+/// Ten orders of magnitude between a contact and what it stands on: the equations have an inverse, and it is found.
+#[test]
+fn a_stiff_contact_on_soft_ground_is_no_mechanism() {
+    let (_, exact) = on_a_stiff_contact(1e10);
+    for normal in [1e12, 1e14, 1e15, 1e16] {
+        let (status, found) = on_a_stiff_contact(normal);
+        assert_eq!(status, Status::Completed, "{normal:e}");
+        assert!((found / exact - 1.0).abs() < 1e-3, "{normal:e}: {found} for {exact}");
+    }
+}

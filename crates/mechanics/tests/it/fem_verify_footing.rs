@@ -69,7 +69,7 @@ const SOIL: Elastic = Elastic { modulus: 170e6, ratio: 0.19 };
 
 const MESHES: [(usize, f64); 3] = [(6, 1.2), (10, 1.2), (16, 1.2)];
 
-/// Mean pressure over cohesion at the end of the push, where it no longer grows, on a mesh.
+/// Mean pressure over cohesion at the end of the push, where it no longer grows, on a mesh. Where plain elements lock, the run says so.
 fn factor(
     ground: (f64, f64),
     (under, growth): (usize, f64),
@@ -80,6 +80,8 @@ fn factor(
     let ground = Ground { width: ground.0, depth: ground.1, under, growth };
     let (pressure, outcome) = ground.push(material, element, 0.06, 10);
     assert_eq!(outcome.status, Status::Completed, "{under}: {outcome:?}");
+    let locking = outcome.steps.last().unwrap().locking;
+    assert_eq!(locking > 0, element == Element::Q4, "{element:?}: {locking} elements lock");
     pressure / cohesion
 }
 

@@ -109,6 +109,13 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
     }
     let open_joints = kept(&solution.log).map(|step| step.open_joints).max().unwrap_or(0);
     let plastic_points = kept(&solution.log).map(|step| step.plastic_points).max().unwrap_or(0);
+    let locking_elements = kept(&solution.log).map(|step| step.locking_elements).max().unwrap_or(0);
+    if locking_elements > 0 {
+        let message = format!(
+            "up to {locking_elements} elements of the fill flow as a whole: plain elements then carry more than the fill does, on a coarse mesh by a tenth"
+        );
+        warnings.push(Warning::new(warning::LOCKING_FILL, message));
+    }
     let solved = solution.values.first().map_or(0, Vec::len);
     let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| Channel {
         name: sensor.name.clone(),
@@ -134,6 +141,7 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         iterations_total: solution.log.iter().map(|step| step.iterations as u64).sum(),
         open_joints,
         plastic_points,
+        locking_elements,
         effective_width: setup.effective_width,
         tolerance: plan.tolerance,
         assumptions,

@@ -125,6 +125,8 @@ pub struct StepLog {
     pub cuts: usize,
     /// Points that yield.
     pub plastic_points: usize,
+    /// Elements of soil all of whose points yield: they carry too much.
+    pub locking_elements: usize,
     /// Joints that are open somewhere.
     pub open_joints: usize,
     /// Pairs that slide.
@@ -279,6 +281,8 @@ pub struct Passage {
     pub open_joints: usize,
     /// Most points that yielded at the same time.
     pub plastic_points: usize,
+    /// Most elements all of whose points yielded at the same time.
+    pub locking_elements: usize,
     /// Width of the bridge that carries an axle [m].
     pub effective_width: f64,
     /// Asked out-of-balance force over applied force.

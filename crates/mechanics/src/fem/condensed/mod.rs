@@ -77,6 +77,8 @@ pub struct Counts {
     pub sliding: usize,
     /// Points that flow.
     pub yielding: usize,
+    /// Plain quadrilaterals all of whose points flow: those that may lock ([`crate::fem::Step::locking`]).
+    pub locking: usize,
     /// Rows on which forces act that the linear system does not know.
     pub active_rows: usize,
     /// Quadrilaterals that flow or have flowed in some position.
@@ -320,6 +322,7 @@ impl<'a> Condensed<'a> {
                 Kind::Quad(_) => counts.active_quads += 1,
             }
             counts.yielding += part.yielding();
+            counts.locking += usize::from(part.locks(self.model));
         }
         (counts.open, counts.sliding) = count(bonds.iter().flatten().map(|bond| bond.state));
         counts.open_interfaces = open_among(self.model, bonds.into_iter());
@@ -335,7 +338,9 @@ impl<'a> Condensed<'a> {
             let u = assemble::moved(&state.displacements, &quad.nodes);
             let first = 4 * id.index();
             let old: [Point; 4] = std::array::from_fn(|k| self.start.points[first + k]);
-            let kept = Kept { points: &mut state.points[first..first + 4], modes: &mut state.modes[id.index()] };
+            let from = state.modes[id.index()];
+            let modes = &mut state.modes[id.index()];
+            let kept = Kept { points: &mut state.points[first..first + 4], modes, from, misses: &mut 0 };
             let (solid, modes) = (&self.model.section(id).solid, self.model.incompatible(id));
             let samples = element::sample(&self.model.corners(id));
             element::respond(solid, modes, &samples, &u, &old, kept).ok_or(CondensedError::Broken)?;

@@ -107,7 +107,8 @@ impl Part {
         part.equations = components(model, id).map(|component| model.dofs().equation(component));
         let samples = sample(&model.corners(id));
         let mut scratch = Kept4::default();
-        let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes };
+        let from = scratch.modes;
+        let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes, from, misses: &mut 0 };
         let virgin = [Point::default(); 4];
         let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
         part.stiffness = element::respond(solid, modes, &samples, &[0.0; 8], &virgin, kept)?.tangent;
@@ -239,7 +240,8 @@ impl Part {
         match (self.kind, &self.samples) {
             (Kind::Quad(id), Some(samples)) => {
                 self.new.modes = self.old.modes;
-                let kept = Kept { points: &mut self.new.points, modes: &mut self.new.modes };
+                let from = self.old.modes;
+                let kept = Kept { points: &mut self.new.points, modes: &mut self.new.modes, from, misses: &mut 0 };
                 let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
                 let answer = element::respond(solid, modes, samples, at, &self.old.points, kept)?;
                 Some((answer.force, answer.tangent))
@@ -409,5 +411,10 @@ impl Part {
             Kind::Quad(_) => self.old.points.iter().filter(|point| point.yields).count(),
             Kind::Spring(_) => 0,
         }
+    }
+
+    /// Whether it is a plain quadrilateral all of whose points flow.
+    pub fn locks(&self, model: &Model) -> bool {
+        matches!(self.kind, Kind::Quad(id) if model.may_lock(id)) && self.old.points.iter().all(|point| point.yields)
     }
 }

@@ -1,6 +1,7 @@
 //! Forces and tangent of one quadrilateral, its incompatible modes condensed.
 
 use super::shape::Sample;
+use crate::fem::gmres::norm;
 use crate::fem::law::{Four, Law, Material, Memory, Plane, Solid};
 use crate::fem::state::Point;
 
@@ -9,6 +10,16 @@ use crate::fem::state::Point;
 const LOCAL_LIMIT: usize = 20;
 const LOCAL_TOLERANCE: f64 = 1e-11;
 
+/// Times in one attempt that the modes of an element whose flow is not associated find no balance before they are held where the step
+/// found them. Such flow has no potential, and for given displacements of the corners there may be no balance of the modes at all: Newton's
+/// method then goes to and fro between faces of the law for ever. Held, the element answers its corners as a plain one does.
+const MISSES: u8 = 3;
+
+/// Whether modes that so often found no balance are held.
+pub(in crate::fem) fn held(misses: u8) -> bool {
+    misses >= MISSES
+}
+
 /// Forces of an element on its corners, and their derivatives.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::fem) struct Answer {
@@ -16,8 +27,9 @@ pub(in crate::fem) struct Answer {
     pub force: [f64; 8],
     /// `d force[i] / d displacement[j]` [Pa].
     pub tangent: [[f64; 8]; 8],
-    /// Whether the modes are not balanced yet: what is out of balance is in the forces, but the search has to go on.
-    pub loose: bool,
+    /// Force on the modes that is not balanced yet [N/m], nothing where they are balanced to rounding. The forces have its part, too: with
+    /// it they lead Newton's method on.
+    pub loose: f64,
 }
 
 /// What an element would remember.
@@ -26,6 +38,10 @@ pub(in crate::fem) struct Kept<'a> {
     pub points: &'a mut [Point],
     /// Amplitudes of its modes: where the search for them starts, and where it ended.
     pub modes: &'a mut [f64; 4],
+    /// Amplitudes when the step began.
+    pub from: [f64; 4],
+    /// How often in this attempt the modes found no balance.
+    pub misses: &'a mut u8,
 }
 
 /// Whether an element without modes, displaced by `u`, flows nowhere and remembers nothing new, so that it answers linearly from
@@ -67,28 +83,60 @@ pub(in crate::fem) fn respond(
 ) -> Option<Answer> {
     if !incompatible {
         let (force, tangent, _) = integrate::<8>(solid, samples, u, old, kept.points);
-        return Some(Answer { force, tangent, loose: false });
+        return Some(Answer { force, tangent, loose: 0.0 });
+    }
+    if held(*kept.misses) {
+        return Some(plain(solid, samples, u, old, kept));
     }
     let mut all = [0.0; 12];
     all[..8].copy_from_slice(u);
     all[8..].copy_from_slice(kept.modes);
     let stiffness = modes_stiffness(solid, samples);
-    let mut now = integrate::<12>(solid, samples, &all, old, kept.points);
+    let mut at = |all: &[f64; 12]| integrate::<12>(solid, samples, all, old, &mut *kept.points);
+    let mut now = at(&all);
     let mut last = f64::INFINITY;
     for tries in 0.. {
         let (force, tangent, size) = &now;
-        let left = force[8..].iter().fold(0.0, |most: f64, f| most.max(f.abs()));
-        let (answer, step) = condense(force, tangent, stiffness)?;
+        let left = largest(force);
         // Linear laws are balanced but for rounding; a stall next to the tolerance is rounding too.
         let balanced = left <= LOCAL_TOLERANCE * size || (left >= last && left <= 1e3 * LOCAL_TOLERANCE * size);
         if balanced || tries == LOCAL_LIMIT {
-            kept.modes.copy_from_slice(&all[8..]);
-            return Some(Answer { loose: !balanced, ..answer });
+            break;
         }
+        let (_, step) = condense(force, tangent, stiffness)?;
         last = left;
-        now = step_modes(&mut all, &step, &now.0, |all| integrate::<12>(solid, samples, all, old, &mut *kept.points));
+        now = step_modes(&mut all, &step, &now.0, &mut at);
     }
-    None
+    let (force, tangent, size) = &now;
+    let loose = if largest(force) <= 1e3 * LOCAL_TOLERANCE * size { 0.0 } else { norm(&force[8..]) };
+    if loose > 0.0 && !solid.material.symmetric() {
+        *kept.misses += 1;
+        if held(*kept.misses) {
+            return Some(plain(solid, samples, u, old, kept));
+        }
+    }
+    let (answer, _) = condense(force, tangent, stiffness)?;
+    kept.modes.copy_from_slice(&all[8..]);
+    Some(Answer { loose, ..answer })
+}
+
+/// The answer of an element whose modes are held where the step found them.
+fn plain(solid: &Solid, samples: &[Sample; 4], u: &[f64; 8], old: &[Point], kept: Kept<'_>) -> Answer {
+    *kept.modes = kept.from;
+    let mut all = [0.0; 12];
+    all[..8].copy_from_slice(u);
+    all[8..].copy_from_slice(&kept.from);
+    let (force, tangent, _) = integrate::<12>(solid, samples, &all, old, kept.points);
+    Answer {
+        force: std::array::from_fn(|i| force[i]),
+        tangent: std::array::from_fn(|i| std::array::from_fn(|j| tangent[i][j])),
+        loose: 0.0,
+    }
+}
+
+/// Largest force on a mode [N/m].
+fn largest(force: &[f64; 12]) -> f64 {
+    force[8..].iter().fold(0.0, |most: f64, f| most.max(f.abs()))
 }
 
 /// Forces and tangent of corners and modes, and the size of the sums' terms.
@@ -100,7 +148,7 @@ fn step_modes(
     all: &mut [f64; 12],
     step: &[f64; 4],
     force: &[f64; 12],
-    mut at: impl FnMut(&[f64; 12]) -> Whole,
+    at: &mut impl FnMut(&[f64; 12]) -> Whole,
 ) -> Whole {
     const TRIES: usize = 12;
     const LEFT: f64 = 0.9;
@@ -201,7 +249,7 @@ fn condensed(force: &[f64; 12], tangent: &[[f64; 12]; 12], stiffness: f64, trace
         a[i][i] += trace * stiffness;
     }
     solve(&mut a, &mut b, 1e-12 * stiffness)?;
-    let mut answer = Answer { force: [0.0; 8], tangent: [[0.0; 8]; 8], loose: false };
+    let mut answer = Answer { force: [0.0; 8], tangent: [[0.0; 8]; 8], loose: 0.0 };
     for i in 0..8 {
         let mut row = [0.0; 9];
         row[..8].copy_from_slice(&tangent[i][..8]);

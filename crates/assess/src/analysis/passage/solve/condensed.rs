@@ -57,6 +57,7 @@ pub fn pass(
             unbalanced: visited.position.left,
             cuts: 0,
             plastic_points: visited.counts.yielding,
+            locking_elements: visited.counts.locking,
             open_joints: visited.counts.open_interfaces,
             sliding_pairs: visited.counts.sliding,
         });
@@ -113,6 +114,7 @@ pub fn stand(
             iterations: visited.position.iterations as usize,
             unbalanced: visited.position.left,
             plastic_points: visited.counts.yielding,
+            locking_elements: visited.counts.locking,
             open_joints: visited.counts.open_interfaces,
             sliding_pairs: visited.counts.sliding,
             ..StepLog::default()

@@ -207,6 +207,7 @@ fn of_step(step: &Step) -> StepLog {
         unbalanced: step.unbalanced,
         cuts: usize::from(!step.kept),
         plastic_points: step.yielding,
+        locking_elements: step.locking,
         sliding_pairs: step.sliding,
         ..StepLog::default()
     }
