@@ -74,6 +74,9 @@ fn joint(model: &BlockModel, settings: &Settings, face: &Interface) -> Joint {
         ContactPoints::Rounded => face.points.clone(),
         ContactPoints::FullRing => face.face.clone(),
     };
+    // A joint that turns is pressed over no less than compression over strength: cohesion there acts as friction that is
+    // larger. Along the whole joint it acts only as far as a tensile strength holds the joint together.
+    let bonded = if law.tension > 0.0 { law.cohesion.min(law.friction * law.tension) } else { 0.0 };
     let length = if points.len() == 2 { (points[1] - points[0]).norm() } else { 0.0 };
     Joint {
         first: face.first,
@@ -82,8 +85,8 @@ fn joint(model: &BlockModel, settings: &Settings, face: &Interface) -> Joint {
         length,
         strength: Strength {
             tension: 0.5 * law.tension * length,
-            friction: law.friction,
-            cohesion: law.cohesion * length,
+            friction: law.friction + (law.cohesion - bonded) / law.crushing,
+            cohesion: bonded * length,
             crushing: if settings.crushing { law.crushing * length } else { f64::INFINITY },
             most_shear: f64::INFINITY,
         },

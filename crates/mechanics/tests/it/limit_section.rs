@@ -1,7 +1,7 @@
 //! Blocks and sections with closed-form answers.
 
 use crate::limit_models::{Ring, block, dry, model, sideways};
-use mechanics::blocks::{BlockModel, Held, Loading, PointForce};
+use mechanics::blocks::{BlockModel, ContactLaw, Held, LawTable, Loading, PointForce};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{ContactPoints, Friction, Settings, Status, collapse_load, sweep, thrust_zone};
 use mechanics::plane::{Polygon, Vec2, vec2};
@@ -38,6 +38,21 @@ fn a_block_overturns_at_its_slenderness_or_slides_at_its_friction() {
                 assert!((v.y / v.x - if level { 0.0 } else { friction }).abs() < 1e-6, "{v:?}");
             }
         }
+    }
+}
+
+/// A block about to overturn touches the ground along an edge: cohesion holds it only where it is pressed, over thrust over strength,
+/// which is friction larger by cohesion over strength; along the whole joint it would hold anything.
+#[test]
+fn cohesion_does_not_hold_a_joint_that_has_opened() {
+    for (cohesion, crushing, expected) in
+        [(0.0, 10e6, 0.1), (1e6, 10e6, 0.2), (1e6, f64::INFINITY, 0.1), (2e6, 10e6, 0.25)]
+    {
+        let law = ContactLaw { cohesion, crushing, ..dry(0.1) };
+        let model = BlockModel { laws: LawTable::uniform(1, law), ..standing(0.1) };
+        let loading = Loading { variable: sideways(&model), ..Loading::default() };
+        let factor = collapse_load(&model, &loading, &Settings::default()).unwrap().factor.unwrap();
+        assert!((factor - expected).abs() < 1e-6, "{cohesion} {crushing}: {factor}, not {expected}");
     }
 }
 
