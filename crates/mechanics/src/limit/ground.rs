@@ -1,5 +1,6 @@
 //! What many loads on one model have in common: joints, permanent loads, states of self-stress.
 
+use super::bedded::Bedded;
 use super::collapse::{Carried, carried};
 use super::compliance::Resistance;
 use super::equilibrium::Equilibrium;
@@ -21,6 +22,8 @@ pub struct Ground<'a> {
     pub(super) reduced: Option<Reduced>,
     /// Forces of elastic joints under the permanent loads, scaled.
     resting: Option<Vec<f64>>,
+    /// What makes them those of joints that are elastic along their depth.
+    pub(super) bedded: Option<Bedded>,
 }
 
 /// What a joint carries, as an elastic one that opens nowhere.
@@ -115,6 +118,8 @@ impl Reduced {
 pub struct Effect {
     pub(super) load: Vec<f64>,
     pub(super) forces: Vec<f64>,
+    /// The same of joints that are elastic along their depth.
+    pub(super) elastic: Vec<f64>,
     /// Whether the forces balance the load. Where round-off spoils them, the interior-point method answers.
     pub(super) balanced: bool,
 }
@@ -122,7 +127,8 @@ pub struct Effect {
 impl Effect {
     /// Adds so many times another effect.
     pub fn add(&mut self, other: &Effect, times: f64) {
-        for (a, b) in self.load.iter_mut().zip(&other.load).chain(self.forces.iter_mut().zip(&other.forces)) {
+        let pairs = self.load.iter_mut().zip(&other.load).chain(self.forces.iter_mut().zip(&other.forces));
+        for (a, b) in pairs.chain(self.elastic.iter_mut().zip(&other.elastic)) {
             *a += times * b;
         }
         self.balanced &= other.balanced;
@@ -149,7 +155,9 @@ impl<'a> Ground<'a> {
                 .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
             false => None,
         };
-        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting })
+        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(model, &equilibrium, &joints, &reduced.states));
+        let resting = resting.map(|forces| bedded.as_ref().map_or(forces.clone(), |bedded| bedded.relaxed(&forces)));
+        Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting, bedded })
     }
 
     /// Whether the permanent loads by themselves are carried.
@@ -161,7 +169,12 @@ impl<'a> Ground<'a> {
     pub fn taken(&self, effect: &Effect, from: &Ground) -> Effect {
         let ratio = from.equilibrium.force / self.equilibrium.force;
         let scaled = |values: &[f64]| values.iter().map(|v| v * ratio).collect();
-        Effect { load: scaled(&effect.load), forces: scaled(&effect.forces), balanced: effect.balanced }
+        Effect {
+            load: scaled(&effect.load),
+            forces: scaled(&effect.forces),
+            elastic: scaled(&effect.elastic),
+            balanced: effect.balanced,
+        }
     }
 
     /// A load in the equations' units of force.
@@ -179,12 +192,12 @@ impl<'a> Ground<'a> {
         &self.interfaces
     }
 
-    /// What a joint carries under the permanent loads and so many times a load, if joints were elastic, all alike, and
-    /// opened nowhere. None for joints of one point and where nothing is compressed.
+    /// What a joint carries under the permanent loads and so many times a load, if blocks were elastic, all of one modulus, and
+    /// joints opened nowhere: compression varies in a straight line along each. None for joints of one point and where nothing is compressed.
     pub fn section(&self, effect: &Effect, factor: f64, joint: usize) -> Option<Section> {
         let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
         let of = &self.joints[joint];
-        let force = |k: usize| (resting[c + k] + factor * effect.forces[c + k]) * self.equilibrium.force;
+        let force = |k: usize| (resting[c + k] + factor * effect.elastic[c + k]) * self.equilibrium.force;
         let [a, b] = [force(0), force(1)];
         let compression = a + b;
         (of.points.len() == 2 && compression > 0.0).then(|| Section {

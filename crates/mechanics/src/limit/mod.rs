@@ -13,6 +13,7 @@
 //! Read in the order of the method: `joints` gather the strength, `equilibrium` sets up `B`, `p` and `w`,
 //! `program` solves, `bounds` recomputes both bounds from what was returned, `mechanism` says what moves.
 
+mod bedded;
 mod bounds;
 mod collapse;
 mod compliance;

@@ -92,13 +92,16 @@ impl Sweeper<'_> {
             elastic.balance(&unit).map(|forces| forces.iter().map(|f| f * size).collect())
         });
         let balanced = forces.is_some();
-        Effect { load: scaled, forces: forces.unwrap_or_else(|| vec![0.0; columns]), balanced }
+        let forces = forces.unwrap_or_else(|| vec![0.0; columns]);
+        let elastic = ground.bedded.as_ref().map_or_else(|| forces.clone(), |bedded| bedded.relaxed(&forces));
+        Effect { load: scaled, forces, elastic, balanced }
     }
 
     /// The effect of no load.
     pub fn nothing(&self) -> Effect {
         let equilibrium = &self.ground.equilibrium;
-        Effect { load: vec![0.0; equilibrium.rows], forces: vec![0.0; equilibrium.columns.len()], balanced: true }
+        let none = vec![0.0; equilibrium.columns.len()];
+        Effect { load: vec![0.0; equilibrium.rows], forces: none.clone(), elastic: none, balanced: true }
     }
 
     /// The factor at which a load makes a mechanism, with dilatant friction.

@@ -228,3 +228,64 @@ fn a_section_presses_where_the_lever_says() {
         assert!((found.shear * along.x - second * 2.0 * push).abs() < 1e-6, "{x} {push}: {found:?}");
     }
 }
+
+/// The ring of Bridgemill as a continuous elastic arch between fixed ends, by the three forces at its left end that make the energy of
+/// bending, compression and shear least. A section of the blocks has its thrust and its eccentricity; two springs at the ends of each joint
+/// have a tenth less thrust.
+#[test]
+fn sections_are_those_of_an_elastic_arch() {
+    let ring = Ring { voussoirs: 120, ..Ring::bridgemill() };
+    let model = ring.model();
+    let radius = 0.5 * (ring.intrados + ring.extrados());
+    let n = 2400;
+    let angle = |k: f64| -ring.half_angle + 2.0 * ring.half_angle * k / n as f64;
+    let point = |a: f64| vec2(radius * a.sin(), radius * a.cos());
+    let ds = 2.0 * ring.half_angle * radius / n as f64;
+    let weight = 2100.0 * 9.81 * ring.thickness * ds;
+    let start = point(angle(0.0));
+    // Thrust, shear and moment at a place under unit forces at the left end (to the right, upwards, turning), and under the weight left of it.
+    let state = |a: f64, right: f64, up: f64, turning: f64, at: Vec2| {
+        let (along, out) = (vec2(a.cos(), -a.sin()), vec2(a.sin(), a.cos()));
+        let (force, arm) = (vec2(right, up), point(a) - at);
+        [force.dot(along), force.dot(out), turning + force.x * arm.y - force.y * arm.x]
+    };
+    let energy = |x: [f64; 3], y: [f64; 3]| {
+        let d = ring.thickness;
+        x[0] * y[0] / d + 2.88 * x[1] * y[1] / d + x[2] * y[2] * 12.0 / d.powi(3)
+    };
+    let (mut a, mut b) = ([[0.0; 3]; 3], [0.0; 3]);
+    let mut places = Vec::new();
+    for k in 0..n {
+        let here = angle(k as f64 + 0.5);
+        let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|u| state(here, u[0], u[1], u[2], start));
+        let mut own = [0.0; 3];
+        for j in 0..k {
+            let part = state(here, 0.0, -weight, 0.0, point(angle(j as f64 + 0.5)));
+            (0..3).for_each(|i| own[i] += part[i]);
+        }
+        for i in 0..3 {
+            (0..3).for_each(|j| a[i][j] += energy(units[i], units[j]));
+            b[i] -= energy(units[i], own);
+        }
+        places.push((units, own));
+    }
+    // Cramer's rule.
+    let det = |m: [[f64; 3]; 3]| {
+        m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+            + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
+    };
+    let x: Vec<f64> = (0..3)
+        .map(|k| {
+            let mut m = a;
+            (0..3).for_each(|i| m[i][k] = b[i]);
+            det(m) / det(a)
+        })
+        .collect();
+    let (units, own) = &places[n / 2];
+    let [thrust, _, moment] = [0, 1, 2].map(|i| own[i] + (0..3).map(|k| x[k] * units[k][i]).sum::<f64>());
+    let ground = Ground::new(&model, &Loading::default(), &Settings::default()).unwrap();
+    let crown = ground.section(&ground.sweeper().nothing(), 1.0, 60).unwrap();
+    assert!((crown.compression / thrust - 1.0).abs() < 5e-3, "{} {thrust}", crown.compression);
+    let lever = (moment / thrust).abs();
+    assert!((crown.eccentricity.abs() - lever).abs() < 0.02 * ring.thickness, "{} {lever}", crown.eccentricity);
+}

@@ -225,7 +225,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
             found.step
         ),
         "Uniform loads that may be left out stand on any run of half spans; they spread over the same width as an axle.".into(),
-        "Concurrent values at critical joints are those of elastic joints that open nowhere, under the vehicle with its factors."
+        "Concurrent values at critical joints are those of elastic blocks whose joints open nowhere, under the vehicle with its factors."
             .into(),
     ];
     if slides > 0 {
