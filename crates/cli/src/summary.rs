@@ -132,8 +132,13 @@ fn loads(page: &mut String, found: &Collapse) {
     let mut line = |name: &str, load: Option<f64>| {
         if let Some(load) = load {
             let whole = load * found.width / 1e3;
-            let _ =
-                writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width);
+            let _ = match found.has_own_widths() {
+                // An axle stands on a width of its own: on the whole width nobody asked for a load.
+                true => writeln!(page, "  {name:<22}  {:>9.2} kN/m", load / 1e3),
+                false => {
+                    writeln!(page, "  {name:<22}  {:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", load / 1e3, found.width)
+                }
+            };
         }
     };
     line("last stable load", found.last_stable_load.filter(|_| found.method != Method::Limit));
@@ -147,9 +152,11 @@ fn loads(page: &mut String, found: &Collapse) {
         line("associated friction", limit.associated_load.filter(own));
         line("without dilation", limit.non_associated_load);
         line("without fill pressure", limit.without_fill_pressure_load);
+        line("all passive pressure", limit.full_fill_pressure_load);
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
     factor(page, found);
+    axles(page, found);
     if let Some(stress) = found.max_compressive_stress {
         let _ = writeln!(page, "  {:<22}  {:>9.2} MPa", "largest compression", stress / 1e6);
     }
@@ -167,6 +174,26 @@ fn factor(page: &mut String, found: &Collapse) {
             "load factor",
             load / found.reference_load,
             found.reference_load / 1e3
+        );
+    }
+}
+
+/// The axles of the file as they are carried: what an engineer asks for.
+fn axles(page: &mut String, found: &Collapse) {
+    let Some(factor) = found.load_factor() else { return };
+    for asked in &found.asked {
+        let each = |factor: f64| {
+            let list: Vec<String> = asked.axles.iter().map(|axle| format!("{:.0}", factor * axle / 1e3)).collect();
+            list.join(", ")
+        };
+        let _ = writeln!(
+            page,
+            "  {:<22}  {:>9} kN   {factor:.3} times {} kN of \"{}\", each on {:.2} m",
+            if asked.axles.len() == 1 { "axle carried" } else { "axles carried" },
+            each(factor),
+            each(1.0),
+            asked.name,
+            asked.effective_width
         );
     }
 }

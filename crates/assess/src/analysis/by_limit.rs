@@ -54,6 +54,15 @@ pub(super) fn prepared(bridge: &Bridge) -> Result<Discretised, AnalysisError> {
     Ok(d)
 }
 
+/// The bridge with all of the fill's passive pressure mobilised.
+fn fully_pressed(bridge: &Bridge) -> Bridge {
+    let mut own = bridge.clone();
+    if let Some(fill) = &mut own.fill_pressure {
+        (fill.mobilisation, fill.cohesion_mobilisation) = (1.0, 1.0);
+    }
+    own
+}
+
 /// The load factor at which the blocks as built become a mechanism.
 pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     let d = prepared(bridge)?;
@@ -74,7 +83,13 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         if let Some(report) = &mut c.limit {
             report.without_fill_pressure_load = without;
         }
-        notes::pressed(bridge, without, &mut c);
+        let mut whole = d.clone();
+        whole.loading.restraints = pressure::restraints(&fully_pressed(bridge), &d.extrados);
+        let full = solve(&whole, &settings)?.factor.map(|f| d.load(f));
+        if let Some(report) = &mut c.limit {
+            report.full_fill_pressure_load = full;
+        }
+        notes::pressed(bridge, without, full, &mut c);
     }
     // Walls of blocks lock where sliding dilates: their associated load never stands alone.
     if d.road.is_some() && settings.friction == limit::Friction::Associated {
@@ -162,6 +177,7 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         associated_load: load(outcome.associated_factor),
         non_associated_load: None,
         without_fill_pressure_load: None,
+        full_fill_pressure_load: None,
         spread: outcome.spread.map(|s| s.map(|f| d.load(f))),
         unlimited_strength_load: load(unlimited),
         equilibrium_residual: Some(outcome.equilibrium_residual),

@@ -1,5 +1,6 @@
 //! Collapse analyses: a bridge, a plan, and what came of it.
 
+mod asked;
 mod bands;
 pub mod by_dem;
 pub mod by_fe;
@@ -21,6 +22,7 @@ mod thickness;
 pub mod update;
 pub mod vehicles;
 
+pub use asked::AskedAxles;
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_fe::collapse_by_fe;
 pub use by_limit::collapse_by_limit;

@@ -229,6 +229,7 @@ fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture
         packing: None,
         combination: None,
         wall_strip: None,
+        asked: Vec::new(),
         block_names: Vec::new(),
         warnings: Vec::new(),
         assumptions: Vec::new(),

@@ -1,5 +1,6 @@
 //! What a collapse analysis found.
 
+use super::asked::AskedAxles;
 use crate::discretise::Discretised;
 use crate::outcome::{Hinge, Picture, Point};
 use crate::warning::Warning;
@@ -38,6 +39,7 @@ impl LimitReport {
             associated_load: None,
             non_associated_load: None,
             without_fill_pressure_load: None,
+            full_fill_pressure_load: None,
             spread: None,
             unlimited_strength_load: None,
             equilibrium_residual: None,
@@ -77,6 +79,7 @@ impl Collapse {
             packing: None,
             combination: None,
             wall_strip: None,
+            asked: super::asked::asked(bridge),
             block_names: d.origins.iter().map(|o| o.name()).collect(),
             warnings: Vec::new(),
             assumptions: Vec::new(),
@@ -179,6 +182,8 @@ pub struct LimitReport {
     pub non_associated_load: Option<f64>,
     /// Load without the fill's pressure against movement [N/m]; only where the file has it act.
     pub without_fill_pressure_load: Option<f64>,
+    /// Load with all of the fill's passive pressure [N/m], where it presses.
+    pub full_fill_pressure_load: Option<f64>,
     /// Lowest and highest non-associated load over the starts of the iteration [N/m].
     pub spread: Option<[f64; 2]>,
     /// Collapse load of joints that never crush [N/m]; the same as the collapse load where the file gives no strength.
@@ -309,6 +314,8 @@ pub struct Collapse {
     pub combination: Option<Combination>,
     /// The strip below the walls, where this is the one between them.
     pub wall_strip: Option<Box<Collapse>>,
+    /// Axles of the file, on widths of their own.
+    pub asked: Vec<AskedAxles>,
     /// Names of the blocks, in the order of the picture's shapes.
     pub block_names: Vec<String>,
     /// What a reader should look at.

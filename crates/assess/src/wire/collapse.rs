@@ -23,6 +23,10 @@ pub struct CollapseObject {
     reference_load_kn_per_m: f64,
     limit_load_kn_per_m: Option<f64>,
     width_m: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    axles: Vec<Axles>,
     hinges: Vec<Hinge>,
     sliding_joints: Vec<Place>,
     max_compressive_stress_mpa: Option<f64>,
@@ -61,6 +65,15 @@ struct Hinge {
     y_m: f64,
     edge: &'static str,
     rotation: f64,
+}
+
+/// Axles of a load as the file has them, and as they are carried.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Axles {
+    name: String,
+    axles_kn: Vec<f64>,
+    effective_width_m: f64,
+    carried_kn: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -105,6 +118,8 @@ struct Limit {
     non_associated_load_kn_per_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     without_fill_pressure_load_kn_per_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    full_fill_pressure_load_kn_per_m: Option<f64>,
     non_associated_spread_kn_per_m: Option<[f64; 2]>,
     unlimited_strength_load_kn_per_m: Option<f64>,
     equilibrium_residual: Option<f64>,
@@ -175,6 +190,18 @@ struct Component {
     last_stable_load_kn: Option<f64>,
 }
 
+/// Axles times the factor with which the loads of the file are carried.
+fn axles(c: &Collapse) -> Vec<Axles> {
+    let factor = c.load_factor();
+    let one = |asked: &crate::analysis::AskedAxles| Axles {
+        name: asked.name.clone(),
+        axles_kn: asked.axles.iter().copied().map(kilo).collect(),
+        effective_width_m: asked.effective_width,
+        carried_kn: factor.map(|factor| asked.axles.iter().map(|axle| kilo(factor * axle)).collect()),
+    };
+    c.asked.iter().map(one).collect()
+}
+
 /// The word for a method.
 pub(super) fn method(method: Method) -> &'static str {
     match method {
@@ -224,6 +251,8 @@ impl CollapseObject {
             reference_load_kn_per_m: kilo(c.reference_load),
             limit_load_kn_per_m: per_metre(c.limit_load),
             width_m: c.width,
+            load_factor: c.load_factor().filter(|_| c.analysis == Analysis::Load),
+            axles: axles(c),
             hinges: c
                 .hinges
                 .iter()
@@ -251,6 +280,7 @@ impl CollapseObject {
                 associated_load_kn_per_m: per_metre(l.associated_load),
                 non_associated_load_kn_per_m: per_metre(l.non_associated_load),
                 without_fill_pressure_load_kn_per_m: per_metre(l.without_fill_pressure_load),
+                full_fill_pressure_load_kn_per_m: per_metre(l.full_fill_pressure_load),
                 non_associated_spread_kn_per_m: l.spread.map(|s| s.map(kilo)),
                 unlimited_strength_load_kn_per_m: per_metre(l.unlimited_strength_load),
                 equilibrium_residual: l.equilibrium_residual,

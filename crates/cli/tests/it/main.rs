@@ -2,6 +2,7 @@
 
 mod answers;
 mod assess;
+mod axles;
 mod calibration;
 mod checked;
 mod drawings;

@@ -1,0 +1,78 @@
+//! What is to be said of joints: cohesion and tension in limit analysis, joints between rings that were not described, and a ring
+//! that has none.
+
+use crate::warning::{self, Warning};
+use bridge::{Bridge, Joint};
+
+/// A ring in one piece that is thicker than this [m] is thicker than a brick is long.
+const BRICK: f64 = 0.25;
+
+/// Cohesion and tension of joints in limit analysis.
+pub fn cohesive(bridge: &Bridge) -> Option<Warning> {
+    let joints = [Some(&bridge.joint), (most_rings(bridge) > 1).then_some(&bridge.ring_joint)];
+    let of = |value: fn(&Joint) -> f64| joints.iter().flatten().map(|joint| value(joint)).fold(0.0, f64::max);
+    let (cohesion, tension) = (of(|joint| joint.cohesion), of(|joint| joint.tensile_strength));
+    let mut told = Vec::new();
+    if cohesion > 0.0 {
+        told.push(match bridge.masonry.compressive_strength {
+            Some(strength) => format!(
+                "cohesion of {:.1} kPa acts where joints are pressed, as friction that is {:.4} larger",
+                cohesion / 1e3,
+                cohesion / strength
+            ),
+            None => format!("cohesion of {:.1} kPa is left out, since joints turn about an edge", cohesion / 1e3),
+        });
+    }
+    if tension > 0.0 {
+        told.push(format!("a tensile strength of {:.1} kPa acts as if it never broke", tension / 1e3));
+    }
+    (!told.is_empty()).then(|| Warning::new(warning::COHESION_PRESSED, told.join("; ")))
+}
+
+/// Most rings of a span.
+fn most_rings(bridge: &Bridge) -> usize {
+    bridge.spans.iter().map(|span| span.rings.len()).max().unwrap_or(0)
+}
+
+/// Joints between rings that were not described, and a thick ring that has none.
+pub fn between_rings(bridge: &Bridge) -> Vec<Warning> {
+    let mut told = Vec::new();
+    let bonded = bridge.ring_joint.cohesion > 0.0 || bridge.ring_joint.tensile_strength > 0.0;
+    if most_rings(bridge) > 1 && bonded && bridge.ring_joint == bridge.joint {
+        let message = format!(
+            "joints between rings have the cohesion of [joint], {:.1} kPa: describe them in [ring_joint]",
+            bridge.joint.cohesion / 1e3
+        );
+        told.push(Warning::new(warning::RING_JOINT_COPIED, message));
+    }
+    let single = bridge.spans.iter().filter(|span| span.rings.len() == 1);
+    let thickest = single.map(|span| span.rings[0].crown_thickness).fold(0.0, f64::max);
+    if thickest > BRICK {
+        let message = format!("a ring of {thickest:.3} m in one piece: rings of brick that part are not looked at");
+        told.push(Warning::new(warning::ONE_PIECE, message));
+    }
+    told
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn codes(bridge: &Bridge) -> Vec<&'static str> {
+        between_rings(bridge).into_iter().chain(cohesive(bridge)).map(|warning| warning.code).collect()
+    }
+
+    #[test]
+    fn cohesion_that_nobody_described_between_rings_is_told() {
+        let mut b = crate::samples::bridgemill();
+        assert_eq!(codes(&b), ["A194"]);
+        let half = bridge::Ring { crown_thickness: 0.2, ..b.spans[0].rings[0].clone() };
+        b.spans[0].rings = vec![half.clone(), half];
+        assert!(codes(&b).is_empty());
+        b.joint.cohesion = 100e3;
+        b.ring_joint = b.joint;
+        assert_eq!(codes(&b), ["A193", "A192"]);
+        b.ring_joint.cohesion = 0.0;
+        assert_eq!(codes(&b), ["A192"]);
+    }
+}

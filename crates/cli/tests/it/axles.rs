@@ -1,0 +1,23 @@
+//! What is printed of an axle: the axle that is carried, and no load on a width that nobody asked for.
+
+use crate::stage::{Stage, number};
+use crate::tiny::BRIDGE;
+
+/// An axle of 100 kN on 2.5 m of a bridge that is 4 m wide: 100 kN times the factor, not the load per metre times 4 m.
+#[test]
+fn an_axle_is_told_with_its_factor_and_not_times_the_width_of_the_bridge() {
+    let stage = Stage::new("axles-carried");
+    let axle = "load = { kind = \"axles\", axle_forces = [\"100 kN\"], contact_length = \"0.3 m\", effective_width = \"2.5 m\", at = \"1/4 of span 1\" }";
+    let line = BRIDGE.lines().find(|line| line.starts_with("load =")).expect("a load");
+    stage.write("bridge.toml", BRIDGE.replace(line, axle));
+    let words = ["collapse", "bridge.toml", "--method", "limit", "--out", "out"];
+    let (answer, ending) = stage.object(&words);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    let (load, factor) = (number(&answer, "last_stable_load_kn_per_m"), number(&answer, "load_factor"));
+    assert!((factor - load / 40.0).abs() < 1e-6 * factor, "{factor} {load}");
+    let carried = answer["axles"][0]["carried_kn"][0].as_f64().expect("a number");
+    assert!((carried - 100.0 * factor).abs() < 1e-6 * carried, "{answer}");
+    let printed = stage.run(&words).stdout;
+    assert!(printed.contains(&format!("{carried:.0} kN   {factor:.3} times 100 kN")), "{printed}");
+    assert!(!printed.contains("over 4.00 m") && !printed.contains(&format!("{:.0} kN", 4.0 * load)), "{printed}");
+}
