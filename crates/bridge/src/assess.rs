@@ -52,6 +52,8 @@ pub struct Limits {
     pub adequacy_source: Option<String>,
     /// Factor that the forces of the file's loads already carry; 1 where they are nominal.
     pub load_factor_included: f64,
+    /// Factor for the method of analysis; the program's own where none is given.
+    pub model_factor: Option<f64>,
     /// Largest share of the ultimate load in service.
     pub permissible_share: Option<f64>,
     /// Cycles of load in the life that is asked for.
@@ -89,6 +91,24 @@ pub struct Mexe {
     pub fill_depth: Option<f64>,
     /// Mass on an axle that must be allowed [kg].
     pub axle_load: Option<f64>,
+    /// What stands on the bridge with that axle.
+    pub axles: MexeAxles,
+    /// Whether an axle of a bogie may lift off and leave its load to the others.
+    pub lift_off: bool,
+    /// Axle factor A_f, where it was read off the method's figure.
+    pub axle_factor: Option<f64>,
+}
+
+/// Axles that MEXE's load is compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MexeAxles {
+    /// One by itself.
+    #[default]
+    Single,
+    /// Two of a bogie: what the modified axle load is for.
+    Bogie,
+    /// Three of a bogie.
+    Triple,
 }
 
 /// A range in which an identified parameter is expected.

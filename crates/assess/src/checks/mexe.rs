@@ -1,7 +1,7 @@
 //! The modified MEXE method, as pure functions: lengths in metres, loads in tonnes.
 
 use bridge::Bridge;
-use bridge::assess::Mexe;
+use bridge::assess::{Mexe, MexeAxles};
 use bridge::ring::Intrados;
 
 /// Geometry of one span, and the factors of its file.
@@ -99,6 +99,17 @@ pub fn allowed(inputs: &Inputs) -> Option<Allowed> {
     Some(Allowed { fill, provisional, span_rise, recalled, profile, material, joint, modified })
 }
 
+/// Axle factor A_f: the modified axle load is that on each axle of a bogie of two that keep on the ground; other axles have a figure of
+/// their own (BA 16/97, 3.33 and Figures 3/5), which is not known here. One axle alone does no more than one of a pair: 1. None where
+/// the file must give it.
+pub fn axle_factor(factors: &Mexe) -> Option<f64> {
+    match (factors.axle_factor, factors.axles, factors.lift_off) {
+        (Some(read), ..) => Some(read),
+        (None, MexeAxles::Single, _) | (None, MexeAxles::Bogie, false) => Some(1.0),
+        (None, MexeAxles::Bogie, true) | (None, MexeAxles::Triple, _) => None,
+    }
+}
+
 /// In what the span lies outside of what the method was made for; none where it does not.
 pub fn outside(inputs: &Inputs) -> Option<String> {
     let depth = inputs.ring + inputs.fill.min(inputs.ring);
@@ -162,6 +173,9 @@ mod tests {
         ring_thickness: None,
         fill_depth: None,
         axle_load: None,
+        axles: MexeAxles::Single,
+        lift_off: false,
+        axle_factor: None,
     };
 
     /// A worked case: span 5.23 m, rise 1.57 m, quarter rise 1.373 m, ring 0.34 m.
@@ -193,6 +207,16 @@ mod tests {
         assert_eq!((read.span_rise, read.recalled, read.profile), (0.55, false, 1.0));
         assert_eq!(provisional(1.0, 1.0, 1.0), 70.0);
         assert_eq!(profile(1.0, 1.0), 0.0);
+    }
+
+    /// The method's load is that of an axle of a bogie whose axles keep on the ground; other axles need the method's figure.
+    #[test]
+    fn other_axles_than_a_bogie_need_their_factor() {
+        let with = |axles, lift_off, axle_factor| super::axle_factor(&Mexe { axles, lift_off, axle_factor, ..FACTORS });
+        assert_eq!(with(MexeAxles::Bogie, false, None), Some(1.0));
+        assert_eq!(with(MexeAxles::Single, false, None), Some(1.0));
+        assert_eq!((with(MexeAxles::Bogie, true, None), with(MexeAxles::Triple, false, None)), (None, None));
+        assert_eq!(with(MexeAxles::Bogie, true, Some(0.8)), Some(0.8));
     }
 
     #[test]

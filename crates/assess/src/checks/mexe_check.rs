@@ -2,6 +2,7 @@
 
 use super::{Card, Check, Finding, NotMade, mexe, used};
 use crate::assessment::Assessment;
+use bridge::assess::{Mexe, MexeAxles};
 
 /// The check.
 pub struct MexeAxle;
@@ -14,8 +15,10 @@ impl Check for MexeAxle {
             clause: "modified axle load of the MEXE method",
             text: "A load that experience allows: 740 (d + h)^2 / L^1.3 tonnes, at most 70, with ring thickness d, fill h (no more than d) and span \
                    L in metres, times factors for span/rise, profile, material, joints and condition. The factors stand in [mexe]; the condition factor \
-                   is the inspector's judgement, and most of the answer. It is compared with axle_load of [mexe], the mass on a single axle that \
-                   must be allowed. Beyond a span of four rises the span/rise factor falls along a curve of the method; it is recalled to some 0.03 and ends at \
+                   is the inspector's judgement, and most of the answer. It is the load on each axle of a bogie of two axles that keep \
+                   on the ground; times the axle factor A_f it is compared with axle_load of [mexe], the mass on each of axles that must be allowed. A_f is 1 for \
+                   such a bogie and is taken as 1 for a single axle, which does no more; three axles, and axles that may lift off, need axle_factor from the \
+                   method's figure (BA 16/97, Figures 3/5). Beyond a span of four rises the span/rise factor falls along a curve of the method; it is recalled to some 0.03 and ends at \
                    eight, and span_rise_factor of [mexe] goes before it. The method is for single spans up to 18 m in fair order, and tells nothing of piers. For short spans it is known \
                    to allow too much: never rely on it against a mechanism that limit analysis finds.",
             source: "CS 454 and BA 16/97 of the British highway authorities, after the Military Engineering Experimental Establishment",
@@ -36,24 +39,44 @@ impl Check for MexeAxle {
         }
         let found = found
             .ok_or_else(|| NotMade::because("the span/rise factor is not known: write span_rise_factor in [mexe]"))?;
+        let axle = mexe::axle_factor(factors).ok_or_else(|| {
+            NotMade::because(format!(
+                "the method allows {:.1} t on each axle of a bogie of two that keep on the ground ({basis}); for {} write axle_factor in [mexe], A_f of \
+                 BA 16/97, Figures 3/5",
+                found.modified,
+                axles(factors)
+            ))
+        })?;
+        let allowed = axle * found.modified;
         let asked = factors.axle_load.ok_or_else(|| {
             let what = format!(
-                "the method allows {:.1} t on an axle ({basis}); write axle_load in [mexe] to compare",
-                found.modified
+                "the method allows {allowed:.1} t on {} ({basis}); write axle_load in [mexe] to compare",
+                axles(factors)
             );
             NotMade::because(what)
         })? / 1e3;
         Ok(vec![Finding {
-            load_model: format!("single axle of {asked:.1} t"),
+            load_model: format!("{asked:.1} t on {}", axles(factors)),
             value: asked,
-            limit: found.modified,
+            limit: allowed,
             unit: "t",
-            utilisation: used(asked, found.modified),
-            basis,
+            utilisation: used(asked, allowed),
+            basis: format!("{basis}; A_f {axle:.2}"),
             position: None,
             columns: None,
             strength: false,
         }])
+    }
+}
+
+/// The axles that are compared, in words.
+fn axles(factors: &Mexe) -> &'static str {
+    match (factors.axles, factors.lift_off) {
+        (MexeAxles::Single, _) => "a single axle",
+        (MexeAxles::Bogie, false) => "each axle of a bogie",
+        (MexeAxles::Bogie, true) => "each axle of a bogie that may lift off",
+        (MexeAxles::Triple, false) => "each of three axles",
+        (MexeAxles::Triple, true) => "each of three axles that may lift off",
     }
 }
 

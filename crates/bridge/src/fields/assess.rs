@@ -8,6 +8,12 @@ const ZONES: &[Word] = &[
     Word { word: "middle-half", doc: "the joint stays closed over three quarters of its depth" },
 ];
 
+const AXLES: &[Word] = &[
+    Word { word: "single", doc: "one axle by itself" },
+    Word { word: "bogie", doc: "two axles of a bogie" },
+    Word { word: "triple", doc: "three axles of a bogie" },
+];
+
 pub(super) static ASSESS: Section = Section {
     path: "assess",
     doc: "Limits that `extrados assess` compares with. None has a default: a check whose limit is not given is listed as not made.",
@@ -49,6 +55,9 @@ pub(super) static ASSESS: Section = Section {
         Field::new("load_factor_included", Kind::Number, "factor that the forces of [[load]] already carry", "1.9")
             .at_least(1.0)
             .default("1"),
+        Field::new("model_factor", Kind::Number, "factor for the method of analysis, from `adequacy_source`", "1.1")
+            .at_least(1.0)
+            .optional("the program's own, from tests to collapse: docs/verification/model-factor.md"),
         Field::new("permissible_share", Kind::Number, "largest share of the ultimate load in service", "0.5")
             .above(0.0)
             .at_most(1.0)
@@ -103,9 +112,15 @@ pub(super) static MEXE: Section = Section {
         Field::new("fill_depth", Kind::Quantity(Length), "depth of fill at the crown", "0.40 m")
             .at_least(0.0)
             .optional("the cover's depth"),
-        Field::new("axle_load", Kind::Quantity(Mass), "mass on a single axle that must be allowed", "11.5 t")
+        Field::new("axle_load", Kind::Quantity(Mass), "mass on each of `axles` that must be allowed", "11.5 t")
             .positive()
             .optional("the allowable axle load is listed and not checked"),
+        Field::new("axles", Kind::Word(AXLES), "what stands on the bridge with that mass on each axle", "bogie")
+            .default("single"),
+        Field::new("lift_off", Kind::Flag, "whether an axle of a bogie may lift off", "true").default("false"),
+        factor("axle_factor", "A_f: read off the method's figure for `axles` and `lift_off`", "0.9").optional(
+            "1 for a bogie without lift-off, which the method is made for, and for a single axle; otherwise the check is not made",
+        ),
     ],
 };
 

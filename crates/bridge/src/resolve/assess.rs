@@ -1,7 +1,7 @@
 //! The assessment that a file asks for.
 
 use super::materials::maybe;
-use crate::assess::{Assess, Expected, Limits, Mexe, ServiceLoad};
+use crate::assess::{Assess, Expected, Limits, Mexe, MexeAxles, ServiceLoad};
 use crate::findings::Findings;
 use crate::quantity;
 use crate::tree::Table;
@@ -61,9 +61,15 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
         "expected_movement",
     ]
     .map(|key| quantity(table, key, findings));
-    let [adequacy_factor, load_factor_included, permissible_share, load_cycles, movement_factor] =
-        ["adequacy_factor", "load_factor_included", "permissible_share", "load_cycles", "movement_factor"]
-            .map(|key| number(table, key, findings));
+    let [adequacy_factor, load_factor_included, model_factor, permissible_share, load_cycles, movement_factor] = [
+        "adequacy_factor",
+        "load_factor_included",
+        "model_factor",
+        "permissible_share",
+        "load_cycles",
+        "movement_factor",
+    ]
+    .map(|key| number(table, key, findings));
     let zone = table.word("thrust_zone", findings);
     let zone = maybe(table, "thrust_zone", zone)?;
     Some(Limits {
@@ -79,6 +85,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
         adequacy_factor: adequacy_factor?,
         adequacy_source: adequacy_source?,
         load_factor_included: load_factor_included?.unwrap_or(1.0),
+        model_factor: model_factor?,
         permissible_share: permissible_share?,
         load_cycles: load_cycles?,
         expected_movement: expected_movement?,
@@ -105,6 +112,11 @@ fn mexe(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Opt
     let factors = ["barrel_factor", "fill_factor", "width_factor", "depth_factor", "mortar_factor", "condition_factor"]
         .map(&mut needed);
     let span_rise_factor = number(table, "span_rise_factor", findings);
+    let axle_factor = number(table, "axle_factor", findings);
+    let axles = table.word("axles", findings);
+    let axles = maybe(table, "axles", axles);
+    let lift_off = table.flag("lift_off", findings);
+    let lift_off = maybe(table, "lift_off", lift_off);
     let [quarter_rise, ring_thickness, fill_depth, axle_load] =
         ["quarter_rise", "ring_thickness", "fill_depth", "axle_load"].map(|key| quantity(table, key, findings));
     let [barrel, fill, width, depth, mortar, condition] = factors;
@@ -121,6 +133,13 @@ fn mexe(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Opt
         ring_thickness: ring_thickness?,
         fill_depth: fill_depth?,
         axle_load: axle_load?,
+        axles: match axles? {
+            Some("bogie") => MexeAxles::Bogie,
+            Some("triple") => MexeAxles::Triple,
+            _ => MexeAxles::Single,
+        },
+        lift_off: lift_off?.unwrap_or(false),
+        axle_factor: axle_factor?,
     })
 }
 
