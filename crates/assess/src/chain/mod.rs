@@ -11,7 +11,7 @@ pub use service::{NoRule, ServiceError, Wanted, augment, probes, service, window
 pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
 pub use updated::{facts as update_facts, with_parameters};
 
-pub use vehicles::vehicle_facts;
+pub use vehicles::{vehicle_facts, vehicles};
 
 use crate::warning::Warning;
 

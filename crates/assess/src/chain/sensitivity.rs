@@ -2,6 +2,7 @@
 //! matter, by the cheapest analysis that shows it.
 
 use super::service::Wanted;
+use super::ultimate::by_weight_alone;
 use super::{at_position, service, window};
 use crate::analysis::vehicles::vehicle_sweep;
 use crate::assessment::{Assessment, Stage};
@@ -157,7 +158,7 @@ impl Probe<'_> {
         match code {
             "C301" => {}
             "C204" => {
-                let mut alone = bridge.clone();
+                let mut alone = by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
                 let plan = alone.sweep.as_mut()?;
                 plan.vehicles = vec![self.governing.load_model.clone()];
                 plan.confirm = false;

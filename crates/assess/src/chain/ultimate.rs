@@ -3,6 +3,7 @@
 use super::spoken;
 use crate::analysis::{self, AnalysisError, Collapse, Sweep};
 use crate::discretise::bridge_length;
+use crate::warning;
 use crate::wire::{CollapseObject, MovementFacts, Run, UltimateFacts};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
@@ -35,7 +36,8 @@ fn rigid(bridge: &Bridge) -> Bridge {
 
 /// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.
 pub fn at_position(bridge: &Bridge, position: f64) -> Result<UltimateFacts, AnalysisError> {
-    let sweep = analysis::sweep(&rigid(bridge), Some([position, position + 1e-3]), 2, true)?;
+    let own = by_weight_alone(bridge);
+    let sweep = analysis::sweep(&rigid(own.as_ref().unwrap_or(bridge)), Some([position, position + 1e-3]), 2, true)?;
     let found = sweep.points.first();
     Ok(UltimateFacts {
         status: found.map_or("not-converged", |point| point.status.word()).to_owned(),
@@ -45,8 +47,34 @@ pub fn at_position(bridge: &Bridge, position: f64) -> Result<UltimateFacts, Anal
     })
 }
 
-/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst.
+/// The bridge with its fill as weight alone, where it presses.
+pub fn by_weight_alone(bridge: &Bridge) -> Option<Bridge> {
+    let mut own = bridge.clone();
+    own.fill_pressure.as_mut().filter(|fill| fill.applies)?.applies = false;
+    Some(own)
+}
+
+/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that presses
+/// both ends are made, and the lower one counts.
 pub fn ultimate(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
+    let found = moved(bridge)?;
+    let Some(bare) = by_weight_alone(bridge) else { return Ok(found) };
+    let lower = moved(&bare)?;
+    let [with, without] = [&found, &lower].map(|one| one.facts.load_factor);
+    let told = |factor: Option<f64>| factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
+    let message = format!(
+        "factor on the loads of the file: {} by weight alone, {} with fill pressure; the lower one counts",
+        told(without),
+        told(with)
+    );
+    // A bridge that does not stand by weight alone has no factor: that is the lower end.
+    let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
+    counts.facts.load_factor_with_fill_pressure = with;
+    counts.facts.warnings.push([warning::PRESSURE_RANGE.to_owned(), message]);
+    Ok(counts)
+}
+
+fn moved(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
     let own = rigid(bridge);
     let length = bridge_length(&own);
     let positions = 1 + ((length / STEP).ceil() as usize).clamp(20, MOST_POSITIONS - 1);

@@ -1,11 +1,41 @@
 //! Vehicles of the file's [sweep], as facts.
 
 use super::spoken;
-use crate::analysis::Status;
-use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep};
+use super::ultimate::by_weight_alone;
+use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep, vehicle_sweep};
+use crate::analysis::{AnalysisError, Status};
 use crate::warning;
 use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
+use bridge::Bridge;
+use mechanics::watch::Watch;
 use rules::{Confidence, Rule};
+
+/// Moves the vehicles of the file's [sweep] over the bridge. With fill that presses both ends are made, and the lower one counts:
+/// its sweep is drawn.
+pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts, VehicleSweep), AnalysisError> {
+    let Some(bare) = by_weight_alone(bridge) else {
+        let found = vehicle_sweep(bridge, watch)?;
+        return Ok((vehicle_facts(&found), found));
+    };
+    let found = vehicle_sweep(&bare, watch)?;
+    let mut pressing = bridge.clone();
+    if let Some(plan) = &mut pressing.sweep {
+        plan.confirm = false;
+    }
+    let with = vehicle_sweep(&pressing, watch)?;
+    let mut facts = vehicle_facts(&found);
+    let mut told = Vec::new();
+    for (one, with) in facts.vehicles.iter_mut().zip(&with.vehicles) {
+        one.adequacy_with_fill_pressure = with.adequacy;
+        if let (Some(without), Some(with)) = (one.adequacy, with.adequacy) {
+            told.push(format!("{} {without:.3} by weight alone, {with:.3} with fill pressure", one.code));
+            one.adequacy = Some(without.min(with));
+        }
+    }
+    let message = format!("adequacy factors, of which the lower one counts: {}", told.join("; "));
+    facts.warnings.push([warning::PRESSURE_RANGE.to_owned(), message]);
+    Ok((facts, found))
+}
 
 /// The facts of a sweep of vehicles.
 pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
@@ -62,6 +92,8 @@ fn safety(rule: &Rule) -> SafetyFacts {
         rule: rule.code.clone(),
         live_load: live.value,
         live_load_confidence: live.source.confidence.word().to_owned(),
+        model: rule.factors.model.value,
+        model_confidence: rule.factors.model.source.confidence.word().to_owned(),
         factors: named
             .map(|(name, factor)| (format!("{name} {}", factor.value), factor.source.confidence.word().to_owned()))
             .collect(),
@@ -126,6 +158,7 @@ fn swept(one: &Swept) -> SweptFacts {
         title: one.title.clone(),
         status: one.status.word().to_owned(),
         adequacy: one.adequacy,
+        adequacy_with_fill_pressure: None,
         position_m: one.case.as_ref().map(|case| case.position),
         case,
         effective_width_m: one.effective_width,

@@ -15,8 +15,8 @@ impl Check for Adequacy {
             text: "The factor by which the loads of the file must grow to make a mechanism of the bridge, by limit analysis, over all positions \
                    and over every run of neighbouring axles: an axle on the far side helps an arch. It is compared with adequacy_factor of \
                    [assess]. Loads count as the file has them: no partial factor and no impact is added here. The check assesses strength only where adequacy_source \
-                   names the document of the factor, and the factor, times load_factor_included of the loads, is above 1; otherwise it is compared and \
-                   no verdict of adequacy rests on it. Where it is not met, ask the discrete element method for a second \
+                   names the document of the factor, and the factor, times load_factor_included of the loads, is above 1, and only from model_factor times the \
+                   limit on (A191); otherwise it is compared and no verdict of adequacy rests on it. Where it is not met, ask the discrete element method for a second \
                    opinion (extrados collapse --method dem), and look at what fill and backing could add.",
             source: "plastic theory of masonry arches: Heyman, The Safety of Masonry Arches (1969)",
         }
@@ -46,7 +46,8 @@ impl Check for Adequacy {
             },
             position: facts.position_m,
             columns: None,
-            strength: strength::of_the_file(a).is_none(),
+            strength: strength::of_the_file(a).is_none()
+                && (value < limit || value >= limit * strength::model_of_the_file(a)),
         }])
     }
 }

@@ -7,6 +7,7 @@ mod fatigue;
 mod joint_shear;
 pub mod mexe;
 mod mexe_check;
+pub mod model_factor;
 mod movement;
 mod permissible;
 mod strength;

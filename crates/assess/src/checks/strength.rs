@@ -1,7 +1,7 @@
 //! Whether strength was assessed: what an ultimate check under factors with a source still needs, and what qualifies one that
 //! was made.
 
-use super::Checked;
+use super::{Checked, Finding, model_factor, vehicles};
 use crate::assessment::Assessment;
 use crate::warning;
 
@@ -28,10 +28,15 @@ pub fn strength(a: &Assessment, checked: &[Checked]) -> Strength {
     let ultimate: Vec<&Checked> = checked.iter().filter(|one| ULTIMATE.contains(&one.card.code)).collect();
     let failed = ultimate.iter().any(|one| one.outcome.as_ref().is_err_and(|why| why.failed));
     let made = ultimate.iter().flat_map(|one| one.outcome.iter().flatten());
-    let assessed = made.clone().any(|finding| finding.strength) && !failed;
+    let assessed = ultimate.iter().any(|one| whole(one)) && !failed;
     let missing = if assessed { Vec::new() } else { missing(a, &ultimate) };
     let qualifications = if made.count() > 0 { qualifications(a) } else { Vec::new() };
     Strength { assessed, missing, qualifications }
+}
+
+/// Whether a check assesses strength for every load that it compares.
+fn whole(check: &Checked) -> bool {
+    check.outcome.as_ref().is_ok_and(|list| !list.is_empty() && list.iter().all(|finding| finding.strength))
 }
 
 fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
@@ -40,10 +45,15 @@ fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
         let card = check.card;
         match &check.outcome {
             Err(why) => list.push(format!("{} ({}): {}", card.title, card.code, why.why)),
-            Ok(_) if card.code == "C201" => {
-                list.extend(of_the_file(a).map(|why| format!("{} (C201): {why}", card.title)))
+            Ok(found) if card.code == "C201" => {
+                let why = of_the_file(a).or_else(|| within(found, model_of_the_file(a), "model_factor in [assess]"));
+                list.extend(why.map(|why| format!("{} (C201): {why}", card.title)));
             }
-            Ok(_) => {}
+            Ok(found) => {
+                let wanted = a.vehicles.made().map_or(1.0, |facts| vehicles::wanted(&facts.safety));
+                let why = within(found, wanted, "a model factor that was read in its source, in rule_file of [sweep],");
+                list.extend(why.map(|why| format!("{} ({}): {why}", card.title, card.code)));
+            }
         }
     }
     list
@@ -69,9 +79,34 @@ pub(super) fn of_the_file(a: &Assessment) -> Option<String> {
     }
 }
 
+/// The model factor under the file's own factor on its loads.
+pub(super) fn model_of_the_file(a: &Assessment) -> f64 {
+    a.asked.limits.model_factor.unwrap_or_else(model_factor::model_factor)
+}
+
+/// What is said where limits are met by less than the model factor asks for; `key` is what to write.
+fn within(found: &[Finding], wanted: f64, key: &str) -> Option<String> {
+    let near = found.iter().filter(|finding| finding.met() && finding.value < wanted * finding.limit);
+    let list: Vec<String> = near
+        .map(|finding| format!("{} {:.2} of {:.2}", finding.load_model, finding.value, wanted * finding.limit))
+        .collect();
+    (!list.is_empty()).then(|| {
+        format!(
+            "met, but by less than the uncertainty of the model asks for: {}; {}; write {key} where a source has another",
+            list.join(", "),
+            model_factor::words()
+        )
+    })
+}
+
 /// Factors that were not read in their source, and warnings of the analyses behind the ultimate checks, each in a line.
 fn qualifications(a: &Assessment) -> Vec<String> {
     let mut list = Vec::new();
+    let limits = &a.asked.limits;
+    let by_file = a.ultimate.made().is_some() && limits.adequacy_factor.is_some() && limits.model_factor.is_none();
+    if by_file || a.vehicles.made().is_some_and(|facts| vehicles::wanted(&facts.safety) > 1.0) {
+        list.push(format!("{} (A191)", model_factor::words()));
+    }
     if let Some(facts) = a.vehicles.made() {
         let told = |word: &str| {
             let some = facts.safety.factors.iter().filter(|(_, confidence)| confidence == word);

@@ -54,6 +54,7 @@ fn assessment() -> Assessment {
         adequacy_factor: Some(2.0),
         adequacy_source: Some("a test, clause 1".into()),
         load_factor_included: 1.0,
+        model_factor: Some(1.0),
         permissible_share: Some(0.5),
         movement_factor: 1.0,
         ..Limits::default()
@@ -141,6 +142,8 @@ fn a_rule_without_safety_passes_no_vehicle() {
             rule: "own".into(),
             live_load,
             live_load_confidence: confidence.into(),
+            model: 1.0,
+            model_confidence: "read".into(),
             ..SafetyFacts::default()
         };
         a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
@@ -152,6 +155,44 @@ fn a_rule_without_safety_passes_no_vehicle() {
     assert_eq!(with(0.99, 1.0, "read"), ("inadequate", false));
     assert_eq!(with(1.01, 1.9, "recalled"), ("adequate", true));
     assert_eq!(with(0.99, 1.9, "recalled"), ("inadequate", true));
+}
+
+/// Between a rule's limit and the limit times the model factor nothing is settled, unless the rule's own model factor was read.
+#[test]
+fn a_model_factor_from_tests_counts_where_a_rule_has_none() {
+    let mut a = assessment();
+    a.asked.limits.adequacy_factor = None;
+    let mut with = |adequacy: f64, model: f64, confidence: &str| {
+        let vehicle = SweptFacts {
+            code: "heavy".into(),
+            status: "collapsed".into(),
+            adequacy: Some(adequacy),
+            ..SweptFacts::default()
+        };
+        let safety = SafetyFacts {
+            live_load: 1.9,
+            live_load_confidence: "read".into(),
+            model,
+            model_confidence: confidence.into(),
+            ..SafetyFacts::default()
+        };
+        a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
+        let found = verdict(&a, &run(&a));
+        (found.status, found.strength.missing.join("; ").contains("4 tests to collapse"))
+    };
+    assert_eq!(with(1.5, 1.0, "recalled"), ("undetermined", true));
+    assert_eq!(with(1.5, 1.0, "assumed"), ("undetermined", true));
+    assert_eq!(with(1.5, 1.0, "read"), ("adequate", false));
+    assert_eq!(with(1.91, 1.0, "recalled"), ("adequate", false));
+    // What the rule's own factor has taken off already is not asked for again.
+    assert_eq!(with(1.5, 1.3, "recalled"), ("adequate", false));
+    assert_eq!(with(0.99, 1.0, "recalled"), ("inadequate", false));
+    // Likewise under the factor of a file: 4.0 is carried, 2.5 asked for.
+    a.vehicles = Stage::NotAsked("no sweep".into());
+    (a.asked.limits.adequacy_factor, a.asked.limits.model_factor) = (Some(2.5), None);
+    assert_eq!(verdict(&a, &run(&a)).status, "undetermined");
+    a.asked.limits.adequacy_factor = Some(2.0);
+    assert_eq!(verdict(&a, &run(&a)).status, "adequate");
 }
 
 /// A vehicle that limit analysis left open is neither passed nor forgotten; one that fails is turned down all the same.

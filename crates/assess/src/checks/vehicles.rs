@@ -1,5 +1,6 @@
 //! Vehicles under the factors of a rule.
 
+use super::model_factor::model_factor;
 use super::{Card, Check, Finding, NotMade, of};
 use crate::assessment::Assessment;
 use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
@@ -17,7 +18,8 @@ impl Check for Vehicles {
                    both ways and every run of neighbouring axles. Partial factors, impact, dispersal, effective width and condition are those of \
                    the rule of [sweep], each with its source in the report; the limit is therefore 1. A rule without a factor above 1 on \
                    live loads, or without a source of it (\"characteristic\", rules of working stresses), is compared only to find what fails even so: that nominal \
-                   loads are carried is no verdict. Where it is not met, look at the governing case: \
+                   loads are carried is no verdict. Where the rule's model factor was not read in its source, strength is assessed only from the program's own model factor \
+                   on (A191). Where it is not met, look at the governing case: \
                    its position, its axles, and which factors are recalled and not read. \
                    With confirm = true in [sweep] the governing case is made by discrete elements too, and the smaller number counts.",
             source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
@@ -27,11 +29,12 @@ impl Check for Vehicles {
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let facts = of(&a.vehicles)?;
         let strength = has_safety(&facts.safety);
+        let wanted = wanted(&facts.safety);
         let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != "locks");
         let all: Vec<Finding> = bounded
             .clone()
             .filter(|one| one.adequacy.is_some() || one.status != OPEN)
-            .map(|one| finding(facts, one, strength))
+            .map(|one| finding(facts, one, strength, wanted))
             .collect();
         let (met, broken): (Vec<&Finding>, Vec<&Finding>) = all.iter().partition(|finding| finding.met());
         // What fails at some position fails; what passes at the others passes only where no position is left open.
@@ -60,6 +63,15 @@ fn has_safety(safety: &SafetyFacts) -> bool {
     safety.live_load > 1.0 && ["read", "calculated", "recalled"].contains(&safety.live_load_confidence.as_str())
 }
 
+/// The adequacy factor with which strength is assessed: 1 where the rule's model factor was read in its source, and otherwise what the
+/// program's own model factor asks beyond the one that the adequacy factors hold.
+pub(super) fn wanted(safety: &SafetyFacts) -> f64 {
+    match safety.model_confidence.as_str() {
+        "read" | "calculated" => 1.0,
+        _ => (model_factor() / safety.model.max(f64::MIN_POSITIVE)).max(1.0),
+    }
+}
+
 /// What is said where a rule without safety is carried.
 fn without_safety(safety: &SafetyFacts, met: &[&Finding]) -> String {
     let least = met.iter().map(|finding| finding.value).fold(f64::INFINITY, f64::min);
@@ -74,7 +86,7 @@ fn without_safety(safety: &SafetyFacts, met: &[&Finding]) -> String {
 }
 
 /// The comparison of a vehicle.
-fn finding(facts: &VehicleFacts, one: &SweptFacts, strength: bool) -> Finding {
+fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> Finding {
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);
     let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
@@ -99,6 +111,7 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, strength: bool) -> Finding {
         },
         position: one.position_m,
         columns: None,
-        strength,
+        // What fails is settled; what passes must pass with the model's own uncertainty.
+        strength: safe && (value < 1.0 || value >= wanted),
     }
 }

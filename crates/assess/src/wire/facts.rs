@@ -127,6 +127,8 @@ pub struct UltimateFacts {
     pub method: String,
     /// Least factor on the loads of the file.
     pub load_factor: Option<f64>,
+    /// The same with fill that presses, where the file has it; `load_factor` is the lower end.
+    pub load_factor_with_fill_pressure: Option<f64>,
     /// Position of the first load or axle then [m].
     pub position_m: Option<f64>,
     /// Collapse load there [kN/m].
@@ -177,6 +179,10 @@ pub struct SafetyFacts {
     pub live_load: f64,
     /// How sure it is: "read", "calculated", "recalled" or "assumed".
     pub live_load_confidence: String,
+    /// Model factor that the adequacy factors already hold.
+    pub model: f64,
+    /// How sure it is.
+    pub model_confidence: String,
     /// Every factor as "name value", and how sure it is.
     pub factors: Vec<(String, String)>,
 }
@@ -192,6 +198,8 @@ pub struct SweptFacts {
     pub status: String,
     /// What all its factored loads may be multiplied by; 1 is just enough.
     pub adequacy: Option<f64>,
+    /// The same with fill that presses, where the file has it; `adequacy` is the lower end.
+    pub adequacy_with_fill_pressure: Option<f64>,
     /// Place of its first axle in the governing case [m].
     pub position_m: Option<f64>,
     /// The governing case in words: direction, axles, arrangement.

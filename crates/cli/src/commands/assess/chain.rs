@@ -252,10 +252,10 @@ impl Chain<'_> {
             return Self::not_asked("vehicles", "the file has no [sweep] of vehicles", book);
         }
         self.stage("vehicles", bridge, book, || {
-            self.watched(|watch| match analysis::vehicles::vehicle_sweep(bridge, watch) {
+            self.watched(|watch| match chain::vehicles(bridge, watch) {
                 _ if crate::watcher::asked_to_stop() => Ran::Cancelled,
                 Err(error) => Ran::Failed(error.to_string()),
-                Ok(found) => Ran::Made(chain::vehicle_facts(&found), pictures::vehicles(&found)),
+                Ok((facts, found)) => Ran::Made(facts, pictures::vehicles(&found)),
             })
         })
     }
