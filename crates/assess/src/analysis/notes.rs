@@ -249,7 +249,6 @@ fn inset(bridge: &Bridge) -> Warning {
 
 /// Notes that do not depend on the method.
 fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
-    c.warnings.extend(joints::between_rings(bridge));
     for s in &d.spreads {
         // A millimetre is what a survey resolves.
         if s.shift.abs() > 1e-3 && s.to_ground.abs() < 1e-9 * s.strip.force.abs() {
@@ -270,6 +269,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         c.warnings
             .push(Warning::new(warning::UNLIMITED_STRENGTH, "compressive strength has no limit: crushing is left out"));
     }
+    c.warnings.extend(joints::between_rings(bridge));
     let unlimited = c.limit.as_ref().and_then(|l| l.unlimited_strength_load);
     if let (Some(load), Some(without), Some(strength)) =
         (c.collapse_load, unlimited, bridge.masonry.compressive_strength)
