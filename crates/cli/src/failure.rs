@@ -143,7 +143,7 @@ pub const CARDS: &[Card] = &[
         title: "the file to be written exists",
         text: "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
                drawing that this one names. `extrados respond --records FILE` replaces a record that is labelled synthetic, and never another \
-               file: measured records cannot be made again.",
+               file: measured records cannot be made again. `extrados verify --manual FILE` replaces an earlier manual alone.",
     },
     Card {
         code: "F120",
@@ -168,7 +168,7 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F123",
         title: "an output would replace a file that the command did not make",
-        text: "The command keeps a list of the files that it made in a folder of results (.extrados-files.json) with a hash of each, \
+        text: "The command keeps a list of the files that it made in a folder of results (.NAME.extrados-files.json beside the folder) with a hash of each, \
                and replaces those alone. A file that is not on it, or was changed since it was made, is yours: the message names it, \
                nothing was computed and nothing was written. Move the file, or name another folder with --out DIR.",
     },

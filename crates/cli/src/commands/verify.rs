@@ -25,6 +25,9 @@ const KINDS: [(Kind, &str, &str); 5] = [
 
 /// Runs the cases below a folder.
 pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
+    if let Some(path) = &arguments.manual {
+        free(path)?;
+    }
     let cases = read(&arguments.folder)?;
     let (chosen, left): (Vec<Case>, Vec<Case>) =
         cases.into_iter().partition(|case| arguments.slow || case.class == Class::Quick);
@@ -58,6 +61,20 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
         .with("tables", tables.iter().map(table).collect::<Vec<Value>>())
         .with("left_out", left.iter().map(|case| case.name.as_str()).collect::<Vec<&str>>())
         .saying(summary(&judged, &tables, &left, status)))
+}
+
+/// How the manual begins.
+const MANUAL: &str = "# Verification manual";
+
+/// The manual replaces an earlier manual and no other file.
+fn free(path: &Path) -> Result<(), Failure> {
+    match std::fs::read(path) {
+        Ok(bytes) if !bytes.starts_with(MANUAL.as_bytes()) => {
+            let message = format!("{} exists and is no verification manual", path.display());
+            Err(Failure::input("F119", message, "name another file with --manual FILE"))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn read(folder: &Path) -> Result<Vec<Case>, Failure> {

@@ -1,14 +1,15 @@
 //! The list of files that the command made in a folder, each with the hash of what it wrote: what is not on it, or was changed
-//! since, belongs to somebody else and is never replaced.
+//! since, belongs to somebody else and is never replaced. It stands beside the folder, hidden, so that the folder holds results alone;
+//! inside where nothing can be written beside it.
 
 use super::{SEAL, write_whole};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
-/// Name of the list in its folder.
+/// What the name of the list ends in; the name of the folder stands before it.
 pub const NAME: &str = ".extrados-files.json";
 const SCHEMA: &str = "extrados.files/1";
 
@@ -29,11 +30,12 @@ impl List {
     /// The list of a folder. Where there is none, files that a result names count as made: results of earlier versions have no
     /// list.
     pub fn read(folder: &Path) -> List {
-        let value = |name: &str| serde_json::from_slice::<Value>(&fs::read(folder.join(name)).ok()?).ok();
-        if let Some(value) = value(NAME).filter(|value| value["schema"] == SCHEMA) {
+        let value = |path: PathBuf| serde_json::from_slice::<Value>(&fs::read(path).ok()?).ok();
+        let listed = places(folder).into_iter().filter_map(value).find(|value| value["schema"] == SCHEMA);
+        if let Some(value) = listed {
             return List::from_value(&value);
         }
-        let Some(seal) = value(SEAL) else { return List::default() };
+        let Some(seal) = value(folder.join(SEAL)) else { return List::default() };
         if !seal["schema"].as_str().is_some_and(|schema| schema.starts_with("extrados.")) {
             return List::default();
         }
@@ -58,7 +60,15 @@ impl List {
         let value = json!({
             "schema": SCHEMA, "about": about, "kind": self.kind, "of": self.of, "last": self.last, "made": made,
         });
-        write_whole(&folder.join(NAME), format!("{value:#}\n").as_bytes())
+        let bytes = format!("{value:#}\n").into_bytes();
+        let mut written = Ok(());
+        for place in places(folder) {
+            written = write_whole(&place, &bytes);
+            if written.is_ok() {
+                break;
+            }
+        }
+        written
     }
 
     /// Whether the file of this name is as the command made it.
@@ -98,6 +108,14 @@ impl List {
         let made = made.map(|(name, hashes)| (name.clone(), hashes.clone())).collect();
         List { last: names.to_vec(), made, ..self.clone() }
     }
+}
+
+/// Where the list of a folder may stand: beside it, and inside.
+fn places(folder: &Path) -> Vec<PathBuf> {
+    let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    let beside = whole.parent().zip(whole.file_name());
+    let beside = beside.map(|(parent, name)| parent.join(format!(".{}{NAME}", name.to_string_lossy())));
+    beside.into_iter().chain([folder.join(NAME)]).collect()
 }
 
 /// The hash of a file's content, in hexadecimal digits.

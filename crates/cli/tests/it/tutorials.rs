@@ -195,4 +195,8 @@ fn verification_outside_a_clone_says_where_the_cases_are() {
     let (answer, ending) = stage.object(&["verify"]);
     assert_eq!((ending.code, answer["errors"][0]["code"].as_str()), (Some(2), Some("F111")), "{answer}");
     assert!(answer["errors"][0]["help"].as_str().is_some_and(|help| help.contains("clone")), "{answer}");
+    stage.write("notes.md", "somebody's notes");
+    let (answer, _) = stage.object(&["verify", "--manual", "notes.md"]);
+    assert_eq!(answer["errors"][0]["code"], "F119", "{answer}");
+    assert_eq!(stage.read("notes.md"), "somebody's notes");
 }

@@ -33,7 +33,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
             if watcher::asked_to_stop() {
                 return None;
             }
-            let row = one(file, arguments, &folder, &program);
+            let row = one(file, &folder_of(file, &files), arguments, &folder, &program);
             watcher::counted(&bar, "bridges");
             row
         })
@@ -113,9 +113,19 @@ fn bridge_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// One bridge; none where somebody asked to stop.
-fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) -> Option<FleetRow> {
-    let stem = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+/// The folder of a bridge below that of the fleet: its file's name without the ending, and with it where two differ by that or by
+/// capital letters alone.
+fn folder_of(path: &Path, files: &[PathBuf]) -> String {
+    let stem = |path: &Path| path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let same = files.iter().filter(|other| stem(other).to_lowercase() == stem(path).to_lowercase());
+    match same.count() {
+        0 | 1 => stem(path),
+        _ => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+    }
+}
+
+/// One bridge, into a folder of this name; none where somebody asked to stop.
+fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &Program) -> Option<FleetRow> {
     let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
     let blank = |status: Status, words: String| FleetRow {
         file: file.clone(),
@@ -142,7 +152,7 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
         });
         return Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; ")));
     }
-    let folder = match source.folder(&fleet.file(&stem), "assess") {
+    let folder = match source.folder(&fleet.file(stem), "assess") {
         Ok(folder) => folder,
         Err(failure) => return Some(refused(failure)),
     };
@@ -173,7 +183,7 @@ fn one(path: &Path, arguments: &Arguments, fleet: &Folder, program: &Program) ->
         load_model: finding.map_or(String::new(), |(_, finding)| finding.load_model.clone()),
         finished: done.verdict.finished,
         broken: all.filter(|finding| !finding.met()).count(),
-        report: format!("{}/report.html", web(&stem)),
+        report: format!("{}/report.html", web(stem)),
         ..blank(Status::named(done.verdict.status).unwrap_or(Status::Undetermined), done.verdict.words.clone())
     })
 }
