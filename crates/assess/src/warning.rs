@@ -123,6 +123,28 @@ cards! {
     NOT_DRAWN = "A123", "too many particles to be drawn",
         "Drawings hold at most 200 000 particles; above that no viewer of drawings would open them. The figures show blocks, \
          supports and loads only, and those that need particles are left out. ParaView files and tables hold every particle.";
+    /// Rings that share shear by friction alone.
+    RINGS_SHARE = "A124", "rings that slide on one another share their load in a way that statics does not fix",
+        "How much shear passes from ring to ring depends on the force that presses them together, and equilibrium allows many such \
+         forces. Limit analysis looks for the largest load, with or without dilation, and so may choose the state in which the rings \
+         press hard; discrete elements arrived at 0.66 to 0.82 of its load for nine bridges with two rings \
+         (docs/verification/profiles.md). Take the smaller of both methods, or a low friction angle in [ring_joint].";
+    /// One packing is one sample.
+    ONE_PACKING = "A125", "one packing of particles is one sample",
+        "Packings made by the same recipe with another seed carry loads that differ by tens of kN/m and now and then by more than a \
+         hundred: five of Bridgemill lay between 223 and 403 kN/m with one recipe and between 403 and 427 with another \
+         (docs/verification/fill.md). Run several seeds, as in --set analysis.seed=1,2,3,4,5 of extrados vary, and judge by the \
+         low end of what they give, not by one of them.";
+    /// A run that stalled.
+    STALLED = "A126", "the run stalled: no rest and no collapse",
+        "The out-of-balance force stopped falling above the tolerance while blocks hardly moved. That proves neither rest nor a \
+         mechanism. The last stable load is what was carried; it depends on the load step, and the same bridge may carry more in \
+         other steps. Repeat the run with another load_step or tolerance before anything rests on it.";
+    /// Spandrel walls that a passage does not have.
+    WALLS_LEFT_OUT = "A127", "spandrel walls are left out of the passage",
+        "The strip that finite elements model lies between the walls. Walls stiffen a bridge and relieve it; they may also part from \
+         it, so that records taken near them belong to another structure. Stresses and deflections are those of a barrel that \
+         carries everything by itself; parameters identified from records take the walls' stiffness for that of ring and fill.";
     /// A passage broke off.
     BROKEN_PASSAGE = "A130", "the passage broke off",
         "A load step found no equilibrium within its iterations, however small it was cut. The records end at the last position \

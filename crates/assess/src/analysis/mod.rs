@@ -6,6 +6,7 @@ pub mod by_dem;
 pub mod by_fe;
 pub mod by_limit;
 pub mod calibrate;
+mod caveats;
 mod dimensions;
 mod filled;
 mod movement;

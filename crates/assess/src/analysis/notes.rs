@@ -249,6 +249,7 @@ fn inset(bridge: &Bridge) -> Warning {
 
 /// Notes that do not depend on the method.
 fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+    super::caveats::add(bridge, d, c);
     for s in &d.spreads {
         // A millimetre is what a survey resolves.
         if s.shift.abs() > 1e-3 && s.to_ground.abs() < 1e-9 * s.strip.force.abs() {

@@ -5,6 +5,7 @@ mod assess;
 mod axles;
 mod calibration;
 mod checked;
+mod caveats;
 mod drawings;
 mod drawn;
 mod examples;

@@ -26,6 +26,8 @@ fn a_saved_packing_gives_the_same_run_bit_for_bit() {
     }
     assert!(stage.names("grown/paraview").iter().any(|n| n == "particles.pvd"));
     assert_eq!(stage.read("grown/particles.csv").lines().count(), 241);
+    let codes = grown["warnings"].as_array().expect("warnings");
+    assert!(codes.iter().any(|one| one["code"] == "A125"), "one packing is one sample: {codes:?}");
     let packing = &grown["packing"];
     assert!((0.6..0.95).contains(&number(packing, "solid_fraction")), "{packing}");
     for key in ["coordination", "mean_stress_kpa", "smallest_diameter_m", "largest_diameter_m", "settlement_mm", "seed"]

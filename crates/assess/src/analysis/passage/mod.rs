@@ -107,6 +107,10 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
             "all degrees of freedom were solved at every position in place of the condensed path: {why}"
         ));
     }
+    if bridge.spandrel_wall.is_some() {
+        let message = "the strip of finite elements lies between the spandrel walls: their stiffness, and their parting from the barrel, is left out";
+        warnings.push(Warning::new(warning::WALLS_LEFT_OUT, message));
+    }
     let open_joints = kept(&solution.log).map(|step| step.open_joints).max().unwrap_or(0);
     let plastic_points = kept(&solution.log).map(|step| step.plastic_points).max().unwrap_or(0);
     let locking_elements = kept(&solution.log).map(|step| step.locking_elements).max().unwrap_or(0);

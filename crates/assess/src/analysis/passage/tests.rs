@@ -97,27 +97,41 @@ fn a_report_ends_where_the_solution_ends() {
     assert_eq!(report.assumptions.last().unwrap(), "also");
 }
 
+/// A solution without anything in it.
+fn solved() -> Solution {
+    Solution {
+        status: PassageStatus::Completed,
+        reason: None,
+        self_weight: vec![0.0; 6],
+        values: vec![vec![0.0]; 6],
+        degrees_of_freedom: 7,
+        condensed_degrees_of_freedom: None,
+        taking_part: Vec::new(),
+        log: Vec::new(),
+        moments: Vec::new(),
+        influence: None,
+        assumptions: Vec::new(),
+        warnings: Vec::new(),
+    }
+}
+
+#[test]
+fn a_passage_beside_walls_says_that_they_are_left_out() {
+    let mut bridge = railway();
+    let setup = setup(&bridge).unwrap();
+    let codes = |bridge: &Bridge| report(bridge, &setup, solved()).warnings.iter().map(|one| one.code).collect::<Vec<_>>();
+    assert!(!codes(&bridge).contains(&crate::warning::WALLS_LEFT_OUT));
+    bridge.spandrel_wall = Some(samples::spandrel_wall(&bridge));
+    assert!(codes(&bridge).contains(&crate::warning::WALLS_LEFT_OUT));
+}
+
 /// A plan for the condensed path that cannot be followed: what was done is told, and why.
 #[test]
 fn the_path_that_was_taken_is_told() {
     let mut bridge = railway();
     let told = |bridge: &Bridge| {
         let setup = setup(bridge).unwrap();
-        let solution = Solution {
-            status: PassageStatus::Completed,
-            reason: None,
-            self_weight: vec![0.0; 6],
-            values: vec![vec![0.0]; 6],
-            degrees_of_freedom: 7,
-            condensed_degrees_of_freedom: None,
-            taking_part: Vec::new(),
-            log: Vec::new(),
-            moments: Vec::new(),
-            influence: None,
-            assumptions: Vec::new(),
-            warnings: Vec::new(),
-        };
-        let report = report(bridge, &setup, solution);
+        let report = report(bridge, &setup, solved());
         (report.path, report.assumptions.iter().any(|line| line.contains("in place of the condensed path")))
     };
     assert_eq!(told(&bridge), ("condensed", false));

@@ -1,0 +1,53 @@
+//! What the pages of `docs/` say against a method, said in every result that it concerns. The table of all such sentences is
+//! `docs/theory/limits.md`.
+
+use super::report::{Collapse, Status};
+use crate::discretise::{Discretised, Origin};
+use crate::warning::{self, Warning};
+use bridge::{Bridge, DispersalRule};
+
+/// Fill under a wheel is not asked whether it bears the wheel.
+pub const FILL_UNDER_WHEELS: &str =
+    "Dispersal is a rule: whether the fill under a wheel or a loading beam fails in bearing is not looked at.";
+/// Supports carry whatever reaches them.
+pub const SUPPORTS_HOLD: &str = "Abutments and the ground below foundations are rigid and hold whatever reaches them: spreading, \
+     settlement, bearing and scour are not looked at, and each of them lowers the load.";
+/// The load of sliding joints is found by an iteration.
+pub const NO_BOUND: &str = "Where joints slide without dilation the load is one that the iteration found, the lowest of its starts, \
+     and no bound: other states of self-stress may carry less.";
+/// A mechanism that is not in the plane.
+pub const OUT_OF_PLANE: &str = "Spandrel walls that lean or slide outwards, cracks along the barrel and edges that part are no part of \
+     a plane model.";
+
+/// Adds what concerns this analysis of a bridge.
+pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
+    let spreads = d.fill.is_none() && d.road.is_none() && bridge.dispersal.rule != DispersalRule::None;
+    if spreads && !bridge.cover.layers.is_empty() {
+        c.assumptions.push(FILL_UNDER_WHEELS.into());
+    }
+    c.assumptions.push(SUPPORTS_HOLD.into());
+    c.assumptions.push(OUT_OF_PLANE.into());
+    if c.limit.as_ref().is_some_and(|l| l.friction == "non-associated") {
+        c.assumptions.push(NO_BOUND.into());
+    }
+    if c.limit.is_some() && several_rings(d) && !c.sliding_joints.is_empty() {
+        let message = "rings slide on one another: the limit load takes the state of self-stress that carries most, and discrete \
+             elements lay at 0.66 to 0.82 of it for nine bridges with two rings";
+        c.warnings.push(Warning::new(warning::RINGS_SHARE, message));
+    }
+    if let Some(seed) = c.packing.as_ref().map(|p| p.seed) {
+        let which = seed.map_or("a packing from a file".to_owned(), |seed| format!("seed {seed}"));
+        let message =
+            format!("the load is that of one packing ({which}): others of the same recipe differ by tens of per cent");
+        c.warnings.push(Warning::new(warning::ONE_PACKING, message));
+    }
+    if c.status == Status::Stalled {
+        let message = "neither rest nor a mechanism was reached: the last stable load depends on the load step; repeat with another";
+        c.warnings.push(Warning::new(warning::STALLED, message));
+    }
+}
+
+/// Whether a span has rings that lie on one another.
+fn several_rings(d: &Discretised) -> bool {
+    d.origins.iter().any(|origin| matches!(origin, Origin::Voussoir { ring: 1.., .. }))
+}
