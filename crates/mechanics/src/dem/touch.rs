@@ -218,22 +218,26 @@ impl Touch {
         }
     }
 
-    /// Lengths that the two points stand for in the stress formulation [m]: half the joint each where it is closed
-    /// throughout; where one end is open, half the compressed part, so that the linear stress over that part and the
-    /// point force agree; never below the least length.
+    /// Lengths that the two points stand for in the stress formulation [m]: half the joint each where the other end
+    /// holds, in compression or by its bond; where the other end is open, half the part that is compressed or bonded, so
+    /// that the linear stress over a compressed part and the point force agree. Never more than half the joint, never
+    /// below the least length.
     #[inline]
     fn update_lengths(&mut self, points: &Points) {
-        let [a, b] = points.overlap;
-        let part = |mine: f64, other: f64| {
-            if self.count == 1 {
-                0.0
-            } else if other >= 0.0 {
-                0.5 * points.stretch()
-            } else {
-                0.5 * points.stretch() * mine / (mine - other)
+        let half = if self.count == 1 { 0.0 } else { 0.5 * points.stretch() };
+        // The opening that a bond still carries [m].
+        let carried = |m: &Memory| if m.bonded { self.tension / self.normal_stiffness } else { 0.0 };
+        let reach = [carried(&self.memory[0]), carried(&self.memory[1])];
+        let part = |k: usize, other: usize| {
+            let (here, there) = (points.overlap[k], points.overlap[other]);
+            if there >= 0.0 || there + reach[other] > 0.0 {
+                return half;
             }
+            // Overlap is linear along the joint; it falls to what the bond here carries at this share of the joint.
+            let share = (here + reach[k]) / (here - there);
+            if here > there { half * share.clamp(0.0, 1.0) } else { half }
         };
-        let lengths = [part(a, b), part(b, a)];
+        let lengths = [part(0, 1), part(1, 0)];
         for (memory, length) in self.memory.iter_mut().zip(lengths) {
             memory.length = length.max(self.least_length);
         }

@@ -149,6 +149,33 @@ fn updated_lengths_follow_the_compressed_part() {
     assert!(found.iter().all(|c| (c.length / (0.5 * JOINT) - 1.0).abs() < 1e-3), "{found:?}");
 }
 
+/// A joint that hangs on its bond is as long as it is built: two points of nearly equal opening do not stand for more,
+/// and one point that still hangs after the other broke stands for no more than its half.
+#[test]
+fn a_bonded_joint_in_tension_is_no_longer_than_it_is_built() {
+    let mut scene = Scene::new(ContactLaw { tension: 1e5, cohesion: 1e5, ..dry(1e9, 5e8, 30.0) });
+    scene.gravity = vec2(0.0, 0.0);
+    scene.rectangle(vec2(-0.25, -0.5), 0.5, 0.5, Held::FIXED);
+    let block = scene.rectangle(vec2(-0.25, 0.0), 0.5, 0.5, Held { rotation: false, ..Held::FIXED });
+    let mut s = settings(Damping::None);
+    s.contact_length = ContactLength::Updated;
+    let mut motion = scene.begin(s);
+    motion.step();
+    let i = block.0 as usize;
+    // Openings of 2.00 and 1.99 um; then 110 and 90 um, beyond and below the 100 um that the bond carries.
+    for (middle, turn) in [(1.995e-6, 1e-8 / JOINT), (100e-6, 20e-6 / JOINT)] {
+        motion.state.poses[i].position.y = 0.25 + middle;
+        motion.state.poses[i].rotation = Rotation::by(turn);
+        motion.state.velocities[i] = [0.0; 3];
+        motion.step();
+        let found = contacts(&motion.state);
+        let tensile: f64 = found.iter().map(|c| -c.compression).sum();
+        assert!(tensile > 0.0, "{found:?}");
+        assert!(found.iter().all(|c| c.length <= 0.5 * JOINT * (1.0 + 1e-6)), "{found:?}");
+        assert!(tensile <= 1e9 * (middle + 0.5 * turn * JOINT) * JOINT * (1.0 + 1e-6), "{found:?}");
+    }
+}
+
 /// A support is moved exactly as told, and a block held in x and rotation only moves in y.
 #[test]
 fn supports_move_as_prescribed() {
