@@ -196,8 +196,12 @@ fn start_vector(model: &Model) -> Vec<[f64; 3]> {
         .collect()
 }
 
+/// Power iteration approaches the largest frequency from below: what it ends at is raised by this, so that the step that
+/// follows lies one per cent below the critical one and never above. `docs/theory/block-engine.md` names it.
+const FROM_BELOW: f64 = 1.01;
+
 /// Largest angular frequency [rad/s] with every near point closed, by power iteration to a relative change of 1e-6
-/// (at most 2,000 products); raised by one percent because power iteration approaches it from below.
+/// (at most 2,000 products), times [`FROM_BELOW`].
 pub(super) fn largest_frequency(model: &Model, state: &State) -> f64 {
     let springs = springs(model, state, false);
     let mut x = start_vector(model);
@@ -220,7 +224,7 @@ pub(super) fn largest_frequency(model: &Model, state: &State) -> f64 {
             break;
         }
     }
-    1.01 * eigenvalue.max(0.0).sqrt()
+    FROM_BELOW * eigenvalue.max(0.0).sqrt()
 }
 
 /// Smallest angular frequency [rad/s] of the contacts that touch, by inverse iteration with conjugate gradients. An
