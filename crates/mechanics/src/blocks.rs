@@ -2,7 +2,7 @@
 //! and limit analysis share.
 
 use crate::ids::{BlockId, GroupId, Id, ParticleId, Table};
-use crate::plane::{Core, Polygon, PolygonError, Pose, Vec2, meet};
+use crate::plane::{Core, Meeting, Polygon, PolygonError, Pose, Vec2, meet};
 use thiserror::Error;
 
 /// Which motions of a block are prevented.
@@ -311,7 +311,7 @@ impl BlockModel {
     }
 }
 
-/// A joint of the model as built: two blocks that touch along a face, or at one point.
+/// A joint of the model as built: two blocks that touch along a face, or at one point of a face.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interface {
     /// The block on one side.
@@ -328,6 +328,11 @@ pub struct Interface {
 
 /// Every pair of blocks that touch where they are built, in the order of their ids. Blocks count as touching when
 /// their gap is at most `tolerance` [m]; pairs of held blocks are left out.
+///
+/// Two corners that only touch are no joint. What a corner prevents of another is one of two things, to pass under the
+/// bed or to pass through the side, and it may always give way along the other: no single normal says so, and the
+/// diagonal one would hold both. Leaving the pair out never adds strength. A common face no longer than `tolerance` is
+/// such a pair as well, for where a face ends is known no better than whether it touches.
 pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, ModelError> {
     let rounded = model.cores()?;
     let sharp: Table<BlockId, Core> = model
@@ -343,9 +348,11 @@ pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, 
         }
         let points = |cores: &Table<BlockId, Core>| {
             let (ca, cb) = (&cores[a], &cores[b]);
-            let m = meet(ca, &poses[a], cb, &poses[b], None).manifold(ca, &poses[a], cb, &poses[b]);
-            let touching: Vec<Vec2> = (0..m.count).filter(|&k| m.gaps[k] <= tolerance).map(|k| m.points[k]).collect();
-            (m.normal, touching)
+            let meeting = meet(ca, &poses[a], cb, &poses[b], None);
+            let m = meeting.manifold(ca, &poses[a], cb, &poses[b]);
+            let face = matches!(meeting, Meeting::Face { .. }) && (m.points[1] - m.points[0]).norm() > tolerance;
+            let touching = (0..m.count).filter(|&k| face && m.gaps[k] <= tolerance);
+            (m.normal, touching.map(|k| m.points[k]).collect::<Vec<Vec2>>())
         };
         let (normal, contact) = points(&rounded);
         let (_, face) = points(&sharp);

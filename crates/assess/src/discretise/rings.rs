@@ -89,7 +89,9 @@ fn joints(span: &Span, curve: &Curve) -> Vec<Joints> {
             .map(|i| {
                 let share = i as f64 / n as f64;
                 let snapped = rings.last().and_then(|below: &Joints| {
-                    let reach = SLIVER / n.max(below.shares.len() - 1) as f64;
+                    // A little less than the round number: no two counts of voussoirs may lie on the limit, where round-off
+                    // would treat one end of the bridge otherwise than the other.
+                    let reach = SLIVER / n.max(below.shares.len() - 1) as f64 - 1e-9;
                     below.shares.iter().copied().find(|s| (s - share).abs() < reach)
                 });
                 snapped.unwrap_or(share)

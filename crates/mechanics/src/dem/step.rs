@@ -63,7 +63,8 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
     };
     find_pairs(model, &mut state, settings.contact_length);
     state.particles.search(&model.particles, model.blocks(&state.poses), &mut Cells::default(), 0);
-    for touch in &mut state.touches {
+    // Mortar lies between faces. Two corners that touch have none: a bond across them would hold both beds that meet there.
+    for touch in state.touches.iter_mut().filter(|touch| touch.count == 2) {
         for memory in &mut touch.memory {
             memory.bonded = true;
         }

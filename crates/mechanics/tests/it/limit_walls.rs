@@ -83,3 +83,28 @@ fn published_five_digits_hide_that_0_642857_is_not_the_answer() {
     let factor = collapse_load(&model, &loading, &settings).unwrap().factor.unwrap();
     assert!((factor - 0.642_859_003_3).abs() < 1e-8, "{factor}");
 }
+
+/// Where four blocks meet in a point each touches its two neighbours along a face. The two pairs that face one another
+/// across the point are no joints: a force between them would hold both beds at once.
+#[test]
+fn blocks_that_touch_at_a_corner_share_no_joint() {
+    let square = |x: f64, y: f64, held| {
+        let outline = mechanics::plane::Polygon::rectangle(mechanics::plane::vec2(x, y), 1.0, 1.0).unwrap();
+        crate::limit_models::block(outline, 0.0, 2000.0, held)
+    };
+    use mechanics::blocks::Held;
+    // Whatever round-off leaves between the corners, and where corners are rounded by next to nothing.
+    for (shift, rounding) in [(0.0, 0.0), (1e-12, 0.0), (-1e-12, 0.0), (1e-7, 0.0), (0.0, 1e-7), (0.0, 1e-3)] {
+        let mut blocks = vec![
+            square(0.0, 0.0, Held::FIXED),
+            square(1.0, 0.0, Held::FIXED),
+            square(shift, 1.0, Held::FREE),
+            square(1.0 + shift, 1.0, Held::FREE),
+        ];
+        blocks.iter_mut().for_each(|b| b.rounding = rounding);
+        let model = crate::limit_models::model(blocks, crate::limit_models::dry(0.5));
+        let pairs: Vec<(u32, u32)> =
+            mechanics::blocks::interfaces(&model, 1e-6).unwrap().iter().map(|i| (i.first.0, i.second.0)).collect();
+        assert_eq!(pairs, [(0, 2), (1, 3), (2, 3)], "{shift} {rounding}");
+    }
+}
