@@ -42,13 +42,25 @@ pub enum Standing {
     Open,
 }
 
+/// What an input is put through, where it is not what its sections say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Run {
+    /// The file's train crosses.
+    Respond,
+    /// Moduli are sought from records: those of the case's twin, or those that the file names.
+    Update,
+    /// The file is assessed.
+    Assess,
+}
+
 /// A number or a word.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(untagged)]
 pub enum Value {
     /// A number.
     Number(f64),
-    /// A word, compared letter by letter.
+    /// A word, compared letter by letter; "true" and "false" stand for what is or is not so.
     Word(String),
 }
 
@@ -88,8 +100,10 @@ struct File {
     status: Standing,
     reason: Option<String>,
     input: Option<String>,
+    run: Option<Run>,
     #[serde(default)]
     set: Changes,
+    twin: Option<Changes>,
     expect: Vec<Expect>,
     #[serde(default)]
     errata: Vec<String>,
@@ -120,6 +134,10 @@ pub struct Case {
     pub bite: Option<Changes>,
     /// The input of another run with which the result is compared.
     pub against: Option<toml::Table>,
+    /// What the input is put through, where it is not what its sections say.
+    pub run: Option<Run>,
+    /// The bridge whose passage is the record of an update.
+    pub twin: Option<toml::Table>,
     /// Path of the input.
     pub input: PathBuf,
     /// The input after the case's own changes.
@@ -166,11 +184,18 @@ impl Case {
         let mut document: toml::Table =
             load(&input)?.parse().map_err(|e: toml::de::Error| wrong(&input, e.to_string()))?;
         change(&mut document, &file.set).map_err(|reason| wrong(&path, reason))?;
-        locate_drawing(&mut document, &input);
-        let against = file.against.as_ref().map(|changes| {
-            let mut other = document.clone();
-            change(&mut other, changes).map(|()| other).map_err(|reason| wrong(&path, format!("against: {reason}")))
-        });
+        locate(&mut document, &input);
+        let changed = |changes: &Option<Changes>, what: &str| {
+            let apply = |changes: &Changes| {
+                let mut other = document.clone();
+                change(&mut other, changes).map(|()| other).map_err(|reason| wrong(&path, format!("{what}: {reason}")))
+            };
+            changes.as_ref().map(apply).transpose()
+        };
+        let (against, twin) = (changed(&file.against, "against")?, changed(&file.twin, "twin")?);
+        if twin.is_some() && file.run != Some(Run::Update) {
+            return Err(wrong(&path, "a [twin] is the record of a case with run = \"update\"".into()));
+        }
         let part = |p: Option<&Path>| p.and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());
         let name = [part(folder.parent()), part(Some(folder))].into_iter().flatten().collect::<Vec<_>>().join("/");
         Ok(Case {
@@ -183,18 +208,22 @@ impl Case {
             expect: file.expect,
             errata: file.errata,
             bite: file.bite,
-            against: against.transpose()?,
+            against,
+            run: file.run,
+            twin,
             input,
             document,
         })
     }
 }
 
-/// A drawing is named relative to the file that names it; from here on, relative to the current folder.
-fn locate_drawing(document: &mut toml::Table, input: &Path) {
-    let file = document.get_mut("drawing").and_then(toml::Value::as_table_mut).and_then(|part| part.get_mut("file"));
-    if let (Some(toml::Value::String(name)), Some(folder)) = (file, input.parent()) {
-        *name = folder.join(&*name).to_string_lossy().into_owned();
+/// Drawings and records are named relative to the file that names them; from here on, relative to the current folder.
+fn locate(document: &mut toml::Table, input: &Path) {
+    for (section, key) in [("drawing", "file"), ("records", "place")] {
+        let file = document.get_mut(section).and_then(toml::Value::as_table_mut).and_then(|part| part.get_mut(key));
+        if let (Some(toml::Value::String(name)), Some(folder)) = (file, input.parent()) {
+            *name = folder.join(&*name).to_string_lossy().into_owned();
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::against;
 use super::case::{Case, Class, Expect, Value, change};
 use super::measure::{find, measure};
+use super::service;
 use serde_json::Value as Json;
 use std::time::Instant;
 
@@ -68,8 +69,8 @@ pub struct Judged {
 /// Runs a case, and the bite of a quick one.
 pub fn run(case: &Case) -> Judged {
     let start = Instant::now();
-    let other = case.against.as_ref().map(against::measured).transpose();
-    let (findings, verdict) = match other.and_then(|other| Ok((measure(&case.document)?, other))) {
+    let other = case.against.as_ref().map(|other| against::checked(measured(case, other))).transpose();
+    let (findings, verdict) = match other.and_then(|other| Ok((measured(case, &case.document)?, other))) {
         Err(reason) => (Vec::new(), case.open.clone().map_or(Verdict::Broken(reason), Verdict::Open)),
         Ok((result, other)) => {
             let result = against::compared(result, other.as_ref());
@@ -87,6 +88,14 @@ pub fn run(case: &Case) -> Judged {
     Judged { case: case.clone(), findings, verdict, seconds: start.elapsed().as_secs_f64() }
 }
 
+/// The result of a document, by what the case puts it through.
+fn measured(case: &Case, document: &toml::Table) -> Result<Json, String> {
+    match case.run {
+        None => measure(document),
+        Some(run) => service::measure(document, run, case.twin.as_ref()),
+    }
+}
+
 /// Spoils the input of a quick case: at least one expectation must fail, or the input must become unusable.
 fn bite(case: &Case, other: Option<&Json>) -> Verdict {
     let (Class::Quick, Some(changes)) = (case.class, &case.bite) else { return Verdict::Holds };
@@ -94,7 +103,7 @@ fn bite(case: &Case, other: Option<&Json>) -> Verdict {
     if let Err(reason) = change(&mut spoilt, changes) {
         return Verdict::Broken(format!("bite: {reason}"));
     }
-    let compared = measure(&spoilt).map(|result| against::compared(result, other));
+    let compared = measured(case, &spoilt).map(|result| against::compared(result, other));
     match compared {
         Err(reason) => Verdict::Broken(format!("bite: the spoilt input does not run: {reason}")),
         Ok(result) if judge(&case.expect, &result).iter().all(|f| f.met) => Verdict::Toothless,
@@ -121,6 +130,7 @@ fn judge(expectations: &[Expect], result: &Json) -> Vec<Finding> {
 fn meets(expect: &Expect, found: &Json) -> bool {
     match (&expect.value, found) {
         (Some(Value::Word(word)), Json::String(found)) => word == found,
+        (Some(Value::Word(word)), Json::Bool(found)) => *word == found.to_string(),
         (Some(Value::Number(value)), found) => found.as_f64().is_some_and(|f| {
             let room = expect.tolerance.unwrap_or(0.0).max(expect.relative.unwrap_or(0.0) * value.abs());
             (f - value).abs() <= room

@@ -32,7 +32,7 @@ pub fn measure(document: &toml::Table) -> Result<Json, String> {
 }
 
 /// Errors in one line.
-fn said(diagnostics: &[bridge::Diagnostic]) -> String {
+pub(super) fn said(diagnostics: &[bridge::Diagnostic]) -> String {
     let errors = diagnostics.iter().filter(|d| d.severity == bridge::Severity::Error);
     errors.map(|d| format!("{} {} ({})", d.code, d.message, d.label)).collect::<Vec<_>>().join("; ")
 }
@@ -96,13 +96,18 @@ fn derived(bridge: &bridge::Bridge, c: &analysis::Collapse) -> Vec<(String, Json
     found
 }
 
-/// A quantity of a result: keys and row numbers joined by points; `length` counts rows.
+/// A quantity of a result: keys joined by points, and rows by their number, code or name; `length` counts rows.
 pub fn find<'a>(result: &'a Json, quantity: &str) -> Option<std::borrow::Cow<'a, Json>> {
     let mut at = result;
     for part in quantity.split('.') {
         at = match at {
             Json::Array(rows) if part == "length" => return Some(std::borrow::Cow::Owned(rows.len().into())),
-            Json::Array(rows) => rows.get(part.parse::<usize>().ok()?)?,
+            Json::Array(rows) => match part.parse::<usize>() {
+                Ok(row) => rows.get(row)?,
+                Err(_) => rows
+                    .iter()
+                    .find(|row| ["code", "name"].iter().any(|key| row.get(key).is_some_and(|of| of == part)))?,
+            },
             Json::Object(keys) => keys.get(part)?,
             _ => return None,
         };

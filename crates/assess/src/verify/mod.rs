@@ -11,6 +11,7 @@ mod case;
 mod judge;
 mod manual;
 mod measure;
+mod service;
 mod tables;
 
 pub use case::{Case, CaseError, Class, Expect, Kind, Value};
