@@ -106,8 +106,8 @@ impl Purpose {
     pub fn may_write(&self, name: &str) -> bool {
         let name = name.to_lowercase();
         let Some((stem, ending)) = name.rsplit_once('.') else { return false };
-        let fits = |known: &&str| known.strip_suffix('*').map_or(stem == *known, |start| stem.starts_with(start));
-        ENDINGS.contains(&ending) && (stem.contains('/') || self.stems.iter().any(|known| fits(&known)))
+        let fits = |known: &str| known.strip_suffix('*').map_or(stem == known, |start| stem.starts_with(start));
+        ENDINGS.contains(&ending) && (stem.contains('/') || self.stems.iter().any(|known| fits(known)))
     }
 
     /// Whether a file is one that the run reads.
