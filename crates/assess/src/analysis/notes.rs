@@ -3,7 +3,7 @@
 use super::report::{Collapse, Status};
 use crate::discretise::{Discretised, Origin, pressure};
 use crate::warning::{self, Warning};
-use bridge::{Bridge, ContactPoints, DispersalRule};
+use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule};
 
 mod joints;
 
@@ -75,6 +75,37 @@ pub fn pressed(bridge: &Bridge, without: Option<f64>, full: Option<f64>, c: &mut
         fill.friction_angle.to_degrees(),
         100.0 * fill.cohesion_mobilisation,
     ));
+    if bridge.spans.len() > 1 {
+        c.assumptions.push(
+            "Between two spans each level of fill pushes both rings with one force, the same on either side; where only one of \
+             them has a back at a level, pressure at rest acts alone."
+                .into(),
+        );
+    }
+    if bridge.cover.backing.is_some_and(|b| b.body == BackingBody::Weight) {
+        c.assumptions.push(
+            "Backing presses and resists no more than the fill in its place: its own strength is left out. as = \"blocks\" in \
+             [backing] counts on it."
+                .into(),
+        );
+    }
+}
+
+/// What is assumed of backing that is blocks, and of the ground behind it.
+fn backed(bridge: &Bridge, d: &Discretised) -> Option<String> {
+    bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks)?;
+    let pieces = d.origins.iter().filter(|o| matches!(o, Origin::Backing { .. })).count();
+    let [left, right] = bridge.abutments.map(|a| a.top_width);
+    let behind = if d.loading.restraints.is_empty() {
+        "nothing behind it presses or resists"
+    } else {
+        "fill behind it presses and resists as on the backs"
+    };
+    Some(format!(
+        "Backing is {pieces} blocks of whole masonry with joints as between voussoirs: stones with level beds on backs steeper than 45 \
+         degrees, a column on every flatter one. It reaches over the tops of the abutments ({left:.2} m and {right:.2} m), where friction \
+         alone holds it; {behind}. That it is sound and reaches so far must be known, by a trial pit or a core."
+    ))
 }
 
 /// Notes on a discrete element run.
@@ -291,12 +322,21 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         walled(bridge, d, c);
         return;
     }
+    c.assumptions.extend(backed(bridge, d).filter(|_| d.fill.is_none()));
     let weighs = bridge.cover.layers.iter().any(|l| l.weighs) || bridge.cover.backing.is_some();
     if weighs && d.loading.restraints.is_empty() {
         c.warnings.push(Warning::new(
             warning::FILL_AS_WEIGHT,
-            "fill and backing act by their weight alone; their resistance is left out, and so is what makes rings weaker than rigid \
-             blocks: tests carried 0.88 to 1.98 of such predictions",
+            match bridge.cover.backing.map(|b| b.body) {
+                Some(BackingBody::Blocks) => {
+                    "fill acts by its weight alone; its resistance is left out, and so is what makes rings weaker than rigid \
+                     blocks: tests carried 0.88 to 1.98 of such predictions"
+                }
+                _ => {
+                    "fill and backing act by their weight alone; their resistance is left out, and so is what makes rings weaker \
+                     than rigid blocks: tests carried 0.88 to 1.98 of such predictions"
+                }
+            },
         ));
     }
     let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| l.name.word()).collect();
@@ -307,7 +347,11 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.push(match bridge.dispersal.rule {
         DispersalRule::None => "Loads act straight down on the extrados.".into(),
         DispersalRule::Uniform => {
-            format!("Loads spread {} vertical to 1 horizontal, uniform at the extrados.", bridge.dispersal.slope)
+            format!(
+                "Loads spread {} vertical to 1 horizontal, on steep haunches no further than the depth of cover under them allows, \
+                 uniform at the extrados.",
+                bridge.dispersal.slope
+            )
         }
         DispersalRule::InverseDepth => format!(
             "Loads spread {} vertical to 1 horizontal; pressures at the two ends are inversely proportional to their depth \

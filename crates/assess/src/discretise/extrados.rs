@@ -25,6 +25,19 @@ impl Stretch {
     }
 }
 
+/// A plumb face at an end of solid backing, with fill behind it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face {
+    /// The block.
+    pub block: BlockId,
+    /// Where it is [m].
+    pub x: f64,
+    /// Levels of its lower and upper end [m].
+    pub levels: [f64; 2],
+    /// Direction of x that points into the block: -1 or +1.
+    pub inwards: f64,
+}
+
 /// All stretches, from left to right.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extrados {
@@ -33,6 +46,8 @@ pub struct Extrados {
     /// The curve of which the backs are chords, in points close together: what loads disperse to. It does not depend on
     /// the number of voussoirs.
     pub line: Vec<Vec2>,
+    /// Plumb faces at the ends of backing that is blocks.
+    pub faces: Vec<Face>,
 }
 
 impl Extrados {
@@ -48,6 +63,17 @@ impl Extrados {
             (_, Some(p)) | (Some(p), None) => p.y,
             (None, None) => 0.0,
         }
+    }
+    /// Where the curve first falls by more than `fall` per unit of x, seen from `from` outwards in `direction` (-1 or +1) [m].
+    pub fn steeper(&self, from: f64, direction: f64, fall: f64) -> Option<f64> {
+        let ahead = |p: &Vec2| (p.x - from) * direction;
+        let falls = |pair: &[Vec2]| {
+            let (near, far) = if ahead(&pair[0]) < ahead(&pair[1]) { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
+            let steep = near.y - far.y > fall * (far.x - near.x).abs();
+            (steep && ahead(&far) > 0.0).then_some(ahead(&near).max(0.0))
+        };
+        let first = self.line.windows(2).filter_map(falls).min_by(f64::total_cmp)?;
+        Some(from + direction * first)
     }
     /// Where a ray from `from`, falling by `fall` per unit of x outwards in `direction` (-1 or +1), first meets the
     /// curve.

@@ -1,5 +1,6 @@
 //! Layers of the cover that are particles: the region they fill, the walls that hold it, the laws of their contacts.
 
+use super::backing::Backed;
 use super::extrados::{Extrados, Stretch};
 use super::laws;
 use super::{Build, DiscretiseError, Origin};
@@ -46,39 +47,6 @@ struct Levels {
 /// Width of the gap between two slabs [m]: a road carries no thrust from end to end.
 const SLAB_GAP: f64 = 5e-3;
 
-/// Least thickness and width of a column of backing [m].
-const LEAST: f64 = 0.05;
-
-/// A column of backing on a back.
-struct Column {
-    left: f64,
-    right: f64,
-    outline: Polygon,
-}
-
-/// The column between a back and a level above it; none where it would be thinner than [`LEAST`].
-fn column(stretch: &Stretch, level: f64) -> Option<Column> {
-    let (a, b) = (stretch.left, stretch.right);
-    let most = level - LEAST;
-    if a.y.min(b.y) >= most {
-        return None;
-    }
-    // Where the back comes within the least thickness of the level.
-    let end = a.x + (b.x - a.x) * ((most - a.y) / (b.y - a.y));
-    let (left, right) = if a.y > most {
-        (end, b.x)
-    } else if b.y > most {
-        (a.x, end)
-    } else {
-        (a.x, b.x)
-    };
-    if right - left < LEAST {
-        return None;
-    }
-    let corners = vec![stretch.at(left), stretch.at(right), vec2(right, level), vec2(left, level)];
-    Some(Column { left, right, outline: Polygon::new(corners).ok()? })
-}
-
 /// Thickness of end walls and of the lid [m].
 const WALL: f64 = 0.5;
 
@@ -96,17 +64,20 @@ impl Build<'_> {
     /// blocks. Gives the upper faces on which loads stand, too.
     pub(super) fn fill(&mut self, surface: f64) -> Result<(FillRegion, Extrados), DiscretiseError> {
         let levels = self.levels()?;
-        let mut outline = self.floor();
+        let mut outline = self.floor()?;
         let (Some(&first), Some(&last)) = (outline.first(), outline.last()) else {
             return Err(DiscretiseError::NoRegion);
         };
         let layers = self.layers();
         outline.extend([vec2(last.x, levels.particles), vec2(first.x, levels.particles)]);
         let group = self.groups.push("end walls".into());
+        // End walls stand on the abutments and hold backing as they hold particles.
+        let below = |s: Option<&Stretch>| s.map_or(f64::INFINITY, |s| s.left.y.min(s.right.y));
+        let feet = [below(self.extrados.stretches.first()), below(self.extrados.stretches.last())];
         for (right, foot) in [(false, first), (true, last)] {
-            let corner = vec2(if right { foot.x } else { foot.x - WALL }, foot.y);
-            let wall =
-                Polygon::rectangle(corner, WALL, surface + PARAPET - foot.y).map_err(|_| DiscretiseError::NoRegion)?;
+            let corner = vec2(if right { foot.x } else { foot.x - WALL }, foot.y.min(feet[usize::from(right)]));
+            let wall = Polygon::rectangle(corner, WALL, surface + PARAPET - corner.y)
+                .map_err(|_| DiscretiseError::NoRegion)?;
             self.block(wall, group, Held::FIXED, Origin::EndWall { right }, None);
         }
         let area = area(&outline);
@@ -116,39 +87,18 @@ impl Build<'_> {
         let line = vec![vec2(first.x, levels.bodies), vec2(last.x, levels.bodies)];
         let stretches = self.slabs(&levels, [first.x, last.x]);
         let slabs = !stretches.is_empty();
-        Ok((FillRegion { outline, area, layers, slabs }, Extrados { stretches, line }))
+        Ok((FillRegion { outline, area, layers, slabs }, Extrados { stretches, line, ..Extrados::default() }))
     }
 
-    /// Backing as blocks under cover that is weight: a column on each back, up to its level or the crown. Cover and loads
-    /// then lie on its upper faces.
-    pub(super) fn solid_backing(&mut self) {
+    /// Backing as blocks under cover that is weight, up to its level or the crown. Cover and loads then lie on its upper faces.
+    pub(super) fn solid_backing(&mut self) -> Result<(), DiscretiseError> {
         let backing = self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks);
-        let Some(backing) = backing else { return };
+        let Some(backing) = backing else { return Ok(()) };
         let level = backing.height.min(self.extrados.crown());
-        let group = self.groups.push("backing".into());
-        let mut upper = Vec::new();
-        let mut columns = 0;
-        for stretch in std::mem::take(&mut self.extrados.stretches) {
-            let Some(column) = column(&stretch, level) else {
-                upper.push(stretch);
-                continue;
-            };
-            let part = |left: f64, right: f64| Stretch { left: stretch.at(left), right: stretch.at(right), ..stretch };
-            if column.left > stretch.left.x {
-                upper.push(part(stretch.left.x, column.left));
-            }
-            let held = if stretch.ground { Held::FIXED } else { Held::FREE };
-            let block = self.block(column.outline, group, held, Origin::Backing { column: columns }, None);
-            self.blocks[block].density = backing.density;
-            columns += 1;
-            let (left, right) = (vec2(column.left, level), vec2(column.right, level));
-            upper.push(Stretch { block, left, right, ground: stretch.ground });
-            if column.right < stretch.right.x {
-                upper.push(part(column.right, stretch.right.x));
-            }
-        }
-        self.extrados.stretches = upper;
+        let Backed { upper, faces } = self.backed(&backing, level)?;
+        (self.extrados.stretches, self.extrados.faces) = (upper, faces);
         self.extrados.line.iter_mut().for_each(|p| p.y = p.y.max(level));
+        Ok(())
     }
 
     /// Levels of the layers' upper faces; particles below slabs below what is weight alone.
@@ -179,40 +129,18 @@ impl Build<'_> {
     }
 
     /// The lower boundary of the region: the backs of the rings, or of the backing that stands on them as blocks.
-    fn floor(&mut self) -> Vec<Vec2> {
-        let backing = self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks);
-        let stretches = self.extrados.stretches.clone();
-        let group = backing.map(|_| self.groups.push("backing".into()));
+    fn floor(&mut self) -> Result<Vec<Vec2>, DiscretiseError> {
+        let stretches = match self.bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks) {
+            Some(backing) => self.backed(&backing, backing.height)?.upper,
+            None => self.extrados.stretches.clone(),
+        };
         let mut floor: Vec<Vec2> = Vec::new();
-        let mut add = |point: Vec2| {
+        for point in stretches.iter().flat_map(|s| [s.left, s.right]) {
             if floor.last().is_none_or(|last| (*last - point).norm() > 1e-9) {
                 floor.push(point);
             }
-        };
-        let mut columns = 0;
-        for stretch in &stretches {
-            let column = backing.and_then(|b| column(stretch, b.height));
-            let (Some(column), Some(group), Some(backing)) = (column, group, backing) else {
-                add(stretch.left);
-                add(stretch.right);
-                continue;
-            };
-            if column.left > stretch.left.x {
-                add(stretch.left);
-                add(stretch.at(column.left));
-            }
-            add(vec2(column.left, backing.height));
-            add(vec2(column.right, backing.height));
-            if column.right < stretch.right.x {
-                add(stretch.at(column.right));
-                add(stretch.right);
-            }
-            let held = if stretch.ground { Held::FIXED } else { Held::FREE };
-            let block = self.block(column.outline, group, held, Origin::Backing { column: columns }, None);
-            self.blocks[block].density = backing.density;
-            columns += 1;
         }
-        floor
+        Ok(floor)
     }
 
     /// Groups of particles, from the extrados up.

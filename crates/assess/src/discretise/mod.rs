@@ -1,5 +1,6 @@
 //! From a bridge to blocks: rings, piers and abutments, what they weigh and carry, and where each block came from.
 
+mod backing;
 pub mod cover;
 mod curve;
 pub mod dispersal;
@@ -68,7 +69,7 @@ pub enum Origin {
         /// Counted through all courses, from the left.
         brick: usize,
     },
-    /// Backing on the back of a voussoir.
+    /// A stone of the backing, or a column of it on the back of a voussoir.
     Backing {
         /// Counted from the left.
         column: usize,
@@ -215,6 +216,9 @@ pub enum DiscretiseError {
     /// The spandrel wall cannot be cut into bricks.
     #[error(transparent)]
     Wall(#[from] WallError),
+    /// Backing cannot be laid as blocks.
+    #[error("backing cannot be laid as blocks on these haunches: {0}; write as = \"weight\" in [backing]")]
+    Backing(WallError),
     /// The strip below the walls is asked for, and there are none.
     #[error("the bridge has no spandrel wall: describe it with [spandrel_wall], or analyse strip = \"fill\"")]
     NoWall,
@@ -474,7 +478,7 @@ impl<'a> Build<'a> {
     fn finish(mut self) -> Result<Discretised, DiscretiseError> {
         let bridge = self.bridge;
         if bridge.plan.strip == Width::Fill && fill::wanted(bridge).is_none() {
-            self.solid_backing();
+            self.solid_backing()?;
         }
         let mut surface = cover::surface(bridge, &self.extrados);
         let mut road = None;

@@ -66,7 +66,8 @@ const BACKINGS: &[Word] = &[
     Word { word: "particles", doc: "circular particles below its level, with properties of their own" },
     Word {
         word: "blocks",
-        doc: "a column of masonry on the back of each voussoir, joined as voussoirs are; strip \"fill\"",
+        doc: "blocks of masonry, joined as voussoirs are: stones with level beds on backs steeper than 45 degrees, a column on \
+              every flatter one; over an abutment's top they rest by friction alone; strip \"fill\"",
     },
 ];
 

@@ -26,7 +26,8 @@ impl Chain {
     fn foot(&self) -> Vec2 {
         self.points[0]
     }
-    fn head(&self) -> Vec2 {
+    /// The upper end [m].
+    pub fn head(&self) -> Vec2 {
         self.points[self.points.len() - 1]
     }
     /// The point at a level [m].

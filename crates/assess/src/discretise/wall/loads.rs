@@ -53,7 +53,11 @@ mod tests {
             right: vec2(0.6 * f64::from(k + 1), 1.0),
             ground: false,
         };
-        Extrados { stretches: (0..20).map(brick).collect(), line: vec![vec2(0.0, 1.0), vec2(12.0, 1.0)] }
+        Extrados {
+            stretches: (0..20).map(brick).collect(),
+            line: vec![vec2(0.0, 1.0), vec2(12.0, 1.0)],
+            ..Extrados::default()
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! (`haunch.rs`).
 
 mod courses;
-mod haunch;
+pub(super) mod haunch;
 mod line;
 pub mod loads;
 
