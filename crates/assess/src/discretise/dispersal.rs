@@ -61,7 +61,7 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) 
     let corners = [vec2(strip.middle - half, surface), vec2(strip.middle + half, surface)];
     let ends = match rule.rule {
         DispersalRule::None => corners.map(|c| vec2(c.x, extrados.level(c.x))),
-        _ => [extrados.meet(corners[0], -1.0, rule.slope), extrados.meet(corners[1], 1.0, rule.slope)],
+        _ => [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)],
     };
     let depths = ends.map(|e| (surface - e.y).max(0.0));
     let length = ends[1].x - ends[0].x;
@@ -79,6 +79,24 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) 
         }
     };
     gather(strip, ends, depths, shape, surface, extrados)
+}
+
+/// Fall of an extrados per unit of x beyond which it is a haunch: lines at the slope would run down along it.
+const HAUNCH: f64 = 1.0;
+
+/// Where the line from a border of a strip meets the extrados, or ends before: on a haunch steeper than 45 degrees it goes no
+/// further than the depth of cover under that border allows, which is the depth in rules that give a length, such as CS 454,
+/// 7.3: 300 mm + depth.
+fn end(from: Vec2, direction: f64, slope: f64, extrados: &Extrados) -> Vec2 {
+    let met = extrados.meet(from, direction, slope);
+    let depth = (from.y - extrados.level(from.x)).max(0.0);
+    let haunch = extrados.steeper(from.x, direction, HAUNCH).map_or(f64::INFINITY, |x| (x - from.x).abs());
+    let reach = haunch.max(depth / slope);
+    if (met.x - from.x).abs() <= reach {
+        return met;
+    }
+    let x = from.x + direction * reach;
+    vec2(x, extrados.level(x))
 }
 
 enum Shape {

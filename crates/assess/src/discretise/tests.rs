@@ -82,6 +82,35 @@ fn d_edge() -> f64 {
 }
 
 #[test]
+fn a_load_does_not_run_down_a_steep_haunch() {
+    let load = |rule: DispersalRule| {
+        let mut b = semicircle(4.0, 0.35, 41);
+        b.cover = bridgemill().cover;
+        b.cover.layers = vec![crate::samples::fill(0.75, 1900.0)];
+        b.cover.depth = 0.75;
+        b.dispersal.rule = rule;
+        b.loads = bridgemill().loads;
+        b.loads[0].kind = LoadKind::KnifeEdge { force: 1e3, length: 0.3 };
+        b.loads[0].position = 1.0;
+        let spread = discretise(&b).unwrap().spreads[0].clone();
+        b.plan.method = bridge::Method::Limit;
+        (spread, crate::analysis::collapse_by_limit(&b).unwrap().collapse_load.unwrap())
+    };
+    let (uniform, carried) = load(DispersalRule::Uniform);
+    let down: f64 = uniform.forces.iter().map(|f| -f.force.y).sum();
+    assert!((down / uniform.strip.force - 1.0).abs() < 1e-9, "all of it reaches the ring: {uniform:?}");
+    // CS 454: the contact length and the depth, 2 to 1 on either side; 0.97 m of cover lie below the middle.
+    let length = uniform.ends[1].x - uniform.ends[0].x;
+    assert!(length > 0.3 && length < 0.3 + 0.97, "{length}");
+    let (_, below) = load(DispersalRule::None);
+    assert!(carried > below && carried < 2.0 * below, "{carried} {below}");
+    for rule in [DispersalRule::InverseDepth, DispersalRule::Boussinesq] {
+        let (spread, _) = load(rule);
+        assert!(spread.to_ground.abs() < 1e-9 * spread.strip.force, "{rule:?}: {spread:?}");
+    }
+}
+
+#[test]
 fn axles_that_share_a_voussoir_add() {
     let mut b = bridgemill();
     b.loads = vec![Load {
