@@ -15,6 +15,7 @@
 
 mod bedded;
 mod bounds;
+mod boxed;
 mod collapse;
 mod compliance;
 mod equilibrium;

@@ -2,13 +2,14 @@
 //! mechanism of one load is the start for the next.
 
 use super::bounds;
+use super::boxed::{Bounded, greatest_between};
 use super::collapse::{Found, largest_factor_of_carried, report};
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
 use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
 use super::reduced::{Elastic, tangents};
-use super::simplex::{Corner, Ended, Member, greatest};
+use super::simplex::{Corner, Ended, Member};
 use crate::blocks::PointForce;
 
 /// Bounds that differ by more than this, relative, are left to the interior-point method: far above the round-off of a
@@ -188,10 +189,12 @@ impl Sweeper<'_> {
             return None;
         }
         let mut start = self.best_kept(effect);
+        let count = self.ground.equilibrium.restraints.len();
         for _ in 0..ROUNDS {
             let reduced = self.reduced.as_ref()?;
             let last: Vec<f64> = reduced.limits.iter().map(|row| -row.of(&effect.forces) / size).collect();
-            let corner = match greatest(&reduced.rows, &last, start.as_deref()) {
+            let bounded = Bounded { first: reduced.standing - 2 * count, count };
+            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_deref()) {
                 Ended::Best(corner) => corner,
                 // Tangents of joints that crush may still be missing.
                 Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
