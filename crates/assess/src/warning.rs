@@ -84,7 +84,7 @@ cards! {
          stronger, and still it is not always on the safe side, since rigid blocks leave out what makes it weaker: Bridgemill was \
          predicted at 1.14 of what its test carried, three other tests at 0.50 to 0.85. [fill_pressure] and backing as = \"blocks\" add \
          what fill and backing carry; with pressure Bridgemill is predicted at 1.33. Neither is a bound of the bridge: A191 has the model \
-         factor.";
+         factor, and docs/theory/fill-pressure.md says when to ask for them.";
     /// Numbers chosen for the reader.
     CHOSEN = "A112", "a number of the plan was chosen",
         "The plan leaves a number of the method out (never a physical value), and it was chosen as the message says. \

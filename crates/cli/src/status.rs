@@ -93,7 +93,8 @@ impl Status {
             Status::UnstableUnderSelfWeight => (
                 "unstable-under-self-weight",
                 1,
-                "The blocks do not stand before any load is applied. Look at thickness, supports and densities, and at the picture.",
+                "The blocks do not stand before any load is applied. Look at thickness, supports and densities, and at the picture. A thin \
+                 ring under deep fill may stand only because the fill resists: see [fill_pressure], and as = \"blocks\" in [backing].",
             ),
             Status::Locks => (
                 "locks",

@@ -184,6 +184,8 @@ pub struct Restraint {
     pub least: f64,
     /// Force against a movement [N/m].
     pub most: f64,
+    /// Another block and the point on it that bears the opposite force; none where something outside of the model does.
+    pub against: Option<(BlockId, Vec2)>,
 }
 
 /// What acts on the blocks besides gravity.

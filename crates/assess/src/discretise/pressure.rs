@@ -1,10 +1,11 @@
 //! Fill that presses sideways on backs: what is there anyway, and what movement against it mobilises.
 
 use super::cover::{Column, Resultant};
-use super::extrados::Extrados;
+use super::extrados::{Extrados, Stretch};
 use bridge::{Bridge, FillPressure, LeastPressure};
 use mechanics::blocks::Restraint;
-use mechanics::plane::vec2;
+use mechanics::ids::BlockId;
+use mechanics::plane::{Vec2, vec2};
 
 /// Coefficients of horizontal pressure: on vertical stress, and what cohesion adds [Pa].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,36 +34,128 @@ pub fn coefficients(fill: &FillPressure) -> Coefficients {
     }
 }
 
-/// The pressure on every back as a horizontal force at its own height, towards the middle of its span; none on supports,
-/// below solid backing, and where the file asks for none.
+/// A back that fill presses on.
+#[derive(Debug, Clone, Copy)]
+struct Back {
+    block: BlockId,
+    /// Its lower and upper end, the upper one no higher than the fill [m].
+    ends: [Vec2; 2],
+    /// Which way fill presses on it along x: -1 or +1.
+    way: f64,
+}
+
+impl Back {
+    fn of(stretch: &Stretch, top: f64) -> Option<Back> {
+        let (a, b) = (stretch.left, stretch.right);
+        let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+        let reach = high.y.min(top);
+        if reach - low.y <= 1e-9 {
+            return None;
+        }
+        let high = low + (high - low) * ((reach - low.y) / (high.y - low.y));
+        Some(Back { block: stretch.block, ends: [low, high], way: if b.y > a.y { 1.0 } else { -1.0 } })
+    }
+
+    fn levels(&self) -> [f64; 2] {
+        self.ends.map(|p| p.y)
+    }
+
+    fn at(&self, level: f64) -> Vec2 {
+        let [low, high] = self.ends;
+        vec2(low.x + (high.x - low.x) * ((level - low.y) / (high.y - low.y)), level)
+    }
+}
+
+/// The pressure on every back as a horizontal force at its own height, towards the middle of its span; none on supports, and
+/// where the file asks for none. Solid backing that is weight presses as the fill that it replaces, or as fill of its own
+/// weight where that is less.
+///
+/// Fill beside an abutment bears on the ground behind it. Fill between two spans has nothing to bear on but the two rings: each
+/// level of it pushes both with one force, which is the same on either side. Where only one of them has a back at a level,
+/// nothing is mobilised.
 pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
     let Some(fill) = bridge.fill_pressure.as_ref().filter(|fill| fill.applies) else { return Vec::new() };
-    let k = coefficients(fill);
-    let column = Column::of(bridge, extrados);
-    let solid = column.backing_top();
-    let mut restraints = Vec::new();
-    for stretch in extrados.stretches.iter().filter(|s| !s.ground) {
-        let (a, b) = (stretch.left, stretch.right);
-        let top = column.top();
-        let [low, high] = [a.y.min(b.y).max(solid), a.y.max(b.y).min(top)];
-        if high - low <= 1e-9 {
-            continue;
+    let presses = Presses { k: coefficients(fill), column: Column::of(bridge, extrados).pressing() };
+    let top = presses.column.top();
+    let backs = extrados.stretches.iter().filter(|s| !s.ground).filter_map(|s| Back::of(s, top));
+    let backs: Vec<Back> = backs.collect();
+    let mut all = Vec::new();
+    let ends = extrados.faces.iter().filter_map(|face| {
+        let [low, high] = face.levels.map(|y| vec2(face.x, y.min(top)));
+        (high.y - low.y > 1e-9).then_some(Back { block: face.block, ends: [low, high], way: face.inwards })
+    });
+    all.extend(ends.filter_map(|back| presses.on(&back, back.levels(), true)));
+    let runs: Vec<&[Back]> = backs.chunk_by(|a, b| a.way == b.way).collect();
+    let mut k = 0;
+    while let Some(&run) = runs.get(k) {
+        k += 1;
+        match runs.get(k) {
+            Some(&next) if run[0].way < 0.0 => {
+                presses.between(run, next, &mut all);
+                k += 1;
+            }
+            _ => all.extend(run.iter().filter_map(|back| presses.on(back, back.levels(), true))),
         }
-        // Vertical stress is linear between levels of layers, of which only the lowest lies beside backs.
-        let (mut vertical, mut even) = (Resultant::default(), Resultant::default());
-        vertical.trapezoid(low, column.pressure(low), high, column.pressure(high));
-        even.trapezoid(low, 1.0, high, 1.0);
-        let most = k.most * vertical.force + k.cohesion * even.force;
-        let moment = k.most * vertical.moment + k.cohesion * even.moment;
-        if !(most > 0.0) {
-            continue;
-        }
-        let level = moment / most;
-        let at = vec2(a.x + (b.x - a.x) * (level - a.y) / (b.y - a.y), level);
-        let direction = vec2(if b.y > a.y { 1.0 } else { -1.0 }, 0.0);
-        restraints.push(Restraint { block: stretch.block, at, direction, least: k.least * vertical.force, most });
     }
-    restraints
+    all
+}
+
+/// What the fill presses with.
+struct Presses {
+    k: Coefficients,
+    column: Column,
+}
+
+impl Presses {
+    /// The force on a part of a back, with what movement mobilises or without.
+    fn on(&self, back: &Back, [low, high]: [f64; 2], mobilised: bool) -> Option<Restraint> {
+        if high - low <= 1e-9 {
+            return None;
+        }
+        // Vertical stress is linear between the levels of layers and of backing.
+        let mut cuts = vec![low, high];
+        cuts.extend(Some(self.column.backing_top()).filter(|y| *y > low && *y < high));
+        cuts.sort_by(f64::total_cmp);
+        let (mut vertical, mut even) = (Resultant::default(), Resultant::default());
+        for pair in cuts.windows(2) {
+            vertical.trapezoid(pair[0], self.column.pressure(pair[0]), pair[1], self.column.pressure(pair[1]));
+        }
+        even.trapezoid(low, 1.0, high, 1.0);
+        let least = self.k.least * vertical.force;
+        let [most, moment] = if mobilised {
+            let sum = |vertical: f64, even: f64| self.k.most * vertical + self.k.cohesion * even;
+            [sum(vertical.force, even.force), sum(vertical.moment, even.moment)]
+        } else {
+            [least, self.k.least * vertical.moment]
+        };
+        if !(most > 0.0) {
+            return None;
+        }
+        let (at, direction) = (back.at(moment / most), vec2(back.way, 0.0));
+        Some(Restraint { block: back.block, at, direction, least, most, against: None })
+    }
+
+    /// Fill between the falling backs of one span and the rising backs of the next.
+    fn between(&self, left: &[Back], right: &[Back], all: &mut Vec<Restraint>) {
+        let range = |side: &[Back]| {
+            let lows = side.iter().map(|b| b.levels()[0]).fold(f64::INFINITY, f64::min);
+            [lows, side.iter().map(|b| b.levels()[1]).fold(f64::NEG_INFINITY, f64::max)]
+        };
+        for a in left {
+            for b in right {
+                let [[low, high], [lower, higher]] = [a.levels(), b.levels()];
+                let shared = self.on(a, [low.max(lower), high.min(higher)], true);
+                all.extend(shared.map(|r| Restraint { against: Some((b.block, b.at(r.at.y))), ..r }));
+            }
+        }
+        for (side, [low, high]) in [(left, range(right)), (right, range(left))] {
+            for back in side {
+                let [from, to] = back.levels();
+                all.extend(self.on(back, [from, to.min(low)], false));
+                all.extend(self.on(back, [from.max(high), to], false));
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -70,6 +163,8 @@ mod tests {
     use super::*;
     use crate::discretise::discretise;
     use crate::samples;
+    use bridge::ring::Profile;
+    use bridge::{BackingBody, Ring, Span};
 
     fn filled() -> Bridge {
         let mut b = samples::bridgemill();
@@ -118,33 +213,130 @@ mod tests {
         assert!(all.iter().all(|r| (r.direction.x > 0.0) == (r.at.x < 9.15)), "{all:?}");
     }
 
-    /// Backing is a block or weight of its own, and no fill: nothing presses beside it. What presses helps, and never harms.
+    fn load(b: &Bridge) -> f64 {
+        let mut b = b.clone();
+        b.plan.method = bridge::Method::Limit;
+        crate::analysis::collapse_by_limit(&b).unwrap().collapse_load.unwrap()
+    }
+
     #[test]
-    fn fill_presses_above_backing_and_helps() {
-        let mut b = filled();
-        let d = discretise(&b).unwrap();
-        let whole = restraints(&b, &d.extrados).len();
-        let load = |b: &Bridge| {
-            let mut b = b.clone();
-            b.plan.method = bridge::Method::Limit;
-            crate::analysis::collapse_by_limit(&b).unwrap().collapse_load.unwrap()
-        };
-        let with = load(&b);
+    fn fill_that_presses_helps() {
+        let b = filled();
         let without = FillPressure { applies: false, ..b.fill_pressure.unwrap() };
-        let without = load(&Bridge { fill_pressure: Some(without), ..b.clone() });
+        let (with, without) = (load(&b), load(&Bridge { fill_pressure: Some(without), ..b.clone() }));
         assert!(with > 1.02 * without, "{with} {without}");
-        b.cover.backing = Some(bridge::Backing {
-            height: 2.0,
-            density: 2100.0,
-            elastic_modulus: None,
-            poisson_ratio: None,
-            body: bridge::BackingBody::Weight,
-            friction_angle: None,
-            cohesion: None,
-        });
+    }
+
+    /// A haunch deep enough for backing of half the rise, under fill that presses.
+    fn deep(profile: Profile, rise: f64, voussoirs: usize) -> Bridge {
+        let mut b = filled();
+        b.masonry.rounding = 0.0;
+        let ring = Ring { crown_thickness: 0.45, springing_thickness: 0.45, voussoirs };
+        b.spans[0] = Span { profile, span: 6.0, rise, rings: vec![ring] };
+        b.cover.layers = vec![samples::fill(0.4, 1900.0)];
+        b.loads[0].position = 1.5;
+        b
+    }
+
+    fn backed(b: &Bridge, share: f64, density: f64, body: BackingBody) -> Bridge {
+        let height = share * b.spans[0].rise;
+        let mut b = b.clone();
+        b.cover.backing = Some(bridge::Backing { density, body, ..samples::backing(height) });
+        b
+    }
+
+    #[test]
+    fn backing_that_is_weight_presses_as_the_fill_that_it_replaces() {
+        let bare = deep(Profile::Semicircular, 3.0, 31);
+        let fill = load(&bare);
+        let same = load(&backed(&bare, 0.5, 1900.0, BackingBody::Weight));
+        assert!((same / fill - 1.0).abs() < 1e-6, "{same} {fill}");
+        let heavier = load(&backed(&bare, 0.5, 2200.0, BackingBody::Weight));
+        assert!(heavier > fill, "{heavier} {fill}");
+        // Lighter backing presses with its own weight, over a range in which that of the fill does not lie.
+        let lighter = load(&backed(&bare, 0.5, 1000.0, BackingBody::Weight));
+        assert!(lighter < fill, "{lighter} {fill}");
+    }
+
+    #[test]
+    fn backing_as_blocks_stands_on_steep_haunches_and_helps() {
+        let haunches = [(Profile::Semicircular, 3.0), (Profile::Elliptical, 2.0), (Profile::Segmental, 1.0)];
+        for (profile, rise) in haunches {
+            for voussoirs in [31, 62] {
+                let bare = deep(profile.clone(), rise, voussoirs);
+                let fill = load(&bare);
+                let solid = load(&backed(&bare, 0.5, 2200.0, BackingBody::Blocks));
+                assert!(solid > 0.999 * fill, "{profile:?}, {voussoirs} voussoirs: {solid} {fill}");
+                // By weight alone, too.
+                let alone = |b: &Bridge| load(&Bridge { fill_pressure: None, ..b.clone() });
+                let (weight, solid) = (alone(&bare), alone(&backed(&bare, 0.5, 2200.0, BackingBody::Blocks)));
+                assert!(solid > weight, "{profile:?}, {voussoirs} voussoirs: {solid} {weight}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_stands_behind_backing_but_fill() {
+        let b = backed(&deep(Profile::Semicircular, 3.0, 31), 0.5, 2200.0, BackingBody::Blocks);
         let d = discretise(&b).unwrap();
-        let above = restraints(&b, &d.extrados);
-        assert!(!above.is_empty() && above.len() < whole);
-        assert!(above.iter().all(|r| r.at.y > 2.0), "{above:?}");
+        let pieces = |o: &crate::discretise::Origin| matches!(o, crate::discretise::Origin::Backing { .. });
+        for (id, _) in d.origins.pairs().filter(|(_, o)| pieces(o)) {
+            assert_eq!(d.model.blocks[id].held, mechanics::blocks::Held::FREE);
+        }
+        // On both faces together presses the fill beside a wall as high as the backing.
+        let (low, high) = (0.0, 1.5);
+        let top = d.extrados.crown().max(3.45) + 0.4;
+        let wall = 0.5 * 1900.0 * 9.81 * ((top - low) * (top - low) - (top - high) * (top - high));
+        let least: f64 = restraints(&b, &d.extrados).iter().filter(|r| r.at.y < high).map(|r| r.least).sum();
+        assert!((least / (2.0 * 0.5 * wall) - 1.0).abs() < 1e-9, "{least} {wall}");
+    }
+
+    /// Two unlike spans with a deep valley between them.
+    fn two_spans(voussoirs: [usize; 2]) -> Bridge {
+        let b = deep(Profile::Semicircular, 3.0, voussoirs[0]);
+        let mut spans = vec![b.spans[0].clone(), b.spans[0].clone()];
+        (spans[1].span, spans[1].rise, spans[1].rings[0].voussoirs) = (5.0, 2.5, voussoirs[1]);
+        Bridge { piers: samples::spans(spans.clone(), 1.4, 1.4, 3.0, 4).piers, spans, ..b }
+    }
+
+    /// Largest horizontal force [N/m] that the fill of a valley could be short of balance by.
+    fn out_of_balance(b: &Bridge) -> f64 {
+        let d = discretise(b).unwrap();
+        let middle = b.spans[0].span + 0.5 * b.piers[0].width;
+        let from = 0.5 * b.spans[0].span;
+        let to = b.spans[0].span + b.piers[0].width + 0.5 * b.spans[1].span;
+        let beside = |r: &&Restraint| r.at.x > from && r.at.x < to;
+        let all = restraints(b, &d.extrados);
+        let [mut left, mut right] = [0.0; 2];
+        for r in all.iter().filter(beside).filter(|r| r.against.is_none()) {
+            *(if r.at.x < middle { &mut left } else { &mut right }) += r.most - r.least;
+        }
+        f64::max(left, right)
+    }
+
+    #[test]
+    fn fill_between_two_spans_pushes_both_alike() {
+        let b = two_spans([31, 27]);
+        // What either side could be pushed with beyond the other: none.
+        assert!(out_of_balance(&b) < 1e-6, "{}", out_of_balance(&b));
+        let d = discretise(&b).unwrap();
+        for r in restraints(&b, &d.extrados) {
+            if let Some((other, at)) = r.against {
+                assert!(other != r.block && (at.y - r.at.y).abs() < 1e-9, "{r:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_load_with_a_valley_does_not_depend_on_the_hand_and_little_on_the_voussoirs() {
+        let b = two_spans([31, 31]);
+        let mut mirrored = b.clone();
+        mirrored.spans.reverse();
+        let length = crate::discretise::bridge_length(&b);
+        mirrored.loads[0].position = length - b.loads[0].position;
+        let (one, other) = (load(&b), load(&mirrored));
+        assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
+        let finer = load(&two_spans([61, 61]));
+        assert!((finer / one - 1.0).abs() < 0.05, "{finer} {one}");
     }
 }

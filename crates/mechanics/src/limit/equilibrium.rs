@@ -94,9 +94,12 @@ impl Equilibrium {
                 this.columns.push(column);
             }
         }
-        for r in &loading.restraints {
-            let mut column = Vec::with_capacity(3);
+        for r in loading.restraints.iter().filter(|r| r.most > r.least) {
+            let mut column = Vec::with_capacity(6);
             this.act(r.block, r.at - centroids[r.block], r.direction, |i, v| column.push((i, v)));
+            if let Some((block, at)) = r.against {
+                this.act(block, at - centroids[block], -r.direction, |i, v| column.push((i, v)));
+            }
             this.restraints.push(Restrained { column: this.columns.len(), most: r.most - r.least });
             this.columns.push(column);
         }
@@ -112,6 +115,9 @@ impl Equilibrium {
         add(&loading.permanent, &mut permanent);
         for r in &loading.restraints {
             this.act(r.block, r.at - centroids[r.block], r.direction * r.least, |i, v| permanent[i] += v);
+            if let Some((block, at)) = r.against {
+                this.act(block, at - centroids[block], -r.direction * r.least, |i, v| permanent[i] += v);
+            }
         }
         let mut variable = vec![0.0; rows];
         add(&loading.variable, &mut variable);

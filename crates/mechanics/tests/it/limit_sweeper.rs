@@ -65,7 +65,7 @@ fn forces_that_answer_movement_help_and_only_against_it() {
             .map(|i| {
                 let at = ring.at(i as f64 + 0.5, ring.extrados());
                 let inwards = if at.x < 0.0 { 1.0 } else { -1.0 };
-                Restraint { block: BlockId::new(i + 1), at, direction: vec2(inwards, 0.0), least, most }
+                Restraint { block: BlockId::new(i + 1), at, direction: vec2(inwards, 0.0), least, most, against: None }
             })
             .collect();
         Loading { restraints, ..loading.clone() }
