@@ -3,7 +3,7 @@
 //! In a mechanism most of these forces stand at one of their bounds, as their point moves one way or the other. With a start
 //! from another load their bounds are known but for a few. So they are held there, a program of the few other unknowns is
 //! solved, and forces whose bound the mechanism contradicts are set free, until none is left. What is found is the corner of
-//! the whole program, with the multipliers of all rows.
+//! the whole program, with the multipliers of all rows. Without a start all stand at their least, then at their most.
 
 use super::simplex::{Corner, Ended, Member, Rows, greatest};
 
@@ -31,12 +31,12 @@ const CONTRADICTS: f64 = 1e-10;
 
 /// The best corner, as [`greatest`] finds it, from a basis that was best for another load.
 pub(super) fn greatest_between(rows: &Rows, bounded: Bounded, last: &[f64], start: Option<&[Member]>) -> Ended {
-    if let Some(start) = start.filter(|_| bounded.count > 0)
-        && let Some(ended) = (Held { rows, bounded, last }).from(start)
-    {
-        return ended;
+    if bounded.count == 0 {
+        return greatest(rows, last, start);
     }
-    greatest(rows, last, start)
+    let held = Held { rows, bounded, last };
+    let starts = start.map(<[Member]>::to_vec).into_iter().chain([held.blank(At::Least), held.blank(At::Most)]);
+    starts.map(|start| held.from(&start)).find_map(|ended| ended).unwrap_or_else(|| greatest(rows, last, None))
 }
 
 struct Held<'a> {
@@ -65,6 +65,12 @@ impl Held<'_> {
         Some((k / 2, if k % 2 == 1 { At::Most } else { At::Least }))
     }
 
+    /// A start that knows of no mechanism.
+    fn blank(&self, at: At) -> Vec<Member> {
+        let plain = (0..self.plain()).map(Member::Fixed);
+        plain.chain([Member::Far]).chain((0..self.bounded.count).map(|j| Member::Row(self.bound(j, at)))).collect()
+    }
+
     /// None where the start leads nowhere.
     fn from(&self, start: &[Member]) -> Option<Ended> {
         let mut at = vec![At::Free; self.bounded.count];
@@ -81,9 +87,6 @@ impl Held<'_> {
         let mut pivots = 0;
         for _ in 0..ROUNDS {
             let few = self.few(&at);
-            if 2 * few.free.len() > self.bounded.count {
-                return None;
-            }
             let own = few.own(&members, self)?;
             let corner = match greatest(&few.rows, &few.last, Some(&own)) {
                 Ended::Best(corner) => corner,

@@ -101,7 +101,8 @@ pub(super) fn alike(joints: &[Joint]) -> Vec<Resistance> {
 pub(super) fn self_stress(elastic: &mut Elastic) -> Option<Vec<Vec<f64>>> {
     let (all, columns) = (elastic.equilibrium.columns.len(), elastic.equilibrium.joint_columns());
     let states = columns.checked_sub(elastic.equilibrium.rows)?;
-    if all == elastic.equilibrium.rows || all - elastic.equilibrium.rows > MOST_STATES {
+    // Forces that answer movement stand at their bounds but for a few: they do not make a program large.
+    if all == elastic.equilibrium.rows || states > MOST_STATES {
         return None;
     }
     // Rows of the projector on self-stress, taken largest first (a pivoted Cholesky factorisation of it).
