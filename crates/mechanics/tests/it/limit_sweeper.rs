@@ -57,6 +57,80 @@ fn joints_that_crush_are_met_by_tangents() {
     agree(&model, &loading, &places(&ring), &settings, 1e-7);
 }
 
+/// As many as would make the program of a whole wall of blocks: they stand at their bounds but for a few.
+#[test]
+fn forces_on_every_block_leave_the_fast_method_fast() {
+    let ring = Ring { voussoirs: 180, ..Ring::bridgemill() };
+    let model = ring.model();
+    let force = |i: usize| {
+        let at = ring.at(i as f64 + 0.5, ring.extrados());
+        let direction = vec2(if at.x < 0.0 { 1.0 } else { -1.0 }, 0.0);
+        Restraint { block: BlockId::new(i + 1), at, direction, least: 200.0, most: 900.0, against: None }
+    };
+    let restraints = (0..ring.voussoirs).map(force).collect();
+    let loading = Loading { permanent: ring.fill(0.203, 1890.0), restraints, ..Loading::default() };
+    let loads: Vec<_> = (0..9).map(|k| ring.dispersed_knife(-8.0 + 2.0 * k as f64, 0.75, 0.478)).collect();
+    agree(&model, &loading, &loads, &Settings::default(), 1e-7);
+}
+
+/// Two blocks on a floor, and a force between them that pushes both apart: nothing is left over.
+#[test]
+fn a_force_against_another_block_pushes_both() {
+    let law = mechanics::blocks::ContactLaw {
+        normal: mechanics::blocks::Stiffness::Given(1e9),
+        shear: mechanics::blocks::Stiffness::Given(1e9),
+        friction: 0.5,
+        cohesion: 0.0,
+        tension: 0.0,
+        crushing: f64::INFINITY,
+        fixed_length: None,
+        least_length: 0.1,
+    };
+    let mut groups = mechanics::ids::Table::default();
+    let group = groups.push("blocks".to_owned());
+    let block = |x: f64, y: f64, width: f64, held| mechanics::blocks::Block {
+        outline: Polygon::rectangle(vec2(x, y), width, 1.0).unwrap(),
+        rounding: 0.0,
+        density: 1000.0,
+        group,
+        held,
+    };
+    let model = BlockModel {
+        blocks: [
+            block(0.0, -1.0, 6.0, Held::FIXED),
+            block(1.0, 0.0, 1.0, Held::FREE),
+            block(4.0, 0.0, 1.0, Held::FREE),
+        ]
+        .into_iter()
+        .collect(),
+        particles: mechanics::ids::Table::default(),
+        groups,
+        laws: mechanics::blocks::LawTable::uniform(1, law),
+        gravity: vec2(0.0, -10.0),
+    };
+    let [left, right] = [BlockId::new(1), BlockId::new(2)];
+    let push = PointForce { block: left, at: vec2(1.0, 0.2), force: vec2(1e3, 0.0) };
+    let between = |most: f64, against| Loading {
+        variable: vec![push],
+        restraints: vec![Restraint {
+            block: left,
+            at: vec2(2.0, 0.2),
+            direction: vec2(-1.0, 0.0),
+            least: 0.0,
+            most,
+            against,
+        }],
+        ..Loading::default()
+    };
+    let settings = Settings { friction: Friction::Associated, ..Settings::default() };
+    let factor = |loading: &Loading| collapse_load(&model, loading, &settings).unwrap().factor.unwrap();
+    // A block weighs 10 kN/m and slides at 5.
+    let other = Some((right, vec2(4.0, 0.2)));
+    assert!((factor(&between(3e3, None)) - 8.0).abs() < 1e-6, "the force stands outside");
+    assert!((factor(&between(3e3, other)) - 8.0).abs() < 1e-6, "the other block holds it");
+    assert!((factor(&between(30e3, other)) - 10.0).abs() < 1e-6, "no more than the other block holds");
+}
+
 #[test]
 fn forces_that_answer_movement_help_and_only_against_it() {
     let (ring, model, loading) = bridgemill();
