@@ -48,9 +48,14 @@ pub(super) enum Role {
 pub(super) enum Ending {
     /// To its tolerance.
     Solved,
+    /// To [`NEARLY`]: the interior point came to rest a little early, as it does where joints crush.
+    Nearly,
     /// Anything else; not an answer by itself.
     Unknown,
 }
+
+/// Relative gap and residuals of a program that is nearly solved.
+const NEARLY: f64 = 1e-6;
 
 /// What a program returned, scaled.
 #[derive(Debug, Clone)]
@@ -86,6 +91,9 @@ impl Program<'_> {
             tol_gap_abs: tolerance,
             tol_gap_rel: tolerance,
             tol_feas: tolerance,
+            reduced_tol_gap_abs: NEARLY,
+            reduced_tol_gap_rel: NEARLY,
+            reduced_tol_feas: NEARLY,
             max_threads: 1,
             presolve_enable: false,
             direct_solve_method: "qdldl".to_string(),
@@ -110,7 +118,11 @@ impl Program<'_> {
             return unknown();
         }
         Solution {
-            ending: if found.status == SolverStatus::Solved { Ending::Solved } else { Ending::Unknown },
+            ending: match found.status {
+                SolverStatus::Solved => Ending::Solved,
+                SolverStatus::AlmostSolved => Ending::Nearly,
+                _ => Ending::Unknown,
+            },
             forces: found.x[..forces].to_vec(),
             factor: found.x[forces],
             velocities: found.z[..self.equilibrium.rows].to_vec(),
