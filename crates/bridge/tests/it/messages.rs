@@ -141,3 +141,13 @@ fn what_is_left_of_a_broken_line_means_nothing() {
     let shown = show_all(&CASE_1.replace("rise = \"2.85 m\"", "rise = 2.85 m\""));
     assert!(shown.contains("error[B002]") && shown.matches("error[").count() == 1, "{shown}");
 }
+
+#[test]
+fn a_contact_as_stiff_as_its_blocks_but_for_rounding_is_no_doubt() {
+    // Blocks of 0.314 m with 15 GPa alone give 47.79 GPa/m.
+    let with = |stiffness: &str| show_all(&CASE_1.replace("\"4.84 GPa/m\"", &format!("\"{stiffness}\"")));
+    for rounded in ["47.8 GPa/m", "47.85 GPa/m", "48 GPa/m"] {
+        assert_eq!(with(rounded), "", "{rounded}");
+    }
+    assert!(with("50 GPa/m").contains("P013"));
+}
