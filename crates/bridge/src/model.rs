@@ -294,6 +294,14 @@ pub struct Calibration {
     pub tolerance: f64,
     /// Smallest replacement of a cut particle over the smallest particle of the packing.
     pub least_replacement: f64,
+    /// Friction angle that the fill is to have [rad].
+    pub wanted_friction_angle: Option<f64>,
+    /// Cohesion that the fill is to have [Pa].
+    pub wanted_cohesion: Option<f64>,
+    /// Pressures on the sides of the samples that are sheared [Pa].
+    pub confining_pressures: Vec<f64>,
+    /// How many squares are sheared.
+    pub sheared_samples: usize,
 }
 
 impl Default for Calibration {
@@ -311,6 +319,10 @@ impl Default for Calibration {
             seeds: 16,
             tolerance: 0.01,
             least_replacement: 0.5,
+            wanted_friction_angle: None,
+            wanted_cohesion: None,
+            confining_pressures: vec![50e3, 100e3, 200e3],
+            sheared_samples: 32,
         }
     }
 }

@@ -115,7 +115,33 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
             wanted / 1e6
         );
     }
+<<<<<<< HEAD
     let _ = writeln!(page, "\nResults are in {out}");
+=======
+    if let Some(sheared) = &found.strength {
+        let strength = |s: &assess::analysis::calibrate::Strength| {
+            format!(
+                "{:.1} ± {:.1} degrees, {:.1} ± {:.1} kPa",
+                s.friction_angle.mean.to_degrees(),
+                s.friction_angle.standard_error.to_degrees(),
+                s.cohesion.mean / 1e3,
+                s.cohesion.standard_error / 1e3
+            )
+        };
+        let contact = sheared.found.contact;
+        let _ = write!(
+            page,
+            "\nThe fill has {} with contacts of\n\n  friction_angle = \"{:.1} deg\"\n  cohesion = \"{:.1} kPa\"\n",
+            strength(&sheared.found),
+            contact.friction_angle.to_degrees(),
+            contact.cohesion / 1e3
+        );
+        if let Some(check) = &sheared.check {
+            let _ = writeln!(page, "\nOther packings have {}", strength(check));
+        }
+    }
+    let _ = writeln!(page, "\nFigures and tables are in {out}");
+>>>>>>> 0afc905 (calibrate-fill: find friction and cohesion of contacts for a wanted strength)
     page
 }
 

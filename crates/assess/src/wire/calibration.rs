@@ -1,7 +1,7 @@
 //! `extrados.calibrate-fill/1`, and its tables.
 
 use super::tables::row;
-use crate::analysis::calibrate::{At, CalibrationReport, Measured, Spread};
+use crate::analysis::calibrate::{At, CalibrationReport, Measured, Sheared, Spread};
 use serde::Serialize;
 
 /// The result of a calibration of fill. Status, warnings and times are those of the command.
@@ -34,7 +34,55 @@ pub struct CalibrationObject {
     first_normal_stiffness_gpa_per_m: f64,
     first_shear_stiffness_gpa_per_m: f64,
     moduli: Vec<Row>,
+    strength: Option<StrengthObject>,
     iterations_total: u64,
+}
+
+/// Contacts for a wanted strength of the fill, and the strength of the fill with them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct StrengthObject {
+    wanted_friction_angle_deg: Option<f64>,
+    wanted_cohesion_kpa: Option<f64>,
+    reached: bool,
+    contact_friction_angle_deg: f64,
+    contact_cohesion_kpa: f64,
+    friction_angle_deg: Scatter,
+    cohesion_kpa: Scatter,
+    check_friction_angle_deg: Option<Scatter>,
+    check_cohesion_kpa: Option<Scatter>,
+    peaks: Vec<Peak>,
+    samples_left_out: usize,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Peak {
+    confining_pressure_kpa: f64,
+    peak_stress_kpa: f64,
+}
+
+impl StrengthObject {
+    fn new(sheared: &Sheared) -> StrengthObject {
+        let Sheared { wanted, found, reached, check } = sheared;
+        let degrees = |s: &Spread| times(*s, std::f64::consts::PI / 180.0);
+        let kilo = |s: &Spread| times(*s, 1e3);
+        StrengthObject {
+            wanted_friction_angle_deg: wanted.friction_angle.map(f64::to_degrees),
+            wanted_cohesion_kpa: wanted.cohesion.map(|c| c / 1e3),
+            reached: *reached,
+            contact_friction_angle_deg: found.contact.friction_angle.to_degrees(),
+            contact_cohesion_kpa: found.contact.cohesion / 1e3,
+            friction_angle_deg: degrees(&found.friction_angle),
+            cohesion_kpa: kilo(&found.cohesion),
+            check_friction_angle_deg: check.as_ref().map(|s| degrees(&s.friction_angle)),
+            check_cohesion_kpa: check.as_ref().map(|s| kilo(&s.cohesion)),
+            peaks: found
+                .peaks
+                .iter()
+                .map(|[pressure, peak]| Peak { confining_pressure_kpa: pressure / 1e3, peak_stress_kpa: peak / 1e3 })
+                .collect(),
+            samples_left_out: found.left_out,
+        }
+    }
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -110,6 +158,7 @@ impl CalibrationObject {
             first_normal_stiffness_gpa_per_m: report.stiffness[0] / 1e9,
             first_shear_stiffness_gpa_per_m: report.stiffness[1] / 1e9,
             moduli: report.table.iter().enumerate().map(|(k, m)| modulus_row(report, k, m)).collect(),
+            strength: report.strength.as_ref().map(StrengthObject::new),
             iterations_total: all.chain(checked).map(|m| m.iterations).sum(),
         }
     }
@@ -141,10 +190,14 @@ fn curve(m: &Measured) -> Vec<Point> {
 
 /// Pa in MPa.
 fn mega(s: Spread) -> Scatter {
+    times(s, 1e6)
+}
+
+fn times(s: Spread, unit: f64) -> Scatter {
     Scatter {
-        mean: s.mean / 1e6,
-        standard_deviation: s.standard_deviation / 1e6,
-        standard_error: s.standard_error / 1e6,
+        mean: s.mean / unit,
+        standard_deviation: s.standard_deviation / unit,
+        standard_error: s.standard_error / unit,
         samples: s.count,
     }
 }

@@ -1,7 +1,7 @@
 //! Cards of the calibration of fill particles.
 
 use super::{Field, Kind, Section, Word};
-use crate::quantity::Dimension::{Length, LineLoad, Stress};
+use crate::quantity::Dimension::{Angle, Length, LineLoad, Stress};
 
 const MODULI: &[Word] = &[
     Word { word: "tangent", doc: "mean of the slopes of all load steps" },
@@ -11,7 +11,8 @@ const MODULI: &[Word] = &[
 pub(super) static CALIBRATION: Section = Section {
     path: "calibration",
     doc: "How `extrados calibrate-fill` finds the contact stiffness of fill particles: squares are cut out of the fill at rest, \
-          held below and at both sides, and pressed by a block in steps. Rouxinol, Providência and Lemos, section 3.1.",
+          held below and at both sides, and pressed by a block in steps. Rouxinol, Providência and Lemos, section 3.1. With a wanted \
+          friction angle or cohesion, squares are sheared between smooth walls too, and friction and cohesion of the contacts are found.",
     fields: &[
         Field::new("wanted_modulus", Kind::Quantity(Stress), "modulus that the fill is to have", "40 MPa")
             .positive()
@@ -66,5 +67,24 @@ pub(super) static CALIBRATION: Section = Section {
         .at_least(0.1)
         .at_most(1.0)
         .default("0.5"),
+        Field::new("wanted_friction_angle", Kind::Quantity(Angle), "friction angle that the fill is to have", "22 deg")
+            .at_least(0.02)
+            .at_most(1.0)
+            .optional("the friction of [particle_joint] stays"),
+        Field::new("wanted_cohesion", Kind::Quantity(Stress), "cohesion that the fill is to have", "5 kPa")
+            .at_least(0.0)
+            .optional("the cohesion of [particle_joint] stays"),
+        Field::new(
+            "confining_pressures",
+            Kind::Quantities(Stress),
+            "pressures on the sides of samples that are sheared",
+            r#"["50 kPa", "100 kPa", "200 kPa"]"#,
+        )
+        .positive()
+        .default(r#"["50 kPa", "100 kPa", "200 kPa"]"#),
+        Field::new("sheared_samples", Kind::Count, "squares that are sheared, at each pressure", "32")
+            .at_least(1.0)
+            .at_most(10000.0)
+            .default("32"),
     ],
 };

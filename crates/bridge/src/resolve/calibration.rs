@@ -19,12 +19,14 @@ pub(super) fn calibration(file: &Table<'_>, findings: &mut Findings) -> Option<C
     let wanted_modulus = quantity("wanted_modulus");
     let (sample_size, block_weight, load_step) =
         (quantity("sample_size"), quantity("block_weight"), quantity("load_step"));
+    let (wanted_friction_angle, wanted_cohesion) = (quantity("wanted_friction_angle"), quantity("wanted_cohesion"));
     let modulus = table.word("modulus", findings);
     let mut count = |key| {
         let value = table.count(key, findings);
         maybe(&table, key, value)
     };
     let (steps, ignored_steps, seeds) = (count("steps"), count("ignored_steps"), count("seeds"));
+    let sheared_samples = count("sheared_samples");
     let mut number = |key| {
         let value = table.number(key, findings);
         maybe(&table, key, value)
@@ -32,6 +34,7 @@ pub(super) fn calibration(file: &Table<'_>, findings: &mut Findings) -> Option<C
     let (tolerance, least_replacement) = (number("tolerance"), number("least_replacement"));
     let multiples = table.numbers("multiples", findings);
     let compare_with = table.quantities("compare_with", findings);
+    let confining_pressures = table.quantities("confining_pressures", findings);
     let calibration = Calibration {
         wanted_modulus: wanted_modulus?,
         modulus: match maybe(&table, "modulus", modulus)? {
@@ -48,6 +51,11 @@ pub(super) fn calibration(file: &Table<'_>, findings: &mut Findings) -> Option<C
         seeds: seeds?.unwrap_or(usual.seeds),
         tolerance: tolerance?.unwrap_or(usual.tolerance),
         least_replacement: least_replacement?.unwrap_or(usual.least_replacement),
+        wanted_friction_angle: wanted_friction_angle?,
+        wanted_cohesion: wanted_cohesion?,
+        confining_pressures: maybe(&table, "confining_pressures", confining_pressures)?
+            .unwrap_or(usual.confining_pressures),
+        sheared_samples: sheared_samples?.map_or(usual.sheared_samples, |n| n as usize),
     };
     let fits = check(&table, &calibration, findings);
     fits.then_some(calibration)
@@ -79,6 +87,16 @@ fn check(table: &Table<'_>, calibration: &Calibration, findings: &mut Findings) 
             format!("`compare_with` has {} moduli for {} multiples", compare_with.len(), multiples.len()),
             "one for each of `multiples`, in their order",
             format!("give {} moduli, or none", multiples.len()),
+        );
+    }
+    let pressures = &calibration.confining_pressures;
+    let [low, high] = [f64::min, f64::max].map(|of| pressures.iter().copied().reduce(of).unwrap_or(0.0));
+    if !(high > 1.5 * low) {
+        refuse(
+            "confining_pressures",
+            "the confining pressures lie too close together to tell friction from cohesion".into(),
+            "the largest is to be more than 1.5 times the smallest",
+            "write confining_pressures = [\"50 kPa\", \"100 kPa\", \"200 kPa\"]".into(),
         );
     }
     fits

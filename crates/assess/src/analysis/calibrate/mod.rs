@@ -2,6 +2,7 @@
 //! (section 3.1): squares are cut out of the fill at rest, held below and at both sides, and pressed in steps; the slope
 //! of stress over strain is the modulus. What is found on some packings is checked on others.
 
+mod biaxial;
 mod crowd;
 mod moduli;
 mod press;
@@ -10,12 +11,14 @@ mod sample;
 mod search;
 mod settled;
 mod squares;
+mod strength;
 #[cfg(test)]
 mod tests;
 
+pub use biaxial::{Contact, Strength};
 pub use moduli::{Curve, CurvePoint, Moduli, Spread};
 pub use press::{Moment, Pressed};
-pub use report::{At, CalibrationReport, Check, Confined, Drawn, Measured, Verdict};
+pub use report::{At, CalibrationReport, Check, Confined, Drawn, Measured, Sheared, Verdict};
 pub use sample::{Cut, Sample};
 
 use super::by_dem::require_stiffness;
@@ -24,9 +27,11 @@ use crate::warning::{self, Warning};
 use bridge::{Bridge, Modulus, Particles, Sizes, Strip};
 use crowd::Crowd;
 use mechanics::watch::Watch;
+use biaxial::{Box2, contacts};
 use press::Rig;
 use search::{Found, search};
 use std::f64::consts::PI;
+use strength::{Fitted, Wanted, fit};
 
 /// Share of the work of one sample's press that one packing takes, for the estimate of the time left.
 const PACKING_WORK: f64 = 30.0;
@@ -35,8 +40,10 @@ const PACKING_WORK: f64 = 30.0;
 /// it on packings of other seeds.
 pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<CalibrationReport, AnalysisError> {
     require_stiffness(bridge)?;
-    let (bridge, particles) = prepared(bridge)?;
+    let (bridge, mut particles) = prepared(bridge)?;
     let plan = &bridge.calibration;
+    let wanted_strength = Wanted { friction_angle: plan.wanted_friction_angle, cohesion: plan.wanted_cohesion };
+    let sheared = wanted_strength.friction_angle.is_some() || wanted_strength.cohesion.is_some();
     let seeds: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(k)).collect();
     let others: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(plan.seeds + k)).collect();
     let rounds = plan.multiples.len() as f64 + if plan.wanted_modulus.is_some() { EXPECTED_ROUNDS } else { 0.0 };
@@ -44,15 +51,33 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     let mut crowd = Crowd::new(watch, packings as f64 * (PACKING_WORK + rounds * EXPECTED_SQUARES));
     let mut report = CalibrationReport::blank(&bridge, &seeds);
 
-    let Some(samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
+    let Some(mut samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
     crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds);
     report.describe(&samples);
     report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
+    if sheared {
+        let first = Contact { friction_angle: particles.joint.friction_angle, cohesion: particles.joint.cohesion };
+        let few = spaced(&samples, plan.sheared_samples);
+        let fitted = fit(wanted_strength, first, &mut |contact| shear(&bridge, &few, contact, &mut crowd))?;
+        if fitted == Fitted::Stopped {
+            return Ok(report.cancelled());
+        }
+        let Some(contact) = report.sheared(wanted_strength, fitted) else { return Ok(report) };
+        samples.iter_mut().for_each(|sample| sample.laws = contacts(&sample.laws, contact));
+        (particles.joint.friction_angle, particles.joint.cohesion) = (contact.friction_angle, contact.cohesion);
+    }
     let rig = Rig::new(&bridge, &samples[0].laws);
     report.stiffness = rig.stiffness(1.0, report.mean_diameter);
     let Some(table) = measure(&rig, &samples, &plan.multiples, &mut crowd)? else { return Ok(report.cancelled()) };
     report.tabulate(table, &samples);
-    let Some(wanted) = plan.wanted_modulus else { return Ok(report.without_search()) };
+    let Some(wanted) = plan.wanted_modulus else {
+        if !sheared {
+            return Ok(report.without_search());
+        }
+        let Some(fresh) = self::samples(&bridge, &particles, &others, &mut crowd)? else { return Ok(report.cancelled()) };
+        let again = check_strength(&bridge, &fresh, &particles, &mut crowd)?;
+        return Ok(again.map_or_else(|| report.clone().cancelled(), |again| report.clone().strength_checked(again)));
+    };
 
     let mut press = |multiple: f64| -> Result<Option<Measured>, AnalysisError> {
         Ok(measure(&rig, &samples, &[multiple], &mut crowd)?.and_then(|mut one| one.pop()))
@@ -72,7 +97,45 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     let rig = Rig::new(&bridge, &fresh[0].laws);
     let Some(mut again) = measure(&rig, &fresh, &[multiple], &mut crowd)? else { return Ok(report.cancelled()) };
     report.check = again.pop().map(|measured| Check { seeds: others, measured });
+    if sheared {
+        let Some(again) = check_strength(&bridge, &fresh, &particles, &mut crowd)? else { return Ok(report.cancelled()) };
+        report = report.strength_checked(again);
+    }
     Ok(report.judged(wanted))
+}
+
+/// So many of the samples, spaced evenly, so that all packings have their share.
+fn spaced(samples: &[Sample], most: usize) -> Vec<Sample> {
+    let count = most.min(samples.len());
+    (0..count).map(|k| samples[k * samples.len() / count].clone()).collect()
+}
+
+/// Shears every sample at every confining pressure. None where it was stopped; none inside where no sample gave way.
+fn shear(
+    bridge: &Bridge,
+    samples: &[Sample],
+    contact: Contact,
+    crowd: &mut Crowd<'_>,
+) -> Result<Option<Option<Strength>>, AnalysisError> {
+    let Some(first) = samples.first() else { return Ok(Some(None)) };
+    let sheared = Box2::new(bridge, &first.laws);
+    let jobs: Vec<(usize, usize)> =
+        (0..samples.len()).flat_map(|k| (0..sheared.tests()).map(move |test| (k, test))).collect();
+    let peaks = crowd.each("shearing", 1.0, &jobs, |&(k, test), watch| sheared.peak(&samples[k], contact, test, watch));
+    let Some(peaks) = peaks else { return Ok(None) };
+    let peaks = peaks.into_iter().collect::<Result<Vec<Option<f64>>, _>>()?;
+    Ok(Some(Strength::of(contact, samples, &bridge.calibration.confining_pressures, &peaks)))
+}
+
+/// The strength of other packings with the contacts that were found.
+fn check_strength(
+    bridge: &Bridge,
+    fresh: &[Sample],
+    particles: &Particles,
+    crowd: &mut Crowd<'_>,
+) -> Result<Option<Option<Strength>>, AnalysisError> {
+    let contact = Contact { friction_angle: particles.joint.friction_angle, cohesion: particles.joint.cohesion };
+    shear(bridge, &spaced(fresh, bridge.calibration.sheared_samples), contact, crowd)
 }
 
 /// Presses that a search and its check take, about.
@@ -116,6 +179,14 @@ fn prepared(bridge: &Bridge) -> Result<(Bridge, Particles), AnalysisError> {
     bridge.plan.method = bridge::Method::Dem;
     bridge.plan.strip = Strip::Fill;
     bridge.loads.clear();
+    let plan = &bridge.calibration;
+    if plan.wanted_friction_angle.is_some() || plan.wanted_cohesion.is_some() {
+        // One fill: layers with contacts of their own would mix two.
+        bridge.cover.layers.iter_mut().for_each(|layer| (layer.friction_angle, layer.cohesion) = (None, None));
+        if let Some(backing) = &mut bridge.cover.backing {
+            (backing.friction_angle, backing.cohesion) = (None, None);
+        }
+    }
     Ok((bridge, particles))
 }
 
@@ -216,7 +287,9 @@ impl CalibrationReport {
 
     /// Says whether the check bears the search out.
     fn judged(mut self, wanted: f64) -> CalibrationReport {
-        self.verdict = Verdict::Completed;
+        if self.verdict == Verdict::Cancelled {
+            return self;
+        }
         let check = self.check.as_ref().and_then(|check| self.compared(&check.measured));
         match check {
             None => {

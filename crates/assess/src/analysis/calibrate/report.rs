@@ -1,8 +1,10 @@
 //! What a calibration found.
 
+use super::biaxial::{Contact, Strength};
 use super::moduli::{Curve, CurvePoint, Moduli, Spread, scatter};
 use super::press::{Moment, Pressed};
 use super::sample::{Cut, Sample};
+use super::strength::{Fitted, Wanted};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, Calibration, Modulus};
 use mechanics::dem;
@@ -73,6 +75,8 @@ pub struct CalibrationReport {
     pub reach: Option<[At; 2]>,
     /// The same on other packings.
     pub check: Option<Check>,
+    /// Friction and cohesion of contacts for a wanted strength.
+    pub strength: Option<Sheared>,
     /// A sample for drawings.
     pub drawn: Option<Drawn>,
     /// What to look at.
@@ -86,6 +90,19 @@ pub struct Check {
     pub seeds: Vec<u64>,
     /// What they have.
     pub measured: Measured,
+}
+
+/// What was found for a wanted strength.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheared {
+    /// What was wanted.
+    pub wanted: Wanted,
+    /// What was found: the nearest where it is out of reach.
+    pub found: Strength,
+    /// Whether what is wanted is within reach.
+    pub reached: bool,
+    /// The same on other packings.
+    pub check: Option<Strength>,
 }
 
 /// All samples at one multiple.
@@ -220,6 +237,7 @@ impl CalibrationReport {
             found: None,
             reach: None,
             check: None,
+            strength: None,
             drawn: None,
             warnings: Vec::new(),
         }
@@ -232,8 +250,62 @@ impl CalibrationReport {
     }
 
     /// The table was all that was wanted.
-    pub fn without_search(mut self) -> CalibrationReport {
-        self.verdict = Verdict::Completed;
+    pub fn without_search(self) -> CalibrationReport {
+        self
+    }
+
+    /// Takes in how the search for a strength ended; the contacts to go on with, where there are any.
+    pub fn sheared(&mut self, wanted: Wanted, fitted: Fitted) -> Option<Contact> {
+        let (found, reached) = match fitted {
+            Fitted::Contacts(found) => (found, true),
+            Fitted::OutOfReach(found) => (found, false),
+            Fitted::Untested | Fitted::Stopped => {
+                self.verdict = Verdict::Undetermined;
+                let message = "no sample rested and gave way under every confining pressure";
+                self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
+                return None;
+            }
+        };
+        if found.left_out > 0 {
+            let message = format!("{} samples do not count in the strength", found.left_out);
+            self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
+        }
+        if !reached || !wanted.met_by(&found) {
+            self.verdict = Verdict::Undetermined;
+            let message = format!(
+                "with contacts of {:.1} degrees and {:.1} kPa the fill has {:.1} degrees and {:.1} kPa, which is the nearest to what is \
+                 wanted",
+                found.contact.friction_angle.to_degrees(),
+                found.contact.cohesion / 1e3,
+                found.friction_angle.mean.to_degrees(),
+                found.cohesion.mean / 1e3
+            );
+            self.warnings.push(Warning::new(warning::STRENGTH_OUT_OF_REACH, message));
+        }
+        let contact = found.contact;
+        self.strength = Some(Sheared { wanted, found, reached, check: None });
+        Some(contact)
+    }
+
+    /// Takes in the strength of other packings.
+    pub fn strength_checked(mut self, again: Option<Strength>) -> CalibrationReport {
+        let Some(sheared) = &mut self.strength else { return self };
+        let apart = match (&again, sheared.reached) {
+            (None, _) => Some("no sample of the other seeds could be sheared".to_owned()),
+            (Some(again), true) if !sheared.wanted.checked_by(again) => Some(format!(
+                "other packings have {:.1} degrees (standard error {:.1}) and {:.1} kPa (standard error {:.1})",
+                again.friction_angle.mean.to_degrees(),
+                again.friction_angle.standard_error.to_degrees(),
+                again.cohesion.mean / 1e3,
+                again.cohesion.standard_error / 1e3
+            )),
+            _ => None,
+        };
+        sheared.check = again;
+        if let Some(message) = apart {
+            self.verdict = Verdict::Undetermined;
+            self.warnings.push(Warning::new(warning::STRENGTH_CHECK_APART, message));
+        }
         self
     }
 

@@ -156,3 +156,29 @@ fn it_stops_when_asked() {
         assert_eq!(found.verdict, Verdict::Cancelled, "{patience}");
     }
 }
+
+/// Discs roll past one another: no friction of their contacts makes a fill of 55 degrees, and the answer says what it has.
+#[test]
+fn a_strength_that_discs_do_not_have_is_out_of_reach() {
+    let mut bridge = small();
+    bridge.calibration.multiples = vec![1.0];
+    bridge.calibration.wanted_friction_angle = Some(55f64.to_radians());
+    bridge.calibration.confining_pressures = vec![50e3, 200e3];
+    bridge.calibration.sheared_samples = 3;
+    if let Some(particles) = &mut bridge.particles {
+        particles.sizes = bridge::Sizes::Count { count: 900, ratio: 1.5 };
+    }
+    let found = calibrate_fill(&bridge, &mut Unwatched).unwrap();
+    assert_eq!(found.verdict, Verdict::Undetermined);
+    assert!(found.warnings.iter().any(|w| w.code == "A163"), "{:?}", found.warnings);
+    let strength = found.strength.as_ref().unwrap();
+    let angle = strength.found.friction_angle.mean.to_degrees();
+    assert!(!strength.reached && strength.check.is_some());
+    assert!(angle > 8.0 && angle < 50.0, "{angle}");
+    assert!(strength.found.contact.friction_angle.to_degrees() > angle + 10.0);
+    // The peaks grow with the confining pressure.
+    let [low, high] = [strength.found.peaks[0], strength.found.peaks[1]];
+    assert!(high[1] > 2.0 * low[1] && low[1] > low[0], "{:?}", strength.found.peaks);
+    // The moduli are those with the contacts of the answer.
+    assert_eq!(found.table.len(), 1);
+}

@@ -1,0 +1,213 @@
+//! Squares of fill sheared to their peak: a smooth box whose right side and lid are pressed alike, then the lid until the sample
+//! gives way. Peaks at several confining pressures lie on a line; its slope is the friction angle, its height the cohesion.
+
+use super::moduli::{Spread, scatter};
+use super::sample::Sample;
+use super::settled::Laws;
+use crate::analysis::AnalysisError;
+use crate::analysis::by_dem::settings;
+use bridge::Bridge;
+use mechanics::blocks::{Block, BlockModel, Held, LawTable, Loading, PointForce};
+use mechanics::dem::{self, Model, begin, collapse_from};
+use mechanics::ids::{BlockId, Table};
+use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
+use mechanics::watch::Watch;
+
+/// What contacts between particles resist with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Friction angle [rad].
+    pub friction_angle: f64,
+    /// Cohesion [Pa].
+    pub cohesion: f64,
+}
+
+/// What the fill resists with, over all samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strength {
+    /// Contacts that it was measured with.
+    pub contact: Contact,
+    /// Friction angle of the fill [rad].
+    pub friction_angle: Spread,
+    /// Cohesion of the fill [Pa].
+    pub cohesion: Spread,
+    /// Confining pressure and mean stress at the peak [Pa].
+    pub peaks: Vec<[f64; 2]>,
+    /// Samples that did not come to rest under the confining pressure, or did not give way.
+    pub left_out: usize,
+}
+
+/// Increment of the stress on the lid over the confining pressure.
+const INCREMENT: f64 = 0.25;
+/// The peak is found to this share of the confining pressure; the load that was still carried counts.
+const RESOLUTION: f64 = 0.03;
+/// Stress difference over confining pressure at which the test ends: a friction angle of 61 degrees.
+const LIMIT: f64 = 14.0;
+/// Gap between the lid and the side that moves, as a share of the smallest radius: no particle passes, and the side does not reach
+/// the lid as the sample is confined.
+const GAP: f64 = 0.5;
+
+/// The box.
+pub struct Box2 {
+    settings: dem::Settings,
+    laws: Laws,
+    pressures: Vec<f64>,
+}
+
+impl Box2 {
+    /// For samples of a fill with these laws.
+    pub fn new(bridge: &Bridge, laws: &Laws) -> Box2 {
+        Box2 {
+            settings: settings(bridge),
+            laws: laws.clone(),
+            pressures: bridge.calibration.confining_pressures.clone(),
+        }
+    }
+
+    /// How many tests one sample takes.
+    pub fn tests(&self) -> usize {
+        self.pressures.len()
+    }
+
+    /// The stress on the lid [Pa] that one sample still carries under one of the confining pressures; none where it does not
+    /// rest, or carries all that is tried.
+    pub fn peak(
+        &self,
+        sample: &Sample,
+        contact: Contact,
+        test: usize,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<f64>, AnalysisError> {
+        let pressure = self.pressures[test];
+        let (model, loading, watched) = self.build(sample, contact, pressure)?;
+        let model = Model::new(&model, &loading)?;
+        let program =
+            dem::Program { increment: INCREMENT, limit: LIMIT, resolution: Some(RESOLUTION), watched };
+        let start = || begin(&model, &self.settings);
+        let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
+        let gave_way = outcome.collapse_factor.is_some();
+        Ok(outcome.last_stable_factor.filter(|_| gave_way).map(|factor| pressure * (1.0 + factor)))
+    }
+
+    fn build(
+        &self,
+        sample: &Sample,
+        contact: Contact,
+        pressure: f64,
+    ) -> Result<(BlockModel, Loading, (BlockId, Vec2)), AnalysisError> {
+        let (size, group) = (sample.size, self.laws.walls);
+        let (thickness, gap) = (0.2 * size, GAP * sample.smallest);
+        let density = sample.particles.first().map_or(1.0, |p| p.density);
+        let block = |low: Vec2, width: f64, height: f64, held: Held| -> Result<Block, PolygonError> {
+            Ok(Block { outline: Polygon::rectangle(low, width, height)?, rounding: 0.0, density, group, held })
+        };
+        let top = sample.particles.iter().map(|p| p.centre.y + p.radius).fold(0.0, f64::max);
+        let side = 1.5 * size;
+        let sliding = Held { x: false, y: true, rotation: true };
+        let sinking = Held { x: true, y: false, rotation: true };
+        let parts = [
+            block(vec2(0.0, -thickness), 1.5 * size, thickness, Held::FIXED),
+            block(vec2(-thickness, -thickness), thickness, side + thickness, Held::FIXED),
+            block(vec2(size, 0.1 * gap), thickness, side, sliding),
+            block(vec2(0.1 * gap, top), size - 1.1 * gap, thickness, sinking),
+        ];
+        let shapeless = |_| AnalysisError::SmallSample { size, diameter: sample.mean_diameter };
+        let mut blocks: Table<BlockId, Block> = Table::default();
+        let mut placed = Vec::new();
+        for part in parts {
+            let part = part.map_err(shapeless)?;
+            let at = part.outline.centroid();
+            placed.push((blocks.push(part), at));
+        }
+        let [(right, beside), (lid, above)] = [placed[2], placed[3]];
+        let force = |block, at, force| PointForce { block, at, force };
+        let down = vec2(0.0, -pressure * size);
+        let loading = Loading {
+            permanent: vec![force(right, beside, vec2(-pressure * top, 0.0)), force(lid, above, down)],
+            variable: vec![force(lid, above, down)],
+            ..Loading::default()
+        };
+        let model = BlockModel {
+            blocks,
+            particles: sample.particles.iter().copied().collect(),
+            groups: self.laws.groups.clone(),
+            laws: self.smooth(contact),
+            // Weight would add to the confining pressure from top to bottom.
+            gravity: Vec2::ZERO,
+        };
+        Ok((model, loading, (lid, vec2(0.5 * size, top))))
+    }
+
+    /// The laws with other contacts between particles, and walls that resist no sliding.
+    fn smooth(&self, contact: Contact) -> LawTable {
+        let mut laws = contacts(&self.laws, contact).table;
+        for group in self.laws.groups.ids() {
+            let law = *laws.between(self.laws.walls, group);
+            laws.set(self.laws.walls, group, mechanics::blocks::ContactLaw { friction: 0.0, cohesion: 0.0, ..law });
+        }
+        laws
+    }
+}
+
+/// The laws with other contacts between particles.
+pub fn contacts(laws: &Laws, contact: Contact) -> Laws {
+    let mut laws = laws.clone();
+    for &a in &laws.layers {
+        for &b in &laws.layers {
+            let law = *laws.table.between(a, b);
+            let friction = contact.friction_angle.tan();
+            laws.table.set(a, b, mechanics::blocks::ContactLaw { friction, cohesion: contact.cohesion, ..law });
+        }
+    }
+    laws
+}
+
+impl Strength {
+    /// What peaks [Pa] of all samples amount to, test by test of each sample; none where fewer than one sample has all.
+    pub fn of(contact: Contact, samples: &[Sample], pressures: &[f64], peaks: &[Option<f64>]) -> Option<Strength> {
+        let whole: Vec<(u64, Vec<f64>)> = samples
+            .iter()
+            .zip(peaks.chunks(pressures.len()))
+            .filter_map(|(sample, own)| Some((sample.seed, own.iter().copied().collect::<Option<Vec<f64>>>()?)))
+            .collect();
+        let lines: Vec<(u64, f64, f64)> =
+            whole.iter().filter_map(|(seed, own)| line(pressures, own).map(|(phi, c)| (*seed, phi, c))).collect();
+        let mean = |test: usize| scatter(whole.iter().map(|w| w.1[test])).map(|(mean, _)| mean);
+        Some(Strength {
+            contact,
+            friction_angle: Spread::of(&lines.iter().map(|l| (l.0, l.1)).collect::<Vec<_>>())?,
+            cohesion: Spread::of(&lines.iter().map(|l| (l.0, l.2)).collect::<Vec<_>>())?,
+            peaks: pressures.iter().enumerate().filter_map(|(k, &p)| Some([p, mean(k)?])).collect(),
+            left_out: samples.len() - lines.len(),
+        })
+    }
+}
+
+/// Friction angle [rad] and cohesion [Pa] of the line of least squares through peaks over confining pressures: with
+/// `peak = a + b pressure`, `sin phi = (b - 1)/(b + 1)` and `c = a / (2 sqrt b)`.
+fn line(pressures: &[f64], peaks: &[f64]) -> Option<(f64, f64)> {
+    let n = pressures.len() as f64;
+    let (x, y) = (pressures.iter().sum::<f64>() / n, peaks.iter().sum::<f64>() / n);
+    let mixed: f64 = pressures.iter().zip(peaks).map(|(p, q)| (p - x) * (q - y)).sum();
+    let square: f64 = pressures.iter().map(|p| (p - x).powi(2)).sum();
+    let b = mixed / square;
+    if !(b > 0.0 && b.is_finite()) {
+        return None;
+    }
+    Some((((b - 1.0) / (b + 1.0)).asin(), (y - b * x) / (2.0 * b.sqrt())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_of_peaks_has_its_angle_and_cohesion() {
+        let (phi, c) = (35f64.to_radians(), 12e3);
+        let passive = (1.0 + phi.sin()) / (1.0 - phi.sin());
+        let pressures = [50e3, 100e3, 200e3];
+        let peaks = pressures.map(|p| passive * p + 2.0 * c * passive.sqrt());
+        let (found, cohesion) = line(&pressures, &peaks).unwrap();
+        assert!((found - phi).abs() < 1e-12 && (cohesion / c - 1.0).abs() < 1e-9, "{found} {cohesion}");
+    }
+}
