@@ -115,11 +115,8 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
             wanted / 1e6
         );
     }
-<<<<<<< HEAD
-    let _ = writeln!(page, "\nResults are in {out}");
-=======
     if let Some(sheared) = &found.strength {
-        let strength = |s: &assess::analysis::calibrate::Strength| {
+        let strength = |s: &::assess::analysis::calibrate::Strength| {
             format!(
                 "{:.1} ± {:.1} degrees, {:.1} ± {:.1} kPa",
                 s.friction_angle.mean.to_degrees(),
@@ -140,8 +137,7 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
             let _ = writeln!(page, "\nOther packings have {}", strength(check));
         }
     }
-    let _ = writeln!(page, "\nFigures and tables are in {out}");
->>>>>>> 0afc905 (calibrate-fill: find friction and cohesion of contacts for a wanted strength)
+    let _ = writeln!(page, "\nResults are in {out}");
     page
 }
 

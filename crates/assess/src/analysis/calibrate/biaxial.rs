@@ -81,8 +81,7 @@ impl Box2 {
         let pressure = self.pressures[test];
         let (model, loading, watched) = self.build(sample, contact, pressure)?;
         let model = Model::new(&model, &loading)?;
-        let program =
-            dem::Program { increment: INCREMENT, limit: LIMIT, resolution: Some(RESOLUTION), watched };
+        let program = dem::Program { increment: INCREMENT, limit: LIMIT, resolution: Some(RESOLUTION), watched };
         let start = || begin(&model, &self.settings);
         let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
         let gave_way = outcome.collapse_factor.is_some();

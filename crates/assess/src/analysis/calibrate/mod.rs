@@ -24,10 +24,10 @@ pub use sample::{Cut, Sample};
 use super::by_dem::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
 use crate::warning::{self, Warning};
+use biaxial::{Box2, contacts};
 use bridge::{Bridge, Modulus, Particles, Sizes, Strip};
 use crowd::Crowd;
 use mechanics::watch::Watch;
-use biaxial::{Box2, contacts};
 use press::Rig;
 use search::{Found, search};
 use std::f64::consts::PI;
@@ -47,12 +47,13 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     let seeds: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(k)).collect();
     let others: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(plan.seeds + k)).collect();
     let rounds = plan.multiples.len() as f64 + if plan.wanted_modulus.is_some() { EXPECTED_ROUNDS } else { 0.0 };
-    let packings = if plan.wanted_modulus.is_some() { 2 } else { 1 } * plan.seeds;
-    let mut crowd = Crowd::new(watch, packings as f64 * (PACKING_WORK + rounds * EXPECTED_SQUARES));
+    let packings = if plan.wanted_modulus.is_some() || sheared { 2 } else { 1 } * plan.seeds;
+    let shears = if sheared { SHEARS * (plan.sheared_samples * plan.confining_pressures.len()) as f64 } else { 0.0 };
+    let mut crowd = Crowd::new(watch, packings as f64 * (PACKING_WORK + rounds * EXPECTED_SQUARES) + shears);
     let mut report = CalibrationReport::blank(&bridge, &seeds);
 
     let Some(mut samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
-    crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds);
+    crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds + shears);
     report.describe(&samples);
     report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
     if sheared {
@@ -66,6 +67,8 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
         samples.iter_mut().for_each(|sample| sample.laws = contacts(&sample.laws, contact));
         (particles.joint.friction_angle, particles.joint.cohesion) = (contact.friction_angle, contact.cohesion);
     }
+    // Other packings come to rest with the contacts that were found.
+    let found = Bridge { particles: Some(particles.clone()), ..bridge.clone() };
     let rig = Rig::new(&bridge, &samples[0].laws);
     report.stiffness = rig.stiffness(1.0, report.mean_diameter);
     let Some(table) = measure(&rig, &samples, &plan.multiples, &mut crowd)? else { return Ok(report.cancelled()) };
@@ -74,7 +77,9 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
         if !sheared {
             return Ok(report.without_search());
         }
-        let Some(fresh) = self::samples(&bridge, &particles, &others, &mut crowd)? else { return Ok(report.cancelled()) };
+        let Some(fresh) = self::samples(&found, &particles, &others, &mut crowd)? else {
+            return Ok(report.cancelled());
+        };
         let again = check_strength(&bridge, &fresh, &particles, &mut crowd)?;
         return Ok(again.map_or_else(|| report.clone().cancelled(), |again| report.clone().strength_checked(again)));
     };
@@ -93,12 +98,14 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
         Found::Stopped => return Ok(report.cancelled()),
     }
     let multiple = report.found.as_ref().map_or(1.0, |found| found.multiple);
-    let Some(fresh) = self::samples(&bridge, &particles, &others, &mut crowd)? else { return Ok(report.cancelled()) };
+    let Some(fresh) = self::samples(&found, &particles, &others, &mut crowd)? else { return Ok(report.cancelled()) };
     let rig = Rig::new(&bridge, &fresh[0].laws);
     let Some(mut again) = measure(&rig, &fresh, &[multiple], &mut crowd)? else { return Ok(report.cancelled()) };
     report.check = again.pop().map(|measured| Check { seeds: others, measured });
     if sheared {
-        let Some(again) = check_strength(&bridge, &fresh, &particles, &mut crowd)? else { return Ok(report.cancelled()) };
+        let Some(again) = check_strength(&bridge, &fresh, &particles, &mut crowd)? else {
+            return Ok(report.cancelled());
+        };
         report = report.strength_checked(again);
     }
     Ok(report.judged(wanted))
@@ -140,6 +147,9 @@ fn check_strength(
 
 /// Presses that a search and its check take, about.
 const EXPECTED_ROUNDS: f64 = 5.0;
+
+/// Times that every sheared sample is sheared at every pressure, about, its check among them.
+const SHEARS: f64 = 8.0;
 
 /// Squares in one packing, until it is known.
 const EXPECTED_SQUARES: f64 = 12.0;
