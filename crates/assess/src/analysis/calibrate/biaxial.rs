@@ -38,11 +38,12 @@ pub struct Strength {
 }
 
 /// Increment of the stress on the lid over the confining pressure.
-const INCREMENT: f64 = 0.25;
-/// The peak is found to this share of the confining pressure; the load that was still carried counts.
-const RESOLUTION: f64 = 0.03;
-/// Stress difference over confining pressure at which the test ends: a friction angle of 61 degrees.
-const LIMIT: f64 = 14.0;
+const INCREMENT: f64 = 0.1;
+/// Stress difference over confining pressure at which the test ends: a friction angle of 51 degrees.
+const LIMIT: f64 = 7.0;
+/// Sinking of the lid, as a share of the height at rest, beyond which the sample has given way: a guided block that sinks into discs
+/// may come to rest again deeper down, which is no strength of the sample as it was.
+const GIVEN_WAY: f64 = 0.05;
 /// Gap between the lid and the side that moves, as a share of the smallest radius: no particle passes, and the side does not reach
 /// the lid as the sample is confined.
 const GAP: f64 = 0.5;
@@ -81,11 +82,19 @@ impl Box2 {
         let pressure = self.pressures[test];
         let (model, loading, watched) = self.build(sample, contact, pressure)?;
         let model = Model::new(&model, &loading)?;
-        let program = dem::Program { increment: INCREMENT, limit: LIMIT, resolution: Some(RESOLUTION), watched };
+        let program = dem::Program { increment: INCREMENT, limit: LIMIT, resolution: None, watched };
         let start = || begin(&model, &self.settings);
         let outcome = collapse_from(&model, &start, &program, &self.settings, None, watch)?;
-        let gave_way = outcome.collapse_factor.is_some();
-        Ok(outcome.last_stable_factor.filter(|_| gave_way).map(|factor| pressure * (1.0 + factor)))
+        let rested: Vec<&dem::PathPoint> = outcome.path.iter().take_while(|point| point.at_rest).collect();
+        let Some(first) = rested.first() else { return Ok(None) };
+        let deepest = GIVEN_WAY * (watched.1.y + first.displacement.y);
+        let sunk = |point: &dem::PathPoint| first.displacement.y - point.displacement.y;
+        let held = rested.iter().take_while(|point| sunk(point) <= deepest).count();
+        // Every step was carried: the peak is not known.
+        if held == rested.len() && outcome.status == dem::Status::StableToLastLoad {
+            return Ok(None);
+        }
+        Ok(Some(pressure * (1.0 + rested[held - 1].factor)))
     }
 
     fn build(
