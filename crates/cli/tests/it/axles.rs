@@ -7,7 +7,7 @@ use crate::tiny::BRIDGE;
 #[test]
 fn an_axle_is_told_with_its_factor_and_not_times_the_width_of_the_bridge() {
     let stage = Stage::new("axles-carried");
-    let axle = "load = { kind = \"axles\", axle_forces = [\"100 kN\"], contact_length = \"0.3 m\", effective_width = \"2.5 m\", at = \"1/4 of span 1\" }";
+    let axle = "load = { kind = \"axles\", axle_forces = [\"100 kN\"], axle_spacings = [], contact_length = \"0.3 m\", effective_width = \"2.5 m\", at = \"1/4 of span 1\" }";
     let line = BRIDGE.lines().find(|line| line.starts_with("load =")).expect("a load");
     stage.write("bridge.toml", BRIDGE.replace(line, axle));
     let words = ["collapse", "bridge.toml", "--method", "limit", "--out", "out"];
