@@ -52,8 +52,7 @@ pub(super) static ANALYSIS: Section = Section {
     fields: &[
         Field::new("method", Kind::Word(METHODS), "method for the collapse load", "dem").default("limit"),
         Field::new("analysis", Kind::Word(ANALYSES), "what is made to collapse", "load").default("load"),
-        Field::new("strip", Kind::Word(STRIPS), "strip of the bridge's width that is analysed", "both")
-            .optional("\"both\" for a load on a bridge with [spandrel_wall], \"fill\" otherwise"),
+        Field::new("strip", Kind::Word(STRIPS), "strip of the bridge's width that is analysed", "both").default("fill"),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
             .positive()
             .optional("needed by method \"dem\" for a load"),

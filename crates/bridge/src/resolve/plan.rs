@@ -104,7 +104,7 @@ pub(super) fn plan(
     })
 }
 
-/// Which strip: the word of the plan, or what the file describes.
+/// Which strip: the word of the plan. Walls add strength in their plane only where somebody asks for it.
 fn strip(
     file: &Table<'_>,
     table: Option<&Table<'_>>,
@@ -114,7 +114,7 @@ fn strip(
     let wall = file.has("spandrel_wall");
     let for_load = analysis.is_none_or(|analysis| analysis == "load");
     let Some(table) = table.filter(|table| table.has("strip")) else {
-        return Some(if wall && for_load { Strip::Both } else { Strip::Fill });
+        return Some(Strip::Fill);
     };
     let word = table.word("strip", findings)?;
     let strip = match word.value {
