@@ -251,6 +251,8 @@ pub struct Picture {
     pub dimensions: Vec<Dimension>,
     /// Load at collapse [N/m], where one was found (support movement: [m]).
     pub collapse_load: Option<f64>,
+    /// Whether the run stalled: its last step neither came to rest nor collapsed.
+    pub stalls: bool,
     /// Whether the loads of path and snapshots are support movements [m] instead of forces [N/m].
     pub moves_supports: bool,
 }

@@ -221,6 +221,32 @@ cards! {
         "The typesetter refused the report; the message holds its words. report.html and result.json are complete, verdict and \
          numbers stand. The usual cause is a drawing that is no valid SVG, which is a mistake of this program: please report it with \
          the bridge file.";
+    /// Positions without an answer.
+    POSITIONS_NOT_CONVERGED = "A175", "positions of a sweep were not answered",
+        "At the positions that the message counts, limit analysis found no answer that it can vouch for: the iteration for friction \
+         without dilation, or the solver, did not converge. Their loads may govern, so that the vehicle has no adequacy factor and the \
+         sweep is undetermined. The factor in the message is the least of the answered cases: the true one is not above it. Ask the \
+         discrete element method for that position (extrados collapse --method dem), or look at friction and thickness of the rings.";
+    /// Discrete elements with two contact points.
+    TWO_POINT_JOINTS = "A176", "joints of discrete elements bear on two points",
+        "A closed joint on two points near its edges is three times as stiff in rotation as one that bears over its whole face with the \
+         same stiffness: k (h/2)^2 against k h^2 / 12 for each unit of area. Rings with the stiffer joints deform less and carry more. \
+         Bridgemill falls from 205 to 132 kN/m with distributed joints of the same stiffness. A load found with two-point joints is \
+         one estimate, not a proof of another method's load: vary the joints' stiffness and use the smaller number.";
+    /// One method says that the bridge falls.
+    METHODS_APART = "A177", "limit analysis finds no equilibrium under self-weight",
+        "The discrete element method carries loads on blocks that limit analysis does not let stand under their own weight. One of \
+         the two is wrong for this bridge: friction, tension or the shape of the blocks. Nothing is carried until the reason is found.";
+    /// Crushing left out by contact points.
+    CRUSHING_LEFT_OUT = "A178", "discrete elements leave crushing out of collapse",
+        "A contact point of a joint stands for half of it and crushes only at half the joint times the strength, so that a hinge turns \
+         about the very edge. Limit analysis lets a hinge turn about the strip that its thrust needs, and carries less: 4 to 38 % in \
+         the cases that were compared. Beside blocks the message gives its load, and the smaller of the two is the headline. \
+         With particles there is no such load: take the share in the message off the load that was found.";
+    /// A step that neither rests nor falls.
+    STALLED = "A179", "a load step neither came to rest nor collapsed",
+        "The out-of-balance force of the step in the message oscillates without settling, and no block runs away. It is no collapse \
+         load, and none is given. The last stable load is sound. Another damping or a smaller time_step_factor often decides.";
     /// No ultimate check under sourced factors.
     STRENGTH_OPEN = "A190", "strength was not assessed",
         "The ladder of verdicts, from its lowest rung: inadequate, a limit is not met (exit code 1); undetermined, an analysis that a \

@@ -439,7 +439,7 @@ pub struct SweepPlan {
     /// Whether loads spread by the file's [dispersal] in place of the rule's.
     pub own_dispersal: bool,
     /// Whether the governing case is made by discrete elements too.
-    pub confirm: bool,
+    pub discrete_elements: bool,
     /// Names and texts of the files, the rule's first; empty until somebody reads them.
     pub texts: Vec<(String, String)>,
 }

@@ -88,7 +88,7 @@ impl Status {
                 "stalled",
                 0,
                 "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. The last \
-                 stable load is sound; the collapse load lies above it. Another damping, or a smaller time step factor, often decides.",
+                 stable load is sound, and no collapse load is given. Another damping, or a smaller time step factor, often decides.",
             ),
             Status::UnstableUnderSelfWeight => (
                 "unstable-under-self-weight",
@@ -117,7 +117,7 @@ impl Status {
                 "cancelled",
                 130,
                 "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers. \
-                 `vary` keeps finished runs, and the same command takes them up by itself.",
+                 `vary` keeps finished runs, and the same command takes them up by itself. A sweep holds what was answered by then.",
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
             Status::Adequate => (
@@ -135,7 +135,8 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: an analysis that a check rests on came to no end; no position of the loads makes a mechanism of the bridge, no run of many found \
+                "The command finished without an answer: an analysis that a check rests on came to no end; no position of the loads makes a mechanism of the bridge, a \
+                 position of a sweep was not answered, no run of many found \
                  the number that was asked for, or no contact stiffness gives the fill the wanted modulus. An \
                  assessment whose analyses all finished, but which made no ultimate check under factors with a source, is undetermined too \
                  and ends with exit code 1: its limits may be met, its strength was not assessed, and `missing` says what to write.",

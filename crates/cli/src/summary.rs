@@ -53,7 +53,14 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
 /// The governing position of a sweep, and a few of the others.
 pub fn sweep(sweep: &Sweep, out: &str) -> String {
     let mut page = format!("{} positions of the loads by limit analysis\n\n", sweep.points.len());
-    match sweep.governing.and_then(|index| sweep.points.get(index)) {
+    if !sweep.whole {
+        page += "  interrupted: these are the positions that were answered by then\n";
+    }
+    let open = sweep.positions_not_converged();
+    if open > 0 {
+        let _ = writeln!(page, "  positions not converged {open}: nothing is settled");
+    }
+    match sweep.worst() {
         Some(worst) => {
             let _ = writeln!(
                 page,
@@ -63,8 +70,11 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
             if let Some(factor) = worst.load_factor {
                 let _ = writeln!(page, "  load factor there       {factor:.4}");
             }
+            if let Some(most) = worst.load_factor_at_most {
+                let _ = writeln!(page, "  load factor at most     {most:.4}, which is a bound and no answer");
+            }
             if let Some(load) = worst.collapse_load {
-                let _ = writeln!(page, "  collapse load there     {:.2} kN/m", load / 1e3);
+                let _ = writeln!(page, "  last stable load there  {:.2} kN/m", load / 1e3);
             }
         }
         None => page += "  no position makes a mechanism of the bridge\n",
@@ -151,8 +161,16 @@ fn title(found: &Collapse) -> String {
 }
 
 fn loads(page: &mut String, found: &Collapse) {
+    if let Some(headline) = found.headline() {
+        let (load, whole) = (headline.load / 1e3, headline.whole / 1e3);
+        let _ = writeln!(page, "  {:<22}  {load:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", "carried", found.width);
+        let _ = writeln!(page, "  {:<22}  {}", "", headline.from);
+    }
+    let both = found.combination.is_some();
     let mut line = |name: &str, load: Option<f64>| {
-        if let Some(load) = load {
+        if let Some(load) = load.filter(|_| both) {
+            let _ = writeln!(page, "  {name:<22}  {:>9.2} kN/m   of the strip between the walls", load / 1e3);
+        } else if let Some(load) = load {
             let whole = load * found.width / 1e3;
             let _ = match found.has_own_widths() {
                 // An axle stands on a width of its own: on the whole width nobody asked for a load.
@@ -163,10 +181,12 @@ fn loads(page: &mut String, found: &Collapse) {
             };
         }
     };
-    line("last stable load", found.last_stable_load.filter(|_| found.method != Method::Limit));
+    line("last stable load", found.last_stable_load);
     line("collapse load", found.collapse_load);
+    line("stalled at", found.stalled_load);
     line("load step", found.load_step);
     line("limit load, rigid", found.limit_load.filter(|_| found.method != Method::Limit));
+    line("limit load, crushing", found.crushing_limit_load);
     if let Some(limit) = &found.limit {
         line("lower bound", limit.lower_bound);
         line("upper bound", limit.upper_bound);
@@ -188,8 +208,7 @@ fn loads(page: &mut String, found: &Collapse) {
 fn factor(page: &mut String, found: &Collapse) {
     // Loads of 1 kN/m only say where the load stands: the factor would repeat the collapse load.
     let unit = (found.reference_load - 1e3).abs() < 1e-6;
-    let counted = if found.method != Method::Limit { found.last_stable_load } else { found.collapse_load };
-    if let Some(load) = counted.filter(|_| found.reference_load > 0.0 && !unit) {
+    if let Some(load) = found.carried().filter(|_| found.reference_load > 0.0 && !unit) {
         let _ = writeln!(
             page,
             "  {:<22}  {:>9.3} times the loads of the file, {:.2} kN/m",
@@ -223,29 +242,31 @@ fn axles(page: &mut String, found: &Collapse) {
 /// Both strips and their sum.
 fn combination(page: &mut String, both: &Combination) {
     let load = |load: Option<f64>, digits| load.map_or("-".to_owned(), |load| format!("{:.digits$}", load / 1e3));
-    page.push_str("\n  strip   width [m]   last stable [kN/m]   collapse [kN/m]   collapse [kN]\n");
+    page.push_str("\n  strip   width [m]   carried [kN/m]   carried [kN]   last stable [kN/m]   collapse [kN/m]\n");
     for part in &both.components {
-        let whole = part.collapse_load.map(|load| load * part.width);
+        let whole = part.headline.map(|load| load * part.width);
         let _ = writeln!(
             page,
-            "  {:<6}  {:>9.2}   {:>18}   {:>15}   {:>13}   {}",
+            "  {:<6}  {:>9.2}   {:>14}   {:>12}   {:>18}   {:>15}   {}",
             part.strip,
             part.width,
+            load(part.headline, 2),
+            load(whole, 0),
             load(part.last_stable_load, 2),
             load(part.collapse_load, 2),
-            load(whole, 0),
             part.status.word().replace('-', " ")
         );
     }
     let width: f64 = both.components.iter().map(|part| part.width).sum();
-    let (stable, whole) = (both.last_stable_load, both.collapse_load);
+    let mean = |sum: Option<f64>| load(sum.map(|load| load / width), 2);
     let _ = writeln!(
         page,
-        "  {:<6}  {width:>9.2}   {:>18}   {:>15}   {:>13}",
+        "  {:<6}  {width:>9.2}   {:>14}   {:>12}   {:>18}   {:>15}",
         "both",
-        load(stable.map(|load| load / width), 2),
-        load(whole.map(|load| load / width), 2),
-        load(whole, 0)
+        mean(both.headline),
+        load(both.headline, 0),
+        mean(both.last_stable_load),
+        mean(both.collapse_load)
     );
 }
 

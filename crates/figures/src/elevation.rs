@@ -202,8 +202,11 @@ pub fn extent(picture: &Picture) -> Option<Extent> {
 /// What the arrows mean: their common size is arbitrary.
 pub const LOAD_WORDS: &str = "Arrows show how the variable load is shared among the blocks.";
 
-/// The load at collapse: as the analysis gives it, or the first step that did not come to rest.
+/// The load at collapse: as the analysis gives it, or the first step that did not come to rest. A run that stalled has none.
 pub fn collapse_load(picture: &Picture) -> Option<f64> {
+    if picture.stalls {
+        return None;
+    }
     picture.collapse_load.or_else(|| picture.path.iter().find(|s| !s.at_rest).map(|s| s.load)).filter(|l| l.is_finite())
 }
 

@@ -37,7 +37,7 @@ fn data() -> Value {
         "loads": [["train", "25 t", "completed", HOSTILE]], "collapse": [["method", "limit"], ["ended", HOSTILE]],
         "vehicles": [{ "code": "V1", "title": HOSTILE, "adequacy": "0.9", "class": "broken", "width": "2.5", "factor": "1.9",
             "position": "3.1", "case": "one lane" }],
-        "rule": "a rule", "factors": [["axles", "1.9", HOSTILE]], "confirmation": "0.88", "movement": [["support", "pier 1"]],
+        "rule": "a rule", "factors": [["axles", "1.9", HOSTILE]], "discrete_elements": "0.88", "movement": [["support", "pier 1"]],
         "changes": [{ "path": "span[1].thickness", "value": "0.5 m", "less": "120 %", "more": "90 %", "turns": true }],
         "changes_words": "Utilisation of the governing check.", "notes": [["update", HOSTILE]], "findings": [["P001", HOSTILE, "line 3"]],
         "warnings": [["collapse", "A101", HOSTILE]], "assumptions": [["collapse", HOSTILE]], "inputs": vec![input; 40],

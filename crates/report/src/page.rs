@@ -93,7 +93,7 @@ pub struct Page<'a> {
     pub vehicles: Vec<VehicleRow>,
     pub rule: String,
     pub factors: Vec<[String; 3]>,
-    pub confirmation: String,
+    pub discrete_elements: String,
     pub movement: Vec<[String; 2]>,
     pub changes: Vec<ChangeRow>,
     pub changes_words: String,
@@ -188,7 +188,7 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         vehicles: a.vehicles.made().map(rows::vehicles).unwrap_or_default(),
         rule: a.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
         factors: a.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
-        confirmation: a.vehicles.made().and_then(|facts| facts.confirmation.clone()).unwrap_or_default(),
+        discrete_elements: a.vehicles.made().and_then(|facts| facts.discrete_elements.clone()).unwrap_or_default(),
         movement: movement(a),
         changes: sensitivity.map(rows::changes).unwrap_or_default(),
         changes_words: sensitivity.map(|facts| format!(
@@ -240,7 +240,12 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
         rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, unit)]));
     };
     put("factor on the loads of the file", facts.load_factor, "");
+    put("factor on the loads of the file, at most", facts.load_factor_at_most, "");
+    if facts.positions_not_converged > 0 {
+        put("positions without an answer", Some(facts.positions_not_converged as f64), "");
+    }
     put("worst position of the first load or axle", facts.position_m, "m");
+    put("load carried there, per metre of width", facts.last_stable_load_kn_per_m, "kN/m");
     put("load at collapse there, per metre of width", facts.collapse_load_kn_per_m, "kN/m");
     put("loads of the file, per metre of width", Some(facts.reference_load_kn_per_m), "kN/m");
     rows

@@ -273,12 +273,12 @@ pub struct VehicleRow {
 /// Vehicles, the least adequacy factor first.
 pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
     let mut list: Vec<&assess::wire::SweptFacts> = facts.vehicles.iter().collect();
-    let size = |one: &assess::wire::SweptFacts| one.adequacy.unwrap_or(f64::INFINITY);
+    let size = |one: &assess::wire::SweptFacts| one.adequacy.or(one.adequacy_at_most).unwrap_or(f64::INFINITY);
     list.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.code.cmp(&b.code)));
     let row = |one: &assess::wire::SweptFacts| VehicleRow {
         code: one.code.clone(),
         title: one.title.clone(),
-        adequacy: one.adequacy.map_or(one.status.clone(), digits),
+        adequacy: one.adequacy.map_or_else(|| unanswered(one), digits),
         class: match one.adequacy {
             Some(factor) if factor >= 1.0 => "met",
             None if one.status == "locks" => "met",
@@ -290,6 +290,15 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
         case: one.case.clone(),
     };
     list.into_iter().map(row).collect()
+}
+
+/// What stands in the place of an adequacy factor that is not known.
+fn unanswered(one: &assess::wire::SweptFacts) -> String {
+    let most = one.adequacy_at_most.map_or(String::new(), |most| format!(", at most {}", digits(most)));
+    match one.positions_not_converged {
+        0 => format!("{}{most}", one.status),
+        open => format!("{}{most}: {open} of {} positions without an answer", one.status, one.positions),
+    }
 }
 
 /// A value of a file with no more digits than people read.

@@ -78,17 +78,28 @@ pub fn collapse_by_dem(
     let outcome = dem::collapse(&d.model, &d.loading, &program, &settings(bridge), resume, watch)?;
     let load = |factor: f64| d.load(factor);
     let mut c = report(bridge, &d, &outcome, "discrete elements", &load);
-    c.collapse_load = outcome.collapse_factor.map(load);
-    c.last_stable_load = outcome.last_stable_factor.map(load);
+    loads(&outcome, &load, &mut c);
     c.load_step = Some(load_step);
     c.limit_load = limit_load.map(load);
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     notes::dem(bridge, &d, &mut c);
+    notes::apart(rigid.status, &mut c);
     if by_limit::settings(bridge).crushing {
         let crushed = by_limit::solve(&d, &by_limit::single(bridge, &d))?.factor;
-        notes::crushed(c.last_stable_load, crushed.map(load), &mut c.warnings);
+        c.crushing_limit_load = crushed.map(load);
+        notes::crushed(&mut c);
     }
     Ok(c)
+}
+
+/// The last load at rest, and the first that collapsed: a step that did neither is no collapse load.
+pub(super) fn loads(outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, c: &mut Collapse) {
+    c.last_stable_load = outcome.last_stable_factor.map(load);
+    let next = outcome.collapse_factor.map(load);
+    match outcome.status {
+        dem::Status::Stalled => c.stalled_load = next,
+        _ => c.collapse_load = next,
+    }
 }
 
 /// The steps of a run and the size of one [N/m]. What the plan leaves open is chosen from the limit load factor
@@ -216,6 +227,7 @@ fn motions(from: Option<&dem::Frame>, to: &dem::Frame, d: &Discretised) -> Vec<M
 const CLEARLY_MOVING: f64 = 0.02;
 
 pub(super) fn draw(d: &Discretised, outcome: &dem::Outcome, load: &dyn Fn(f64) -> f64, picture: &mut Picture) {
+    picture.stalls = outcome.status == dem::Status::Stalled;
     picture.path = outcome
         .path
         .iter()

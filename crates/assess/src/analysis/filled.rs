@@ -1,14 +1,15 @@
 //! Collapse of rings under fill that is particles: packed, let go, loaded.
 
-use super::by_dem::{report, require_stiffness, settings};
+use super::by_dem::{loads, report, require_stiffness, settings};
 use super::report::{Collapse, PackingReport};
-use super::{AnalysisError, notes};
+use super::{AnalysisError, by_limit, notes};
 use crate::discretise::fill::FillRegion;
 use crate::discretise::{Discretised, Origin, discretise};
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
 use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
 use mechanics::ids::{BlockId, Table};
+use mechanics::limit;
 use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::{Progress, Watch, Wish};
 
@@ -54,8 +55,7 @@ pub fn collapse_filled(
     let outcome = load(bridge, &d, load_step, &grains, &lifts, settled, &before, watch)?;
     let factor = |factor: f64| d.load(factor);
     let mut c = report(bridge, &d, &outcome, "discrete elements", &factor);
-    c.collapse_load = outcome.collapse_factor.map(factor);
-    c.last_stable_load = outcome.last_stable_factor.map(factor);
+    loads(&outcome, &factor, &mut c);
     c.load_step = Some(load_step);
     c.packing = outcome.frames.first().map(|frame| packing_report(bridge, &d, &region, &grains, frame));
     if let (Some(dem), Some(rested)) = (&mut c.dem, settled) {
@@ -63,7 +63,22 @@ pub fn collapse_filled(
     }
     notes::dem(bridge, &d, &mut c);
     notes::filled(bridge, &mut c);
+    notes::crushed_under_particles(bridge, crushing_takes(bridge), &mut c);
     Ok(c)
+}
+
+/// The share that crushing takes off the limit load of the same rings under the same fill as weight.
+fn crushing_takes(bridge: &Bridge) -> Option<f64> {
+    bridge.masonry.compressive_strength?;
+    let mut rigid = bridge.clone();
+    rigid.particles = None;
+    rigid.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
+    rigid.loads.iter_mut().for_each(|load| load.block = None);
+    let d = by_limit::prepared(&rigid).ok()?;
+    let crushing = by_limit::single(&rigid, &d);
+    let load = |settings: &limit::Settings| by_limit::solve(&d, settings).ok()?.factor;
+    let [with, without] = [load(&crushing)?, load(&limit::Settings { crushing: false, ..crushing })?];
+    Some(1.0 - with / without)
 }
 
 /// Grows the particles, or takes those of a file.

@@ -14,6 +14,7 @@ mod notes;
 mod of_blocks;
 pub mod passage;
 mod picture;
+mod pieces;
 mod places;
 mod planned;
 mod report;
@@ -31,10 +32,10 @@ pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use planned::planned;
 pub use report::{
-    Collapse, Combination, Component, DemReport, FiniteReport, LimitReport, PackingReport, Status, SupportReport,
-    ThicknessReport,
+    Collapse, Combination, Component, DemReport, FiniteReport, Headline, LimitReport, PackingReport, Status,
+    SupportReport, ThicknessReport,
 };
-pub use sweep::{Sweep, SweepPoint, sweep};
+pub use sweep::{Places, Sweep, SweepPoint, sweep};
 pub use thickness::thickness;
 pub use vehicles::{VehicleSweep, vehicle_sweep};
 
@@ -177,5 +178,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     Ok(found)
 }
 
+#[cfg(test)]
+mod headline_tests;
 #[cfg(test)]
 mod tests;

@@ -59,8 +59,9 @@ fn by_dem(
     let program = dem::Program { increment: step, limit: largest, resolution: None, watched: d.watched };
     let outcome = dem::collapse(&d.model, &d.loading, &program, &by_dem::settings(bridge), resume, watch)?;
     let mut c = by_dem::report(bridge, d, &outcome, "support movement", &|factor| factor);
-    c.support =
-        Some(SupportReport { last_stable: outcome.last_stable_factor, collapse: outcome.collapse_factor, step });
+    // A step that neither came to rest nor collapsed is no collapse.
+    let collapse = outcome.collapse_factor.filter(|_| outcome.status != dem::Status::Stalled);
+    c.support = Some(SupportReport { last_stable: outcome.last_stable_factor, collapse, step });
     notes::dem(bridge, d, &mut c);
     Ok(c)
 }

@@ -4,6 +4,7 @@ use super::report::{Collapse, Status};
 use crate::discretise::{Discretised, Origin, pressure};
 use crate::warning::{self, Warning};
 use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule};
+use mechanics::limit;
 
 mod joints;
 
@@ -25,6 +26,17 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             warning::ASSOCIATED_SLIDING,
             format!("{} joints slide in the mechanism and friction is associated: the load is an upper bound", c.sliding_joints.len()),
         )),
+        ("non-associated", bound) if c.status == Status::NotConverged => {
+            let bound = bound.map_or(String::new(), |load| format!(" of {:.2} kN/m", load / 1e3));
+            warnings.push(Warning::new(
+                warning::ASSOCIATED_SLIDING,
+                format!(
+                    "{} joints slide in the mechanism, and the iteration for friction that does not dilate did not converge: the \
+                     associated load{bound} is an upper bound and no answer",
+                    c.sliding_joints.len()
+                ),
+            ));
+        }
         ("associated", _) => assumptions.push("Friction is associated; no joint slides in the mechanism, so the rule does not matter.".into()),
         (_, Some(load)) => assumptions.push(format!(
             "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
@@ -122,10 +134,16 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             .into(),
     );
     c.assumptions.push(
-        "collapse_load is the first load step that did not come to rest; last_stable_load is the last that did.".into(),
+        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
     );
+    two_points(c);
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
+    }
+    if c.status == Status::Stalled {
+        let at = c.stalled_load.map_or("a step".to_owned(), |load| format!("the load step of {:.2} kN/m", load / 1e3));
+        let message = format!("{at} neither came to rest nor collapsed: no collapse load was found");
+        c.warnings.push(Warning::new(warning::STALLED, message));
     }
     if c.status == Status::Collapsed && bridge.dispersal.rule == DispersalRule::InverseDepth && d.road.is_none() {
         c.warnings.push(Warning::new(
@@ -209,18 +227,63 @@ fn wedged(largest: f64, depth: f64) -> Option<String> {
     (largest > depth).then(message)
 }
 
-/// Says so where limit analysis with crushing joints carries less than the discrete elements did [N/m].
-pub fn crushed(stable: Option<f64>, crushing: Option<f64>, warnings: &mut Vec<Warning>) {
-    if let (Some(stable), Some(crushing)) = (stable, crushing)
+/// Says what two contact points a joint mean for every load that they give.
+pub fn two_points(c: &mut Collapse) {
+    c.warnings.push(of_two_points());
+}
+
+/// The same for an object that is no collapse.
+pub fn of_two_points() -> Warning {
+    Warning::new(
+        warning::TWO_POINT_JOINTS,
+        "each joint bears on two contact points, which make a closed joint three times as stiff in rotation as one that bears over its \
+         whole face: loads may be too high (Bridgemill 205 kN/m, with distributed joints of the same stiffness 132)",
+    )
+}
+
+/// Says so where discrete elements carry loads on blocks that do not stand as rigid ones.
+pub fn apart(rigid: limit::Status, c: &mut Collapse) {
+    if rigid == limit::Status::NoEquilibrium && c.last_stable_load.is_some() {
+        c.warnings.push(Warning::new(
+            warning::METHODS_APART,
+            "limit analysis finds no equilibrium of the same blocks under their own weight: no load counts as carried",
+        ));
+        c.limit_load = Some(0.0);
+    }
+}
+
+/// Says that contact points leave crushing out of collapse, and what limit analysis with crushing joints carries.
+pub fn crushed(c: &mut Collapse) {
+    let crushing = c
+        .crushing_limit_load
+        .map_or("no load is found".to_owned(), |load| format!("the limit load is {:.2} kN/m", load / 1e3));
+    let rigid = c.limit_load.map_or(String::new(), |load| format!(" in place of {:.2} kN/m", load / 1e3));
+    c.warnings.push(Warning::new(
+        warning::CRUSHING_LEFT_OUT,
+        format!("contact points at the edges leave crushing out of collapse; of joints that crush {crushing}{rigid}"),
+    ));
+    if let (Some(stable), Some(crushing)) = (c.last_stable_load, c.crushing_limit_load)
         && stable > crushing
     {
         let message = format!(
-            "last stable load {:.2} kN/m, limit load of joints that crush at their edges {:.2} kN/m: use the smaller",
+            "last stable load {:.2} kN/m, limit load of joints that crush at their edges {:.2} kN/m: the smaller is the headline",
             stable / 1e3,
             crushing / 1e3
         );
-        warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
+        c.warnings.push(Warning::new(warning::ABOVE_LIMIT, message));
     }
+}
+
+/// Says what crushing takes off rings under particles: a share of their limit load under the same fill as weight.
+pub fn crushed_under_particles(bridge: &Bridge, share: Option<f64>, c: &mut Collapse) {
+    if bridge.masonry.compressive_strength.is_none() {
+        return;
+    }
+    let takes = share.map_or("how much it takes off could not be found".to_owned(), |share| {
+        format!("it takes {:.1} % off the limit load of the same rings under fill as weight", 100.0 * share)
+    });
+    let message = format!("contact points at the edges leave crushing out of collapse; {takes}");
+    c.warnings.push(Warning::new(warning::CRUSHING_LEFT_OUT, message));
 }
 
 /// Puts the non-associated load of a wall beside the associated one [N/m].

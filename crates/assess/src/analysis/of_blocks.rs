@@ -68,10 +68,9 @@ fn dem(
     c.contacts = at_rest.map_or(0, |frame| frame.contacts.len() + frame.particle_contacts.len());
     let broken = broken.map(|(body, step)| (named(scene, body), step));
     c.dem = Some(by_dem::numbers(&scene.plan, &outcome, broken));
-    c.collapse_load = outcome.collapse_factor.map(|f| f * d.reference_load);
-    c.last_stable_load = outcome.last_stable_factor.map(|f| f * d.reference_load);
+    by_dem::loads(&outcome, &|factor| d.load(factor), &mut c);
     c.load_step = Some(step);
-    c.limit_load = rigid.and_then(|rigid| rigid.factor).map(|f| f * d.reference_load);
+    c.limit_load = rigid.as_ref().and_then(|rigid| rigid.factor).map(|f| d.load(f));
     c.tolerance = scene.plan.tolerance;
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
     c.assumptions.push(
@@ -79,9 +78,23 @@ fn dem(
             .into(),
     );
     c.assumptions.push(
-        "collapse_load is the first load step that did not come to rest; last_stable_load is the last that did.".into(),
+        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
     );
+    super::notes::two_points(&mut c);
+    if let Some(rigid) = rigid {
+        super::notes::apart(rigid.status, &mut c);
+        if crushes(scene) {
+            let crushed = limit::collapse_load(&d.model, &d.loading, &by_limit::settings_of(&scene.plan, true))?;
+            c.crushing_limit_load = crushed.factor.map(|f| d.load(f));
+            super::notes::crushed(&mut c);
+        }
+    }
     Ok(c)
+}
+
+/// Whether a material has a strength at which joints crush.
+fn crushes(scene: &Scene) -> bool {
+    scene.materials.iter().any(|material| material.masonry.compressive_strength.is_some())
 }
 
 /// Load steps tried where the file gives no limit for a model with particles.
@@ -122,7 +135,7 @@ fn require_stiffness(scene: &Scene) -> Result<(), AnalysisError> {
 }
 
 fn limit(scene: &Scene, d: &Discretised) -> Result<Collapse, AnalysisError> {
-    let crushing = scene.materials.iter().any(|material| material.masonry.compressive_strength.is_some());
+    let crushing = crushes(scene);
     let settings = by_limit::settings_of(&scene.plan, crushing);
     let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
     let unlimited = match crushing {
@@ -213,6 +226,8 @@ fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture
         load_step: None,
         reference_load: d.reference_load,
         limit_load: None,
+        crushing_limit_load: None,
+        stalled_load: None,
         hinges: picture.hinges.clone(),
         sliding_joints: picture.sliding.clone(),
         max_compressive_stress: None,

@@ -63,6 +63,8 @@ impl Collapse {
             load_step: None,
             reference_load: d.reference_load,
             limit_load: None,
+            crushing_limit_load: None,
+            stalled_load: None,
             hinges: picture.hinges.clone(),
             sliding_joints: picture.sliding.clone(),
             max_compressive_stress: None,
@@ -85,6 +87,57 @@ impl Collapse {
             assumptions: Vec::new(),
             picture,
         }
+    }
+}
+
+/// The load that is carried: what leads every result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Headline {
+    /// Per metre of width [N/m].
+    pub load: f64,
+    /// On the whole width [N].
+    pub whole: f64,
+    /// Which method gives it, in words.
+    pub from: &'static str,
+}
+
+impl Collapse {
+    /// The headline: the largest load that was carried, or the limit load of the same blocks where that is smaller; the sum of
+    /// both strips where both were asked for. None where no load is known to be carried.
+    pub fn headline(&self) -> Option<Headline> {
+        if self.analysis != Analysis::Load {
+            return None;
+        }
+        if let Some(both) = &self.combination {
+            let from = "both strips by their widths";
+            return both.headline.map(|whole| Headline { load: whole / self.width, whole, from });
+        }
+        let own = match self.method {
+            Method::Limit => "limit analysis, lower bound",
+            Method::Dem => "discrete elements, last stable step",
+            Method::Fe => "finite elements, largest load in balance",
+        };
+        let rigid = (self.method != Method::Limit).then_some(self.limit_load).flatten();
+        let others = [
+            (rigid, "limit analysis, which gives less than the method that was asked for"),
+            (
+                self.crushing_limit_load,
+                "limit analysis with joints that crush, which gives less than the method that was asked for",
+            ),
+        ];
+        let mut least = (self.last_stable_load?, own);
+        for (load, from) in others {
+            if let Some(load) = load.filter(|load| *load < least.0) {
+                least = (load, from);
+            }
+        }
+        let (load, from) = least;
+        Some(Headline { load, whole: load * self.width, from })
+    }
+
+    /// Load of the headline [N/m].
+    pub fn carried(&self) -> Option<f64> {
+        self.headline().map(|headline| headline.load)
     }
 }
 
@@ -242,6 +295,8 @@ pub struct Component {
     pub collapse_load: Option<f64>,
     /// The largest load that it carried [N/m].
     pub last_stable_load: Option<f64>,
+    /// Its headline: the smaller of the methods [N/m].
+    pub headline: Option<f64>,
     /// Its width [m].
     pub width: f64,
 }
@@ -255,6 +310,8 @@ pub struct Combination {
     pub collapse_load: Option<f64>,
     /// Sum of the largest loads carried [N].
     pub last_stable_load: Option<f64>,
+    /// Sum of the strips' headlines [N].
+    pub headline: Option<f64>,
     /// What adding them up assumes.
     pub assumptions: Vec<String>,
 }
@@ -282,6 +339,10 @@ pub struct Collapse {
     pub reference_load: f64,
     /// Limit load of the same blocks with infinitely stiff joints that never crush [N/m], beside a discrete element run.
     pub limit_load: Option<f64>,
+    /// The same with joints that crush, where the masonry has a strength [N/m].
+    pub crushing_limit_load: Option<f64>,
+    /// Load step that neither came to rest nor collapsed [N/m].
+    pub stalled_load: Option<f64>,
     /// Hinges of the mechanism.
     pub hinges: Vec<Hinge>,
     /// Middles of joints that slide [m].

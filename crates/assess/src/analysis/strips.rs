@@ -7,7 +7,7 @@ use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
 
-/// Analyses the strip between the walls, then that of the walls, and adds up their collapse loads by their widths: the
+/// Analyses the strip between the walls, then that of the walls, and adds up what they carry by their widths: the
 /// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
 /// held sideways and would hold a wall too, so the bricks of the walls are loaded themselves. A kept state starts with the number of
 /// the strip that was at work; on resuming the first strip is run again, to the same bits.
@@ -28,7 +28,7 @@ pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> R
     if bridge.loads.iter().any(|load| load.block.is_some()) {
         sum.assumptions.push(BRICKS_LOADED.to_owned());
     }
-    if let (Some(total), Some(load)) = (sum.collapse_load, walls.collapse_load) {
+    if let (Some(total), Some(load)) = (sum.headline, walls.carried()) {
         let message = format!(
             "the walls carry {:.0} % of the sum of both strips on {:.0} % of the width",
             100.0 * load * wall.thickness / total,
@@ -87,24 +87,26 @@ fn combination(fill: &Collapse, wall: &Collapse, widths: [f64; 2]) -> Combinatio
         status: c.status,
         collapse_load: c.collapse_load,
         last_stable_load: c.last_stable_load,
+        headline: c.carried(),
         width,
     };
     let components = vec![component("fill", fill, widths[0]), component("wall", wall, widths[1])];
     let sum = |load: fn(&Component) -> Option<f64>| components.iter().map(|c| Some(load(c)? * c.width)).sum();
     let mut assumptions = vec![
-        "The strips act side by side without a force between them, and both carry their collapse loads at the same time, \
+        "The strips act side by side without a force between them, and both reach their loads at the same time, \
          whatever their displacements (a rough estimate: Rouxinol, Providência and Lemos, section 3.5)."
             .to_string(),
         "Loads are the same in every metre of the width; what the barrel gains as a shell, and what walls lose by leaning \
          outwards, is left out."
             .to_string(),
     ];
-    for c in components.iter().filter(|c| c.collapse_load.is_none()) {
-        assumptions.push(format!("No collapse load was found for the strip \"{}\": there is no sum.", c.strip));
+    for c in components.iter().filter(|c| c.headline.is_none()) {
+        assumptions.push(format!("No load was found to be carried by the strip \"{}\": there is no sum.", c.strip));
     }
     Combination {
         collapse_load: sum(|c| c.collapse_load),
         last_stable_load: sum(|c| c.last_stable_load),
+        headline: sum(|c| c.headline),
         components,
         assumptions,
     }

@@ -1,11 +1,18 @@
 //! Limit analysis with the loads moved over the bridge.
+//!
+//! Every position is answered with dilatant friction first. Where joints slide or lock, cases up to twice the least factor are
+//! answered again without dilation; the worst position is then sought between the positions.
 
+use super::pieces::{self, Pace, Stage};
 use super::report::Status;
+use super::vehicles::{DILATANCY, Ended, REFINEMENTS};
 use super::{AnalysisError, by_limit};
 use crate::discretise::{Discretised, bridge_length, dispersal};
+use crate::warning::{self, Warning};
 use bridge::{Bridge, LoadKind};
-use mechanics::limit;
-use rayon::prelude::*;
+use mechanics::blocks::PointForce;
+use mechanics::limit::{self, Ground, Sweeper};
+use mechanics::watch::Watch;
 
 /// The load at one position.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,14 +21,23 @@ pub struct SweepPoint {
     pub offset: f64,
     /// Position of the first load's reference point [m].
     pub position: f64,
-    /// How the worst subset of axles ended.
+    /// How the worst subset of axles ended; not converged where one of them found no answer.
     pub status: Status,
-    /// Least load factor over the subsets of axles.
+    /// Least load factor over the subsets of axles; none where one of them found no answer.
     pub load_factor: Option<f64>,
-    /// Collapse load of the governing subset [N/m].
+    /// Where a subset found no answer: the least factor of the others, which the true one does not exceed.
+    pub load_factor_at_most: Option<f64>,
+    /// Limit load of the governing subset [N/m]; its lower bound, which is carried.
     pub collapse_load: Option<f64>,
     /// First and last axle of the governing subset, over all loads in the order of the file.
     pub axles: [usize; 2],
+}
+
+impl SweepPoint {
+    /// The load factor, or what bounds it from above.
+    pub fn bound(&self) -> Option<f64> {
+        self.load_factor.or(self.load_factor_at_most)
+    }
 }
 
 /// A sweep.
@@ -29,106 +45,349 @@ pub struct SweepPoint {
 pub struct Sweep {
     /// Positions from left to right.
     pub points: Vec<SweepPoint>,
-    /// Index of the position with the least load factor.
+    /// Index of the position with the least load factor, or the least bound on it.
     pub governing: Option<usize>,
+    /// Distance between positions [m], before the worst one was sought between them.
+    pub step: f64,
+    /// Whether every position was answered before the onlooker wished to stop.
+    pub whole: bool,
+    /// What a reader should look at.
+    pub warnings: Vec<Warning>,
+    /// What was assumed.
+    pub assumptions: Vec<String>,
 }
 
-/// Moves all loads of the file together so that the first load's reference point runs from `from` to `to` [m] in
-/// `positions` equal steps, both ends included. With `subsets`, every run of neighbouring axles is tried: an axle on the
-/// far side of an arch can help it. Positions are independent, so results do not depend on the number of threads.
-pub fn sweep(
-    bridge: &Bridge,
-    range: Option<[f64; 2]>,
-    positions: usize,
-    subsets: bool,
-) -> Result<Sweep, AnalysisError> {
+impl Sweep {
+    /// At how many positions a case found no answer.
+    pub fn positions_not_converged(&self) -> usize {
+        self.points.iter().filter(|p| p.status == Status::NotConverged).count()
+    }
+
+    /// How it ended: completed only where every position was answered.
+    pub fn ended(&self) -> Ended {
+        match self.governing {
+            _ if !self.whole => Ended::Cancelled,
+            Some(_) if self.positions_not_converged() == 0 => Ended::Completed,
+            _ => Ended::Undetermined,
+        }
+    }
+
+    /// The governing position.
+    pub fn worst(&self) -> Option<&SweepPoint> {
+        self.points.get(self.governing?)
+    }
+}
+
+/// Where the first load's reference point stands [m].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Places {
+    /// At one place.
+    At(f64),
+    /// At so many places in equal steps, both ends included; the worst one is then sought between them.
+    Between([f64; 2], usize),
+    /// At this distance, until every axle has crossed the bridge; the worst one is then sought between them.
+    Every(f64),
+}
+
+impl Places {
+    fn list(self, bridge: &Bridge, first: f64) -> Vec<f64> {
+        match self {
+            Places::At(place) => vec![place],
+            Places::Between([from, to], count) => {
+                let last = count.max(2) - 1;
+                (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect()
+            }
+            Places::Every(step) => {
+                let all = bridge.loads.iter().flat_map(|load| dispersal::strips(&load.kind, load.position));
+                let ahead: Vec<f64> = all.map(|strip| strip.middle - first).collect();
+                let most = ahead.iter().copied().fold(0.0, f64::max);
+                let least = ahead.iter().copied().fold(0.0, f64::min);
+                let ends = [-most, bridge_length(bridge) - least];
+                let count = ((ends[1] - ends[0]) / step - 1e-9).ceil().clamp(1.0, MOST_POSITIONS) as usize;
+                Places::Between(ends, count + 1).list(bridge, first)
+            }
+        }
+    }
+}
+
+/// More positions than this are no sweep but a slip of a unit.
+const MOST_POSITIONS: f64 = 1e5;
+
+/// Moves all loads of the file together. With `subsets`, every run of neighbouring axles is tried: an axle on the far side of an
+/// arch can help it. Positions are independent, so results do not depend on the number of threads. Where the onlooker wishes
+/// to stop, the positions answered by then are returned.
+pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Watch) -> Result<Sweep, AnalysisError> {
     let first = bridge.loads.first().ok_or(AnalysisError::NoLoad)?.position;
     if bridge.loads.iter().any(|load| load.block.is_some()) {
         return Err(AnalysisError::MovedBlock);
     }
-    let [from, to] = range.unwrap_or([0.0, bridge_length(bridge)]);
-    let last = positions.max(2) - 1;
+    let list = places.list(bridge, first);
     let mut d = by_limit::prepared(bridge)?;
     d.loading.variable.clear();
     let settings = by_limit::single(bridge, &d);
-    let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
-    let points: Vec<SweepPoint> = places
-        .par_chunks(CHUNK)
-        .map(|places| stretch(bridge, &d, &settings, places, first, subsets))
-        .collect::<Result<Vec<_>, _>>()?
-        .concat();
+    let dilatant = limit::Settings { friction: limit::Friction::Associated, ..settings };
+    let ground = Ground::new(&d.model, &d.loading, &dilatant)?;
+    let vehicle = bridge.loads.iter().any(|l| matches!(l.kind, LoadKind::Axles { .. }));
+    let scene = Scene { bridge, d: &d, ground: &ground, settings, first, subsets: subsets && vehicle };
+    let mut rows = scene.dilatant(&list, watch);
+    let mut whole = rows.len() == list.len();
+    whole &= scene.level(&mut rows, whole, watch)?;
+    let step = if list.len() > 1 { list[1] - list[0] } else { 0.0 };
+    if whole && list.len() > 1 {
+        whole = scene.refined(&mut rows, step, watch)?;
+    }
+    rows.sort_by(|a, b| a.position.total_cmp(&b.position));
+    let points: Vec<SweepPoint> = rows.iter().map(|row| scene.point(row)).collect();
     let governing = points
         .iter()
         .enumerate()
-        .filter_map(|(k, p)| p.load_factor.map(|f| (k, f)))
+        .filter_map(|(k, p)| p.bound().map(|f| (k, f)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(k, _)| k);
-    Ok(Sweep { points, governing })
+    let mut found = Sweep { points, governing, step, whole, warnings: Vec::new(), assumptions: Vec::new() };
+    notes(&mut found, &rows);
+    Ok(found)
 }
 
-/// Positions that one thread takes at a time; the equations are set up once for them.
-const CHUNK: usize = 8;
+fn notes(found: &mut Sweep, rows: &[Row]) {
+    let open = found.positions_not_converged();
+    if open > 0 {
+        let bound = found.worst().and_then(SweepPoint::bound);
+        let bound = bound.map_or(String::new(), |most| format!("; the load factor is at most {most:.4}"));
+        let message = format!("{open} of {} positions were not answered{bound}, and is not known", found.points.len());
+        found.warnings.push(Warning::new(warning::POSITIONS_NOT_CONVERGED, message));
+    }
+    if found.step > 0.0 {
+        found.assumptions.push(format!(
+            "Positions lie {:.3} m apart; the worst one is then sought to a hundredth of that.",
+            found.step
+        ));
+    }
+    if rows.iter().flat_map(|row| &row.cases).any(|case| case.level) {
+        found.assumptions.push(format!(
+            "Where joints slide, cases up to {DILATANCY} times the least factor are answered without dilation; others keep dilatant \
+             friction, which gives more."
+        ));
+    }
+}
 
-/// A run of neighbouring axles at a position.
+/// A run of neighbouring axles at a position, and what it gave.
+#[derive(Debug, Clone)]
 struct Case {
-    position: usize,
     axles: [usize; 2],
     force: f64,
+    forces: Vec<PointForce>,
+    status: Status,
+    factor: Option<f64>,
+    /// Whether joints slide in its mechanism.
+    slides: bool,
+    /// Whether the factor is that without dilation.
+    level: bool,
 }
 
-fn stretch(
-    bridge: &Bridge,
-    d: &Discretised,
-    settings: &limit::Settings,
-    places: &[f64],
+/// All cases at a position.
+#[derive(Debug, Clone)]
+struct Row {
+    position: f64,
+    cases: Vec<Case>,
+    /// Number of axles.
+    axles: usize,
+}
+
+/// What all positions share.
+struct Scene<'a> {
+    bridge: &'a Bridge,
+    d: &'a Discretised,
+    ground: &'a Ground<'a>,
+    settings: limit::Settings,
     first: f64,
     subsets: bool,
-) -> Result<Vec<SweepPoint>, AnalysisError> {
-    let vehicle = bridge.loads.iter().any(|l| matches!(l.kind, LoadKind::Axles { .. }));
-    let (mut cases, mut loads, mut points) = (Vec::new(), Vec::new(), Vec::new());
-    for (position, &place) in places.iter().enumerate() {
-        let offset = place - first;
-        let spreads: Vec<_> = bridge
-            .loads
-            .iter()
+}
+
+/// Positions that are answered one after the other, each starting from the mechanisms of those before it. Fixed, so that the
+/// numbers do not depend on the number of threads.
+const CHUNK: usize = 8;
+
+impl Scene<'_> {
+    /// The loads at a position, unanswered.
+    fn row(&self, position: f64) -> Row {
+        let offset = position - self.first;
+        let spreads: Vec<_> = (self.bridge.loads.iter())
             .flat_map(|load| dispersal::strips(&load.kind, load.position + offset))
-            .map(|strip| d.spread(bridge, strip))
+            .map(|strip| self.d.spread(self.bridge, strip))
             .collect();
         let n = spreads.len();
-        let runs: Vec<[usize; 2]> = match subsets && vehicle {
+        let runs: Vec<[usize; 2]> = match self.subsets {
             true => (0..n).flat_map(|a| (a..n).map(move |b| [a, b])).collect(),
             false => vec![[0, n - 1]],
         };
-        for axles in runs {
+        let case = |axles: [usize; 2]| {
             let chosen = &spreads[axles[0]..=axles[1]];
             let forces: Vec<_> = chosen.iter().flat_map(|s| s.forces.iter().copied()).collect();
-            if !forces.is_empty() {
-                cases.push(Case { position, axles, force: chosen.iter().map(|s| s.strip.force).sum() });
-                loads.push(forces);
+            let force = chosen.iter().map(|s| s.strip.force).sum();
+            let case = Case { axles, force, forces, status: Status::Locks, factor: None, slides: false, level: false };
+            (!case.forces.is_empty()).then_some(case)
+        };
+        Row { position, cases: runs.into_iter().filter_map(case).collect(), axles: n }
+    }
+
+    /// Answers a row with dilatant friction; none where the work does not go on.
+    fn answered(&self, sweeper: &mut Sweeper<'_>, position: f64, pace: &Pace) -> Option<Row> {
+        let mut row = self.row(position);
+        for case in &mut row.cases {
+            if !pace.goes_on() {
+                return None;
             }
+            let effect = sweeper.effect(&case.forces);
+            let found = sweeper.factor(&effect);
+            (case.status, case.factor, case.slides) = (by_limit::status(found.status), found.lower, found.slides);
         }
-        points.push(SweepPoint {
-            offset,
-            position: place,
-            status: Status::Locks,
-            load_factor: None,
-            collapse_load: None,
-            axles: [0, n - 1],
+        pace.step();
+        Some(row)
+    }
+
+    /// All positions with dilatant friction, or those answered in time.
+    fn dilatant(&self, list: &[f64], watch: &mut dyn Watch) -> Vec<Row> {
+        let chunks: Vec<&[f64]> = list.chunks(CHUNK).collect();
+        let stage = Stage { name: "positions of the loads", steps: list.len() as u64, shares: [0.0, 0.4] };
+        let (found, _) = pieces::each(&chunks, &stage, watch, |places, pace| {
+            let mut sweeper = self.ground.sweeper();
+            places.iter().map_while(|&place| self.answered(&mut sweeper, place, pace)).collect::<Vec<Row>>()
         });
+        found.into_iter().flatten().flatten().collect()
     }
-    let found = limit::sweep(&d.model, &d.loading, &loads, settings)?;
-    for (case, answer) in cases.iter().zip(&found.places) {
-        let point = &mut points[case.position];
-        match answer.factor {
-            Some(factor) if point.load_factor.is_none_or(|worst| factor < worst) => {
-                point.status = by_limit::status(answer.status);
-                point.load_factor = Some(factor);
-                point.collapse_load = Some(factor * case.force);
-                point.axles = case.axles;
+
+    /// Whether a case is to be answered without dilation.
+    fn again(&self, case: &Case, least: f64) -> bool {
+        match self.settings.friction {
+            limit::Friction::Associated => false,
+            limit::Friction::NonAssociated => matches!(case.status, Status::Collapsed | Status::Locks),
+            limit::Friction::Automatic => {
+                let low = case.factor.is_some_and(|factor| factor <= DILATANCY * least);
+                case.status == Status::Locks || (case.slides && low)
             }
-            None if point.load_factor.is_none() => point.status = by_limit::status(answer.status),
-            _ => {}
         }
     }
-    Ok(points)
+
+    /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open.
+    fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
+        let factors = rows.iter().flat_map(|row| &row.cases).filter_map(|case| case.factor);
+        let least = factors.fold(f64::INFINITY, f64::min);
+        let jobs: Vec<(usize, usize)> = (rows.iter().enumerate())
+            .flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)))
+            .filter(|(_, _, case)| self.again(case, least))
+            .map(|(r, c, _)| (r, c))
+            .collect();
+        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.4, 0.9] };
+        let (found, done) = match whole {
+            true => pieces::each(&jobs, &stage, watch, |&(r, c), pace| {
+                let answer = self.without_dilation(&rows[r].cases[c]);
+                pace.step();
+                answer
+            }),
+            false => (jobs.iter().map(|_| None).collect(), false),
+        };
+        for ((r, c), answer) in jobs.into_iter().zip(found) {
+            let case = &mut rows[r].cases[c];
+            match answer.transpose()? {
+                Some((status, factor, level)) => (case.status, case.factor, case.level) = (status, factor, level),
+                // Nobody knows whether it slides.
+                None => (case.status, case.level) = (Status::Cancelled, false),
+            }
+        }
+        Ok(done)
+    }
+
+    /// One case as the plan's friction says.
+    fn without_dilation(&self, case: &Case) -> Result<(Status, Option<f64>, bool), AnalysisError> {
+        if self.settings.friction == limit::Friction::Automatic {
+            let mut sweeper = self.ground.sweeper();
+            let effect = sweeper.effect(&case.forces);
+            let found = sweeper.factor(&effect);
+            if !found.slides && found.status != limit::Status::Locks {
+                return Ok((by_limit::status(found.status), found.lower, false));
+            }
+            let level = sweeper.level_factor(&effect);
+            let status = if level.is_some() { Status::Collapsed } else { Status::NotConverged };
+            return Ok((status, level, true));
+        }
+        let loads = std::slice::from_ref(&case.forces);
+        let found = limit::sweep(&self.d.model, &self.d.loading, loads, &self.settings)?;
+        let place = found.places[0];
+        let level = place.friction == limit::Friction::NonAssociated;
+        Ok((by_limit::status(place.status), place.factor, level))
+    }
+
+    /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Tells
+    /// whether the work was done.
+    fn refined(&self, rows: &mut Vec<Row>, step: f64, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
+        let least = rows
+            .iter()
+            .flat_map(|row| row.cases.iter().map(move |case| (row.position, case)))
+            .filter_map(|(position, case)| Some((case.factor?, position, case.axles)))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((mut factor, mut position, axles)) = least else { return Ok(true) };
+        let (started, mut width) = (position, step);
+        for round in 0..REFINEMENTS {
+            let list: Vec<f64> = (-10..=10).map(|k| position + 0.1 * width * f64::from(k)).collect();
+            let share = |round: usize| 0.9 + 0.1 * round as f64 / REFINEMENTS as f64;
+            let stage = Stage {
+                name: "places beside the worst one",
+                steps: list.len() as u64,
+                shares: [share(round), share(round + 1)],
+            };
+            let (found, done) = pieces::each(&list, &stage, watch, |&place, pace| {
+                let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
+                let answer = case.map(|case| self.without_dilation(&case)).transpose();
+                pace.step();
+                answer
+            });
+            if !done {
+                return Ok(false);
+            }
+            for (place, answer) in list.into_iter().zip(found) {
+                if let Some((_, Some(smaller), _)) = answer.transpose()?.flatten()
+                    && smaller < factor
+                {
+                    (factor, position) = (smaller, place);
+                }
+            }
+            width *= 0.1;
+        }
+        if position == started {
+            return Ok(true);
+        }
+        let mut row = self.row(position);
+        for case in &mut row.cases {
+            (case.status, case.factor, case.level) = self.without_dilation(case)?;
+        }
+        rows.push(row);
+        Ok(true)
+    }
+
+    /// The worst case of a row.
+    fn point(&self, row: &Row) -> SweepPoint {
+        let worst = row.cases.iter().filter(|case| case.factor.is_some());
+        let worst =
+            worst.min_by(|a, b| a.factor.unwrap_or(f64::INFINITY).total_cmp(&b.factor.unwrap_or(f64::INFINITY)));
+        let unanswered = |status| row.cases.iter().any(|case| case.status == status);
+        let first = row.cases.first().map_or(Status::Locks, |case| case.status);
+        let status = match worst {
+            _ if unanswered(Status::NotConverged) => Status::NotConverged,
+            _ if unanswered(Status::Cancelled) => Status::Cancelled,
+            Some(case) => case.status,
+            None => first,
+        };
+        let factor = worst.and_then(|case| case.factor);
+        let answered = status == Status::Collapsed;
+        SweepPoint {
+            offset: row.position - self.first,
+            position: row.position,
+            status,
+            load_factor: factor.filter(|_| answered),
+            load_factor_at_most: factor.filter(|_| !answered),
+            collapse_load: worst.filter(|_| answered).and_then(|case| Some(case.factor? * case.force)),
+            axles: worst.map_or([0, row.axles.saturating_sub(1)], |case| case.axles),
+        }
+    }
 }

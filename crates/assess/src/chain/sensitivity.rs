@@ -161,7 +161,7 @@ impl Probe<'_> {
                 let mut alone = by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
                 let plan = alone.sweep.as_mut()?;
                 plan.vehicles = vec![self.governing.load_model.clone()];
-                plan.confirm = false;
+                plan.discrete_elements = false;
                 let found = vehicle_sweep(&alone, &mut mechanics::watch::Unwatched).ok()?;
                 a.vehicles = Stage::Made(super::vehicle_facts(&found));
             }

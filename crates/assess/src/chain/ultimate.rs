@@ -1,12 +1,11 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
 use super::spoken;
-use crate::analysis::{self, AnalysisError, Collapse, Sweep};
-use crate::discretise::bridge_length;
+use crate::analysis::{self, AnalysisError, Collapse, Places, Status, Sweep, SweepPoint};
 use crate::warning;
 use crate::wire::{CollapseObject, MovementFacts, Run, UltimateFacts};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
-use mechanics::watch::Watch;
+use mechanics::watch::{Unwatched, Watch};
 use serde_json::Value;
 
 /// What the stage found: facts, the collapse at the governing position, and the sweep where loads could be moved.
@@ -20,9 +19,9 @@ pub struct Ultimate {
     pub sweep: Option<Sweep>,
 }
 
-/// Distance between positions [m], where the bridge is not so long that it would take more than [`MOST_POSITIONS`].
-const STEP: f64 = 0.25;
-const MOST_POSITIONS: usize = 101;
+/// Positions over the shortest span, as in sweeps of vehicles: however long the bridge is, the worst position of a span is met and
+/// then sought between them.
+const POSITIONS_IN_A_SPAN: f64 = 60.0;
 
 /// The bridge for limit analysis: between its walls, fill as weight, loads through the cover.
 fn rigid(bridge: &Bridge) -> Bridge {
@@ -37,11 +36,13 @@ fn rigid(bridge: &Bridge) -> Bridge {
 /// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.
 pub fn at_position(bridge: &Bridge, position: f64) -> Result<UltimateFacts, AnalysisError> {
     let own = by_weight_alone(bridge);
-    let sweep = analysis::sweep(&rigid(own.as_ref().unwrap_or(bridge)), Some([position, position + 1e-3]), 2, true)?;
+    let own = rigid(own.as_ref().unwrap_or(bridge));
+    let sweep = analysis::sweep(&own, Places::At(position), true, &mut Unwatched)?;
     let found = sweep.points.first();
     Ok(UltimateFacts {
         status: found.map_or("not-converged", |point| point.status.word()).to_owned(),
         load_factor: found.and_then(|point| point.load_factor),
+        positions_not_converged: sweep.positions_not_converged(),
         position_m: Some(position),
         ..UltimateFacts::default()
     })
@@ -55,11 +56,11 @@ pub fn by_weight_alone(bridge: &Bridge) -> Option<Bridge> {
 }
 
 /// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that presses
-/// both ends are made, and the lower one counts.
-pub fn ultimate(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
-    let found = moved(bridge)?;
-    let Some(bare) = by_weight_alone(bridge) else { return Ok(found) };
-    let lower = moved(&bare)?;
+/// both ends are made, and the lower one counts. None where the onlooker wished to stop.
+pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
+    let Some(found) = moved(bridge, watch)? else { return Ok(None) };
+    let Some(bare) = by_weight_alone(bridge) else { return Ok(Some(found)) };
+    let Some(lower) = moved(&bare, watch)? else { return Ok(None) };
     let [with, without] = [&found, &lower].map(|one| one.facts.load_factor);
     let told = |factor: Option<f64>| factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
     let message = format!(
@@ -71,15 +72,17 @@ pub fn ultimate(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
     let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
     counts.facts.load_factor_with_fill_pressure = with;
     counts.facts.warnings.push([warning::PRESSURE_RANGE.to_owned(), message]);
-    Ok(counts)
+    Ok(Some(counts))
 }
 
-fn moved(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
+fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
     let own = rigid(bridge);
-    let length = bridge_length(&own);
-    let positions = 1 + ((length / STEP).ceil() as usize).clamp(20, MOST_POSITIONS - 1);
-    let sweep = analysis::sweep(&own, None, positions, true)?;
-    let worst = sweep.governing.map(|k| sweep.points[k].clone());
+    let shortest = own.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
+    let sweep = analysis::sweep(&own, Places::Every(shortest / POSITIONS_IN_A_SPAN), true, watch)?;
+    if !sweep.whole {
+        return Ok(None);
+    }
+    let worst = sweep.worst().cloned();
     let file = analysis::collapse_by_limit(&own)?;
     let at_file = factor(&file);
     let mut facts = UltimateFacts {
@@ -90,30 +93,36 @@ fn moved(bridge: &Bridge) -> Result<Ultimate, AnalysisError> {
         }
         .to_owned(),
         positions: sweep.points.len(),
+        positions_not_converged: sweep.positions_not_converged() + usize::from(file.status == Status::NotConverged),
         reference_load_kn_per_m: file.reference_load / 1e3,
         ..UltimateFacts::default()
     };
     // The file's own place may lie between two positions of the sweep.
-    let moved = worst.filter(|worst| worst.load_factor < at_file.or(Some(f64::INFINITY)));
+    let moved = worst.filter(|worst| worst.bound() < at_file.or(Some(f64::INFINITY)));
     let collapse = match &moved {
         Some(worst) => analysis::collapse_by_limit(&with_axles(&own, worst.offset, worst.axles))?,
         None => file,
     };
-    facts.status = collapse.status.word().to_owned();
-    facts.load_factor = moved.as_ref().map_or(at_file, |worst| worst.load_factor);
+    // The governing case by itself may carry less than the sweep found, or find no answer.
+    let alone = collapse.status == Status::Collapsed;
+    let least = [moved.as_ref().and_then(SweepPoint::bound), factor(&collapse)].into_iter().flatten().reduce(f64::min);
+    let answered = facts.positions_not_converged == 0 && (alone || moved.is_none());
+    facts.status = if answered { collapse.status } else { Status::NotConverged }.word().to_owned();
+    (facts.load_factor, facts.load_factor_at_most) = if answered { (least, None) } else { (None, least) };
     facts.position_m = match &moved {
         Some(worst) => Some(worst.position),
         None => own.loads.first().map(|load| load.position),
     };
+    facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
-    facts.assumptions.clone_from(&collapse.assumptions);
-    facts.warnings = spoken(&collapse.warnings);
+    facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
+    facts.warnings = spoken(&sweep.warnings).into_iter().chain(spoken(&collapse.warnings)).collect();
     facts.object = object(&collapse);
-    Ok(Ultimate { facts, collapse, sweep: Some(sweep) })
+    Ok(Some(Ultimate { facts, collapse, sweep: Some(sweep) }))
 }
 
 fn factor(found: &Collapse) -> Option<f64> {
-    found.collapse_load.map(|load| load / found.reference_load)
+    found.carried().map(|load| load / found.reference_load)
 }
 
 /// The loads moved by an offset [m], with only a run of their axles.

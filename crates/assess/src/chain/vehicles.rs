@@ -2,7 +2,7 @@
 
 use super::spoken;
 use super::ultimate::by_weight_alone;
-use crate::analysis::vehicles::{Confirmation, Swept, VehicleSweep, vehicle_sweep};
+use crate::analysis::vehicles::{ByDiscreteElements, Swept, VehicleSweep, vehicle_sweep};
 use crate::analysis::{AnalysisError, Status};
 use crate::warning;
 use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
@@ -20,7 +20,7 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
     let found = vehicle_sweep(&bare, watch)?;
     let mut pressing = bridge.clone();
     if let Some(plan) = &mut pressing.sweep {
-        plan.confirm = false;
+        plan.discrete_elements = false;
     }
     let with = vehicle_sweep(&pressing, watch)?;
     let mut facts = vehicle_facts(&found);
@@ -52,8 +52,10 @@ pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
         vehicles: found.vehicles.iter().map(swept).collect(),
         step_m: found.step,
         governing: found.governing.and_then(|k| found.vehicles.get(k)).map(|one| one.code.clone()),
-        confirmation: found.confirmation.as_ref().map(confirmed),
-        adequacy_by_discrete_elements: found.confirmation.as_ref().and_then(|confirmed| confirmed.adequacy),
+        discrete_elements: found.discrete_elements.as_ref().map(carried),
+        adequacy_by_discrete_elements: found.discrete_elements.as_ref().and_then(|second| second.adequacy),
+        headline: found.headline().map(|headline| headline.0),
+        positions_not_converged: found.positions_not_converged(),
         assumptions: found.assumptions.clone(),
         warnings: warnings(found),
     }
@@ -102,16 +104,16 @@ fn safety(rule: &Rule) -> SafetyFacts {
 
 /// Discrete elements above limit analysis by more than their load step: the reason must be found.
 fn apart(found: &VehicleSweep) -> Option<[String; 2]> {
-    let confirmed = found.confirmation.as_ref()?;
-    let (carried, limit) = (confirmed.adequacy?, confirmed.limit?);
+    let second = found.discrete_elements.as_ref()?;
+    let (carried, limit) = (second.adequacy?, second.limit?);
     let message = format!(
         "the governing vehicle: discrete elements carry an adequacy factor of {carried:.3}, limit analysis {limit:.3}; the smaller one counts"
     );
-    (carried > limit + confirmed.step).then(|| [warning::ABOVE_LIMIT.to_owned(), message])
+    (carried > limit + second.step).then(|| [warning::ABOVE_LIMIT.to_owned(), message])
 }
 
 /// What discrete elements say of the governing case.
-fn confirmed(found: &Confirmation) -> String {
+fn carried(found: &ByDiscreteElements) -> String {
     let limit = found.limit.map_or(String::new(), |limit| format!("; limit analysis {limit:.3}"));
     match (found.adequacy, &found.reason) {
         (Some(_), _) if found.status == Some(Status::UnstableUnderSelfWeight) => {
@@ -159,6 +161,9 @@ fn swept(one: &Swept) -> SweptFacts {
         status: one.status.word().to_owned(),
         adequacy: one.adequacy,
         adequacy_with_fill_pressure: None,
+        adequacy_at_most: one.adequacy_at_most,
+        positions: one.envelope.len(),
+        positions_not_converged: one.positions_not_converged,
         position_m: one.case.as_ref().map(|case| case.position),
         case,
         effective_width_m: one.effective_width,

@@ -21,7 +21,7 @@ impl Check for Vehicles {
                    loads are carried is no verdict. Where the rule's model factor was not read in its source, strength is assessed only from the program's own model factor \
                    on (A191). Where it is not met, look at the governing case: \
                    its position, its axles, and which factors are recalled and not read. \
-                   With confirm = true in [sweep] the governing case is made by discrete elements too, and the smaller number counts.",
+                   With discrete_elements = true in [sweep] the governing case is made by discrete elements too, and the smaller number counts.",
             source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
         }
     }

@@ -1,7 +1,8 @@
 //! A sweep as an analysis that is repeated: adequacy under vehicles, load factor, and where it governs.
 
 use super::Outcome;
-use crate::analysis::{self, AnalysisError, Sweep, VehicleSweep};
+use crate::analysis::{self, AnalysisError, Places, Sweep, VehicleSweep};
+use crate::discretise::bridge_length;
 use bridge::Bridge;
 use mechanics::watch::Watch;
 
@@ -9,17 +10,18 @@ use mechanics::watch::Watch;
 pub fn run(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
     let Some(plan) = &bridge.sweep else { return loads(bridge, watch) };
     // A second opinion on one position is for one bridge.
-    let plan = bridge::SweepPlan { confirm: false, ..plan.clone() };
+    let plan = bridge::SweepPlan { discrete_elements: false, ..plan.clone() };
     let bridge = Bridge { sweep: Some(plan), ..bridge.clone() };
     Ok(of_vehicles(&analysis::vehicle_sweep(&bridge, watch)?))
 }
 
-fn loads(bridge: &Bridge, _watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
-    Ok(of_loads(&analysis::sweep(bridge, None, POSITIONS, true)?))
+fn loads(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {
+    let step = bridge_length(bridge) / STEPS;
+    Ok(of_loads(&analysis::sweep(bridge, Places::Every(step), true, watch)?))
 }
 
-/// Positions of a sweep of the file's loads, as `collapse --sweep` has them.
-const POSITIONS: usize = 101;
+/// Steps over the bridge of a sweep of the file's loads, as `collapse --sweep` has them.
+const STEPS: f64 = 100.0;
 
 fn of_vehicles(found: &VehicleSweep) -> Outcome {
     let mut numbers = Vec::new();
@@ -35,7 +37,7 @@ fn of_vehicles(found: &VehicleSweep) -> Outcome {
         put(format!("adequacy_factor_of_{}", vehicle.code), vehicle.adequacy);
     }
     Outcome {
-        status: status(governing.is_some()),
+        status: found.status().word().to_owned(),
         numbers,
         warnings: found.warnings.iter().map(|warning| warning.code.to_owned()).collect(),
         message: None,
@@ -46,14 +48,16 @@ fn of_loads(found: &Sweep) -> Outcome {
     let governing = found.governing.and_then(|k| found.points.get(k));
     let numbers = [
         ("load_factor", governing.and_then(|point| point.load_factor)),
+        ("last_stable_load_kn_per_m", governing.and_then(|point| point.collapse_load).map(|load| load / 1e3)),
         ("collapse_load_kn_per_m", governing.and_then(|point| point.collapse_load).map(|load| load / 1e3)),
         ("governing_position_m", governing.map(|point| point.position)),
     ];
     let numbers = numbers.into_iter().filter_map(|(name, number)| Some((name.to_owned(), number?)));
     let numbers = numbers.filter(|(_, number)| number.is_finite()).collect();
-    Outcome { status: status(governing.is_some()), numbers, ..Outcome::default() }
-}
-
-fn status(answered: bool) -> String {
-    if answered { "completed" } else { "undetermined" }.to_owned()
+    Outcome {
+        status: found.ended().word().to_owned(),
+        numbers,
+        warnings: found.warnings.iter().map(|warning| warning.code.to_owned()).collect(),
+        message: None,
+    }
 }

@@ -14,14 +14,20 @@ pub struct CollapseObject {
     bridge: String,
     method: &'static str,
     analysis: &'static str,
-    collapse_load_kn_per_m: Option<f64>,
+    #[serde(flatten)]
+    headline: Option<Headline>,
     last_stable_load_kn_per_m: Option<f64>,
-    collapse_load_kn: Option<f64>,
     last_stable_load_kn: Option<f64>,
+    collapse_load_kn_per_m: Option<f64>,
+    collapse_load_kn: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stalled_load_kn_per_m: Option<f64>,
     load_step_kn_per_m: Option<f64>,
     load_step_kn: Option<f64>,
     reference_load_kn_per_m: f64,
     limit_load_kn_per_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crushing_limit_load_kn_per_m: Option<f64>,
     width_m: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     load_factor: Option<f64>,
@@ -57,6 +63,14 @@ pub struct CollapseObject {
     threads: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     wall_seconds: Option<f64>,
+}
+
+/// The load that is carried, by the method that gives least.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Headline {
+    headline_kn_per_m: f64,
+    headline_kn: f64,
+    headline_from: &'static str,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -155,8 +169,8 @@ struct Thickness {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Support {
-    collapse_movement_m: Option<f64>,
     last_stable_movement_m: Option<f64>,
+    collapse_movement_m: Option<f64>,
     movement_step_m: f64,
 }
 
@@ -174,8 +188,9 @@ struct Packing {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Combination {
     components: Vec<Component>,
-    total_kn: Option<f64>,
+    headline_total_kn: Option<f64>,
     last_stable_total_kn: Option<f64>,
+    total_kn: Option<f64>,
     assumptions: Vec<String>,
 }
 
@@ -183,11 +198,13 @@ struct Combination {
 struct Component {
     strip: &'static str,
     status: &'static str,
-    collapse_load_kn_per_m: Option<f64>,
+    headline_kn_per_m: Option<f64>,
     last_stable_load_kn_per_m: Option<f64>,
+    collapse_load_kn_per_m: Option<f64>,
     width_m: f64,
-    collapse_load_kn: Option<f64>,
+    headline_kn: Option<f64>,
     last_stable_load_kn: Option<f64>,
+    collapse_load_kn: Option<f64>,
 }
 
 /// Axles times the factor with which the loads of the file are carried.
@@ -233,6 +250,12 @@ impl CollapseObject {
     /// The object for a result.
     pub fn new(c: &Collapse, run: &Run) -> CollapseObject {
         let total = |load: Option<f64>| load.map(|l| kilo(l * c.width));
+        // Of both strips the whole width carries the sum.
+        let both = c.combination.as_ref();
+        let whole = |own: Option<f64>, sum: fn(&crate::analysis::Combination) -> Option<f64>| match both {
+            Some(both) => sum(both).map(kilo),
+            None => total(own),
+        };
         let per_metre = |load: Option<f64>| load.map(kilo);
         let mut warnings = run.file_warnings.clone();
         warnings.extend(c.warnings.iter().map(WarningObject::from));
@@ -242,14 +265,21 @@ impl CollapseObject {
             bridge: c.bridge.clone(),
             method: method(c.method),
             analysis: analysis(c.analysis),
-            collapse_load_kn_per_m: per_metre(c.collapse_load),
+            headline: c.headline().map(|headline| Headline {
+                headline_kn_per_m: kilo(headline.load),
+                headline_kn: kilo(headline.whole),
+                headline_from: headline.from,
+            }),
             last_stable_load_kn_per_m: per_metre(c.last_stable_load),
-            collapse_load_kn: total(c.collapse_load),
-            last_stable_load_kn: total(c.last_stable_load),
+            last_stable_load_kn: whole(c.last_stable_load, |both| both.last_stable_load),
+            collapse_load_kn_per_m: per_metre(c.collapse_load),
+            collapse_load_kn: whole(c.collapse_load, |both| both.collapse_load),
+            stalled_load_kn_per_m: per_metre(c.stalled_load),
             load_step_kn_per_m: per_metre(c.load_step),
             load_step_kn: total(c.load_step),
             reference_load_kn_per_m: kilo(c.reference_load),
             limit_load_kn_per_m: per_metre(c.limit_load),
+            crushing_limit_load_kn_per_m: per_metre(c.crushing_limit_load),
             width_m: c.width,
             load_factor: c.load_factor().filter(|_| c.analysis == Analysis::Load),
             axles: axles(c),
@@ -303,8 +333,8 @@ impl CollapseObject {
                 minimum_thickness_over_mean_radius: t.over_mean_radius,
             }),
             support: c.support.as_ref().map(|s| Support {
-                collapse_movement_m: s.collapse,
                 last_stable_movement_m: s.last_stable,
+                collapse_movement_m: s.collapse,
                 movement_step_m: s.step,
             }),
             packing: c.packing.as_ref().map(|p| Packing {
@@ -358,16 +388,19 @@ fn combination(c: &crate::analysis::Combination) -> Combination {
     let component = |part: &crate::analysis::Component| Component {
         strip: part.strip,
         status: part.status.word(),
-        collapse_load_kn_per_m: part.collapse_load.map(kilo),
+        headline_kn_per_m: part.headline.map(kilo),
         last_stable_load_kn_per_m: part.last_stable_load.map(kilo),
+        collapse_load_kn_per_m: part.collapse_load.map(kilo),
         width_m: part.width,
-        collapse_load_kn: part.collapse_load.map(|load| kilo(load * part.width)),
+        headline_kn: part.headline.map(|load| kilo(load * part.width)),
         last_stable_load_kn: part.last_stable_load.map(|load| kilo(load * part.width)),
+        collapse_load_kn: part.collapse_load.map(|load| kilo(load * part.width)),
     };
     Combination {
         components: c.components.iter().map(component).collect(),
-        total_kn: c.collapse_load.map(kilo),
+        headline_total_kn: c.headline.map(kilo),
         last_stable_total_kn: c.last_stable_load.map(kilo),
+        total_kn: c.collapse_load.map(kilo),
         assumptions: c.assumptions.clone(),
     }
 }

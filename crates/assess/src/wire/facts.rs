@@ -125,18 +125,27 @@ pub struct UltimateFacts {
     pub status: String,
     /// Method in words.
     pub method: String,
-    /// Least factor on the loads of the file.
+    /// Least factor on the loads of the file; none where a position found no answer.
     pub load_factor: Option<f64>,
     /// The same with fill that presses, where the file has it; `load_factor` is the lower end.
     pub load_factor_with_fill_pressure: Option<f64>,
+    /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
+    #[serde(default)]
+    pub load_factor_at_most: Option<f64>,
     /// Position of the first load or axle then [m].
     pub position_m: Option<f64>,
+    /// Load that is carried there, the lower bound [kN/m].
+    #[serde(default)]
+    pub last_stable_load_kn_per_m: Option<f64>,
     /// Collapse load there [kN/m].
     pub collapse_load_kn_per_m: Option<f64>,
     /// Loads of the file [kN/m].
     pub reference_load_kn_per_m: f64,
     /// Positions that were tried.
     pub positions: usize,
+    /// Positions at which a case found no answer: with one of them, nothing is settled.
+    #[serde(default)]
+    pub positions_not_converged: usize,
     /// Assumptions.
     pub assumptions: Vec<String>,
     /// Warnings: code and words.
@@ -161,9 +170,15 @@ pub struct VehicleFacts {
     /// The vehicle with the least adequacy factor.
     pub governing: Option<String>,
     /// Its governing case by discrete elements, in words, where the file asks for it.
-    pub confirmation: Option<String>,
+    pub discrete_elements: Option<String>,
     /// The adequacy factor that these carried.
     pub adequacy_by_discrete_elements: Option<f64>,
+    /// The governing vehicle's adequacy factor by the method that gives less.
+    #[serde(default)]
+    pub headline: Option<f64>,
+    /// Positions at which a case found no answer, over all vehicles.
+    #[serde(default)]
+    pub positions_not_converged: usize,
     /// Assumptions.
     pub assumptions: Vec<String>,
     /// Warnings: code and words.
@@ -196,10 +211,19 @@ pub struct SweptFacts {
     pub title: String,
     /// How the governing case ended.
     pub status: String,
-    /// What all its factored loads may be multiplied by; 1 is just enough.
+    /// What all its factored loads may be multiplied by; 1 is just enough. None where a position found no answer.
     pub adequacy: Option<f64>,
     /// The same with fill that presses, where the file has it; `adequacy` is the lower end.
     pub adequacy_with_fill_pressure: Option<f64>,
+    /// Where positions found no answer: the least factor of the others, which the true one does not exceed.
+    #[serde(default)]
+    pub adequacy_at_most: Option<f64>,
+    /// Positions that were tried.
+    #[serde(default)]
+    pub positions: usize,
+    /// Positions at which a case found no answer: with one of them, nothing is settled.
+    #[serde(default)]
+    pub positions_not_converged: usize,
     /// Place of its first axle in the governing case [m].
     pub position_m: Option<f64>,
     /// The governing case in words: direction, axles, arrangement.

@@ -11,7 +11,10 @@ pub struct SweepObject {
     status: &'static str,
     bridge: String,
     governing: Option<Position>,
+    positions_not_converged: usize,
+    step_m: f64,
     positions: Vec<Position>,
+    assumptions: Vec<String>,
     warnings: Vec<WarningObject>,
     #[serde(skip_serializing_if = "Option::is_none")]
     threads: Option<usize>,
@@ -25,6 +28,10 @@ struct Position {
     offset_m: f64,
     status: &'static str,
     load_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_factor_at_most: Option<f64>,
+    last_stable_load_kn_per_m: Option<f64>,
+    last_stable_load_kn: Option<f64>,
     collapse_load_kn_per_m: Option<f64>,
     collapse_load_kn: Option<f64>,
     first_axle: usize,
@@ -39,6 +46,9 @@ impl SweepObject {
             offset_m: p.offset,
             status: p.status.word(),
             load_factor: p.load_factor,
+            load_factor_at_most: p.load_factor_at_most,
+            last_stable_load_kn_per_m: p.collapse_load.map(kilo),
+            last_stable_load_kn: p.collapse_load.map(|l| kilo(l * width)),
             collapse_load_kn_per_m: p.collapse_load.map(kilo),
             collapse_load_kn: p.collapse_load.map(|l| kilo(l * width)),
             first_axle: p.axles[0] + 1,
@@ -46,11 +56,14 @@ impl SweepObject {
         };
         SweepObject {
             schema: "extrados.sweep/1",
-            status: if sweep.governing.is_some() { "completed" } else { "undetermined" },
+            status: sweep.ended().word(),
             bridge: bridge.to_string(),
             governing: sweep.governing.map(|k| position(&sweep.points[k])),
+            positions_not_converged: sweep.positions_not_converged(),
+            step_m: sweep.step,
             positions: sweep.points.iter().map(position).collect(),
-            warnings: run.file_warnings.clone(),
+            assumptions: sweep.assumptions.clone(),
+            warnings: run.file_warnings.iter().cloned().chain(sweep.warnings.iter().map(WarningObject::from)).collect(),
             threads: (run.threads > 0).then_some(run.threads),
             wall_seconds: (run.threads > 0).then_some(run.wall_seconds),
         }

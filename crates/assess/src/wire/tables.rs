@@ -103,17 +103,20 @@ pub fn blocks(c: &Collapse) -> String {
 
 /// Positions of a sweep.
 pub fn sweep_table(sweep: &Sweep) -> String {
-    let mut csv = String::from("position_m,offset_m,status,load_factor,collapse_load_kn_per_m,first_axle,last_axle\n");
+    let mut csv = String::from(
+        "position_m,offset_m,status,load_factor,last_stable_load_kn_per_m,collapse_load_kn_per_m,first_axle,last_axle\n",
+    );
     let number = |v: Option<f64>| v.map_or(String::new(), |v| v.to_string());
     for p in &sweep.points {
         row(
             &mut csv,
             format_args!(
-                "{},{},{},{},{},{},{}",
+                "{},{},{},{},{},{},{},{}",
                 p.position,
                 p.offset,
                 p.status.word(),
                 number(p.load_factor),
+                number(p.collapse_load.map(|l| l / 1e3)),
                 number(p.collapse_load.map(|l| l / 1e3)),
                 p.axles[0] + 1,
                 p.axles[1] + 1

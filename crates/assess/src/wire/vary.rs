@@ -12,16 +12,17 @@ use std::fmt::Write;
 pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
     let limit = c.limit.as_ref();
     let numbers = [
-        ("collapse_load_kn_per_m", c.collapse_load.map(kilo)),
         ("last_stable_load_kn_per_m", c.last_stable_load.map(kilo)),
+        ("collapse_load_kn_per_m", c.collapse_load.map(kilo)),
+        ("headline_kn_per_m", c.carried().map(kilo)),
         ("limit_load_kn_per_m", c.limit_load.map(kilo)),
         ("lower_bound_kn_per_m", limit.and_then(|l| l.lower_bound).map(kilo)),
         ("upper_bound_kn_per_m", limit.and_then(|l| l.upper_bound).map(kilo)),
         ("minimum_thickness_m", c.thickness.map(|t| t.crown_thickness)),
         ("minimum_thickness_factor", c.thickness.map(|t| t.factor[1])),
         ("thickness_factor_that_falls", c.thickness.map(|t| t.factor[0])),
-        ("collapse_movement_m", c.support.as_ref().and_then(|s| s.collapse)),
         ("last_stable_movement_m", c.support.as_ref().and_then(|s| s.last_stable)),
+        ("collapse_movement_m", c.support.as_ref().and_then(|s| s.collapse)),
         ("max_compressive_stress_mpa", c.max_compressive_stress.map(|stress| stress / 1e6)),
         ("hinges", Some(c.hinges.len() as f64)),
         ("sliding_joints", Some(c.sliding_joints.len() as f64)),

@@ -3,7 +3,7 @@
 use super::collapse::CollapseObject;
 use super::tables::row;
 use super::{Run, WarningObject, kilo};
-use crate::analysis::vehicles::{Case, Confirmation, Extreme, SectionEnvelope, Swept, VehicleSweep, Weights};
+use crate::analysis::vehicles::{ByDiscreteElements, Case, Extreme, SectionEnvelope, Swept, VehicleSweep, Weights};
 use rules::{Factor, Source};
 use serde::Serialize;
 
@@ -16,10 +16,11 @@ pub struct VehicleSweepObject {
     rule: RuleObject,
     weight_combinations: Vec<WeightsObject>,
     step_m: f64,
+    positions_not_converged: usize,
     governing: Option<GoverningObject>,
     vehicles: Vec<VehicleObject>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    confirmation: Option<ConfirmationObject>,
+    discrete_elements: Option<SecondObject>,
     #[serde(skip_serializing_if = "Option::is_none")]
     collapse: Option<CollapseObject>,
     assumptions: Vec<String>,
@@ -35,6 +36,9 @@ pub struct VehicleSweepObject {
 struct GoverningObject {
     vehicle: String,
     adequacy_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    adequacy_factor_at_most: Option<f64>,
+    method: Option<&'static str>,
     #[serde(flatten)]
     case: Option<CaseObject>,
 }
@@ -78,6 +82,10 @@ struct VehicleObject {
     model: String,
     status: &'static str,
     adequacy_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    adequacy_factor_at_most: Option<f64>,
+    positions: usize,
+    positions_not_converged: usize,
     lower_bound: Option<f64>,
     upper_bound: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -127,7 +135,7 @@ struct ExtremeObject {
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
-struct ConfirmationObject {
+struct SecondObject {
     method: &'static str,
     status: Option<&'static str>,
     adequacy_factor: Option<f64>,
@@ -144,7 +152,7 @@ impl VehicleSweepObject {
         let governing = found.governing.and_then(|k| found.vehicles.get(k));
         VehicleSweepObject {
             schema: "extrados.vehicle-sweep/1",
-            status: if governing.is_some() { "completed" } else { "undetermined" },
+            status: found.status().word(),
             bridge: found.bridge.clone(),
             rule: RuleObject {
                 code: found.rule.code.clone(),
@@ -154,13 +162,16 @@ impl VehicleSweepObject {
             },
             weight_combinations: found.weights.iter().map(weights).collect(),
             step_m: found.step,
+            positions_not_converged: found.positions_not_converged(),
             governing: governing.map(|v| GoverningObject {
                 vehicle: v.code.clone(),
-                adequacy_factor: v.adequacy,
+                adequacy_factor: found.headline().map(|headline| headline.0),
+                adequacy_factor_at_most: v.adequacy_at_most,
+                method: found.headline().map(|headline| super::collapse::method(headline.1)),
                 case: v.case.as_ref().map(case),
             }),
             vehicles: found.vehicles.iter().map(vehicle).collect(),
-            confirmation: found.confirmation.as_ref().map(confirmation),
+            discrete_elements: found.discrete_elements.as_ref().map(second),
             collapse: found.collapse.as_ref().map(|c| CollapseObject::new(c, &Run::default())),
             assumptions: found.assumptions.clone(),
             warnings: run.file_warnings.iter().cloned().chain(found.warnings.iter().map(WarningObject::from)).collect(),
@@ -186,6 +197,9 @@ fn vehicle(v: &Swept) -> VehicleObject {
         model: v.model.clone(),
         status: v.status.word(),
         adequacy_factor: v.adequacy,
+        adequacy_factor_at_most: v.adequacy_at_most,
+        positions: v.envelope.len(),
+        positions_not_converged: v.positions_not_converged,
         lower_bound: v.bounds.map(|b| b[0]),
         upper_bound: v.bounds.map(|b| b[1]),
         without_dilation: v.without_dilation,
@@ -244,8 +258,8 @@ fn extreme(e: &Extreme) -> ExtremeObject {
     }
 }
 
-fn confirmation(c: &Confirmation) -> ConfirmationObject {
-    ConfirmationObject {
+fn second(c: &ByDiscreteElements) -> SecondObject {
+    SecondObject {
         method: "dem",
         status: c.status.map(|s| s.word()),
         adequacy_factor: c.adequacy,
@@ -263,7 +277,7 @@ fn number(v: Option<f64>) -> String {
 /// Vehicles with their adequacy factors.
 pub fn vehicles_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
-        "vehicle,model,status,adequacy_factor,lower_bound,upper_bound,without_dilation,position_m,direction,first_axle,last_axle,\
+        "vehicle,model,status,adequacy_factor,adequacy_factor_at_most,positions,positions_not_converged,lower_bound,upper_bound,without_dilation,position_m,direction,first_axle,last_axle,\
          critical_axle,uniform_from_m,uniform_to_m,load_kn_per_m,effective_width_m,weight_masonry,\
          weight_fill,weight_surfacing,arrangement\n",
     );
@@ -273,11 +287,14 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
         row(
             &mut csv,
             format_args!(
-                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"",
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\"",
                 v.code,
                 v.model,
                 v.status.word(),
                 number(v.adequacy),
+                number(v.adequacy_at_most),
+                v.envelope.len(),
+                v.positions_not_converged,
                 number(v.bounds.map(|b| b[0])),
                 number(v.bounds.map(|b| b[1])),
                 number(v.without_dilation),
@@ -301,7 +318,7 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
 /// The least adequacy factor at every position of every vehicle.
 pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
-        "vehicle,direction,position_m,adequacy_factor,first_axle,last_axle,weight_masonry,weight_fill,\
+        "vehicle,direction,position_m,converged,adequacy_factor,first_axle,last_axle,weight_masonry,weight_fill,\
          weight_surfacing,arrangement\n",
     );
     for v in &found.vehicles {
@@ -310,10 +327,11 @@ pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
             row(
                 &mut csv,
                 format_args!(
-                    "{},{},{},{},{},{},{},\"{}\"",
+                    "{},{},{},{},{},{},{},{},\"{}\"",
                     v.code,
                     p.direction.word(),
                     p.position,
+                    p.converged,
                     number(p.adequacy),
                     axle(0),
                     axle(1),

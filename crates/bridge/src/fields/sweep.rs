@@ -45,8 +45,14 @@ pub(super) static SWEEP: Section = Section {
         Field::new("directions", Kind::Word(WAYS), "which ways vehicles drive", "both").default("both"),
         Field::new("subsets", Kind::Flag, "whether every run of neighbouring axles is tried", "true").default("true"),
         Field::new("dispersal", Kind::Word(SPREADS), "how axles spread through the cover", "rule").default("rule"),
-        Field::new("confirm", Kind::Flag, "whether the governing case is made by discrete elements too", "true")
-            .default("false"),
+        Field::new(
+            "discrete_elements",
+            Kind::Flag,
+            "whether the governing case is made by discrete elements too, the smaller number counting",
+            "true",
+        )
+        .default("false"),
+        Field::new("confirm", Kind::Flag, "the former name of `discrete_elements`", "true").default("false"),
     ],
 };
 

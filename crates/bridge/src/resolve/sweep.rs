@@ -33,7 +33,8 @@ pub(super) fn sweep(file: &Table<'_>, findings: &mut Findings) -> Option<Option<
     let step = table.quantity("step", findings);
     let directions = table.word("directions", findings);
     let dispersal = table.word("dispersal", findings);
-    let (subsets, confirm) = (table.flag("subsets", findings), table.flag("confirm", findings));
+    let subsets = table.flag("subsets", findings);
+    let discrete = ["discrete_elements", "confirm"].map(|key| (key, table.flag(key, findings)));
     Some(Some(SweepPlan {
         rule: rule?.unwrap_or_else(|| USUAL_RULE.to_owned()),
         rule_file: rule_file?,
@@ -47,7 +48,10 @@ pub(super) fn sweep(file: &Table<'_>, findings: &mut Findings) -> Option<Option<
         },
         subsets: maybe(&table, "subsets", subsets)?.unwrap_or(true),
         own_dispersal: maybe(&table, "dispersal", dispersal)? == Some("file"),
-        confirm: maybe(&table, "confirm", confirm)?.unwrap_or(false),
+        discrete_elements: {
+            let [now, former] = discrete.map(|(key, flag)| maybe(&table, key, flag));
+            now?.or(former?).unwrap_or(false)
+        },
         texts: Vec::new(),
     }))
 }

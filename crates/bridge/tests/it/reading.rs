@@ -61,7 +61,7 @@ fn walls() {
 fn the_strip_follows_what_the_file_describes() {
     let without = WALLS.replace("strip = \"wall\"", "").replace("through = \"block\"", "");
     let without = without.replace("block_weight = \"17.72 kN/m\"", "");
-    assert_eq!(good(&without).plan.strip, Strip::Both);
+    assert_eq!(good(&without).plan.strip, Strip::Fill, "walls add strength only where somebody asks for it");
     assert_eq!(good(&without.replace("\"load\"", "\"thickness\"")).plan.strip, Strip::Fill);
     assert_eq!(good(CASE_1).plan.strip, Strip::Fill);
 }
@@ -137,7 +137,7 @@ fn sweeps_and_fill_pressure_are_read_as_written() {
     let (sweep, fill) = (bridge.sweep.unwrap(), bridge.fill_pressure.unwrap());
     assert_eq!((sweep.rule.as_str(), &sweep.vehicles[..]), ("cs-454", &["hb-45".to_owned(), "crane".to_owned()][..]));
     assert_eq!((sweep.step, sweep.directions), (Some(0.25), bridge::Directions::Left));
-    assert!(!sweep.subsets && sweep.own_dispersal && sweep.confirm);
+    assert!(!sweep.subsets && sweep.own_dispersal && sweep.discrete_elements);
     assert!(fill.applies && fill.least == bridge::LeastPressure::Active);
     assert!((fill.friction_angle.to_degrees() - 32.0).abs() < 1e-9 && fill.cohesion == 2e3 && fill.mobilisation == 0.4);
     let other = good(WALLS).sweep.unwrap();

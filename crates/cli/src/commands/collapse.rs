@@ -8,9 +8,10 @@ use crate::folder::{self, Folder};
 use crate::report::{self, Report};
 use crate::results;
 use crate::status::Status;
-use crate::watcher::Watcher;
+use crate::watcher::{Spectator, Watcher};
 use crate::{quantities, summary};
-use assess::analysis::{self, AnalysisError, Collapse};
+use assess::analysis::vehicles::Ended;
+use assess::analysis::{self, AnalysisError, Collapse, Places};
 use assess::{warning, wire};
 use bridge::Bridge;
 use std::time::Duration;
@@ -160,16 +161,15 @@ fn vehicles(
     if let (Some(text), Some(plan)) = (&arguments.sweep_step, &mut bridge.sweep) {
         plan.step = Some(quantities::length("--sweep-step", text)?);
     }
-    let found = analysis::vehicle_sweep(bridge, &mut mechanics::watch::Unwatched)
-        .map_err(|error| results::not_set_up(&error))?;
-    let mut report = source.report(Status::Completed);
+    let mut spectator = Spectator::new(desk.screen.quiet);
+    let found = analysis::vehicle_sweep(bridge, &mut spectator);
+    spectator.finish();
+    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let mut report = source.report(ended(found.status()));
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
     report.fields = report::fields_of(wire::VehicleSweepObject::new(&found, &wire::Run::default()));
-    if found.governing.is_none() {
-        report.status = Status::Undetermined;
-    }
     report.summary = summary::vehicles(&found, &folder.path().display().to_string());
     let mut files = Vec::new();
     if let Some(collapse) = &found.collapse {
@@ -182,6 +182,15 @@ fn vehicles(
     files.push(table("sweep", wire::vehicle_envelope_table(&found)));
     files.push(table("sections", wire::vehicle_sections_table(&found)));
     results::publish(desk, report, folder, &files)
+}
+
+/// How a sweep ended, for the command.
+fn ended(sweep: Ended) -> Status {
+    match sweep {
+        Ended::Completed => Status::Completed,
+        Ended::Undetermined => Status::Undetermined,
+        Ended::Cancelled => Status::Cancelled,
+    }
 }
 
 fn table(name: &str, text: String) -> figures::File {
@@ -201,14 +210,16 @@ fn sweep(
         Some(text) => quantities::length("--sweep-step", text)?,
         None => span / 100.0,
     };
-    let positions = 1 + (span / step).round().clamp(1.0, 1e5) as usize;
-    let found = analysis::sweep(bridge, None, positions, true).map_err(|error| results::not_set_up(&error))?;
-    let mut report = source.report(Status::Completed);
+    let mut spectator = Spectator::new(desk.screen.quiet);
+    let found = analysis::sweep(bridge, Places::Every(step), true, &mut spectator);
+    spectator.finish();
+    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let mut report = source.report(ended(found.ended()));
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
     let object = wire::SweepObject::new(&bridge.name, bridge.width, &found, &wire::Run::default());
     report.fields = report::fields_of(object);
-    if found.governing.is_none() {
-        report.status = Status::Undetermined;
-    }
     report.summary = summary::sweep(&found, &folder.path().display().to_string());
     let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "load factor".to_owned(), points };

@@ -1,21 +1,39 @@
 //! A sweep of vehicles in words.
 
-use assess::analysis::vehicles::{Case, VehicleSweep};
+use assess::analysis::vehicles::{Case, Ended, VehicleSweep};
+use bridge::Method;
 use std::fmt::Write;
 
 /// Every vehicle with its adequacy factor, worst first, and the governing case.
 pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
     let mut page = format!("{}: {} vehicles by rule \"{}\"\n\n", found.bridge, found.vehicles.len(), found.rule.code);
     let mut order: Vec<usize> = (0..found.vehicles.len()).collect();
-    let size = |k: &usize| found.vehicles[*k].adequacy.unwrap_or(f64::INFINITY);
+    let size = |k: &usize| found.vehicles[*k].factor().unwrap_or(f64::INFINITY);
     order.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    if found.status() == Ended::Cancelled {
+        page += "  interrupted: these are the positions that were answered by then\n\n";
+    }
+    if let (Some((factor, method)), Some(k)) = (found.headline(), found.governing) {
+        let method = if method == Method::Dem { "discrete elements" } else { "limit analysis" };
+        let _ =
+            writeln!(page, "  {:<22}  {factor:>8.3}  {} governs, by {method}\n", "adequacy", found.vehicles[k].code);
+    }
+    let open = found.positions_not_converged();
+    if open > 0 {
+        let _ = writeln!(page, "  {:<22}  {open:>8}  nothing is settled\n", "positions unanswered");
+    }
     let _ = writeln!(page, "  {:<22}  {:>8}  first axle at, way, axles on the bridge", "vehicle", "adequacy");
     for k in order {
         let v = &found.vehicles[k];
-        let factor = v.adequacy.map_or(v.status.word().to_owned(), |a| format!("{a:.3}"));
+        let most = || v.adequacy_at_most.map_or(v.status.word().to_owned(), |most| format!("≤ {most:.3}"));
+        let factor = v.adequacy.map_or_else(most, |a| format!("{a:.3}"));
         let falls = || v.weights.map_or(String::new(), |weights| format!("does not stand with {}", weights.told()));
         let place = v.case.as_ref().map_or_else(falls, place);
-        let _ = writeln!(page, "  {:<22}  {factor:>8}  {place}", v.code);
+        let open = match v.positions_not_converged {
+            0 => String::new(),
+            open => format!(", {open} of {} positions not converged", v.envelope.len()),
+        };
+        let _ = writeln!(page, "  {:<22}  {factor:>8}  {place}{open}", v.code);
     }
     if let Some(v) = found.governing.map(|k| &found.vehicles[k]) {
         let _ = writeln!(page, "\n  governing vehicle        {}", v.title);
@@ -38,7 +56,7 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
         }
         let _ = writeln!(page, "  effective width          {:.2} m of the barrel carry an axle", v.effective_width);
     }
-    if let Some(c) = &found.confirmation {
+    if let Some(c) = &found.discrete_elements {
         let words = match (c.adequacy, &c.reason) {
             (Some(a), _) => format!("{a:.3} at the last stable step of {:.3}", c.step),
             (None, Some(reason)) => format!("not made: {reason}"),

@@ -147,7 +147,8 @@ fn a_sweep_finds_the_governing_position() {
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     assert_eq!(answer["schema"], "extrados.sweep/1");
     let positions = answer["positions"].as_array().expect("positions");
-    assert_eq!(positions.len(), 21);
+    // One more where the worst position lies between two of them.
+    assert!((21..=22).contains(&positions.len()), "{}", positions.len());
     let least = positions.iter().filter_map(|one| one["load_factor"].as_f64()).fold(f64::INFINITY, f64::min);
     assert_eq!(answer["governing"]["load_factor"].as_f64(), Some(least));
     let names = stage.names("out/bridge");
@@ -169,7 +170,10 @@ fn vehicles_of_the_library_and_of_a_file_are_moved_over_the_bridge() {
         wheel_track_m = 2.0\ncontact_length_m = 0.30\n";
     stage.write("bridge/crane.toml", own);
     let asked = "vehicles = [\"crane\", \"lm1\"]\nvehicle_files = [\"crane.toml\"]\nstep = \"0.6 m\"\n\n[dispersal]";
-    stage.write("bridge/own.toml", text.replacen("[dispersal]", asked, 1).replace("confirm = true", "confirm = false"));
+    stage.write(
+        "bridge/own.toml",
+        text.replacen("[dispersal]", asked, 1).replace("discrete_elements = true", "discrete_elements = false"),
+    );
     let (answer, ending) = stage.object(&["collapse", "bridge/own.toml", "--sweep"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     assert_eq!(answer["schema"], "extrados.vehicle-sweep/1");

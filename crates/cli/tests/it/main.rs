@@ -6,6 +6,7 @@ mod axles;
 mod calibration;
 mod checked;
 mod caveats;
+mod carried;
 mod drawings;
 mod drawn;
 mod examples;

@@ -3,10 +3,10 @@
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
 //! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
-//! what joints carry meanwhile, `confirm` makes the governing case by discrete elements.
+//! what joints carry meanwhile, `discrete` makes the governing case by discrete elements.
 
 mod cases;
-mod confirm;
+mod discrete;
 mod factored;
 mod search;
 mod sections;
@@ -16,7 +16,8 @@ mod tests;
 mod told;
 mod weights;
 
-pub use confirm::Confirmation;
+pub use discrete::ByDiscreteElements;
+pub(super) use search::{DILATANCY, REFINEMENTS};
 pub use sections::{Extreme, SectionEnvelope};
 pub use weights::Weights;
 
@@ -24,7 +25,7 @@ use super::AnalysisError;
 use super::report::{Collapse, Status};
 use crate::vehicles::{Chosen, chosen};
 use crate::warning::{self, Warning};
-use bridge::Bridge;
+use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
 use rules::Rule;
 
@@ -78,7 +79,9 @@ pub struct EnvelopePoint {
     pub direction: Direction,
     /// Place of the vehicle's first axle [m].
     pub position: f64,
-    /// Least adequacy factor over what may stand there.
+    /// Whether every case there was answered.
+    pub converged: bool,
+    /// Least adequacy factor over what may stand there; none where a case was not answered or nothing collapses.
     pub adequacy: Option<f64>,
     /// First and last axle of what governs.
     pub axles: Option<[usize; 2]>,
@@ -97,8 +100,14 @@ pub struct Swept {
     pub model: String,
     /// How the governing case ended.
     pub status: Status,
-    /// Adequacy factor: what all its axle loads may be multiplied by; 1 is just enough.
+    /// Adequacy factor: what all its axle loads may be multiplied by; 1 is just enough. None where nothing makes a mechanism, and
+    /// where a position was not answered.
     pub adequacy: Option<f64>,
+    /// Where positions were not answered: the least factor that the others leave. It bounds the adequacy factor from above and is no
+    /// answer.
+    pub adequacy_at_most: Option<f64>,
+    /// At how many positions a case was not answered.
+    pub positions_not_converged: usize,
     /// Bounds of the governing case with dilatant friction.
     pub bounds: Option<[f64; 2]>,
     /// Adequacy factor without dilation, of the worst cases in which joints slide; none where none does.
@@ -121,6 +130,59 @@ pub struct Swept {
     pub by_interior_point: usize,
 }
 
+impl Swept {
+    /// A position at which joints slide, answered again without dilation.
+    fn slides_at(&mut self, at: &EnvelopePoint, level: Option<f64>) {
+        let same = |p: &&mut EnvelopePoint| {
+            p.position == at.position && p.direction == at.direction && p.arrangement == at.arrangement
+        };
+        for point in self.envelope.iter_mut().filter(|p| same(p)) {
+            point.converged &= level.is_some();
+            point.adequacy = point.adequacy.zip(level).map(|(old, level)| old.min(level));
+        }
+    }
+
+    /// Says how it ended, with the least factor of what was answered: an adequacy factor only where everything was.
+    fn end(&mut self, whole: bool, least: Option<f64>) {
+        self.positions_not_converged = self.envelope.iter().filter(|p| !p.converged).count();
+        self.status = match (whole, self.positions_not_converged, least) {
+            (false, _, _) => Status::Cancelled,
+            (true, 1.., _) => Status::NotConverged,
+            (true, 0, Some(_)) => Status::Collapsed,
+            (true, 0, None) => Status::Locks,
+        };
+        let answered = self.status == Status::Collapsed;
+        (self.adequacy, self.adequacy_at_most) = if answered { (least, None) } else { (None, least) };
+    }
+
+    /// Takes the result of the governing case by itself: where it carries less, the smaller factor counts, and where it
+    /// found none, nothing is settled.
+    fn governed_by(&mut self, run: &Collapse, capacity: f64) {
+        let by_itself = run.carried().map(|load| load / run.reference_load * capacity);
+        match by_itself {
+            Some(factor) => {
+                let smaller = |found: f64| if factor < found * (1.0 - SAME) { factor } else { found };
+                self.adequacy = self.adequacy.map(smaller);
+                self.adequacy_at_most = self.adequacy_at_most.map(smaller);
+            }
+            None if self.adequacy.is_some() => {
+                self.adequacy_at_most = self.adequacy.take();
+                self.status = Status::NotConverged;
+                self.positions_not_converged = self.positions_not_converged.max(1);
+            }
+            None => {}
+        }
+    }
+
+    /// The adequacy factor, or what bounds it from above.
+    pub fn factor(&self) -> Option<f64> {
+        self.adequacy.or(self.adequacy_at_most)
+    }
+}
+
+/// The sweep and a case by itself agree to this: both bounds of either do.
+const SAME: f64 = 1e-6;
+
 /// What was found for all vehicles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VehicleSweep {
@@ -132,12 +194,12 @@ pub struct VehicleSweep {
     pub weights: Vec<Weights>,
     /// Every vehicle, in the order of the plan.
     pub vehicles: Vec<Swept>,
-    /// The vehicle with the least adequacy factor.
+    /// The vehicle with the least adequacy factor, or the least bound on it.
     pub governing: Option<usize>,
     /// The governing case as a collapse analysis with its picture.
     pub collapse: Option<Box<Collapse>>,
     /// The governing case by discrete elements, where the plan asks for it.
-    pub confirmation: Option<Confirmation>,
+    pub discrete_elements: Option<ByDiscreteElements>,
     /// Distance between positions [m].
     pub step: f64,
     /// What a reader should look at.
@@ -146,7 +208,57 @@ pub struct VehicleSweep {
     pub assumptions: Vec<String>,
 }
 
-/// Moves the vehicles of the bridge's plan over it.
+impl VehicleSweep {
+    /// How it ended: completed only where every position of every vehicle was answered.
+    pub fn status(&self) -> Ended {
+        let ended = |status| self.vehicles.iter().any(|v| v.status == status);
+        match self.governing {
+            _ if ended(Status::Cancelled) => Ended::Cancelled,
+            _ if ended(Status::NotConverged) => Ended::Undetermined,
+            None => Ended::Undetermined,
+            Some(_) => Ended::Completed,
+        }
+    }
+
+    /// At how many positions a case was not answered, over all vehicles.
+    pub fn positions_not_converged(&self) -> usize {
+        self.vehicles.iter().map(|v| v.positions_not_converged).sum()
+    }
+
+    /// The headline: the governing vehicle's factor by the method that gives less, and that method. None where it is not known.
+    pub fn headline(&self) -> Option<(f64, Method)> {
+        let by_limit = self.vehicles.get(self.governing?)?.adequacy?;
+        let second = self.discrete_elements.as_ref().and_then(|second| second.adequacy);
+        Some(match second {
+            Some(second) if second < by_limit => (second, Method::Dem),
+            _ => (by_limit, Method::Limit),
+        })
+    }
+}
+
+/// How a sweep ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// Every position was answered.
+    Completed,
+    /// A position was not answered, or no position makes a mechanism.
+    Undetermined,
+    /// Stopped by its onlooker; what was done is there.
+    Cancelled,
+}
+
+impl Ended {
+    /// The word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Ended::Completed => "completed",
+            Ended::Undetermined => "undetermined",
+            Ended::Cancelled => "cancelled",
+        }
+    }
+}
+
+/// Moves the vehicles of the bridge's plan over it. Where the onlooker wishes to stop, what is done by then is returned.
 pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
     let plan = bridge.sweep.as_ref().ok_or(AnalysisError::Missing {
         what: "[sweep]",
@@ -156,11 +268,11 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let step = plan.step.unwrap_or(shortest / 60.0);
     let weights = weights::combinations(bridge, &rule);
-    let swept = search::all(bridge, &rule, plan, &vehicles, &weights, step)?;
+    let swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, watch)?;
     let governing = swept
         .iter()
         .enumerate()
-        .filter_map(|(k, s)| s.adequacy.map(|a| (k, a)))
+        .filter_map(|(k, s)| s.factor().map(|a| (k, a)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(k, _)| k);
     let mut found = VehicleSweep {
@@ -170,19 +282,22 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
         vehicles: swept,
         governing,
         collapse: None,
-        confirmation: None,
+        discrete_elements: None,
         step,
         warnings: Vec::new(),
         assumptions: Vec::new(),
     };
-    if let Some((k, case)) = governing.and_then(|k| found.vehicles[k].case.clone().map(|case| (k, case))) {
+    if let Some((k, case)) = governing.and_then(|k| found.vehicles[k].case.clone().map(|case| (k, case)))
+        && found.status() != Ended::Cancelled
+    {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k].vehicle, &case);
         let mut by_limit = super::collapse_by_limit(&one)?;
+        found.vehicles[k].governed_by(&by_limit, found.rule.capacity_factor());
         by_limit.picture.case = Some(told::case(&found.vehicles[k], &case, &one));
-        if plan.confirm {
-            let limit = found.vehicles[k].adequacy;
-            found.confirmation = Some(confirm::confirm(&one, &by_limit, &found.rule, limit, watch));
+        if plan.discrete_elements {
+            let limit = found.vehicles[k].factor();
+            found.discrete_elements = Some(discrete::carried(&one, &by_limit, &found.rule, limit, watch));
         }
         found.collapse = Some(Box::new(by_limit));
     }
@@ -214,6 +329,10 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
             format!("rule \"{}\" is not made for vehicle \"{}\"", rule.code, chosen.vehicle.code),
         ));
     }
+    found.warnings.extend(found.vehicles.iter().filter_map(not_converged));
+    // What is to be said of the governing case is to be said of the sweep.
+    let of_case = found.collapse.iter().flat_map(|collapse| &collapse.warnings).cloned();
+    found.warnings.extend(of_case.collect::<Vec<_>>());
     found.warnings.extend(near_the_limit(found));
     let slides = found.vehicles.iter().filter(|v| v.without_dilation.is_some()).count();
     found.assumptions = vec![
@@ -228,13 +347,24 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
         "Concurrent values at critical joints are those of elastic blocks whose joints open nowhere, under the vehicle with its factors."
             .into(),
     ];
+    if found.vehicles.iter().any(|v| v.by_interior_point > 0) {
+        found.assumptions.push(format!(
+            "Where cases had to be left to the slower method, all of them were answered at every {}th position; between these, cases \
+             that are more than {} times the least at both were not.",
+            search::STRIDE,
+            search::FAR_ABOVE
+        ));
+    }
     if slides > 0 {
         found.assumptions.push(format!(
             "For {slides} vehicles joints slide in cases up to twice the least factor: the three worst of these were answered again \
              without dilation, and the least factor counts."
         ));
     }
-    if let Some(inset) = found.confirmation.as_ref().and_then(|c| c.inset) {
+    if found.discrete_elements.is_some() {
+        found.warnings.push(super::notes::of_two_points());
+    }
+    if let Some(inset) = found.discrete_elements.as_ref().and_then(|c| c.inset) {
         found.assumptions.push(format!(
             "Discrete elements bear on contact points {:.0} mm inside the edges of the blocks, where the thrusts of limit analysis at \
              its hinges would crush the masonry.",
@@ -248,11 +378,25 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
 }
 
+/// What is to be said of a vehicle with positions that were not answered.
+fn not_converged(of: &Swept) -> Option<Warning> {
+    let bound = of.adequacy_at_most.map_or(String::new(), |most| format!("; its adequacy factor is at most {most:.3}"));
+    (of.positions_not_converged > 0).then(|| {
+        let message = format!(
+            "{}: {} of {} positions were not answered{bound}, and is not known",
+            of.code,
+            of.positions_not_converged,
+            of.envelope.len()
+        );
+        Warning::new(warning::POSITIONS_NOT_CONVERGED, message)
+    })
+}
+
 /// Vehicles that would not be met if discrete elements took as much off them as off the governing one.
 fn near_the_limit(found: &VehicleSweep) -> Option<Warning> {
     let governing = &found.vehicles.get(found.governing?)?.code;
-    let confirmation = found.confirmation.as_ref()?;
-    let share = confirmation.adequacy? / confirmation.limit?;
+    let second = found.discrete_elements.as_ref()?;
+    let share = second.adequacy? / second.limit?;
     let near: Vec<String> = found
         .vehicles
         .iter()

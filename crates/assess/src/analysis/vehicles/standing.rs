@@ -44,6 +44,8 @@ pub struct Scene<'a> {
     pub borders: &'a [f64],
     /// By what load factors are multiplied.
     pub capacity: f64,
+    /// Slow cases are all answered at every so manyth position.
+    pub stride: usize,
 }
 
 impl Scene<'_> {

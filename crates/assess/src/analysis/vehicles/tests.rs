@@ -15,7 +15,7 @@ fn plan(vehicles: &[&str]) -> SweepPlan {
         directions: Directions::Both,
         subsets: true,
         own_dispersal: false,
-        confirm: false,
+        discrete_elements: false,
         texts: Vec::new(),
     }
 }
@@ -152,7 +152,7 @@ fn weights_that_help_have_the_favourable_factor() {
         let (own, vehicles) = chosen(&one, one.sweep.as_ref().unwrap()).unwrap();
         let weights = vec![Weights { masonry: m, fill: Some(f), surfacing: Some(s) }];
         assert_eq!(own.factors.masonry_weight.value, m);
-        search::all(&one, &own, one.sweep.as_ref().unwrap(), &vehicles, &weights, found.step).unwrap()
+        search::all(&one, &own, one.sweep.as_ref().unwrap(), &vehicles, &weights, found.step, &mut Unwatched).unwrap()
     };
     let (plain, adverse) = (with([1.0; 3]), with([1.15, 1.2, 1.75]));
     for (k, v) in found.vehicles.iter().enumerate() {
@@ -168,6 +168,7 @@ fn weights_that_help_have_the_favourable_factor() {
                 &chosen(&b, b.sweep.as_ref().unwrap()).unwrap().1,
                 &[*w],
                 found.step,
+                &mut Unwatched,
             );
             one.unwrap()[k].adequacy.unwrap()
         });
@@ -194,7 +195,8 @@ fn no_weight_between_the_factors_is_worse() {
     let least = found.vehicles[0].adequacy.unwrap();
     for (m, f) in [(1.05, 1.0), (1.15, 1.1), (1.0, 1.13), (1.1, 1.05)] {
         let weights = [Weights { masonry: m, fill: Some(f), surfacing: None }];
-        let between = search::all(&b, &rule, b.sweep.as_ref().unwrap(), &vehicles, &weights, found.step).unwrap();
+        let between =
+            search::all(&b, &rule, b.sweep.as_ref().unwrap(), &vehicles, &weights, found.step, &mut Unwatched).unwrap();
         let between = between[0].adequacy.unwrap();
         assert!(between > least * (1.0 - 1e-6), "{m} {f}: {between} {least}");
     }
@@ -264,24 +266,24 @@ fn sections_balance_the_load_that_passes() {
 }
 
 #[test]
-fn discrete_elements_confirm_the_governing_case() {
+fn discrete_elements_carry_less_than_rigid_blocks_in_the_governing_case() {
     let mut b = bridgemill(&["cs454-bogie-10"]);
-    b.sweep.as_mut().unwrap().confirm = true;
+    b.sweep.as_mut().unwrap().discrete_elements = true;
     let found = swept(&b);
-    let c = found.confirmation.unwrap();
+    let c = found.discrete_elements.unwrap();
     let (by_dem, by_limit) = (c.adequacy.unwrap(), c.limit.unwrap());
     // Deformable joints carry up to 15 % less than rigid ones, and the last stable step lies up to a step below.
     assert!(by_dem < by_limit && by_dem > 0.8 * by_limit, "{by_dem} {by_limit}");
     // A poor condition lessens what discrete elements carry as it lessens what limit analysis gives.
     let mut poor = b.clone();
     own_rule(&mut poor, "characteristic", &[("[factors.condition]\nvalue = 1.0", "[factors.condition]\nvalue = 0.8")]);
-    let poor = swept(&poor).confirmation.unwrap();
+    let poor = swept(&poor).discrete_elements.unwrap();
     for (less, all) in [(poor.adequacy.unwrap(), by_dem), (poor.limit.unwrap(), by_limit)] {
         assert!((less / all / 0.8 - 1.0).abs() < 1e-9, "{less} {all}");
     }
     // Masonry that crushes turns inside its edges, by discrete elements as by limit analysis.
     b.masonry.compressive_strength = Some(6e6);
-    let crushed = swept(&b).confirmation.unwrap();
+    let crushed = swept(&b).discrete_elements.unwrap();
     let inset = crushed.inset.unwrap();
     assert!(c.inset.is_none() && (0.02..0.1).contains(&inset), "{inset}");
     let [dem, limit] = [crushed.adequacy.unwrap() / by_dem, crushed.limit.unwrap() / by_limit];
@@ -293,12 +295,12 @@ fn discrete_elements_confirm_the_governing_case() {
         joint.normal_stiffness = Some(bridge::JointStiffness::Contact(4.84e7));
         joint.shear_stiffness = Some(bridge::JointStiffness::Contact(0.573e7));
     }
-    let c = swept(&soft).confirmation.unwrap();
+    let c = swept(&soft).discrete_elements.unwrap();
     assert_eq!((c.status, c.adequacy), (Some(Status::UnstableUnderSelfWeight), Some(0.0)));
-    // Without stiffness there is nothing to confirm with, and the sweep says so.
+    // Without stiffness there is no second method, and the sweep says so.
     b.joint.normal_stiffness = None;
     b.ring_joint.normal_stiffness = None;
-    let c = swept(&b).confirmation.unwrap();
+    let c = swept(&b).discrete_elements.unwrap();
     assert!(c.adequacy.is_none() && c.reason.is_some_and(|r| r.contains("stiffness")));
 }
 
@@ -438,14 +440,14 @@ fn discrete_elements_come_to_limit_analysis_as_joints_stiffen() {
     let mut b = bridgemill(&["cs454-bogie-10"]);
     b.masonry.compressive_strength = Some(6e6);
     b.plan.resolution = Some(1e3);
-    b.sweep.as_mut().unwrap().confirm = true;
+    b.sweep.as_mut().unwrap().discrete_elements = true;
     let gap = |times: f64| {
         let mut b = b.clone();
         for joint in [&mut b.joint, &mut b.ring_joint] {
             joint.normal_stiffness = Some(bridge::JointStiffness::Contact(4.84e9 * times));
             joint.shear_stiffness = Some(bridge::JointStiffness::Contact(0.573e9 * times));
         }
-        let c = swept(&b).confirmation.unwrap();
+        let c = swept(&b).discrete_elements.unwrap();
         assert!(c.inset.is_some());
         1.0 - c.adequacy.unwrap() / c.limit.unwrap()
     };
@@ -453,4 +455,30 @@ fn discrete_elements_come_to_limit_analysis_as_joints_stiffen() {
     assert!(stiff < 0.5 * soft && soft > 0.02, "{soft} {stiff}");
     let rigid = (4.0 * stiff - soft) / 3.0;
     assert!(rigid.abs() < 0.03, "{soft} {stiff}: {rigid}");
+}
+
+/// Between positions at which all cases were answered, those far above the least are left out, and nothing is lost by it.
+#[test]
+fn cases_far_above_the_least_are_left_out_and_the_factors_stay() {
+    let mut b = bridgemill(&["cs454-bogie-10"]);
+    let ring = Ring { crown_thickness: 0.215, springing_thickness: 0.215, voussoirs: 32 };
+    b.spans[0] = Span { span: 5.0, rise: 1.25, rings: vec![ring; 2], ..b.spans[0].clone() };
+    b.masonry.compressive_strength = Some(8e6);
+    b.sweep.as_mut().unwrap().directions = Directions::Right;
+    let (rule, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    let weights = weights::combinations(&b, &rule);
+    let with = |stride| {
+        let plan = b.sweep.as_ref().unwrap();
+        search::thinned(&b, &rule, plan, &vehicles, &weights, 5.0 / 60.0, stride, &mut Unwatched).unwrap().remove(0)
+    };
+    let (all, thin) = (with(1), with(search::STRIDE));
+    assert!(thin.by_interior_point > 0 && thin.cases < all.cases, "{} of {}", thin.cases, all.cases);
+    assert_eq!(thin.envelope.len(), all.envelope.len());
+    for (a, b) in all.envelope.iter().zip(&thin.envelope) {
+        assert_eq!((a.position, a.converged, a.adequacy.is_some()), (b.position, b.converged, b.adequacy.is_some()));
+        let [a, b] = [a.adequacy.unwrap_or(1.0), b.adequacy.unwrap_or(1.0)];
+        assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
+    }
+    assert!((all.factor().unwrap() / thin.factor().unwrap() - 1.0).abs() < 1e-6);
+    assert_eq!(all.sections, thin.sections);
 }

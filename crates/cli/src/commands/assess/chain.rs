@@ -234,10 +234,11 @@ impl Chain<'_> {
         if bridge.loads.is_empty() {
             return Self::not_asked("collapse", "the file describes no [[load]]", book);
         }
-        self.stage("collapse", bridge, book, || match chain::ultimate(bridge) {
+        self.stage("collapse", bridge, book, || match self.watched(|watch| chain::ultimate(bridge, watch)) {
             _ if crate::watcher::asked_to_stop() => Ran::Cancelled,
             Err(error) => Ran::Failed(error.to_string()),
-            Ok(found) => {
+            Ok(None) => Ran::Cancelled,
+            Ok(Some(found)) => {
                 let figures = pictures::ultimate(&found, &bridge.name);
                 Ran::Made(found.facts, figures)
             }

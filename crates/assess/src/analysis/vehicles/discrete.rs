@@ -1,4 +1,4 @@
-//! The governing case by discrete elements.
+//! The governing case by discrete elements: a second method, whose joints bear on two points.
 //!
 //! A joint of discrete elements bears on two points near its edges. Each stands for half the joint and crushes only when it
 //! carries half the joint times the strength, so that a hinge there turns about the very edge: crushing would be left out. In
@@ -14,7 +14,7 @@ use rules::Rule;
 
 /// The governing case by discrete elements.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Confirmation {
+pub struct ByDiscreteElements {
     /// How it ended; none where it could not be made.
     pub status: Option<Status>,
     /// Adequacy factor of the last load step that was carried.
@@ -34,14 +34,14 @@ pub struct Confirmation {
 const STEPS: f64 = 40.0;
 
 /// Raises the loads of a case in steps until it collapses. `by_limit` is the same case by limit analysis.
-pub fn confirm(
+pub fn carried(
     case: &Bridge,
     by_limit: &Collapse,
     rule: &Rule,
     limit: Option<f64>,
     watch: &mut dyn Watch,
-) -> Confirmation {
-    let mut found = Confirmation { status: None, adequacy: None, limit, step: 0.0, inset: None, reason: None };
+) -> ByDiscreteElements {
+    let mut found = ByDiscreteElements { status: None, adequacy: None, limit, step: 0.0, inset: None, reason: None };
     let capacity = rule.capacity_factor();
     let Some(factor) = limit.map(|adequacy| adequacy / capacity) else { return found };
     let mut b = case.clone();

@@ -1,0 +1,135 @@
+//! Pieces of work on all cores under one onlooker: progress out, a wish to stop in, and what is done is kept.
+
+use mechanics::watch::{Progress, Watch, Wish};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, TryRecvError, channel};
+use std::time::Duration;
+
+/// How long the onlooker waits between two looks at most.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// How far the work is, as its pieces see it.
+#[derive(Debug, Default)]
+pub struct Pace {
+    stop: AtomicBool,
+    done: AtomicU64,
+}
+
+impl Pace {
+    /// Of work that does not go on.
+    pub fn at_its_end() -> Pace {
+        Pace { stop: AtomicBool::new(true), done: AtomicU64::new(0) }
+    }
+
+    /// Counts a step, and says whether the work goes on.
+    pub fn step(&self) -> bool {
+        self.done.fetch_add(1, Ordering::Relaxed);
+        self.goes_on()
+    }
+
+    /// Whether the work goes on.
+    pub fn goes_on(&self) -> bool {
+        !self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// What the onlooker is told of a stage.
+pub struct Stage<'a> {
+    /// In a few words.
+    pub name: &'a str,
+    /// Steps that its pieces count in all.
+    pub steps: u64,
+    /// Shares of the whole work at which the stage begins and ends.
+    pub shares: [f64; 2],
+}
+
+/// Does `work` on every job; answers come in the order of the jobs. When the onlooker wishes to stop, jobs that are not
+/// begun are left out, and those at work hear it from their [`Pace`]. Tells whether all of it was done.
+pub fn each<J: Sync, T: Send>(
+    jobs: &[J],
+    stage: &Stage<'_>,
+    watch: &mut dyn Watch,
+    work: impl Fn(&J, &Pace) -> T + Sync,
+) -> (Vec<Option<T>>, bool) {
+    let pace = Pace::default();
+    let mut found: Vec<Option<T>> = jobs.iter().map(|_| None).collect();
+    let (tell, heard) = channel();
+    let mut look = || {
+        let done = pace.done.load(Ordering::Relaxed);
+        let share = (done as f64 / stage.steps.max(1) as f64).clamp(0.0, 1.0);
+        let [from, to] = stage.shares;
+        let name = format!("{}: {done} of {}", stage.name, stage.steps);
+        if watch.look(&Progress { stage: name, fraction: Some(from + share * (to - from)), steps: done }) == Wish::Stop
+        {
+            pace.stop.store(true, Ordering::Relaxed);
+        }
+    };
+    look();
+    rayon::in_place_scope(|scope| {
+        for (k, job) in jobs.iter().enumerate() {
+            let (tell, work, pace) = (tell.clone(), &work, &pace);
+            scope.spawn(move |_| {
+                if pace.goes_on() {
+                    // Nobody listens only where this function itself is gone.
+                    let _ = tell.send((k, work(job, pace)));
+                }
+            });
+        }
+        drop(tell);
+        loop {
+            // On a thread of the pool it works with the others as long as there is work: waiting there could starve the jobs.
+            let next = match rayon::yield_now() {
+                Some(rayon::Yield::Executed) => heard.try_recv(),
+                _ => heard.recv_timeout(LOOK).map_err(|error| match error {
+                    RecvTimeoutError::Timeout => TryRecvError::Empty,
+                    RecvTimeoutError::Disconnected => TryRecvError::Disconnected,
+                }),
+            };
+            match next {
+                Ok((k, answer)) => found[k] = Some(answer),
+                Err(TryRecvError::Empty) => {}
+                Err(TryRecvError::Disconnected) => break,
+            }
+            look();
+        }
+    });
+    let all = pace.goes_on();
+    (found, all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct After(u64);
+
+    impl Watch for After {
+        fn look(&mut self, progress: &Progress) -> Wish {
+            if progress.steps >= self.0 { Wish::Stop } else { Wish::GoOn }
+        }
+    }
+
+    fn squares(threads: usize, after: u64) -> (Vec<Option<u64>>, bool) {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let jobs: Vec<u64> = (0..40).collect();
+        let stage = Stage { name: "squares", steps: 40, shares: [0.0, 1.0] };
+        pool.install(|| {
+            each(&jobs, &stage, &mut After(after), |job, pace| {
+                std::thread::sleep(Duration::from_millis(1));
+                pace.step();
+                job * job
+            })
+        })
+    }
+
+    #[test]
+    fn pieces_come_in_order_on_any_number_of_threads_and_a_stop_keeps_what_is_done() {
+        for threads in [1, 3] {
+            let (all, done) = squares(threads, u64::MAX);
+            assert!(done && all.iter().enumerate().all(|(k, found)| *found == Some((k * k) as u64)));
+            let (some, done) = squares(threads, 5);
+            let made = some.iter().flatten().count();
+            assert!(!done && (5..40).contains(&made), "{made}");
+        }
+    }
+}
