@@ -148,11 +148,6 @@ cards! {
          hundred: five of Bridgemill lay between 223 and 403 kN/m with one recipe and between 403 and 427 with another \
          (docs/verification/fill.md). Run several seeds, as in --set analysis.seed=1,2,3,4,5 of extrados vary, and judge by the \
          low end of what they give, not by one of them.";
-    /// A run that stalled.
-    STALLED = "A126", "the run stalled: no rest and no collapse",
-        "The out-of-balance force stopped falling above the tolerance while blocks hardly moved. That proves neither rest nor a \
-         mechanism. The last stable load is what was carried; it depends on the load step, and the same bridge may carry more in \
-         other steps. Repeat the run with another load_step or tolerance before anything rests on it.";
     /// Spandrel walls that a passage does not have.
     WALLS_LEFT_OUT = "A127", "spandrel walls are left out of the passage",
         "The strip that finite elements model lies between the walls. Walls stiffen a bridge and relieve it; they may also part from \
@@ -221,6 +216,13 @@ cards! {
         "The typesetter refused the report; the message holds its words. report.html and result.json are complete, verdict and \
          numbers stand. The usual cause is a drawing that is no valid SVG, which is a mistake of this program: please report it with \
          the bridge file.";
+    /// No end of the iteration without dilation; a proven lower load in its place.
+    WITHOUT_FRICTION = "A170", "a lower load without friction where joints slide",
+        "Joints slide in the mechanism, and the iteration that finds the load without dilation came to no end. The associated load \
+         is an upper bound that real joints need not reach, and it never takes the place of the answer. What is reported as carried is the \
+         load of the same blocks without friction and cohesion in the joints that slide: no mechanism in which only these slide \
+         can form below it (Radenkovic 1961, second theorem). It is often far below the true load. The status stays not-converged: \
+         use discrete elements for a closer answer.";
     /// Positions without an answer.
     POSITIONS_NOT_CONVERGED = "A175", "positions of a sweep were not answered",
         "At the positions that the message counts, limit analysis found no answer that it can vouch for: the iteration for friction \

@@ -1,7 +1,7 @@
 //! What the pages of `docs/` say against a method, said in every result that it concerns. The table of all such sentences is
 //! `docs/theory/limits.md`.
 
-use super::report::{Collapse, Status};
+use super::report::Collapse;
 use crate::discretise::{Discretised, Origin};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, DispersalRule};
@@ -40,10 +40,6 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         let message =
             format!("the load is that of one packing ({which}): others of the same recipe differ by tens of per cent");
         c.warnings.push(Warning::new(warning::ONE_PACKING, message));
-    }
-    if c.status == Status::Stalled {
-        let message = "neither rest nor a mechanism was reached: the last stable load depends on the load step; repeat with another";
-        c.warnings.push(Warning::new(warning::STALLED, message));
     }
 }
 

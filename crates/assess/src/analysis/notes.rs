@@ -45,6 +45,15 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         _ => assumptions.push("Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006).".into()),
     }
     warnings.extend(joints::cohesive(bridge));
+    if let (Status::NotConverged, "non-associated", Some(carried)) = (c.status, report.friction, report.lower_bound) {
+        warnings.push(Warning::new(
+            warning::WITHOUT_FRICTION,
+            format!(
+                "{:.2} kN/m are carried without friction in the joints that slide; no load without dilation was found",
+                carried / 1e3
+            ),
+        ));
+    }
     if bridge.plan.contact_points == ContactPoints::Rounded && bridge.masonry.rounding > 0.0 {
         warnings.push(inset(bridge));
     }

@@ -19,6 +19,7 @@ mod particles;
 mod records;
 mod respond;
 mod signals;
+mod rings;
 mod stage;
 mod table_1;
 mod tiny;

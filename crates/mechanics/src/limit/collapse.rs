@@ -9,6 +9,7 @@ use super::nonassociated::settle;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Ending, Program, Role, Solution};
 use super::settings::{Friction, Settings};
+use super::smooth::smooth;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
 
@@ -50,9 +51,11 @@ fn relax(
     let settled = settle(equilibrium, joints, strengths, associated);
     outcome.friction = Friction::NonAssociated;
     let Some(settled) = settled else {
-        // Blocks that lock with dilatancy may still slide without: nothing is known of them.
+        // Blocks that lock with dilatancy may still slide without: no load is known, only one that is carried.
         outcome.status = Status::NotConverged;
-        (outcome.factor, outcome.lower_bound) = (None, None);
+        let sliding = outcome.mechanism.as_ref().map_or(&[][..], |m| &m.sliding[..]);
+        let carried = smooth(model, equilibrium, joints, strengths, sliding);
+        (outcome.factor, outcome.lower_bound) = (None, carried.map(|f| f * equilibrium.factor_scale));
         return;
     };
     let scale = equilibrium.factor_scale;

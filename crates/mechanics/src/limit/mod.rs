@@ -28,6 +28,7 @@ mod program;
 mod reduced;
 mod settings;
 mod simplex;
+mod smooth;
 mod support_movement;
 mod sweep;
 mod sweeper;

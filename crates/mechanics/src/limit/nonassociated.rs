@@ -36,7 +36,10 @@ const SETTLED: f64 = 1e-6;
 /// Largest relative difference between the load factor with the fictitious surfaces and with forces that keep to the
 /// true ones as well.
 const CONFIRMED: f64 = 1e-5;
-/// The same after the last round, where the factor still wanders. The forces are in equilibrium and keep to the true
+/// How much more shear than the fictitious surfaces allow those forces may have, relative: the compressions settle to
+/// about the root of what the load settles to.
+const LOOSE: f64 = 1e-2;
+/// The same as [`CONFIRMED`] after the last round, where the factor still wanders. The forces are in equilibrium and keep to the true
 /// law all the same; the mechanism slides level to this accuracy. Both factors enter the spread.
 const WANDERS: f64 = 5e-3;
 
@@ -94,7 +97,7 @@ fn from(
     price: f64,
 ) -> (Option<(Solution, f64)>, u32) {
     let (mut compression, mut previous, mut iterations) = (start, f64::INFINITY, 0);
-    let mut solve = |reach: f64, compression: &[f64]| {
+    let mut solve = |reach: f64, cap: Option<f64>, compression: &mut dyn Iterator<Item = f64>| {
         let fictitious: Vec<Strength> =
             strengths.iter().zip(compression).map(|(s, c)| level(s, reach, c.max(0.0) * equilibrium.force)).collect();
         let solution = Program {
@@ -103,7 +106,7 @@ fn from(
             strengths: &fictitious,
             drive: &equilibrium.variable,
             rest: &equilibrium.permanent,
-            cap: None,
+            cap,
             reward: Vec::new(),
             price,
             role: Role::Factor,
@@ -115,12 +118,14 @@ fn from(
     };
     let mut end = None;
     for round in 0..ROUNDS {
-        let Some(solution) = solve(REACH, &compression) else { break };
+        let Some(solution) = solve(REACH, None, &mut compression.iter().copied()) else { break };
         let size = solution.factor.abs().max(1e-3);
         let last = round + 1 == ROUNDS;
         if last || (solution.factor - previous).abs() <= SETTLED * size {
-            // Forces that keep to the true surfaces too, under the mechanism of the fictitious ones.
-            if let Some(true_forces) = solve(1.0, &compression)
+            // Forces that keep to the true surfaces too and carry the same load, under the mechanism of the fictitious
+            // ones. The load is flat in the compressions, which are known less well.
+            let mut loose = compression.iter().map(|c| c * (1.0 + LOOSE));
+            if let Some(true_forces) = solve(1.0, Some(solution.factor), &mut loose)
                 && (solution.factor - true_forces.factor).abs() <= if last { WANDERS } else { CONFIRMED } * size
             {
                 let reached = if last { solution.factor } else { true_forces.factor };

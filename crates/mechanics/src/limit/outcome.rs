@@ -100,7 +100,8 @@ pub struct Outcome {
     /// Load factor of the variable loads at collapse; `None` unless solved.
     pub factor: Option<f64>,
     /// Load factor that the returned forces balance, recomputed from them; a lower bound for associated friction as far
-    /// as `equilibrium_residual` and `yield_violation` vanish.
+    /// as `equilibrium_residual` and `yield_violation` vanish. Where the non-associated iteration finds no end, the load
+    /// factor without friction in the joints that slide, if there is one.
     pub lower_bound: Option<f64>,
     /// Load factor recomputed from the velocities of the associated mechanism by the work equation; an upper bound, for
     /// either flow rule, as far as `flow_violation` vanishes.
