@@ -113,8 +113,9 @@ fn assessed(file: &File) -> Result<Json, String> {
     };
     let ultimate = match bridge.loads.is_empty() {
         true => Stage::NotAsked("the input has no load".to_owned()),
-        false => match chain::ultimate(&bridge) {
-            Ok(found) => Stage::Made(found.facts),
+        false => match chain::ultimate(&bridge, &mut Unwatched) {
+            Ok(Some(found)) => Stage::Made(found.facts),
+            Ok(None) => Stage::Failed("it was stopped".to_owned()),
             Err(error) => Stage::Failed(error.to_string()),
         },
     };
