@@ -119,7 +119,8 @@ fn solved() -> Solution {
 fn a_passage_beside_walls_says_that_they_are_left_out() {
     let mut bridge = railway();
     let setup = setup(&bridge).unwrap();
-    let codes = |bridge: &Bridge| report(bridge, &setup, solved()).warnings.iter().map(|one| one.code).collect::<Vec<_>>();
+    let codes =
+        |bridge: &Bridge| report(bridge, &setup, solved()).warnings.iter().map(|one| one.code).collect::<Vec<_>>();
     assert!(!codes(&bridge).contains(&crate::warning::WALLS_LEFT_OUT));
     bridge.spandrel_wall = Some(samples::spandrel_wall(&bridge));
     assert!(codes(&bridge).contains(&crate::warning::WALLS_LEFT_OUT));
