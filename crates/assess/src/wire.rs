@@ -25,7 +25,7 @@ pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
-pub use update::{UpdateObject, histories_table, samples_table, sweeps_table};
+pub use update::{UpdateObject, histories_table, samples_table, sweeps_table, told};
 pub use vary::{VaryObject, collapse_numbers, run_from_record, run_record, vary_table};
 pub use vehicles::{VehicleSweepObject, vehicle_envelope_table, vehicle_sections_table, vehicles_table};
 

@@ -1,5 +1,7 @@
 //! What was measured: channels with a peak, a history, or both.
 
+use crate::posterior::diagnostics::effective_samples;
+
 /// One measured channel [in its own unit].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Channel {
@@ -13,6 +15,9 @@ pub struct Channel {
     pub history: Option<Vec<f64>>,
     /// Standard deviation of the measurement of one value, in the channel's unit.
     pub uncertainty: Option<f64>,
+    /// Values of the history that together tell as much as one whose error is independent: one and twice the sum of the
+    /// autocorrelations of the measurement's error. One, where not given.
+    pub correlated_over: Option<f64>,
     /// Weight where weights are given and not found from shapes.
     pub weight: Option<f64>,
     /// Why the channel takes no part in the norm; it is still reported.
@@ -35,6 +40,25 @@ impl Channel {
         self.peak.or_else(|| self.history.as_deref().and_then(largest))
     }
 
+    /// The channel with noise that is no smaller than what a model leaves of its history, slow deviations counting with the values over which
+    /// they last. With `gain` the deviation is taken from the response times the factor that suits the record best. A channel without
+    /// a stated uncertainty gets that of what is left.
+    pub fn with_noise_of(&self, response: &[f64], gain: bool) -> Self {
+        let Some(history) = self.history.as_deref().filter(|history| history.len() == response.len()) else {
+            return self.clone();
+        };
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let square = dot(response, response);
+        let factor = if gain && square > 0.0 { dot(response, history) / square } else { 1.0 };
+        let left: Vec<f64> = history.iter().zip(response).map(|(v, u)| v - factor * u).collect();
+        let (deviation, over) = ((dot(&left, &left) / left.len().max(1) as f64).sqrt(), correlated_over(&left));
+        let stated = self.uncertainty.map(|noise| noise * noise * self.correlated_over.unwrap_or(1.0).max(1.0));
+        if stated.is_some_and(|stated| stated >= deviation * deviation * over) || !(deviation > 0.0) {
+            return self.clone();
+        }
+        Self { uncertainty: Some(deviation), correlated_over: Some(over), ..self.clone() }
+    }
+
     /// Whether it counts in the norm.
     pub fn counts(&self) -> bool {
         self.left_out.is_none()
@@ -54,6 +78,15 @@ pub fn shape_correlation(computed: &[f64], measured: &[f64]) -> Option<f64> {
     factor.is_finite().then_some(factor)
 }
 
+/// How many values of an error tell as much as one that is independent, from the error itself: one and twice the sum of its
+/// autocorrelations, broken off where they fade into noise (Geyer 1992, Statistical Science 7(4), 473-483). Between 1 and the
+/// count of values; 1 where the error does not vary.
+pub fn correlated_over(error: &[f64]) -> f64 {
+    let count = error.len() as f64;
+    let independent = effective_samples(&[error.to_vec()]);
+    if independent.is_finite() { (count / independent).clamp(1.0, count.max(1.0)) } else { 1.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -66,6 +99,20 @@ mod tests {
         assert!((shape_correlation(&twice, &wave).unwrap() + 1.0).abs() < 1e-14);
         assert_eq!(shape_correlation(&[1.0, 0.0], &[0.0, 1.0]), Some(0.0));
         assert_eq!(shape_correlation(&[0.0, 0.0], &[0.0, 1.0]), None);
+    }
+
+    #[test]
+    fn what_a_model_leaves_counts_as_noise_where_it_is_larger() {
+        let wave = |k: usize| (0.1 * k as f64).sin();
+        let history: Vec<f64> = (0..400).map(|k| wave(k) + 0.1 * wave(7 * k)).collect();
+        let response: Vec<f64> = (0..400).map(|k| 0.8 * wave(k)).collect();
+        let channel = Channel { uncertainty: Some(0.01), ..Channel::history("crown", "mm", history) };
+        let wider = channel.with_noise_of(&response, true);
+        // A sine of 0.1 has a deviation of 0.071; the gain takes the rest.
+        assert!((wider.uncertainty.unwrap() - 0.0707).abs() < 0.001, "{wider:?}");
+        assert!(channel.with_noise_of(&response, false).uncertainty.unwrap() > 0.1);
+        let noisy = Channel { uncertainty: Some(1.0), ..channel };
+        assert_eq!(noisy.with_noise_of(&response, true), noisy);
     }
 
     #[test]

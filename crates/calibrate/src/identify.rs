@@ -7,9 +7,10 @@ use faer::Mat;
 
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
+use crate::forward::Response;
 use crate::misfit::{residual_derivatives, residuals};
 use crate::parameter::shares;
-use crate::search::jacobian::{STEP, by_differences, by_shares};
+use crate::search::jacobian::{by_differences, by_shares};
 
 /// Parameters taken together with their collinearity.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +32,7 @@ pub struct Identifiability {
     /// Singular values, largest first.
     pub singular_values: Vec<f64>,
     /// How many combinations of parameters are seen: singular values above a millionth of the largest, which is what
-    /// differences over a ten-thousandth of a range resolve.
+    /// differences resolve.
     pub rank: usize,
     /// Largest singular value over the least; infinite where there are fewer residuals than parameters.
     pub condition: f64,
@@ -54,36 +55,57 @@ const UNSEEN: f64 = 1e-6;
 /// Sets of more parameters than these are not looked at one by one.
 const SETS: usize = 10;
 
-/// Looks at one point. Evaluates derivatives there.
-pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Identifiability, Halt> {
+/// Looks at one point. Evaluates derivatives there, by differences over this step where the model offers none.
+pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f64) -> Result<Identifiability, Halt> {
     evaluator.stage("sensitivities");
-    let sensitivities = sensitivities(evaluator, basis, point)?;
+    let sensitivities = sensitivities(evaluator, basis, point, step)?;
     let names: Vec<String> = evaluator.problem.parameters().iter().map(|p| p.name.clone()).collect();
     let at_bound: Vec<bool> = evaluator.problem.parameters().iter().zip(point).map(|(p, v)| p.at_bound(*v)).collect();
     Ok(judge(sensitivities, at_bound, &names))
 }
 
 /// Derivatives of the residuals with respect to shares, by parameter.
-pub fn sensitivities(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Vec<Vec<f64>>, Halt> {
+pub fn sensitivities(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    point: &[f64],
+    step: f64,
+) -> Result<Vec<Vec<f64>>, Halt> {
+    let problem = evaluator.problem;
+    let values = |response: &Response| residuals(problem, &basis.held, response);
+    let own = |response: &Response| residual_derivatives(problem, &basis.held, response);
+    columns(evaluator, basis, point, step, &values, &own)
+}
+
+/// Derivatives of any numbers of a response with respect to shares, by parameter: from the model's own where it offers them
+/// (`own`), else by differences of the numbers.
+pub(crate) fn columns(
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    point: &[f64],
+    step: f64,
+    numbers: &dyn Fn(&Response) -> Vec<f64>,
+    own: &dyn Fn(&Response) -> Vec<Vec<f64>>,
+) -> Result<Vec<Vec<f64>>, Halt> {
     let problem = evaluator.problem;
     let at = shares(problem.parameters(), point);
     if evaluator.has_sensitivities(&basis.samples) {
         let answers = evaluator.respond(&[point.to_vec()], &basis.request(true))?;
         let response = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
-        return Ok(by_shares(problem.parameters(), &at, residual_derivatives(problem, &basis.held, response)));
+        return Ok(by_shares(problem.parameters(), &at, own(response)));
     }
     // Which points are wanted is asked first, so that they are evaluated in one batch.
     let wanted = std::cell::RefCell::new(Vec::new());
-    let _ = by_differences(&at, STEP, |shares| {
+    let _ = by_differences(&at, step, |shares| {
         wanted.borrow_mut().push(crate::parameter::values(problem.parameters(), shares));
         Ok::<_, ()>(Vec::new())
     });
     evaluator.respond(&wanted.into_inner(), &basis.request(false))?;
     let request = basis.request(false);
-    by_differences(&at, STEP, |shares| {
+    by_differences(&at, step, |shares| {
         let point = crate::parameter::values(problem.parameters(), shares);
         match evaluator.known(&point, &request).as_deref() {
-            Some(Ok(response)) => Ok(residuals(problem, &basis.held, response)),
+            Some(Ok(response)) => Ok(numbers(response)),
             Some(Err(failure)) => Err(Halt::Failed(failure.clone())),
             None => Err(Halt::Failed(crate::forward::Failure::new("no-answer", "the evaluator keeps no log"))),
         }

@@ -225,6 +225,34 @@ pub fn residual_count(problem: &Problem, held: &Held, length: impl Fn(usize) -> 
     }
 }
 
+/// What the model gives of each channel that is compared [unit of the channel]: its peak, or its whole history.
+pub fn compared(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
+    let of = |(k, values): (usize, &Vec<f64>)| {
+        let beyond = held.beyond.get(k).copied().unwrap_or(0.0);
+        places(problem, k, values).into_iter().map(|place| values[place] + beyond).collect()
+    };
+    response.values.iter().enumerate().map(of).collect()
+}
+
+/// Derivatives of [`compared`] with respect to each parameter, from those of the response: by parameter and channel.
+pub fn compared_derivatives(problem: &Problem, response: &Response) -> Vec<Vec<Vec<f64>>> {
+    let of = |derivatives: &Vec<Vec<f64>>| {
+        let channel = |(k, values): (usize, &Vec<f64>)| -> Vec<f64> {
+            places(problem, k, values).into_iter().map(|place| derivatives[k][place]).collect()
+        };
+        response.values.iter().enumerate().map(channel).collect()
+    };
+    response.derivatives.iter().map(of).collect()
+}
+
+/// Places of the values of a channel that are compared.
+fn places(problem: &Problem, channel: usize, values: &[f64]) -> Vec<usize> {
+    match problem.misfit().compare {
+        Compare::Peaks => peak_place(problem, channel, values).into_iter().collect(),
+        Compare::Histories => (0..values.len()).collect(),
+    }
+}
+
 /// Derivatives of the residuals with respect to each parameter, from those of the response.
 pub fn residual_derivatives(problem: &Problem, held: &Held, response: &Response) -> Vec<Vec<f64>> {
     let total: f64 = held.weights.iter().sum();

@@ -1,6 +1,7 @@
 //! Parameters, channels and misfit as one checked whole.
 
 use crate::channel::Channel;
+use crate::forward::Response;
 use crate::misfit::{Compare, Misfit, Scaling, Weights};
 use crate::parameter::{Parameter, Scale, Start};
 
@@ -53,6 +54,18 @@ impl Problem {
         for (channel, uncertainty) in problem.channels.iter_mut().zip(uncertainties) {
             if uncertainty.is_finite() && *uncertainty > 0.0 {
                 channel.uncertainty = Some(*uncertainty);
+            }
+        }
+        problem
+    }
+
+    /// The same problem with noise that is no smaller than what a response leaves of the histories ([`Channel::with_noise_of`]); unchanged
+    /// where peaks are compared.
+    pub fn with_noise_of(&self, response: &Response, gain: bool) -> Self {
+        let mut problem = self.clone();
+        if self.misfit.compare == Compare::Histories {
+            for (channel, values) in problem.channels.iter_mut().zip(&response.values) {
+                *channel = channel.with_noise_of(values, gain);
             }
         }
         problem

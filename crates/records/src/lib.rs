@@ -31,7 +31,7 @@ pub use cards::{CARDS, Card};
 pub use finding::{Done, Finding, Place, Severity};
 pub use health::{Accept, Expected, LeaveOut, Limits, Scrutiny, examine};
 pub use peaks::{Peak, PeakTable, SpeedGroup, peaks};
-pub use prepare::{Align, Cut, Detrend, Preparation, Reference, Zero, prepare};
+pub use prepare::{Align, Cut, Detrend, Preparation, Reference, Zero, noise_bandwidth, prepare};
 pub use series::{Channel, Run, Series};
 pub use synthetic::{Exact, Noise, synthesise};
 pub use table::{Column, Dialect, Mapping, Others, Read, ReadOptions, Source, read};

@@ -11,8 +11,6 @@ pub fn facts(update: &Update) -> UpdateFacts {
     let found = update.found();
     let parameter = |(k, parameter): (usize, &calibrate::Parameter)| {
         let end = found.map(|found| &found.parameters[k]);
-        let left = update.posterior.as_ref().and_then(|report| report.posterior.parameters.get(k));
-        let told = update.identifiability.as_ref().and_then(|told| told.identifiable.get(k).copied());
         ParameterFacts {
             name: parameter.name.clone(),
             path: update.places[k].path.clone(),
@@ -22,8 +20,8 @@ pub fn facts(update: &Update) -> UpdateFacts {
             lower: parameter.lower,
             upper: parameter.upper,
             at_bound: end.is_some_and(|end| end.at_bound),
-            identifiable: left.map_or(told, |left| Some(left.identifiable && told.unwrap_or(true))),
-            interval_95: left.map(|left| left.summary.interval_95),
+            identifiable: update.identifiable(k),
+            interval_95: update.summary(k).map(|summary| summary.interval_95),
         }
     };
     let largest = |values: &[f64]| {

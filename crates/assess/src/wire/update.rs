@@ -1,6 +1,6 @@
 //! `extrados.update/1`, and its tables.
 
-use crate::analysis::update::{SearchLine, Update};
+use crate::analysis::update::{SearchLine, UncertaintyFrom, Update};
 use calibrate::Found;
 use calibrate::search::sweep::Sweep;
 use serde::Serialize;
@@ -15,6 +15,8 @@ pub struct UpdateObject {
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
     parameters: Vec<ParameterObject>,
+    /// Where standard deviations, intervals and correlations come from: the linearised problem or the sampled posterior.
+    uncertainty_from: Option<&'static str>,
     correlation: Vec<Vec<f64>>,
     error_norm: Option<f64>,
     error_norm_in_search: Option<f64>,
@@ -29,6 +31,8 @@ pub struct UpdateObject {
     rank: Option<usize>,
     condition: Option<f64>,
     told: Vec<String>,
+    /// The model's error as a share of the response, by the linearised problem.
+    model_error: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     posterior: Option<PosteriorObject>,
     records: RecordsObject,
@@ -83,6 +87,8 @@ struct SearchObject {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct SensitivityObject {
     parameter: String,
+    /// Sweeps of the model about the start, or of its straight line about the answer.
+    from: &'static str,
     minimum: f64,
     maximum: f64,
     range: f64,
@@ -191,7 +197,8 @@ impl UpdateObject {
             search: update.answer.map(|k| update.searches[k].search.word()),
             reason: update.reason.clone(),
             parameters: parameters(update, best),
-            correlation: update.posterior.as_ref().map_or_else(Vec::new, |p| p.posterior.correlation.clone()),
+            uncertainty_from: update.uncertainty_from().map(UncertaintyFrom::word),
+            correlation: update.correlation(),
             error_norm: best.map(|found| found.norm),
             error_norm_in_search: best.map(|found| found.norm_in_search),
             initial_error_norm: update.basis.as_ref().map(|basis| basis.start.norm),
@@ -199,12 +206,17 @@ impl UpdateObject {
             evaluations_computed: update.computed,
             channels: update.basis.as_ref().map_or_else(Vec::new, |_| channels(update, best)),
             searches: update.searches.iter().map(search).collect(),
-            sensitivity: pass.map_or_else(Vec::new, |pass| sensitivity(update, &pass.sweeps, &pass.ranking)),
+            sensitivity: match (pass, &update.linearised) {
+                (Some(pass), _) => sensitivity(update, "sweeps", &pass.sweeps, &pass.ranking),
+                (None, Some(line)) => sensitivity(update, "linearised", &line.sweeps, &line.ranking),
+                (None, None) => Vec::new(),
+            },
             stages: stages(update),
             naive_error_norm: pass.and_then(|pass| pass.naive.as_ref()?.norm),
             rank: update.identifiability.as_ref().map(|told| told.rank),
             condition: update.identifiability.as_ref().map(|told| told.condition).filter(|c| c.is_finite()),
-            told: update.identifiability.as_ref().map_or_else(Vec::new, |told| told.words.clone()),
+            told: told(update),
+            model_error: update.linearised.as_ref().map(|line| line.left.model_error),
             posterior: posterior(update),
             records: records(update),
             load_positions: update.times.len(),
@@ -220,8 +232,7 @@ fn name(update: &Update, parameter: usize) -> String {
 fn parameters(update: &Update, best: Option<&Found>) -> Vec<ParameterObject> {
     let one = |(k, parameter): (usize, &calibrate::Parameter)| {
         let found = best.map(|found| &found.parameters[k]);
-        let left = update.posterior.as_ref().and_then(|report| report.posterior.parameters.get(k));
-        let local = update.identifiability.as_ref().and_then(|told| told.identifiable.get(k).copied());
+        let summary = update.summary(k);
         ParameterObject {
             name: parameter.name.clone(),
             path: update.places[k].path.clone(),
@@ -232,12 +243,19 @@ fn parameters(update: &Update, best: Option<&Found>) -> Vec<ParameterObject> {
             upper: parameter.upper,
             at_bound: found.map(|found| found.at_bound),
             converged: found.map(|found| found.converged),
-            standard_deviation: left.map(|left| left.summary.standard_deviation),
-            interval_95: left.map(|left| left.summary.interval_95),
-            identifiable: left.map_or(local, |left| Some(left.identifiable && local.unwrap_or(true))),
+            standard_deviation: summary.map(|summary| summary.standard_deviation),
+            interval_95: summary.map(|summary| summary.interval_95),
+            identifiable: update.identifiable(k),
         }
     };
     update.problem.parameters().iter().enumerate().map(one).collect()
+}
+
+/// What the records tell at the answer, in words: of the derivatives, and of the straight line where no posterior stands in its place.
+pub fn told(update: &Update) -> Vec<String> {
+    let local = update.identifiability.iter().flat_map(|told| told.words.iter().cloned());
+    let line = update.linearised.iter().filter(|_| update.uncertainty_from() == Some(UncertaintyFrom::Linearised));
+    local.chain(line.flat_map(|line| line.left.words.iter().cloned())).collect()
 }
 
 fn channels(update: &Update, best: Option<&Found>) -> Vec<ChannelObject> {
@@ -278,10 +296,11 @@ fn search(line: &SearchLine) -> SearchObject {
     }
 }
 
-fn sensitivity(update: &Update, sweeps: &[Sweep], ranking: &[usize]) -> Vec<SensitivityObject> {
+fn sensitivity(update: &Update, from: &'static str, sweeps: &[Sweep], ranking: &[usize]) -> Vec<SensitivityObject> {
     let channels = update.problem.channels().len();
     let one = |sweep: &Sweep| SensitivityObject {
         parameter: name(update, sweep.parameter),
+        from,
         minimum: sweep.least(),
         maximum: sweep.most(),
         range: sweep.range(),

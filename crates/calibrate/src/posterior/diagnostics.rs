@@ -88,11 +88,11 @@ fn r_hat(groups: &[Vec<f64>]) -> f64 {
     if within > 0.0 { (1.0 + between / within).sqrt() } else { f64::NAN }
 }
 
-/// By the sum of the autocorrelations, broken off after Geyer's monotone positive pairs.
-fn effective_samples(chains: &[Vec<f64>]) -> f64 {
+/// By the sum of the autocorrelations, broken off after Geyer's monotone positive pairs; not a number for fewer than two values.
+pub(crate) fn effective_samples(chains: &[Vec<f64>]) -> f64 {
     let (m, n) = (chains.len(), chains[0].len());
     let (within, whole) = variances(chains);
-    if !(whole > 0.0) {
+    if n < 2 || !(whole > 0.0) {
         return f64::NAN;
     }
     let centred: Vec<Vec<f64>> = chains

@@ -1,12 +1,20 @@
 //! How likely the records are at given parameters: noise of the measurement, and an error of the model with a scale of
 //! its own.
 //!
-//! The model's error of a channel is a gain: a share of the measured history, drawn from a normal distribution once for the
-//! channel. Where a block is given, a local part of the same scale joins it: a share of the measured peak, constant over
+//! The model's error of a channel is a gain: a share of the model's response, drawn from a normal distribution once for the
+//! channel. Where a block is given, a local part of the same scale joins it: a share of the model's peak, constant over
 //! each block of the history and independent between blocks. Channels are independent. The covariance of the differences
-//! of a channel is then that of its blocks, $\mathbf D = \sigma^2 \mathbf 1 + \ell^2\, \mathbf e \mathbf e^T$ each, with
-//! $g^2\, \mathbf v \mathbf v^T$ over all; its inverse and determinant are known in closed form.
+//! of a channel is then that of its blocks, $\mathbf D = \tau \sigma^2 \mathbf 1 + \ell^2\, \mathbf e \mathbf e^T$ each, with
+//! $g^2\, \mathbf u \mathbf u^T$ over all; its inverse and determinant are known in closed form.
+//!
+//! The gain goes with the response $\mathbf u$ and not with the record: the record's own noise in the covariance pulls
+//! amplitudes down (Peelle's puzzle), to $1/(1 + g^2 N)$ of the truth for $N$ values. The covariance changes with the
+//! parameters, and so its determinant belongs to the density.
+//!
+//! Where $\tau$ values of a record tell as much as one, its noise counts with $\tau$ times its variance: exact for responses that are
+//! slow beside the correlation of the noise, as those that a low pass lets through.
 
+use crate::channel::Channel;
 use crate::forward::Response;
 use crate::misfit::{Compare, Held, peak_place};
 use crate::problem::{Finding, Problem};
@@ -16,9 +24,9 @@ use crate::problem::{Finding, Problem};
 pub enum ModelError {
     /// The model is exact.
     None,
-    /// Its standard deviation is this share of each measured peak.
+    /// Its standard deviation is this share of the model's response.
     Known(f64),
-    /// Its standard deviation, as a share of each measured peak, is sought too: half-normal of this scale, cut off at four
+    /// Its standard deviation, as a share of the model's response, is sought too: half-normal of this scale, cut off at four
     /// scales.
     Sought(f64),
 }
@@ -96,19 +104,19 @@ impl Likelihood {
         for (k, values) in response.values.iter().enumerate().filter(|(k, _)| problem.channels()[*k].counts()) {
             let channel = &problem.channels()[k];
             let beyond = held.beyond.get(k).copied().unwrap_or(0.0);
-            let noise = channel.uncertainty.unwrap_or(f64::NAN);
-            let peak = channel.measured_peak().unwrap_or(0.0);
-            let history = channel.history.as_deref().unwrap_or(&[]);
+            let noise = Noise::of(channel);
+            let model: Vec<f64> = values.iter().map(|value| value + beyond).collect();
+            let own_peak = peak_place(problem, k, values).map_or(f64::NAN, |place| model[place]);
             sum += match problem.misfit().compare {
                 Compare::Peaks => {
-                    let place = peak_place(problem, k, values);
-                    let difference = place.map_or(f64::NAN, |place| values[place] + beyond - peak);
-                    log_density(&[difference], &[scale * peak], noise, 0.0, 1)
+                    let difference = own_peak - channel.measured_peak().unwrap_or(0.0);
+                    log_density(&[difference], &[scale * own_peak], noise.single(), 0.0, 1)
                 }
                 Compare::Histories => {
-                    let differences: Vec<f64> = values.iter().zip(history).map(|(u, v)| u + beyond - v).collect();
-                    let gain: Vec<f64> = history.iter().map(|v| scale * v).collect();
-                    let local = self.block.map_or(0.0, |_| scale * peak);
+                    let history = channel.history.as_deref().unwrap_or(&[]);
+                    let differences: Vec<f64> = model.iter().zip(history).map(|(u, v)| u - v).collect();
+                    let gain: Vec<f64> = model.iter().map(|u| scale * u).collect();
+                    let local = self.block.map_or(0.0, |_| scale * own_peak);
                     log_density(&differences, &gain, noise, local, self.block.unwrap_or(usize::MAX))
                 }
             };
@@ -117,11 +125,38 @@ impl Likelihood {
     }
 }
 
-/// Logarithm of the normal density of differences: independent noise, a local error constant over blocks, and one error of
-/// the shape of `gain` over all.
-fn log_density(differences: &[f64], gain: &[f64], noise: f64, local: f64, block: usize) -> f64 {
-    let (noise2, local2) = (noise * noise, local * local);
-    // Sums over blocks of d D^-1 d, v D^-1 d and v D^-1 v, and the logarithm of the determinant of D.
+/// Noise of the measurement of one channel.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Noise {
+    /// Variance of one value.
+    variance: f64,
+    /// Values that together tell as much as one that is independent.
+    over: f64,
+}
+
+impl Noise {
+    /// As the channel states it; not a number where it does not.
+    pub(crate) fn of(channel: &Channel) -> Self {
+        let deviation = channel.uncertainty.unwrap_or(f64::NAN);
+        Self { variance: deviation * deviation, over: channel.correlated_over.unwrap_or(1.0).max(1.0) }
+    }
+
+    /// That of one value alone.
+    pub(crate) fn single(self) -> Self {
+        Self { over: 1.0, ..self }
+    }
+
+    /// Variance with which every value counts.
+    pub(crate) fn each(self) -> f64 {
+        self.over * self.variance
+    }
+}
+
+/// Logarithm of the normal density of differences: noise, a local error constant over blocks, and one error of the shape of
+/// `gain` over all.
+fn log_density(differences: &[f64], gain: &[f64], noise: Noise, local: f64, block: usize) -> f64 {
+    let (noise2, local2) = (noise.each(), local * local);
+    // Sums over blocks of d D^-1 d, v D^-1 d and v D^-1 v, and what the local error adds to the logarithm of the determinant.
     let (mut dd, mut vd, mut vv, mut determinant) = (0.0, 0.0, 0.0, 0.0);
     for (d, v) in differences.chunks(block).zip(gain.chunks(block)) {
         let spread = noise2 + d.len() as f64 * local2;
@@ -131,10 +166,12 @@ fn log_density(differences: &[f64], gain: &[f64], noise: f64, local: f64, block:
         dd += through(dot(d, d), sum_d * sum_d);
         vd += through(dot(v, d), sum_v * sum_d);
         vv += through(dot(v, v), sum_v * sum_v);
-        determinant += (d.len() as f64 - 1.0) * noise2.ln() + spread.ln();
+        determinant += (spread / noise2).ln();
     }
     let quadratic = dd - vd * vd / (1.0 + vv);
-    -0.5 * (quadratic + determinant + (1.0 + vv).ln() + differences.len() as f64 * (2.0 * std::f64::consts::PI).ln())
+    let independent = differences.len() as f64 / noise.over;
+    let noise_alone = independent * (2.0 * std::f64::consts::PI * noise.variance).ln();
+    -0.5 * (quadratic + determinant + (1.0 + vv).ln() + noise_alone)
 }
 
 #[cfg(test)]
@@ -158,7 +195,7 @@ mod tests {
         let solved = factor.solve(&right);
         let quadratic: f64 = (0..5).map(|i| d[i] * solved[(i, 0)]).sum();
         let by_matrix = -0.5 * (quadratic + covariance.determinant().ln() + 5.0 * (2.0 * std::f64::consts::PI).ln());
-        let found = log_density(&d, &v, noise, local, block);
+        let found = log_density(&d, &v, Noise { variance: noise * noise, over: 1.0 }, local, block);
         assert!((found - by_matrix).abs() < 1e-12, "rounding: {found} {by_matrix}");
     }
 }

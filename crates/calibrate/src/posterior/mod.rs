@@ -91,7 +91,7 @@ pub struct Marginal {
     /// R-hat and effective samples.
     pub mixing: Mixing,
     /// Whether the interval, measured in the parameter's scale, is narrower than half of what the prior's would be over the
-    /// whole range.
+    /// whole range, and ends on no bound of it.
     pub identifiable: bool,
 }
 
@@ -223,9 +223,7 @@ impl Run {
         let marginal = |k: usize| {
             let parameter = &parameters[k];
             let summary = summary::summary(&columns[k], Some([parameter.lower, parameter.upper]));
-            let [low, high] = summary.interval_95.map(|value| parameter.share(value));
-            // Over an even range an interval of 95 % is 0.95 wide.
-            let identifiable = high - low < 0.5 * 0.95;
+            let identifiable = summary::tells(parameter, summary.interval_95);
             Marginal { name: parameter.name.clone(), summary, mixing: mixing[k], identifiable }
         };
         let marginals: Vec<Marginal> = (0..columns.len()).map(marginal).collect();
@@ -269,11 +267,22 @@ impl Run {
     }
 }
 
+/// What is said of an interval that ends on a bound.
+pub(crate) fn bounded(parameter: &crate::parameter::Parameter, [low, high]: [f64; 2]) -> String {
+    let crate::parameter::Parameter { name, unit, lower, upper, .. } = parameter;
+    format!(
+        "{name}: 95 % of what is left lies between {low:.4} and {high:.4} {unit} and ends on a bound of the range of {lower} to {upper}: the \
+         range limits it there, and not the data."
+    )
+}
+
 fn words(posterior: &Posterior, parameters: &[crate::parameter::Parameter]) -> Vec<String> {
     let mut words = Vec::new();
     for (marginal, parameter) in posterior.parameters.iter().zip(parameters) {
-        if !marginal.identifiable {
-            let [low, high] = marginal.summary.interval_95;
+        let [low, high] = marginal.summary.interval_95;
+        if summary::ends_on_bound(parameter, marginal.summary.interval_95) {
+            words.push(bounded(parameter, marginal.summary.interval_95));
+        } else if !marginal.identifiable {
             words.push(format!(
                 "{} is hardly told by the data: 95 % of what is left lies between {low:.4} and {high:.4} {}, of a range \
                  of {} to {}.",

@@ -1,5 +1,7 @@
 //! What samples say of one quantity: mean, spread, interval.
 
+use crate::parameter::Parameter;
+
 /// A quantity in numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
@@ -25,6 +27,19 @@ pub fn summary(samples: &[f64], range: Option<[f64; 2]>) -> Summary {
     let shortest = |a: [f64; 2], b: [f64; 2]| if length(&b) < length(&a) { b } else { a };
     let interval_95 = at_bounds.into_iter().flatten().fold(within, shortest);
     Summary { mean, standard_deviation: variance.sqrt(), interval_95 }
+}
+
+/// Whether an interval tells a parameter: it is narrower, in the parameter's scale, than half of what an even prior's over the whole range would
+/// be, and it ends on no bound of the range: where it does, the range limits it there and not the data.
+pub fn tells(parameter: &Parameter, interval_95: [f64; 2]) -> bool {
+    let [low, high] = interval_95.map(|value| parameter.share(value));
+    // Over an even range an interval of 95 % is 0.95 wide.
+    high - low < 0.5 * 0.95 && !ends_on_bound(parameter, interval_95)
+}
+
+/// Whether an interval ends on a bound of the range.
+pub fn ends_on_bound(parameter: &Parameter, interval_95: [f64; 2]) -> bool {
+    interval_95.iter().any(|end| parameter.at_bound(*end))
 }
 
 /// Quantile of sorted values, between them by a straight line.

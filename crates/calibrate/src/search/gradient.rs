@@ -1,16 +1,18 @@
 //! A plain gradient search from one start (L-BFGS-B on the square of the norm): what a general program offers, and what
 //! the paper compares with. It ends in the minimum into whose valley it happens to start.
 
-use basin::{Executor, Lbfgsb};
+use std::cell::{Cell, RefCell};
+
+use basin::{BoxBounds, Constraints, CostFunction, Executor, Gradient, Lbfgsb};
 
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
-use crate::forward::Failure;
+use crate::forward::{Evaluation, Failure};
+use crate::misfit::{residual_derivatives, residuals};
 use crate::parameter::{Start, shares, values};
 use crate::report::{Found, verify};
-use crate::search::jacobian::STEP;
+use crate::search::jacobian::{STEP, by_differences, by_shares};
 use crate::search::modern::Status;
-use crate::search::replay::{Known, Missing, Sought, broken_off, replay};
 
 /// Where it ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,19 +37,119 @@ fn run(evaluator: &mut Evaluator, basis: &Basis, start: &Start, iterations: u64)
     evaluator.stage("gradient search");
     let parameters = evaluator.problem.parameters();
     let begin = shares(parameters, &start.point(parameters));
-    let one = |_: usize, known: &Known| -> Result<_, Missing> {
-        let solver = Lbfgsb::<Vec<f64>>::new().with_absolute_projected_gradient_tolerance(1e-7);
-        let ended = Executor::from_start(Sought::new(known), solver, begin.clone())
-            .max_iter(iterations.max(1))
-            .run()
-            .map_err(broken_off)?;
+    let solver = Lbfgsb::<Vec<f64>>::new().with_absolute_projected_gradient_tolerance(1e-7);
+    let stopped = Cell::new(false);
+    let sought = Sought::new(evaluator, basis, &stopped);
+    let ended = Executor::from_start(sought, solver, begin).max_iter(iterations.max(1)).run();
+    if stopped.get() {
+        return Err(Halt::Stopped);
+    }
+    let end = ended.ok().map(|ended| {
         let converged = ended.report.termination.is_converged();
-        Ok((values(parameters, ended.best_param()), ended.best_cost(), converged, format!("{:?}", ended.report.code())))
-    };
-    let end = replay(evaluator, basis, STEP, 1, one)?.pop().filter(|end| end.1.is_finite());
+        (values(parameters, ended.best_param()), ended.best_cost(), converged, format!("{:?}", ended.report.code()))
+    });
+    let end = end.filter(|end| end.1.is_finite());
     let Some((point, cost, converged, ended)) = end else {
         return Err(Halt::Failed(Failure::new("no-start", "the model fails at the start")));
     };
     let found = verify(evaluator, basis, parameters, &point, cost.sqrt(), &vec![converged; point.len()])?;
     Ok((if converged { Status::Converged } else { Status::NotConverged(ended) }, found))
+}
+
+/// The onlooker wanted it to end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Broken;
+
+/// The square of the norm over the shares. There is one run and nothing to advance beside it, so that every point is evaluated when it is asked
+/// for: the cost of the search grows with its evaluations and not with their square.
+struct Sought<'s, 'a> {
+    evaluator: RefCell<&'s mut Evaluator<'a>>,
+    basis: &'s Basis,
+    zero: Vec<f64>,
+    one: Vec<f64>,
+    stopped: &'s Cell<bool>,
+}
+
+impl<'s, 'a> Sought<'s, 'a> {
+    fn new(evaluator: &'s mut Evaluator<'a>, basis: &'s Basis, stopped: &'s Cell<bool>) -> Self {
+        let n = evaluator.problem.parameters().len();
+        Self { evaluator: RefCell::new(evaluator), basis, zero: vec![0.0; n], one: vec![1.0; n], stopped }
+    }
+
+    /// What is read of the answers at some shares, in their order.
+    fn answers<T>(
+        &self,
+        shares: &[Vec<f64>],
+        read: impl Fn(&Evaluator, &Evaluation) -> Option<T>,
+    ) -> Result<Vec<Option<T>>, Broken> {
+        let mut evaluator = self.evaluator.borrow_mut();
+        let parameters = evaluator.problem.parameters();
+        let points: Vec<Vec<f64>> = shares.iter().map(|shares| values(parameters, shares)).collect();
+        let request = self.basis.request(evaluator.has_sensitivities(&self.basis.samples));
+        let Ok(answers) = evaluator.respond(&points, &request) else {
+            self.stopped.set(true);
+            return Err(Broken);
+        };
+        Ok(answers.iter().map(|answer| read(&evaluator, answer)).collect())
+    }
+
+    /// Residuals; none where the model failed.
+    fn residuals(&self, shares: &[Vec<f64>]) -> Result<Vec<Option<Vec<f64>>>, Broken> {
+        self.answers(shares, |evaluator, answer| {
+            Some(residuals(evaluator.problem, &self.basis.held, answer.as_ref().ok()?))
+        })
+    }
+
+    /// Columns of derivatives of the residuals; none where the model failed.
+    fn columns(&self, shares: &[f64]) -> Result<Option<Vec<Vec<f64>>>, Broken> {
+        let own = self.evaluator.borrow().has_sensitivities(&self.basis.samples);
+        if own {
+            let found = self.answers(&[shares.to_vec()], |evaluator, answer| {
+                let problem = evaluator.problem;
+                let columns = residual_derivatives(problem, &self.basis.held, answer.as_ref().ok()?);
+                Some(by_shares(problem.parameters(), shares, columns))
+            });
+            return Ok(found?.pop().flatten());
+        }
+        // Which points are wanted is asked first, so that they are evaluated in one batch.
+        let wanted = RefCell::new(Vec::new());
+        let _ = by_differences(shares, STEP, |shares| {
+            wanted.borrow_mut().push(shares.to_vec());
+            Ok::<_, ()>(Vec::new())
+        });
+        let found = RefCell::new(self.residuals(&wanted.into_inner())?.into_iter());
+        Ok(by_differences(shares, STEP, |_| found.borrow_mut().next().flatten().ok_or(())).ok())
+    }
+}
+
+impl Constraints for Sought<'_, '_> {
+    type Set = basin::ConstraintSet<BoxBounds<Vec<f64>>>;
+
+    fn constraints(&self) -> <Self::Set as basin::ConstraintDescription>::Borrowed<'_> {
+        basin::ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.zero), Some(&self.one)))
+    }
+}
+
+impl CostFunction for Sought<'_, '_> {
+    type Param = Vec<f64>;
+    type Output = f64;
+    type Error = Broken;
+
+    fn cost(&self, shares: &Vec<f64>) -> Result<f64, Broken> {
+        let found = self.residuals(std::slice::from_ref(shares))?.pop().flatten();
+        Ok(found.map_or(f64::INFINITY, |residuals| residuals.iter().map(|r| r * r).sum()))
+    }
+}
+
+impl Gradient for Sought<'_, '_> {
+    type Gradient = Vec<f64>;
+
+    fn gradient(&self, shares: &Vec<f64>) -> Result<Vec<f64>, Broken> {
+        let residuals = self.residuals(std::slice::from_ref(shares))?.pop().flatten();
+        let (Some(residuals), Some(columns)) = (residuals, self.columns(shares)?) else {
+            return Ok(vec![f64::NAN; shares.len()]);
+        };
+        let slope = |column: &Vec<f64>| 2.0 * column.iter().zip(&residuals).map(|(a, b)| a * b).sum::<f64>();
+        Ok(columns.iter().map(slope).collect())
+    }
 }

@@ -13,6 +13,7 @@ use crate::forward::Samples;
 use crate::identify::sensitivities;
 use crate::misfit::residuals;
 use crate::parameter::{shares, values};
+use crate::search::jacobian::STEP;
 use crate::search::modern::RunEnd;
 
 /// Most full passages.
@@ -35,7 +36,7 @@ pub(super) fn settle(evaluator: &mut Evaluator, basis: &Basis, from: &RunEnd) ->
     let parameters = evaluator.problem.parameters();
     evaluator.stage("on by full passages");
     let corrected = basis.corrected(evaluator, &from.end)?;
-    let columns = sensitivities(evaluator, &corrected, &from.end)?;
+    let columns = sensitivities(evaluator, &corrected, &from.end, STEP)?;
     let whole = Basis { samples: Samples::All, ..basis.clone() };
     let mut ask = |at: &[f64], wanted: Wanted| -> Result<Vec<Vec<f64>>, Halt> {
         let point = values(parameters, at);
@@ -46,7 +47,7 @@ pub(super) fn settle(evaluator: &mut Evaluator, basis: &Basis, from: &RunEnd) ->
                 Err(Halt::Failed(_)) => Ok(vec![vec![f64::INFINITY]]),
                 Err(halt) => Err(halt),
             },
-            Wanted::Derivatives => sensitivities(evaluator, &whole, &point),
+            Wanted::Derivatives => sensitivities(evaluator, &whole, &point, STEP),
         }
     };
     let (here, norm, settled) = descend(shares(parameters, &from.end), columns, &mut ask)?;

@@ -136,6 +136,34 @@ fn one_parameter_alone_and_more_parameters_than_channels_are_searched_too() {
 }
 
 #[test]
+fn a_gradient_search_costs_no_more_than_its_evaluations() {
+    use calibrate::{Evaluation, Forward, Request, Response, Samples};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    /// Rosenbrock's valley, which counts how often anybody asks for an answer, known or not.
+    struct Asked(AtomicUsize);
+    impl Forward for Asked {
+        fn evaluate(&self, x: &[f64], _: &Request) -> Evaluation {
+            Ok(Response { values: rosenbrock(x), derivatives: Vec::new() })
+        }
+        fn has_sensitivities(&self, _: &Samples) -> bool {
+            self.0.fetch_add(1, Ordering::Relaxed);
+            false
+        }
+        fn length(&self, _: usize) -> usize {
+            1
+        }
+    }
+    let problem = least_squares(vec![parameter("x", -1.2, -2.0, 2.0), parameter("y", 1.0, -1.0, 3.0)], &[0.0, 0.0]);
+    let model = Asked(AtomicUsize::new(0));
+    with(&problem, &model, |evaluator, basis| {
+        let found = gradient::search(evaluator, basis, &Start::Stated, 500).found.unwrap();
+        let asked = model.0.load(Ordering::Relaxed);
+        assert!(found.evaluations > 50, "{found:?}");
+        assert!(asked < 10 * found.evaluations, "{asked} questions for {} evaluations", found.evaluations);
+    });
+}
+
+#[test]
 fn a_problem_says_everything_that_is_wrong_with_it() {
     use calibrate::{Channel, Misfit, Problem};
     let parameters = vec![

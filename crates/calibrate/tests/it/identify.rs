@@ -4,6 +4,7 @@ use crate::common::{Function, LENGTH, five, five_model, five_problem, least_squa
 use calibrate::identify::identify;
 use calibrate::misfit::{Compare, Misfit};
 use calibrate::posterior::{self, Likelihood, ModelError};
+use calibrate::search::jacobian::STEP;
 use calibrate::search::modern;
 use calibrate::surrogate::{self, build};
 use calibrate::{
@@ -19,7 +20,7 @@ fn a_sum_is_told_and_its_parts_are_not() {
     let problem = least_squares(vec![range("a"), range("b"), range("c")], &[1.0, 1.0, 0.5]);
     let sum = |x: &[f64]| vec![vec![x[0] + x[1]], vec![2.0 * (x[0] + x[1]) - 1.0], vec![x[2]]];
     with(&problem, &Function { channels: 3, length: 1, values: sum }, |evaluator, basis| {
-        let found = identify(evaluator, basis, &[0.5, 0.5, 0.5]).unwrap();
+        let found = identify(evaluator, basis, &[0.5, 0.5, 0.5], STEP).unwrap();
         assert_eq!((found.rank, found.identifiable.clone()), (2, vec![false, false, true]), "{found:?}");
         assert!(found.condition > 1e6);
         assert!(found.words.iter().any(|line| line.starts_with("a and b act alike")), "{:?}", found.words);
@@ -74,7 +75,7 @@ fn derivatives_of_the_model_and_differences_say_the_same_and_the_former_are_chea
                 // Records without noise; the solver ends at a gradient of 1e-10 of a norm of order one.
                 assert!((value - truth).abs() < 1e-5, "{:?}", found.point());
             }
-            (identify(evaluator, basis, &TRUTH).unwrap(), found.evaluations)
+            (identify(evaluator, basis, &TRUTH, STEP).unwrap(), found.evaluations)
         })
     };
     let (exact, cheap) = look(&Exact);

@@ -3,7 +3,9 @@
 mod common;
 mod coverage;
 mod functions;
+mod gain;
 mod hierarchy;
 mod identify;
+mod linearised;
 mod resume;
 mod two_storey;

@@ -1,6 +1,6 @@
 //! The answer of model updating in an engineer's words.
 
-use assess::analysis::update::{Update, UpdateStatus};
+use assess::analysis::update::{UncertaintyFrom, Update, UpdateStatus};
 use std::fmt::Write;
 
 /// Parameters, channels, searches beside one another, what the records tell, what was found in them.
@@ -37,15 +37,26 @@ fn parameters(page: &mut String, found: &Update) {
             (_, true) => String::new(),
             _ => "not converged".to_owned(),
         };
-        if let Some(left) = found.posterior.as_ref().and_then(|report| report.posterior.parameters.get(k)) {
-            let [low, high] = left.summary.interval_95;
+        if let Some([low, high]) = found.summary(k).map(|summary| summary.interval_95) {
             let _ = write!(remark, "  95 % within {low:.4} to {high:.4}");
+        }
+        if found.identifiable(k) == Some(false) {
+            remark += "; the records hardly tell it";
         }
         let range = format!("{} to {} {}", parameter.lower, parameter.upper, parameter.unit);
         let _ = writeln!(
             page,
             "  {:<24} {:>11.5} {:>11.5}   {range:<19}  {remark}",
             parameter.name, parameter.start, value.value
+        );
+    }
+    if found.uncertainty_from() == Some(UncertaintyFrom::Linearised) {
+        let error = found.linearised.as_ref().map_or(0.0, |line| line.left.model_error);
+        let _ = writeln!(
+            page,
+            "  intervals are those of the model as a straight line about what was found, with an error of the model of {:.1} % of its \
+             response; posterior = true samples the model itself",
+            100.0 * error
         );
     }
     page.push('\n');
@@ -121,7 +132,7 @@ fn sweeps(page: &mut String, found: &Update) {
 }
 
 fn told(page: &mut String, found: &Update) {
-    let local = found.identifiability.iter().flat_map(|told| told.words.iter().cloned());
+    let local = assess::wire::told(found).into_iter();
     let left = found
         .posterior
         .iter()

@@ -65,6 +65,17 @@ fn a_twin_is_found_whatever_the_threads() {
     assert!((parameter(&one, "stone") / 13.0 - 1.0).abs() < 5e-3, "{one}");
     assert!((parameter(&one, "fill") / 170.0 - 1.0).abs() < 5e-3, "{one}");
     assert!(number(&one, "error_norm") < 1e-3 && number(&one, "initial_error_norm") > 0.05, "{one}");
+    // What is left open comes without a posterior, from the derivatives at the answer.
+    assert_eq!(one["uncertainty_from"], "linearised", "{one}");
+    for one in one["parameters"].as_array().expect("parameters") {
+        let (value, deviation) = (number(one, "value"), number(one, "standard_deviation"));
+        let ends: Vec<f64> = one["interval_95"].as_array().expect("two").iter().filter_map(Value::as_f64).collect();
+        assert!(deviation > 0.0 && ends[0] <= value && value <= ends[1], "{one}");
+        assert!(ends[0] >= number(one, "lower") && ends[1] <= number(one, "upper"), "{one}");
+    }
+    assert!(one["correlation"][0][1].as_f64().is_some_and(|r| (-1.0..0.0).contains(&r)), "{one}");
+    assert_eq!(one["sensitivity"].as_array().map(Vec::len), Some(2), "{one}");
+    assert!(one["told"].to_string().contains("No uncertainty is stated for"), "{one}");
     assert!(codes(&one).contains(&"A140"), "synthetic records are called so: {one}");
     assert!(stage.read("one/histories.csv").starts_with("time_s,position_m,crown_measured_mm,crown_start_mm,"));
     let (two, _) = stage.object(&["update", "bridge.toml", "--out", "one", "--threads", "2", "--quiet"]);

@@ -9,6 +9,7 @@ mod resample;
 
 pub use align::{Align, Reference};
 pub use cut::Cut;
+pub use filter::noise_bandwidth;
 pub use level::{Detrend, Zero};
 
 use crate::{Done, Finding, Place, Run, Series, Severity};

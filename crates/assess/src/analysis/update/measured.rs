@@ -231,6 +231,12 @@ fn channel(asked: &Asked, setup: &Setup, series: &Series, k: usize) -> Channel {
         peak: (!peaks.is_empty()).then(|| peaks.iter().sum::<f64>() / count),
         history: (!peaks.is_empty()).then(|| (0..setup.times.len()).map(mean).collect()),
         uncertainty: said.and_then(|said| said.uncertainty),
+        correlated_over: asked.records.low_pass.map(|cutoff| {
+            // Noise of that bandwidth, seen at the times of the model on the clock of the fastest run.
+            let pace =
+                series.runs.iter().filter_map(|run| run.speed).fold(setup.plan.speed, f64::max) / setup.plan.speed;
+            pace / (2.0 * records::noise_bandwidth(cutoff) * setup.plan.time_step)
+        }),
         weight: said.and_then(|said| said.weight),
         left_out: said.and_then(|said| said.left_out.clone()).or(missing),
     }

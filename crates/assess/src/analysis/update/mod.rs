@@ -8,8 +8,8 @@ mod searches;
 pub use forward::{Model, Threads};
 pub use measured::RecordFile;
 pub use outcome::{
-    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, SearchLine, Update, UpdateStatus,
-    Verdict,
+    Histories, LinearReport, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, SearchLine,
+    UncertaintyFrom, Update, UpdateStatus, Verdict,
 };
 
 use super::AnalysisError;
@@ -194,7 +194,7 @@ pub fn judge(task: &Task<'_>, means: Means<'_>) -> Result<Update, UpdateError> {
     Ok(found)
 }
 
-/// Identifiability and posterior; an error is a wish to stop.
+/// Identifiability, intervals and posterior; an error is a wish to stop.
 fn tell(
     task: &Task<'_>,
     evaluator: &mut Evaluator,
@@ -215,10 +215,26 @@ fn tell(
         Err(Halt::Stopped) => return Err(()),
         Err(Halt::Failed(failure)) => found.warnings.push(untold("identifiability", &words(&failure))),
     }
+    // A model that leaves more of a history than the stated noise is not as exact as the noise.
+    let gain = task.asked.plan.model_error > 0.0;
+    let problem = match evaluator.respond(&[point.to_vec()], &Request::all()) {
+        Ok(answers) => match answers[0].as_ref() {
+            Ok(response) => evaluator.problem.with_noise_of(response, gain),
+            Err(_) => evaluator.problem.clone(),
+        },
+        Err(_) => return Err(()),
+    };
+    if found.identifiability.is_some() {
+        match searches::linearised(&task.asked.plan, evaluator, basis, point, &problem) {
+            Ok(report) => found.linearised = Some(report),
+            Err(Halt::Stopped) => return Err(()),
+            Err(Halt::Failed(failure)) => found.warnings.push(untold("intervals", &words(&failure))),
+        }
+    }
     if !task.asked.plan.posterior {
         return Ok(());
     }
-    match searches::posterior(&task.asked.plan, evaluator, basis, clock) {
+    match searches::posterior(&task.asked.plan, evaluator, basis, &problem, clock) {
         Ok(Ok(report)) => found.posterior = Some(report),
         Ok(Err(message)) => found.warnings.push(untold("the posterior", &message)),
         Err(Halt::Stopped) => return Err(()),
@@ -285,6 +301,7 @@ fn cancelled(task: &Task<'_>, setup: &Setup, problem: Problem) -> Update {
         referee: None,
         gradient: None,
         identifiability: None,
+        linearised: None,
         posterior: None,
         evaluations: 0,
         computed: 0,

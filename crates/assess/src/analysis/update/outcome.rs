@@ -5,7 +5,9 @@ use super::Search;
 use crate::analysis::passage::Quantity;
 use crate::warning::Warning;
 use calibrate::identify::Identifiability;
-use calibrate::posterior::{Likelihood, Posterior};
+use calibrate::linearised::Left;
+use calibrate::posterior::{Likelihood, Posterior, Summary};
+use calibrate::search::sweep::Sweep;
 use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Basis, Found, Problem};
 
@@ -102,6 +104,36 @@ pub struct PosteriorReport {
     pub seconds: f64,
 }
 
+/// What the records leave open, with the model as a straight line about the answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearReport {
+    /// Parameters with their intervals.
+    pub left: Left,
+    /// Each parameter varied alone over its range, about the answer.
+    pub sweeps: Vec<Sweep>,
+    /// Parameters by the range of the norm in their sweeps, largest first.
+    pub ranking: Vec<usize>,
+}
+
+/// Where intervals and correlations come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UncertaintyFrom {
+    /// The model as a straight line about the answer.
+    Linearised,
+    /// The sampled posterior.
+    Posterior,
+}
+
+impl UncertaintyFrom {
+    /// The word that scripts read.
+    pub fn word(self) -> &'static str {
+        match self {
+            UncertaintyFrom::Linearised => "linearised",
+            UncertaintyFrom::Posterior => "posterior",
+        }
+    }
+}
+
 /// A run of records.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunUsed {
@@ -187,7 +219,9 @@ pub struct Update {
     pub gradient: Option<gradient::Outcome>,
     /// What the data can tell at the answer.
     pub identifiability: Option<Identifiability>,
-    /// What they leave open.
+    /// What they leave open, with the model as a straight line about the answer.
+    pub linearised: Option<LinearReport>,
+    /// What they leave open, sampled.
     pub posterior: Option<PosteriorReport>,
     /// Evaluations of the model that the answers rest on, each point once.
     pub evaluations: usize,
@@ -205,5 +239,44 @@ impl Update {
     /// Where the answer stands: parameters, norm and channels, verified by a full passage.
     pub fn found(&self) -> Option<&Found> {
         self.searches.get(self.answer?)?.found.as_ref()
+    }
+
+    /// Where intervals and correlations come from; none where there are none.
+    pub fn uncertainty_from(&self) -> Option<UncertaintyFrom> {
+        match (&self.posterior, &self.linearised) {
+            (Some(report), _) if !report.posterior.parameters.is_empty() => Some(UncertaintyFrom::Posterior),
+            (_, Some(_)) => Some(UncertaintyFrom::Linearised),
+            _ => None,
+        }
+    }
+
+    /// What is left open of a parameter: the posterior's, or the straight line's.
+    pub fn summary(&self, parameter: usize) -> Option<Summary> {
+        let sampled = self.posterior.as_ref().and_then(|report| report.posterior.parameters.get(parameter));
+        let line = || self.linearised.as_ref()?.left.parameters.get(parameter).copied();
+        sampled.map(|marginal| marginal.summary).or_else(line)
+    }
+
+    /// Whether the records tell a parameter: it shows, it does not act like another one, and its interval is narrow beside its range and ends
+    /// on no bound of it.
+    pub fn identifiable(&self, parameter: usize) -> Option<bool> {
+        let local = self.identifiability.as_ref().and_then(|told| told.identifiable.get(parameter).copied());
+        let sampled = self.posterior.as_ref().and_then(|report| report.posterior.parameters.get(parameter));
+        let line = || self.linearised.as_ref()?.left.told.get(parameter).copied();
+        match sampled.map(|marginal| marginal.identifiable).or_else(line) {
+            Some(told) => Some(told && local.unwrap_or(true)),
+            None => local,
+        }
+    }
+
+    /// Correlation of the parameters; empty where it is not known.
+    pub fn correlation(&self) -> Vec<Vec<f64>> {
+        match self.uncertainty_from() {
+            Some(UncertaintyFrom::Posterior) => {
+                self.posterior.as_ref().map(|report| report.posterior.correlation.clone())
+            }
+            _ => self.linearised.as_ref().map(|report| report.left.correlation.clone()),
+        }
+        .unwrap_or_default()
     }
 }

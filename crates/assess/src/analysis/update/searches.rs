@@ -1,12 +1,13 @@
 //! The searches that a file asks for, one after the other over one log, and what the data can tell where the best one ended.
 
 use super::Search;
-use super::outcome::{PaperSearch, PosteriorReport, SearchLine};
+use super::outcome::{LinearReport, PaperSearch, PosteriorReport, SearchLine};
 use bridge::update::Plan;
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
+use calibrate::search::sweep::{Sweep, ranking};
 use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Evaluator, Found, Halt, Serial, Start, surrogate};
+use calibrate::{Basis, Evaluator, Found, Halt, Linearised, Problem, Serial, Start, linearised, surrogate};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -194,14 +195,39 @@ fn of_status(status: &modern::Status) -> End {
 
 /// What the data can tell at a point: by differences as wide as the modern search's.
 pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Result<Identifiability, Halt> {
-    calibrate::identify::identify(evaluator, basis, point)
+    calibrate::identify::identify(evaluator, basis, point, STEP)
 }
 
-/// The posterior, sampled on a polynomial whose error is checked, stated and joined to the uncertainties.
+/// Noise and model error as the file asks for them.
+fn likelihood(plan: &Plan) -> Likelihood {
+    let model_error = if plan.model_error > 0.0 { ModelError::Sought(plan.model_error) } else { ModelError::None };
+    Likelihood { model_error, ..Likelihood::default() }
+}
+
+/// Points of a sweep of the straight line.
+const LINE_POINTS: usize = 11;
+
+/// What the records leave open with the model as a straight line about the answer; `problem` has the noise to take.
+pub fn linearised(
+    plan: &Plan,
+    evaluator: &mut Evaluator,
+    basis: &Basis,
+    point: &[f64],
+    problem: &Problem,
+) -> Result<LinearReport, Halt> {
+    let line = Linearised::at(evaluator, basis, point, STEP)?;
+    let settings = linearised::Settings { likelihood: likelihood(plan), seed: plan.seed, ..Default::default() };
+    let sweeps = line.sweeps(evaluator.problem, &basis.held, &basis.start, LINE_POINTS);
+    let ranking = ranking(&sweeps, Sweep::range);
+    Ok(LinearReport { left: line.left(problem, &settings), sweeps, ranking })
+}
+
+/// The posterior, sampled on a polynomial whose error is checked, stated and joined to the uncertainties of `noise`.
 pub fn posterior(
     plan: &Plan,
     evaluator: &mut Evaluator,
     basis: &Basis,
+    noise: &Problem,
     clock: &dyn Fn() -> f64,
 ) -> Result<Result<PosteriorReport, String>, Halt> {
     let begun = clock();
@@ -212,9 +238,8 @@ pub fn posterior(
         ..surrogate::Settings::default()
     };
     let polynomial = surrogate::build(evaluator, basis, &settings)?;
-    let problem = polynomial.widen(evaluator.problem);
-    let model_error = if plan.model_error > 0.0 { ModelError::Sought(plan.model_error) } else { ModelError::None };
-    let likelihood = Likelihood { model_error, ..Likelihood::default() };
+    let problem = polynomial.widen(noise);
+    let likelihood = likelihood(plan);
     let settings = posterior::Settings {
         likelihood,
         effective_samples: plan.samples as f64,

@@ -1,0 +1,161 @@
+//! What the data leave open, with the model as a straight line about one point: standard deviations, intervals and
+//! correlations that cost no evaluation beyond the derivatives there (Laplace's approximation).
+//!
+//! Noise and model error are those of the posterior ([`crate::posterior::likelihood`]), the gain going with the response at
+//! the point. For every size $g$ of the model's error what is left is a normal distribution, cut off at the ranges; their mixture over $g$
+//! is drawn from by Gibbs steps, with no model behind them.
+
+mod draws;
+mod quadratic;
+
+use crate::basis::{Basis, Halt};
+use crate::evaluator::Evaluator;
+use crate::forward::{Evaluation, Forward, Request, Response, Samples, Serial};
+use crate::identify::columns;
+use crate::misfit::{Compare, Held, compared, compared_derivatives};
+use crate::parameter::{Parameter, shares, values};
+use crate::posterior::bounded;
+use crate::posterior::likelihood::Likelihood;
+use crate::posterior::summary::{self, Summary};
+use crate::problem::Problem;
+use crate::search::surface::Trough;
+use crate::search::sweep::{self, Sweep};
+use crate::watch::Unwatched;
+
+/// The model as a straight line over the shares of the ranges.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Linearised {
+    parameters: Vec<Parameter>,
+    /// Shares about which it is one.
+    at: Vec<f64>,
+    /// What is compared of each channel there [unit of the channel].
+    values: Vec<Vec<f64>>,
+    /// Its derivatives with respect to shares, by parameter and channel.
+    derivatives: Vec<Vec<Vec<f64>>>,
+}
+
+/// Parameters as the straight line leaves them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Left {
+    /// Mean, spread and interval of each [unit of the parameter].
+    pub parameters: Vec<Summary>,
+    /// Whether each interval tells its parameter: narrow beside the range, and ending on no bound of it.
+    pub told: Vec<bool>,
+    /// Correlation of the parameters.
+    pub correlation: Vec<Vec<f64>>,
+    /// The model's error as a share of the response.
+    pub model_error: f64,
+    /// What is left open, in words.
+    pub words: Vec<String>,
+}
+
+/// What is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Noise and model error. The local part is left out.
+    pub likelihood: Likelihood,
+    /// Uncertainty of a channel that states none, as a share of its measured peak.
+    pub unstated: f64,
+    /// Draws; their chance disturbs intervals by about one part in the root of a quarter of them.
+    pub draws: usize,
+    /// Seed.
+    pub seed: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { likelihood: Likelihood::default(), unstated: 0.01, draws: 20_000, seed: 1 }
+    }
+}
+
+impl Linearised {
+    /// Takes the derivatives at a point; those that the log knows, as after [`crate::identify`], are not evaluated again.
+    pub fn at(evaluator: &mut Evaluator, basis: &Basis, point: &[f64], step: f64) -> Result<Self, Halt> {
+        let problem = evaluator.problem;
+        let numbers = |response: &Response| compared(problem, &basis.held, response).concat();
+        let own = |response: &Response| compared_derivatives(problem, response).iter().map(|d| d.concat()).collect();
+        let flat = columns(evaluator, basis, point, step, &numbers, &own)?;
+        let request = basis.request(evaluator.has_sensitivities(&basis.samples));
+        let answers = evaluator.respond(&[point.to_vec()], &request)?;
+        let response = answers[0].as_ref().as_ref().map_err(|failure| Halt::Failed(failure.clone()))?;
+        let values = compared(problem, &basis.held, response);
+        let by_channel = |column: Vec<f64>| {
+            let mut rest = column.into_iter();
+            values.iter().map(|values| rest.by_ref().take(values.len()).collect()).collect()
+        };
+        let derivatives = flat.into_iter().map(by_channel).collect();
+        let parameters = problem.parameters().to_vec();
+        Ok(Self { at: shares(&parameters, point), parameters, values, derivatives })
+    }
+
+    /// What the data leave open. Channels without an uncertainty take one in its place and are named.
+    pub fn left(&self, problem: &Problem, settings: &Settings) -> Left {
+        let (problem, mut words) = stated(problem, settings.unstated);
+        let drawn = draws::draw(self, &problem, settings);
+        let column = |k: usize| drawn.shares.iter().map(|place| self.parameters[k].at(place[k])).collect::<Vec<f64>>();
+        let columns: Vec<Vec<f64>> = (0..self.parameters.len()).map(column).collect();
+        let sum = |(parameter, column): (&Parameter, &Vec<f64>)| {
+            summary::summary(column, Some([parameter.lower, parameter.upper]))
+        };
+        let parameters: Vec<Summary> = self.parameters.iter().zip(&columns).map(sum).collect();
+        let told = self.parameters.iter().zip(&parameters).map(|(p, s)| summary::tells(p, s.interval_95)).collect();
+        let correlation =
+            columns.iter().map(|a| columns.iter().map(|b| summary::correlation(a, b)).collect()).collect();
+        let ends = self.parameters.iter().zip(&parameters);
+        let ends = ends.filter(|(parameter, summary)| summary::ends_on_bound(parameter, summary.interval_95));
+        words.extend(ends.map(|(parameter, summary)| bounded(parameter, summary.interval_95)));
+        Left { parameters, told, correlation, model_error: drawn.model_error, words }
+    }
+
+    /// Every parameter varied alone over its range, all others as at the point: sensitivities by the straight line.
+    pub fn sweeps(&self, problem: &Problem, held: &Held, start: &crate::misfit::Fit, count: usize) -> Vec<Sweep> {
+        let samples = match problem.misfit().compare {
+            Compare::Peaks => Samples::At(vec![vec![0]; self.values.len()]),
+            Compare::Histories => Samples::All,
+        };
+        let basis = Basis { held: Held { beyond: Vec::new(), ..held.clone() }, samples, start: start.clone() };
+        let mut watch = Unwatched;
+        let mut evaluator = Evaluator::without_log(problem, self, &Serial, &mut watch);
+        let all: Vec<usize> = (0..self.parameters.len()).collect();
+        let point = values(&self.parameters, &self.at);
+        let found = sweep::sweeps(&mut evaluator, &basis, &self.parameters, &point, &all, count, &Trough::default());
+        found.unwrap_or_default()
+    }
+}
+
+/// The problem with an uncertainty for every channel that counts, and which were not stated.
+fn stated(problem: &Problem, share: f64) -> (Problem, Vec<String>) {
+    let mut silent = Vec::new();
+    let uncertainty = |channel: &crate::Channel| {
+        channel.uncertainty.unwrap_or_else(|| {
+            if channel.counts() {
+                silent.push(channel.name.clone());
+            }
+            share * channel.measured_peak().unwrap_or(0.0).abs()
+        })
+    };
+    let all: Vec<f64> = problem.channels().iter().map(uncertainty).collect();
+    let words = format!(
+        "No uncertainty is stated for {}: {} % of the measured peak is taken for one value.",
+        silent.join(", "),
+        100.0 * share
+    );
+    (problem.with_uncertainties(&all), if silent.is_empty() { Vec::new() } else { vec![words] })
+}
+
+impl Forward for Linearised {
+    fn evaluate(&self, point: &[f64], _: &Request) -> Evaluation {
+        let away: Vec<f64> = shares(&self.parameters, point).iter().zip(&self.at).map(|(s, at)| s - at).collect();
+        let mut values = self.values.clone();
+        for (derivatives, away) in self.derivatives.iter().zip(away) {
+            for (values, derivatives) in values.iter_mut().zip(derivatives) {
+                values.iter_mut().zip(derivatives).for_each(|(value, d)| *value += away * d);
+            }
+        }
+        Ok(Response { values, derivatives: Vec::new() })
+    }
+
+    fn length(&self, channel: usize) -> usize {
+        self.values[channel].len()
+    }
+}
