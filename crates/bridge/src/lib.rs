@@ -65,6 +65,24 @@ const LONGEST: usize = 1 << 20;
 /// Broken lines reported in one go; a file with more is no bridge file.
 const MOST_SYNTAX_ERRORS: usize = 20;
 
+/// The bytes of a text file as UTF-8: UTF-16, which some editors call Unicode, is converted; anything else stays as it is.
+pub fn as_utf8(bytes: Vec<u8>) -> Vec<u8> {
+    let (first, little) = match bytes.get(..2) {
+        Some([0xff, 0xfe]) => (2, true),
+        Some([0xfe, 0xff]) => (2, false),
+        // Without a mark: every other byte of plain text is zero.
+        Some([a, 0]) if *a != 0 && bytes.len() > 3 && bytes[3] == 0 => (0, true),
+        Some([0, b]) if *b != 0 && bytes.len() > 3 && bytes[2] == 0 => (0, false),
+        _ => return bytes,
+    };
+    let unit = |pair: &[u8]| {
+        let pair = [pair[0], pair[1]];
+        if little { u16::from_le_bytes(pair) } else { u16::from_be_bytes(pair) }
+    };
+    let units: Vec<u16> = bytes[first..].chunks_exact(2).map(unit).collect();
+    String::from_utf16(&units).map_or(bytes, String::into_bytes)
+}
+
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
@@ -161,8 +179,30 @@ fn read_text<T>(
     Some(value)
 }
 
+/// What a file is that is none of ours, with its code and what to do with it.
+fn other_kind(bytes: &[u8]) -> Option<(&'static str, &'static str, &'static str)> {
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(400)]).replace('\r', "");
+    let mut lines = start.lines().map(str::trim).skip_while(|line| line.is_empty() || *line == "999");
+    let dxf = start.starts_with("AutoCAD Binary DXF") || (lines.next() == Some("0") && lines.next() == Some("SECTION"));
+    if dxf {
+        let help = "name the drawing in a block model file, [drawing] file = \"….dxf\", and give that one to the command; `extrados new arch --from drawing` \
+                    writes an example";
+        return Some(("B217", "the file is a drawing (DXF) and no bridge file", help));
+    }
+    if start.starts_with("PK\u{3}\u{4}") || bytes.starts_with(&[0xd0, 0xcf, 0x11, 0xe0]) {
+        let help =
+            "a bridge file is plain text; `extrados new` writes one to edit. Records and tables are read as .csv";
+        return Some(("B218", "the file is a workbook or an archive (XLSX, XLS, ZIP) and no bridge file", help));
+    }
+    None
+}
+
 /// The bytes as text.
 fn readable<'t>(bytes: &'t [u8], findings: &mut Findings) -> Option<&'t str> {
+    if let Some((code, message, help)) = other_kind(bytes) {
+        findings.error(code, TextRange::new(0, 0), message, "a bridge file is text (TOML)", help);
+        return None;
+    }
     if bytes.len() > LONGEST {
         findings.error(
             "B003",
@@ -194,10 +234,23 @@ fn readable<'t>(bytes: &'t [u8], findings: &mut Findings) -> Option<&'t str> {
 fn not_toml(text: &str, broken: &[toml::de::Error], findings: &mut Findings) {
     for error in broken.iter().take(MOST_SYNTAX_ERRORS) {
         let range = error.span().map_or(TextRange::new(0, 0), TextRange::from);
-        let help = syntax_help(error.message(), text.get(range.start..range.end).unwrap_or_default());
+        let found = text.get(range.start..range.end).unwrap_or_default();
+        let line = text.get(..range.start).map_or("", |before| {
+            let from = before.rfind('\n').map_or(0, |newline| newline + 1);
+            text[from..].lines().next().unwrap_or_default()
+        });
+        let help = if line.contains(CURLY) {
+            let straight = line.replace(['“', '”', '„', '″'], "\"").replace(['‘', '’'], "'");
+            format!("a word processor wrote curly quotes; write straight ones: {}", tree::shorten(straight.trim()))
+        } else {
+            syntax_help(error.message(), found)
+        };
         findings.error("B002", range, error.message().to_owned(), "cannot be read as TOML", help);
     }
 }
+
+/// Quotes as word processors write them.
+const CURLY: [char; 6] = ['“', '”', '„', '‘', '’', '″'];
 
 /// What to write instead of a line that is not TOML.
 fn syntax_help(message: &str, found: &str) -> String {

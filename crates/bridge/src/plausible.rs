@@ -71,6 +71,11 @@ const USUAL: &[Usual] = &[
     usual("P053", "passage", "speed", 1.0 / 3.6, 250.0 / 3.6, "trains usually cross bridges at 1 to 250 km/h"),
 ];
 
+/// What is usual of a key, in words.
+pub(crate) fn usual_of(section: &str, key: &str) -> Option<&'static str> {
+    USUAL.iter().find(|usual| usual.section == section && usual.key == key).map(|usual| usual.says)
+}
+
 /// Reports what is unusual, as far as the file could be read.
 pub(crate) fn check(
     file: &Table<'_>,
@@ -88,6 +93,7 @@ pub(crate) fn check(
     fill(file, masonry, findings);
     joints(file, spans, masonry, joint, findings);
     rings(file, spans.unwrap_or_default(), masonry, findings);
+    few_voussoirs(file, spans.unwrap_or_default(), findings);
     piers(file, findings);
     settings(file, findings);
     axles(file, findings);
@@ -133,9 +139,10 @@ fn unusual(table: &Table<'_>, usual: &Usual, findings: &mut Findings) {
 /// The same number with another unit, if that makes sense of it.
 fn other_unit(raw: Raw<'_>, least: f64, most: f64) -> Option<String> {
     let found = quantity::parse(raw.get_ref().as_str()?).ok()?;
-    let sensible = found.unit.dimension.units().filter(|unit| (least..=most).contains(&(found.number * unit.size)));
+    let same_system = found.unit.dimension.units().filter(|unit| unit.imperial() == found.unit.imperial());
+    let mut sensible = same_system.filter(|unit| (least..=most).contains(&(found.number * unit.size)));
     let leap = |unit: &quantity::Unit| (unit.size / found.unit.size).ln().abs();
-    let unit = sensible.min_by(|a, b| leap(a).total_cmp(&leap(b)))?;
+    let unit = sensible.by_ref().min_by(|a, b| leap(a).total_cmp(&leap(b)))?;
     Some(format!("did you mean \"{} {}\"?", found.number, unit.symbol))
 }
 
@@ -149,7 +156,8 @@ fn strength(file: &Table<'_>, masonry: Option<&Masonry>, findings: &mut Findings
                     table.range,
                     "the masonry has no compressive strength: crushing is not considered",
                     "`compressive_strength` is missing here",
-                    "add a line like compressive_strength = \"10 MPa\", or compressive_strength = \"unlimited\"",
+                    "write compressive_strength from tests of this masonry, or compressive_strength = \"unlimited\" to leave crushing out; \
+                     masonry usually crushes at 0.5 to 400 MPa",
                 )
                 .because("hinges that crush carry less; flat and thick rings most of all");
         }
@@ -293,6 +301,41 @@ fn rings(file: &Table<'_>, spans: &[PlacedSpan], masonry: Option<&Masonry>, find
     }
 }
 
+/// Rings of so few voussoirs that hinges have nowhere to form, and joints between rings where there is one.
+fn few_voussoirs(file: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) {
+    for (index, placed) in spans.iter().enumerate() {
+        if spans[..index].iter().any(|other| other.shape == placed.shape) {
+            continue;
+        }
+        let fewest = placed.span.rings.iter().map(|ring| ring.voussoirs).min();
+        if let (Some(fewest), Some((place, _))) = (fewest.filter(|fewest| *fewest < FEW), placed.rings.first()) {
+            findings
+                .warning(
+                    "P026",
+                    *place,
+                    format!("a ring of {fewest} voussoirs hardly has places for hinges"),
+                    "four hinges and two springings ask for at least seven",
+                    "give the number of voussoirs that the ring has; 20 and more draw a ring of brick well",
+                )
+                .because("fewer joints than the true ring has make an arch too strong: mechanisms that it could form are left out");
+        }
+    }
+    if !spans.is_empty() && spans.iter().all(|placed| placed.span.rings.len() == 1) {
+        for table in every(file, "ring_joint") {
+            findings.warning(
+                "P027",
+                table.range,
+                "joints between rings are described, and every span has one ring",
+                "[ring_joint] acts nowhere",
+                "describe the rings of a span in [[span.ring]], or remove [ring_joint]",
+            );
+        }
+    }
+}
+
+/// Fewest voussoirs that are taken without a word: with six there is one joint for each of four hinges between two springings.
+const FEW: usize = 7;
+
 /// Piers that taper upwards, or are slender as masts.
 fn piers(file: &Table<'_>, findings: &mut Findings) {
     for table in every(file, "pier") {
@@ -338,6 +381,17 @@ fn settings(file: &Table<'_>, findings: &mut Findings) {
     for table in every(file, "dispersal") {
         let mut unheard = Findings::default();
         let slope = crate::resolve::slope(&table, &mut unheard).map(|at| at.value);
+        if let Some(slope) = slope.filter(|slope| (0.5..1.0).contains(slope)) {
+            findings
+                .warning(
+                    "P025",
+                    table.place("slope"),
+                    "the load spreads further to the side than it goes down",
+                    format!("by {:.2} of the depth on each side", 1.0 / slope),
+                    "vertical comes first: write \"2:1\" for one to the side in two of depth, as British practice writes 1:2 or 1H:2V",
+                )
+                .because("a slope upside down spreads a load over four times the length, and may give several times the collapse load");
+        }
         if slope.is_some_and(|slope| !(0.5..=4.0).contains(&slope)) {
             findings.warning(
                 "P021",

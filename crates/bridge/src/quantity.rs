@@ -50,19 +50,33 @@ pub struct Unit {
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// The yard and pound agreement of 1959, exact.
 const INCH: f64 = 0.0254;
+const FOOT: f64 = 12.0 * INCH;
+const POUND: f64 = 0.453_592_37;
+const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;
+
+impl Unit {
+    /// Whether it belongs to feet and pounds.
+    pub fn imperial(&self) -> bool {
+        const SYMBOLS: [&str; 12] = ["ft", "in", "yd", "lb", "pcf", "psi", "ksi", "psf", "ksf", "pci", "kip", "mph"];
+        let first = self.symbol.split('/').next().unwrap_or_default();
+        SYMBOLS.contains(&first) || first == "lbf" || first == "tonf"
+    }
+}
 
 const fn unit(symbol: &'static str, dimension: Dimension, size: f64) -> Unit {
     Unit { symbol, dimension, size }
 }
 
-/// Every unit that is understood; the first of a dimension is the one suggested.
+/// Every unit that is understood; the first of a dimension is the one suggested. `tonf` is the British ton of 2240 lbf.
 pub const UNITS: &[Unit] = &[
     unit("m", Dimension::Length, 1.0),
     unit("mm", Dimension::Length, 1e-3),
     unit("cm", Dimension::Length, 1e-2),
-    unit("ft", Dimension::Length, 12.0 * INCH),
+    unit("ft", Dimension::Length, FOOT),
     unit("in", Dimension::Length, INCH),
+    unit("yd", Dimension::Length, 3.0 * FOOT),
     unit("deg", Dimension::Angle, DEGREE),
     unit("°", Dimension::Angle, DEGREE),
     unit("rad", Dimension::Angle, 1.0),
@@ -70,6 +84,8 @@ pub const UNITS: &[Unit] = &[
     unit("kg/m^3", Dimension::Density, 1.0),
     unit("t/m^3", Dimension::Density, 1e3),
     unit("g/cm^3", Dimension::Density, 1e3),
+    unit("lb/ft^3", Dimension::Density, POUND / (FOOT * FOOT * FOOT)),
+    unit("pcf", Dimension::Density, POUND / (FOOT * FOOT * FOOT)),
     unit("MPa", Dimension::Stress, 1e6),
     unit("Pa", Dimension::Stress, 1.0),
     unit("kPa", Dimension::Stress, 1e3),
@@ -79,6 +95,14 @@ pub const UNITS: &[Unit] = &[
     unit("MN/m^2", Dimension::Stress, 1e6),
     unit("N/mm^2", Dimension::Stress, 1e6),
     unit("kN/mm^2", Dimension::Stress, 1e9),
+    unit("psi", Dimension::Stress, POUND_FORCE / (INCH * INCH)),
+    unit("ksi", Dimension::Stress, 1e3 * POUND_FORCE / (INCH * INCH)),
+    unit("lbf/in^2", Dimension::Stress, POUND_FORCE / (INCH * INCH)),
+    unit("psf", Dimension::Stress, POUND_FORCE / (FOOT * FOOT)),
+    unit("ksf", Dimension::Stress, 1e3 * POUND_FORCE / (FOOT * FOOT)),
+    unit("lbf/ft^2", Dimension::Stress, POUND_FORCE / (FOOT * FOOT)),
+    unit("tonf/ft^2", Dimension::Stress, 2240.0 * POUND_FORCE / (FOOT * FOOT)),
+    unit("tonf/in^2", Dimension::Stress, 2240.0 * POUND_FORCE / (INCH * INCH)),
     unit("GPa/m", Dimension::JointStiffness, 1e9),
     unit("Pa/m", Dimension::JointStiffness, 1.0),
     unit("kPa/m", Dimension::JointStiffness, 1e3),
@@ -86,13 +110,21 @@ pub const UNITS: &[Unit] = &[
     unit("MPa/mm", Dimension::JointStiffness, 1e9),
     unit("GPa/mm", Dimension::JointStiffness, 1e12),
     unit("N/mm^3", Dimension::JointStiffness, 1e9),
+    unit("pci", Dimension::JointStiffness, POUND_FORCE / (INCH * INCH * INCH)),
+    unit("lbf/in^3", Dimension::JointStiffness, POUND_FORCE / (INCH * INCH * INCH)),
     unit("kN", Dimension::Force, 1e3),
     unit("N", Dimension::Force, 1.0),
     unit("MN", Dimension::Force, 1e6),
+    unit("lbf", Dimension::Force, POUND_FORCE),
+    unit("kip", Dimension::Force, 1e3 * POUND_FORCE),
+    unit("tonf", Dimension::Force, 2240.0 * POUND_FORCE),
     unit("kN/m", Dimension::LineLoad, 1e3),
     unit("N/m", Dimension::LineLoad, 1.0),
     unit("MN/m", Dimension::LineLoad, 1e6),
     unit("N/mm", Dimension::LineLoad, 1e3),
+    unit("lbf/ft", Dimension::LineLoad, POUND_FORCE / FOOT),
+    unit("kip/ft", Dimension::LineLoad, 1e3 * POUND_FORCE / FOOT),
+    unit("tonf/ft", Dimension::LineLoad, 2240.0 * POUND_FORCE / FOOT),
     unit("m/s^2", Dimension::Acceleration, 1.0),
     unit("rad/m", Dimension::AngleRate, 1.0),
     unit("deg/m", Dimension::AngleRate, DEGREE),
@@ -101,14 +133,17 @@ pub const UNITS: &[Unit] = &[
     unit("Nm^2", Dimension::BendingStiffness, 1.0),
     unit("km/h", Dimension::Speed, 1.0 / 3.6),
     unit("m/s", Dimension::Speed, 1.0),
+    unit("mph", Dimension::Speed, 5280.0 * FOOT / 3600.0),
     unit("s", Dimension::Time, 1.0),
     unit("ms", Dimension::Time, 1e-3),
     unit("Hz", Dimension::Frequency, 1.0),
     unit("kN/m^3", Dimension::UnitWeight, 1e3),
     unit("N/m^3", Dimension::UnitWeight, 1.0),
+    unit("lbf/ft^3", Dimension::UnitWeight, POUND_FORCE / (FOOT * FOOT * FOOT)),
     unit("kg", Dimension::Mass, 1.0),
     unit("t", Dimension::Mass, 1e3),
     unit("tonne", Dimension::Mass, 1e3),
+    unit("lb", Dimension::Mass, POUND),
 ];
 
 impl Dimension {
@@ -170,6 +205,13 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// The same in units of the metric system, where it is not: for messages that propose a number.
+    pub fn metric(&self) -> Quantity {
+        let unit =
+            if self.unit.imperial() { self.unit.dimension.units().next().unwrap_or(self.unit) } else { self.unit };
+        Quantity { number: self.si() / unit.size, unit }
+    }
+
     /// Value in SI.
     pub fn si(&self) -> f64 {
         self.number * self.unit.size
@@ -205,6 +247,9 @@ pub fn parse(text: &str) -> Result<Quantity, Unreadable> {
         return Err(Unreadable::Infinite);
     }
     let rest = rest.trim();
+    if let Some(quantity) = feet_and_inches(number, rest) {
+        return Ok(quantity);
+    }
     if let Some(fraction) = rest.strip_prefix(',')
         && fraction.starts_with(|first: char| first.is_ascii_digit())
     {
@@ -217,6 +262,32 @@ pub fn parse(text: &str) -> Result<Quantity, Unreadable> {
         Some(unit) => Ok(Quantity { number, unit }),
         None => Err(Unreadable::UnknownUnit(number, rest.chars().take(40).collect(), nearest_unit(rest))),
     }
+}
+
+/// "19 ft 8 in", "19' 8 1/2\"", "13 1/2 in": a length in parts, from its first number and what follows. It is given in inches.
+fn feet_and_inches(first: f64, rest: &str) -> Option<Quantity> {
+    let unit = UNITS.iter().find(|unit| unit.symbol == "in")?;
+    let sign = if first.is_sign_negative() { -1.0 } else { 1.0 };
+    let feet = ["feet", "foot", "ft.", "ft", "'", "′", "’"].into_iter().find_map(|word| rest.strip_prefix(word));
+    let (feet, more, in_feet) = match feet {
+        Some(more) if more.trim().is_empty() => return None,
+        Some(more) => (12.0 * first, more.trim().trim_start_matches([',', '-']).trim(), true),
+        None => (first, rest, false),
+    };
+    let ending = ["inches", "inch", "in.", "in", "\"", "″", "”"].into_iter().find_map(|word| more.strip_suffix(word));
+    let parts: Vec<&str> = ending?.split_whitespace().collect();
+    let plain = |text: &str| text.bytes().all(|c| c.is_ascii_digit() || c == b'.').then(|| text.parse::<f64>().ok())?;
+    let fraction = |text: &str| {
+        let (above, below) = text.split_once('/')?;
+        Some(plain(above)? / plain(below)?).filter(|value| value.is_finite() && *value < 1.0)
+    };
+    let more = match parts[..] {
+        [one] if in_feet => plain(one).or_else(|| fraction(one))?,
+        [one, two] if in_feet => plain(one)? + fraction(two)?,
+        [one] => fraction(one)?,
+        _ => return None,
+    };
+    Some(Quantity { number: feet + sign * more, unit })
 }
 
 /// Bytes of the number that a text starts with: sign, digits, point, digits, exponent.
@@ -246,6 +317,32 @@ fn number_length(text: &str) -> usize {
     end
 }
 
+/// Other spellings of units.
+const SPELLINGS: &[(&str, &str)] = &[
+    ("feet", "ft"),
+    ("foot", "ft"),
+    ("ft.", "ft"),
+    ("'", "ft"),
+    ("′", "ft"),
+    ("inches", "in"),
+    ("inch", "in"),
+    ("in.", "in"),
+    ("\"", "in"),
+    ("″", "in"),
+    ("kips", "kip"),
+    ("lbs", "lb"),
+    ("kips/ft", "kip/ft"),
+    ("klf", "kip/ft"),
+    ("plf", "lbf/ft"),
+    ("lb/cuft", "lb/ft^3"),
+    ("lbs/ft^3", "lb/ft^3"),
+    ("lbs/ft3", "lb/ft^3"),
+    ("lb/in^2", "psi"),
+    ("lb/in2", "psi"),
+    ("lb/ft^2", "psf"),
+    ("lb/ft2", "psf"),
+];
+
 /// One spelling for what keyboards and word processors write differently.
 fn plain(symbol: &str) -> String {
     let mut out = String::with_capacity(symbol.len());
@@ -257,8 +354,13 @@ fn plain(symbol: &str) -> String {
             other => out.push(other),
         }
     }
-    for power in ["m2", "m3", "s2"] {
-        let (base, exponent) = power.split_at(1);
+    for (long, short) in SPELLINGS {
+        if out == *long {
+            return (*short).to_owned();
+        }
+    }
+    for power in ["m2", "m3", "s2", "ft2", "ft3", "in2", "in3"] {
+        let (base, exponent) = power.split_at(power.len() - 1);
         if out.ends_with(power) {
             out.truncate(out.len() - 1);
             out.push('^');
@@ -309,12 +411,25 @@ mod tests {
             ("-1.5E-1 kN/m", Dimension::LineLoad, -150.0),
             ("180 deg", Dimension::Angle, std::f64::consts::PI),
             (".5 in", Dimension::Length, 0.0127),
+            ("500 psi", Dimension::Stress, 500.0 * 4.448_221_615_260_5 / 0.000_645_16),
+            ("2 ksi", Dimension::Stress, 2000.0 * 4.448_221_615_260_5 / 0.000_645_16),
+            ("140 lb/ft^3", Dimension::Density, 140.0 * 0.453_592_37 / 0.028_316_846_592),
+            ("140 pcf", Dimension::Density, 140.0 * 0.453_592_37 / 0.028_316_846_592),
+            ("22 kips", Dimension::Force, 22.0 * 4448.221_615_260_5),
+            ("1 tonf", Dimension::Force, 9_964.016_418_183_52),
+            ("100 lbf/ft", Dimension::LineLoad, 444.822_161_526_05 / 0.3048),
+            ("19 ft 8 in", Dimension::Length, 5.9944),
+            ("19' 8\"", Dimension::Length, 5.9944),
+            ("19 ft", Dimension::Length, 5.7912),
+            ("19 ft 8 1/2 in", Dimension::Length, 6.0071),
+            ("13 1/2 in", Dimension::Length, 0.3429),
+            ("40 mph", Dimension::Speed, 17.8816),
         ];
         for (text, dimension, value) in cases {
             let quantity = parse(text).unwrap_or_else(|reason| panic!("{text}: {reason:?}"));
             assert_eq!(quantity.unit.dimension, dimension, "{text}");
-            // One rounding of the product.
-            assert!((quantity.si() - value).abs() <= value.abs() * f64::EPSILON, "{text}: {}", quantity.si());
+            // A few roundings of products.
+            assert!((quantity.si() - value).abs() <= 4.0 * value.abs() * f64::EPSILON, "{text}: {}", quantity.si());
         }
     }
 

@@ -131,10 +131,9 @@ impl<'t> Table<'t> {
             let line = field.example_line();
             (format!("the file has no {line}"), format!("add a {line} section; `extrados schema` lists its keys"))
         } else {
-            (
-                format!("`{}` is missing in {}", field.key, self.title()),
-                format!("add a line like {}", field.example_line()),
-            )
+            let usual = crate::plausible::usual_of(self.section.path, field.key);
+            let usual = usual.map_or_else(String::new, |says| format!("; {says}: take it from a survey or a test"));
+            (format!("`{}` is missing in {}", field.key, self.title()), format!("add a line {}{usual}", field.form()))
         };
         findings
             .error("B011", self.range, message, field.doc, help)
@@ -215,12 +214,21 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         DeValue::Array(_) => "a list",
         DeValue::Table(_) => "a table",
     };
+    // A number in quotes is the number that is meant.
+    let number = match (field.kind, raw.get_ref()) {
+        (Kind::Number | Kind::Count, DeValue::String(text)) => text.trim().parse::<f64>().ok().map(|_| text.trim()),
+        _ => None,
+    };
+    let help = match number {
+        Some(number) => format!("write it without quotes: {} = {}", field.key, shorten(number)),
+        None => format!("write {}", field.form()),
+    };
     findings.error(
         "B012",
         raw.span().into(),
         format!("`{}` takes {wanted}, found {found}", field.key),
         field.doc,
-        format!("write {}", field.example_line()),
+        help,
     );
     None
 }
@@ -235,15 +243,18 @@ fn unknown_key(
     let known = section.fields.iter().map(|field| field.key);
     let elsewhere = crate::fields::neighbours(section)
         .into_iter()
-        .find(|other| !other.path.is_empty() && other.field(key).is_some());
+        .filter(|other| !other.path.is_empty())
+        .find_map(|other| Some((other, other.field(key)?)));
+    let list = || known.clone().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ");
     let near = nearest(key, known.clone());
     let (label, help) = if let Some(near) = near {
         (format!("did you mean `{near}`?"), format!("write `{near}`"))
-    } else if let Some(other) = elsewhere {
-        (format!("belongs in {}", title(other)), format!("move this line to {}", title(other)))
+    } else if let Some((other, field)) = elsewhere {
+        // The same word may mean another thing there: what it means is said, and what this section knows.
+        let help = format!("{} knows {}; in {} `{key}` means: {}", title(section), list(), title(other), field.doc);
+        (format!("a key of {}, not of {}", title(other), title(section)), help)
     } else {
-        let list = known.map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ");
-        (format!("not a key of {}", title(section)), format!("{} knows {list}", title(section)))
+        (format!("not a key of {}", title(section)), format!("{} knows {}", title(section), list()))
     };
     findings.error("B010", range, format!("unknown key `{}` in {}", shorten(key), title(section)), label, help);
     near

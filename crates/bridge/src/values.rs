@@ -244,6 +244,11 @@ fn example_unit(field: &Field, wanted: Dimension) -> &'static str {
     }
 }
 
+/// What a unit measures.
+fn dimension_of(symbol: &str) -> Option<Dimension> {
+    quantity::UNITS.iter().find(|unit| unit.symbol == symbol).map(|unit| unit.dimension)
+}
+
 fn wrong_dimension<T>(
     field: &Field,
     found: Quantity,
@@ -260,6 +265,8 @@ fn wrong_dimension<T>(
         (Dimension::Mass, Dimension::Force | Dimension::LineLoad) => {
             format!("multiply by gravity: write \"{:.2} kN\"", found.si() * quantity::STANDARD_GRAVITY / 1e3)
         }
+        // Feet and pounds of something else: the number means nothing in metric units.
+        _ if found.unit.imperial() => format!("write {} in {unit}", wanted[0].name()),
         _ => format!("write \"{} {unit}\", if {unit} is meant", found.number),
     };
     findings.error("B104", range, format!("expected {names}, found {}", found.unit.dimension.name()), field.doc, help);
@@ -285,9 +292,21 @@ fn unreadable<T>(
             );
         }
         Unreadable::UnknownUnit(number, symbol, near) => {
-            let help = match near {
-                Some(near) => format!("did you mean \"{number} {}\"?", near.symbol),
-                None => format!("write \"{number} {unit}\", if {unit} is meant"),
+            // A number never goes into another unit as it is.
+            let of_kind = |near: &&quantity::Unit| Some(near.dimension) == dimension_of(unit);
+            let help = match near.filter(of_kind) {
+                Some(near) if near.symbol.eq_ignore_ascii_case(&symbol) => {
+                    format!("did you mean \"{number} {}\"?", near.symbol)
+                }
+                _ if ["ton", "tons"].contains(&symbol.to_lowercase().as_str()) => {
+                    "a ton may be \"t\" (1000 kg), the British ton-force \"tonf\" (9.964 kN) or the American one (8.896 kN, 2 kip): write which"
+                        .to_owned()
+                }
+                _ => {
+                    let list: Vec<&str> =
+                        dimension_of(unit).into_iter().flat_map(Dimension::units).map(|unit| unit.symbol).collect();
+                    format!("convert the number into one of these units: {}", list.join(", "))
+                }
             };
             let message = format!("`{}` is not a unit that is known here", shorten(&symbol));
             findings.error("B103", range, message, field.doc, help);
@@ -307,7 +326,7 @@ fn unreadable<T>(
                 range,
                 format!("\"{}\" does not start with a number", shorten(text)),
                 field.doc,
-                format!("write {}", field.example_line()),
+                format!("write {}", field.form()),
             );
         }
         Unreadable::Infinite => return not_finite(field, range, findings),
@@ -321,7 +340,7 @@ fn not_finite<T>(field: &Field, range: TextRange, findings: &mut Findings) -> Op
         range,
         format!("`{}` is not a number that can be calculated with", field.key),
         field.doc,
-        format!("write {}", field.example_line()),
+        format!("write {}", field.form()),
     );
     None
 }
@@ -336,7 +355,7 @@ fn check_size(field: &Field, quantity: Quantity, range: TextRange, findings: &mu
             range,
             format!("`{}` is beyond anything that a bridge can have", field.key),
             field.doc,
-            format!("check number and unit; a usual value is \"{}\"", field.example),
+            "check number and unit".to_owned(),
         );
         return false;
     }
@@ -347,7 +366,7 @@ fn check_size(field: &Field, quantity: Quantity, range: TextRange, findings: &mu
             range,
             format!("`{}` is so small that it vanishes", field.key),
             field.doc,
-            format!("check number and unit; a usual value is \"{}\"", field.example),
+            "check number and unit".to_owned(),
         );
         return false;
     }
@@ -374,7 +393,7 @@ fn check_limits(field: &Field, value: f64, range: TextRange, findings: &mut Find
         range,
         format!("`{}` is out of its possible range", field.key),
         field.doc,
-        format!("it must be {rule} {bound}; an example is {}", field.example),
+        format!("it must be {rule} {bound}"),
     );
     false
 }

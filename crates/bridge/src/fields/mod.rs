@@ -195,6 +195,30 @@ impl Field {
         }
     }
 
+    /// How a line of the file looks, with the unit and without a value: what a message may say, for a value of another bridge is no remedy.
+    pub fn form(&self) -> String {
+        let unit = || {
+            let of_example = self.example.split('"').find_map(|piece| crate::quantity::parse(piece).ok());
+            of_example.map_or("", |quantity| quantity.unit.symbol)
+        };
+        let value = match self.kind {
+            Kind::Table(_) | Kind::Tables(_) => return self.example_line(),
+            Kind::Word(choices) => {
+                choices.iter().map(|choice| format!("\"{}\"", choice.word)).collect::<Vec<_>>().join(" or ")
+            }
+            Kind::Flag => "true or false".to_owned(),
+            Kind::Slope => "\"vertical:horizontal\"".to_owned(),
+            Kind::Text | Kind::Share | Kind::Support => self.example_literal(),
+            Kind::Quantity(_) | Kind::LineLoad => format!("\"… {}\"", unit()),
+            Kind::QuantityOr(_, word) => format!("\"… {}\" or \"{word}\"", unit()),
+            Kind::Quantities(_) => format!("[\"… {}\", …]", unit()),
+            Kind::Number | Kind::Count => "…".to_owned(),
+            Kind::Numbers | Kind::Rows(_) | Kind::Points | Kind::Values => "[…]".to_owned(),
+            Kind::Value => "\"…\"".to_owned(),
+        };
+        format!("{} = {value}", self.key)
+    }
+
     /// A line of the file with the example.
     pub fn example_line(&self) -> String {
         match self.kind {

@@ -47,6 +47,14 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Block
             stiffness(table, joint, findings);
         }
     }
+    silent(
+        file,
+        [
+            drawing.as_ref().map(|part| part.as_ref().is_some_and(supported)),
+            blocks.as_ref().map(|b| b.iter().any(|b| b.held)),
+        ],
+        findings,
+    );
     let (name, width, gravity) = general?;
     Some(BlockFile {
         name,
@@ -60,6 +68,43 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Block
         loads: loads?,
         plan: plan?,
     })
+}
+
+/// Whether a layer of the drawing holds supports.
+fn supported(part: &DrawingPart) -> bool {
+    part.layers.iter().any(|layer| layer.role == Role::Support)
+}
+
+/// What the file leaves out and the analysis would take in silence: width, supports, loads.
+fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings) {
+    let model = file.table("model", &mut Findings::default());
+    if let Some(model) = model.filter(|model| !model.has("width")) {
+        findings.warning(
+            "P028",
+            model.range,
+            "the model has no width: 1 m is taken",
+            "loads in kN and results for the whole bridge go with it",
+            "write width = \"… m\" in [model]",
+        );
+    }
+    if supports == [Some(false), Some(false)] {
+        findings.warning(
+            "P029",
+            file.range,
+            "no body is a support: the model falls under its own weight",
+            "no layer and no [[block]] has role = \"support\"",
+            "give the layer of the abutments role = \"support\" in [[drawing.layer]]",
+        );
+    }
+    if !file.has("load") {
+        findings.warning(
+            "P030",
+            file.range,
+            "the model has no load: there is no load factor to look for",
+            "no [[load]]",
+            "add a [[load]] with the layer or block on which it acts",
+        );
+    }
 }
 
 /// All of them, or nothing where one could not be read.

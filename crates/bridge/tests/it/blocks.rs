@@ -202,3 +202,12 @@ proptest! {
         prop_assert_eq!(read.file.is_none(), refused);
     }
 }
+
+#[test]
+fn what_a_block_model_leaves_out_is_said() {
+    let codes = |text: &str| -> Vec<&str> { read_blocks(text.as_bytes()).diagnostics.iter().map(|f| f.code).collect() };
+    assert_eq!(codes(&GOOD.replacen("width = \"2 m\"\n", "", 1)), ["P028"]);
+    assert_eq!(codes(&GOOD.replacen("role = \"support\"", "role = \"block\"", 1)), ["P029"]);
+    let without = GOOD.split("[[load]]").next().expect("the rest");
+    assert!(codes(without).contains(&"P030"), "{:?}", codes(without));
+}

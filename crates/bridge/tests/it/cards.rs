@@ -41,11 +41,14 @@ fn every_code_has_a_card_and_every_card_a_code() {
 
 #[test]
 fn every_card_bites() {
-    for card in cards() {
-        // Two cards are about the file, not about lines in it.
+    // Those of block model files are tried there (blocks.rs).
+    for card in cards().filter(|card| !["P028", "P029", "P030"].contains(&card.code)) {
+        // Some cards are about the file, not about lines in it.
         let files: Vec<Vec<u8>> = match card.code {
             "B001" => vec![b"[bridge]\nname = \"Pont de Pal\xe9\"\n".to_vec()],
             "B003" => vec![vec![b'#'; 2 << 20]],
+            "B217" => vec![b"  0\nSECTION\n".to_vec()],
+            "B218" => vec![b"PK\x03\x04".to_vec()],
             _ => GOOD
                 .iter()
                 .filter(|good| good.contains(card.right))

@@ -3,6 +3,7 @@
 mod blocks;
 mod cards;
 mod files;
+mod help;
 mod messages;
 mod mutation;
 mod reading;

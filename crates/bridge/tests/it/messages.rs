@@ -85,7 +85,7 @@ fn an_empty_file_lacks_everything_and_says_so() {
 #[test]
 fn a_key_in_the_wrong_section_is_sent_home() {
     let shown = show_all(&CASE_1.replace("[masonry]\n", "[masonry]\ncohesion = \"0 kPa\"\n"));
-    assert!(shown.contains("move this line to [joint]"), "{shown}");
+    assert!(shown.contains("a key of [joint], not of [masonry]"), "{shown}");
 }
 
 #[test]

@@ -15,7 +15,7 @@ use std::fmt::Write;
 
 /// Reads the file and draws the bridge.
 pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
-    if bridge::is_block_file(&super::read_file(&arguments.file)?) {
+    if bridge::is_block_file(&super::read_text(&arguments.file)?) {
         return model::check(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;

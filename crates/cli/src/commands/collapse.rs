@@ -18,7 +18,7 @@ use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
-    if bridge::is_block_file(&super::read_file(&arguments.file)?) {
+    if bridge::is_block_file(&super::read_text(&arguments.file)?) {
         return model::collapse(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;

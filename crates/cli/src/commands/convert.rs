@@ -1,7 +1,7 @@
 //! `extrados convert`: bridge files, block model files, drawings and ParaView files, by extension.
 
 use super::model::{self, Model};
-use super::{Desk, Source, read_file};
+use super::{Desk, Source, read_text};
 use crate::args::Convert;
 use crate::failure::Failure;
 use crate::folder;
@@ -82,7 +82,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
         return Err(Failure::input("F107", message, "write them into [drawing] of the block model file"));
     }
     let mut inputs = vec![arguments.from.clone()];
-    if bridge::is_block_file(&read_file(&arguments.from)?) {
+    if bridge::is_block_file(&read_text(&arguments.from)?) {
         let mut model = Model::open(desk, &arguments.from)?;
         inputs.extend(model.drawing.clone());
         let scene = model.scene.take();

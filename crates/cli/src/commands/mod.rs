@@ -195,7 +195,7 @@ impl Source {
 
     /// Reads a file and says nothing.
     fn read(path: &Path) -> Result<Source, Failure> {
-        let text = read_file(path)?;
+        let text = read_text(path)?;
         let mut read = bridge::read(&text);
         take_files(&mut read, None, path)?;
         names::look_up(&mut read, &text);
@@ -314,10 +314,15 @@ fn take_train(train: &mut bridge::train::Train, beside: &Path) -> Result<(), Fai
 fn take_vehicles(sweep: &mut bridge::SweepPlan, beside: &Path) -> Result<(), Failure> {
     for name in sweep.rule_file.iter().chain(&sweep.vehicle_files) {
         let path = beside.parent().unwrap_or(Path::new("")).join(name);
-        let text = String::from_utf8_lossy(&read_file(&path)?).into_owned();
+        let text = String::from_utf8_lossy(&read_text(&path)?).into_owned();
         sweep.texts.push((path.display().to_string(), text));
     }
     Ok(())
+}
+
+/// The bytes of a text file, in UTF-8 where it was UTF-16.
+fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
+    read_file(path).map(bridge::as_utf8)
 }
 
 /// The bytes of a file; a folder is refused in words.

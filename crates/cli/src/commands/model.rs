@@ -1,6 +1,6 @@
 //! Block model files: blocks that are listed, or drawn in a DXF file.
 
-use super::{Desk, read_file};
+use super::{Desk, read_text};
 use crate::args::{Check, Collapse};
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
@@ -38,7 +38,7 @@ pub struct Model {
 impl Model {
     /// Reads a file and its drawing, and shows what was found in them.
     pub fn open(desk: &mut Desk, path: &Path) -> Result<Model, Failure> {
-        let text = read_file(path)?;
+        let text = read_text(path)?;
         let bridge::ReadBlocks { file, mut diagnostics } = bridge::read_blocks(&text);
         let name = path.display().to_string();
         let (mut findings, mut scene, mut place) = (Vec::new(), None, None);

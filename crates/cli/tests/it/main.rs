@@ -30,3 +30,4 @@ mod vary;
 mod varying;
 mod verdict;
 mod walls;
+mod wrong_files;
