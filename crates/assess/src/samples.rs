@@ -64,6 +64,7 @@ pub fn bridgemill() -> Bridge {
             seed: 0,
         },
         fill_pressure: None,
+        carriageway: None,
         sweep: None,
         service: Service::default(),
         passage: None,

@@ -1,7 +1,7 @@
 //! Vehicles and rules that a bridge file can name: those of the library, the trains of passages, and an engineer's own.
 
 use bridge::{Bridge, SweepPlan};
-use rules::{Confidence, Library, LoadModel, Rule, Source, Vehicle, Ways};
+use rules::{Acting, Confidence, Library, LoadModel, Rule, Source, Vehicle, Ways};
 
 /// Code of the load model that holds the trains of passages.
 const TRAINS: &str = "trains";
@@ -14,26 +14,76 @@ const SLEEPER: f64 = 0.25;
 pub enum Unknown {
     /// No vehicle has this code.
     #[error(
-        "there is no vehicle, load model or train \"{code}\": write one of {known}, or name its file in `vehicle_files`"
+        "there is no vehicle, load model or train \"{code}\": write {near}one of {known}, or name its file in `vehicle_files`"
     )]
     Vehicle {
         /// As written.
         code: String,
+        /// A name that is close to it, with a comma; empty where none is.
+        near: String,
         /// Codes that there are.
         known: String,
     },
     /// No rule has this code.
-    #[error("there is no rule \"{code}\": write one of {known}, or name its file in `rule_file`")]
+    #[error("there is no rule \"{code}\": write {near}one of {known}, or name its file in `rule_file`")]
     Rule {
         /// As written.
         code: String,
+        /// A name that is close to it, with a comma; empty where none is.
+        near: String,
         /// Codes that there are.
         known: String,
+    },
+    /// The rule was not made for a vehicle.
+    #[error(
+        "rule \"{rule}\" is not made for \"{vehicle}\" of load model \"{model}\": write a vehicle of {made_for}, or a rule that is \
+         made for it ({others}), or give its factors under this rule in a file of your own ([[under]] of a vehicle file, \
+         [[loads]] of a rule file)"
+    )]
+    Pairing {
+        /// As written.
+        vehicle: String,
+        /// Its load model.
+        model: String,
+        /// The rule.
+        rule: String,
+        /// Load models that the rule is made for.
+        made_for: String,
+        /// Rules that are made for the load model.
+        others: String,
+    },
+    /// A span is longer than the load model goes.
+    #[error(
+        "\"{vehicle}\" is not made for spans over {longest} m, and this bridge has one of {span} m: {reason}: write a vehicle that \
+         is made for this span, or the loading's whole train in a file of your own"
+    )]
+    Span {
+        /// As written.
+        vehicle: String,
+        /// Longest span of the model, in metres.
+        longest: String,
+        /// Longest span of the bridge, in metres.
+        span: String,
+        /// Why not longer ones.
+        reason: String,
     },
     /// A file cannot be used.
     #[error("{0}")]
     File(String),
 }
+
+/// Everything that keeps vehicles or a rule from being had.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Refused(pub Vec<Unknown>);
+
+impl std::fmt::Display for Refused {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let all: Vec<String> = self.0.iter().map(ToString::to_string).collect();
+        f.write_str(&all.join("; "))
+    }
+}
+
+impl std::error::Error for Refused {}
 
 /// The library with the trains of passages, whose axles weigh by `gravity` [m/s^2].
 pub fn library(gravity: f64) -> Result<Library, Unknown> {
@@ -56,11 +106,14 @@ pub fn library(gravity: f64) -> Result<Library, Unknown> {
         },
         vehicles: vehicles.collect(),
         published: Vec::new(),
+        span_limit: None,
+        abreast: Vec::new(),
+        under: Vec::new(),
     });
     Ok(library)
 }
 
-/// A vehicle that a sweep moves, and the load model it belongs to.
+/// A vehicle that a sweep moves, the load model it belongs to, and what the rule does with its loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chosen {
     /// Code of its load model.
@@ -69,55 +122,201 @@ pub struct Chosen {
     pub ways: Ways,
     /// The vehicle.
     pub vehicle: Vehicle,
+    /// What the rule does with its loads.
+    pub acting: Acting,
+    /// Shares of its axle loads in the first lane, the second and so on; all whole where none are given.
+    pub abreast: Vec<f64>,
+    /// Where the vehicle is from.
+    pub source: Source,
 }
 
-/// The rule and the vehicles that a plan asks for. Without names these are all of the library that the rule is made for
-/// (of the trains the short one, which holds all that the long one repeats), and all of the plan's own files.
-pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), Unknown> {
-    let mut library = library(bridge.gravity)?;
+/// The rule of a plan, and the library with the load models of the plan's own files; how many models are the library's.
+fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<(Option<Rule>, Library, usize, Vec<Unknown>), Refused> {
+    let mut library = library(bridge.gravity).map_err(|unknown| Refused(vec![unknown]))?;
+    let mut wrong = Vec::new();
     let mut texts = plan.texts.iter();
     let rule = match &plan.rule_file {
-        Some(_) => {
-            let (name, text) = texts.next().ok_or_else(|| Unknown::File("the file of the rule was not read".into()))?;
-            rules::read_rule(name, text).map_err(|problems| said(&problems))?
+        Some(_) => match texts.next().map(|(name, text)| rules::read_rule(name, text)) {
+            Some(Ok(rule)) => Some(rule),
+            Some(Err(problems)) => {
+                wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
+                None
+            }
+            None => {
+                wrong.push(Unknown::File("the file of the rule was not read".into()));
+                None
+            }
+        },
+        None => {
+            let found = library.rule(&plan.rule).cloned();
+            if found.is_none() {
+                wrong.push(no_rule(&library, &plan.rule));
+            }
+            found
         }
-        None => library.rule(&plan.rule).cloned().ok_or_else(|| Unknown::Rule {
-            code: plan.rule.clone(),
-            known: library.rules.iter().map(|rule| rule.code.as_str()).collect::<Vec<_>>().join(", "),
-        })?,
     };
     let own = library.models.len();
     for (name, text) in texts {
-        library.models.push(rules::read_load_model(name, text).map_err(|problems| said(&problems))?);
+        match rules::read_load_model(name, text) {
+            Ok(model) => library.models.push(model),
+            Err(problems) => wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string()))),
+        }
     }
-    let of = |model: &LoadModel, vehicle: &Vehicle| Chosen {
+    Ok((rule, library, own, wrong))
+}
+
+/// Nothing in the library bears this rule's name.
+pub fn no_rule(library: &Library, code: &str) -> Unknown {
+    let known: Vec<&str> = library.rules.iter().map(|rule| rule.code.as_str()).collect();
+    Unknown::Rule { code: code.to_owned(), near: near(code, &known), known: known.join(", ") }
+}
+
+/// The rule and the vehicles that a plan asks for. Without names these are all of the library that the rule is made for
+/// and whose spans are not exceeded (of the trains the short one, which holds all that the long one repeats), and all of the
+/// plan's own files. Everything that is wrong is told at once.
+pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), Refused> {
+    let (rule, library, own, mut wrong) = read(bridge, plan)?;
+    let mut vehicles: Vec<Chosen> = Vec::new();
+    if plan.vehicles.is_empty() {
+        for (k, model) in library.models.iter().enumerate() {
+            let wanted = model.vehicles.iter().filter(|v| model.code != TRAINS || v.code == "paper-short");
+            for vehicle in wanted {
+                match rule.as_ref().map(|rule| taken(bridge, rule, &library, model, vehicle)) {
+                    Some(Ok(chosen)) => vehicles.push(chosen),
+                    Some(Err(unknown)) if k >= own => wrong.push(unknown),
+                    _ => {}
+                }
+            }
+        }
+    }
+    for code in &plan.vehicles {
+        let found: Vec<(&LoadModel, &Vehicle)> = match library.model(code) {
+            Some(model) => model.vehicles.iter().map(|vehicle| (model, vehicle)).collect(),
+            None => library.vehicle(code).into_iter().collect(),
+        };
+        if found.is_empty() {
+            let mut known: Vec<&str> = library.vehicles().map(|(_, v)| v.code.as_str()).collect();
+            known.extend(library.models.iter().map(|model| model.code.as_str()));
+            known.sort_unstable();
+            known.dedup();
+            wrong.push(Unknown::Vehicle { code: code.clone(), near: near(code, &known), known: known.join(", ") });
+        }
+        for (model, vehicle) in found {
+            match rule.as_ref().map(|rule| taken(bridge, rule, &library, model, vehicle)) {
+                Some(Ok(new)) if !vehicles.contains(&new) => vehicles.push(new),
+                Some(Err(unknown)) => {
+                    // One refusal a load model and name says it.
+                    let unknown = named(unknown, code);
+                    if !wrong.contains(&unknown) {
+                        wrong.push(unknown);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    match rule {
+        Some(rule) if wrong.is_empty() && vehicles.is_empty() => {
+            let reason = format!("no vehicle of the library goes with rule \"{}\" on spans like these", rule.code);
+            Err(Refused(vec![Unknown::File(reason)]))
+        }
+        Some(rule) if wrong.is_empty() => Ok((rule, vehicles)),
+        _ => Err(Refused(wrong)),
+    }
+}
+
+/// Load models that a plan without names leaves out because a span is too long for them: why.
+pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
+    let Ok((Some(rule), library, ..)) = read(bridge, plan) else { return Vec::new() };
+    if !plan.vehicles.is_empty() {
+        return Vec::new();
+    }
+    let made_for = library.models.iter().filter(|model| rule.acting(model).is_some());
+    made_for
+        .filter_map(|model| {
+            let limit = model.span_limit.as_ref().filter(|limit| longest(bridge) > limit.longest_m)?;
+            Some(format!("{} (spans up to {} m: {})", model.code, limit.longest_m, limit.reason))
+        })
+        .collect()
+}
+
+fn longest(bridge: &Bridge) -> f64 {
+    bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max)
+}
+
+/// A vehicle as the rule takes it; why it does not.
+fn taken(
+    bridge: &Bridge,
+    rule: &Rule,
+    library: &Library,
+    model: &LoadModel,
+    vehicle: &Vehicle,
+) -> Result<Chosen, Unknown> {
+    let acting = rule.acting(model).ok_or_else(|| {
+        let others = library.rules.iter().filter(|other| other.acting(model).is_some());
+        let others: Vec<&str> = others.map(|other| other.code.as_str()).collect();
+        let made_for = rule.models();
+        Unknown::Pairing {
+            vehicle: vehicle.code.clone(),
+            model: model.code.clone(),
+            rule: rule.code.clone(),
+            made_for: if made_for.is_empty() { "its own ways".to_owned() } else { made_for.join(", ") },
+            others: if others.is_empty() { "the library has none".to_owned() } else { others.join(", ") },
+        }
+    })?;
+    if let Some(limit) = model.span_limit.as_ref().filter(|limit| longest(bridge) > limit.longest_m + 1e-9) {
+        return Err(Unknown::Span {
+            vehicle: vehicle.code.clone(),
+            longest: limit.longest_m.to_string(),
+            span: ((1e3 * longest(bridge)).round() / 1e3).to_string(),
+            reason: limit.reason.clone(),
+        });
+    }
+    Ok(Chosen {
         model: model.code.clone(),
         ways: model.ways,
         vehicle: vehicle.clone(),
-    };
-    if plan.vehicles.is_empty() {
-        let usual = library.models.iter().enumerate().flat_map(|(k, model)| {
-            let fits = k >= own || rule.ways.contains(&model.ways);
-            let vehicles =
-                model.vehicles.iter().filter(move |v| fits && (model.code != TRAINS || v.code == "paper-short"));
-            vehicles.map(move |vehicle| of(model, vehicle))
-        });
-        let usual: Vec<Chosen> = usual.collect();
-        return Ok((rule, usual));
-    }
-    let mut vehicles: Vec<Chosen> = Vec::new();
-    for code in &plan.vehicles {
-        let found: Vec<Chosen> = match library.vehicle(code) {
-            Some((model, vehicle)) => vec![of(model, vehicle)],
-            None => library.model(code).map_or(Vec::new(), |m| m.vehicles.iter().map(|v| of(m, v)).collect()),
-        };
-        if found.is_empty() {
-            let known: Vec<&str> = library.vehicles().map(|(_, v)| v.code.as_str()).collect();
-            return Err(Unknown::Vehicle { code: code.clone(), known: known.join(", ") });
+        acting,
+        abreast: model.abreast.clone(),
+        source: model.source_of(vehicle).clone(),
+    })
+}
+
+/// A refusal of the name that was written.
+fn named(unknown: Unknown, code: &str) -> Unknown {
+    match unknown {
+        Unknown::Pairing { model, rule, made_for, others, .. } => {
+            Unknown::Pairing { vehicle: code.to_owned(), model, rule, made_for, others }
         }
-        vehicles.extend(found.into_iter().filter(|new| !vehicles.contains(new)).collect::<Vec<_>>());
+        Unknown::Span { longest, span, reason, .. } => {
+            Unknown::Span { vehicle: code.to_owned(), longest, span, reason }
+        }
+        other => other,
     }
-    Ok((rule, vehicles))
+}
+
+/// The name that is closest, with a comma, where one is close: two letters apart in longer names, one in short ones.
+fn near(written: &str, known: &[&str]) -> String {
+    let written = written.to_ascii_lowercase();
+    let allowed = if written.len() > 5 { 2 } else { 1 };
+    let closest = known.iter().map(|name| (distance(&written, name), name)).min();
+    closest.filter(|(apart, _)| *apart <= allowed).map_or(String::new(), |(_, name)| format!("\"{name}\", or "))
+}
+
+/// Letters to change, add or take away.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut before = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let changed = before + usize::from(x != *y);
+            before = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(before + 1);
+        }
+    }
+    row[b.len()]
 }
 
 fn said(problems: &[rules::Problem]) -> Unknown {

@@ -249,6 +249,30 @@ cards! {
     STALLED = "A179", "a load step neither came to rest nor collapsed",
         "The out-of-balance force of the step in the message oscillates without settling, and no block runs away. It is no collapse \
          load, and none is given. The last stable load is sound. Another damping or a smaller time_step_factor often decides.";
+    /// Vehicles whose axles are no copy of a standard.
+    VEHICLE_NOT_READ = "A180", "a vehicle that was not read in its standard",
+        "Axle loads or distances of the vehicles in the message are recalled, assumed, or calculated from published tables, as the \
+         message says. Wrong distances move an arch's load by tens of percent. Look the loading diagram up, put it into a file of your \
+         own (docs/input/vehicles.md), and judge by that; a verdict on an assumed vehicle holds for that vehicle alone.";
+    /// Load models that the spans are too long for.
+    SPAN_TOO_LONG = "A181", "a load model is not made for so long a span",
+        "On longer spans more of the loading stands than the model holds, so that the model is known or feared to fall short. The \
+         models in the message were left out: what the sweep says does not cover them. Name the whole train in a file of your own.";
+    /// Lanes and edges that the file does not give.
+    ACROSS_ASSUMED = "A182", "where vehicles stand across the bridge is assumed",
+        "Two vehicles abreast share the width between them, which may give a fifth more load per metre than one alone; a vehicle at the \
+         edge of the barrel lacks the width beyond it. Write lanes, lane_width and edge_distance into [carriageway]: every arrangement \
+         up to them is then tried, and the worst counts.";
+    /// A skew bridge analysed as a square one.
+    SKEW = "A183", "skew is not modelled",
+        "A skew barrel carries along the shorter way between its obtuse corners and twists; a plane, square model finds neither, and its \
+         load is not a bound for it. Use the span square to the springings, and confirm by a model in three dimensions or by a test \
+         before a verdict rests on it.";
+    /// Horizontal forces of vehicles.
+    NO_LONGITUDINAL = "A184", "braking and traction are left out",
+        "Vehicles brake and pull: on railways up to a quarter of the axle loads along the track. Track and fill carry much of that to \
+         the ground, and piers and slender rings feel the rest. No analysis here moves horizontal forces with a vehicle; a horizontal \
+         load cannot be described. Look at tall piers and short spans by hand.";
     /// No ultimate check under sourced factors.
     STRENGTH_OPEN = "A190", "strength was not assessed",
         "The ladder of verdicts, from its lowest rung: inadequate, a limit is not met (exit code 1); undetermined, an analysis that a \

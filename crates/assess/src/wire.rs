@@ -7,6 +7,7 @@ mod collapse;
 mod facts;
 mod particles;
 mod passage;
+mod shapes;
 mod sweep;
 mod tables;
 mod update;
@@ -18,11 +19,12 @@ pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli}
 pub use collapse::CollapseObject;
 pub use facts::{
     AugmentFacts, ChangeFacts, ChannelFacts, FitFacts, JointFacts, MovementFacts, ParameterFacts, PlaceFacts,
-    SafetyFacts, SensitivityFacts, ServiceFacts, ServiceLoadFacts, SweptFacts, UltimateFacts, UpdateFacts,
-    VehicleFacts,
+    SafetyFacts, SensitivityFacts, ServiceFacts, ServiceLoadFacts, SpanAugmentFacts, SweptFacts, UltimateFacts,
+    UpdateFacts, VehicleFacts,
 };
 pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};
+pub use shapes::{schema_of_rules, schema_of_vehicles};
 pub use sweep::SweepObject;
 pub use tables::{blocks, contacts, hinges, path, sweep_table, thrust_line};
 pub use update::{UpdateObject, histories_table, samples_table, sweeps_table, told};

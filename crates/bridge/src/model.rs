@@ -42,6 +42,8 @@ pub struct Bridge {
     pub service: Service,
     /// Horizontal pressure of the fill against movement, in limit analysis, where the file says so.
     pub fill_pressure: Option<FillPressure>,
+    /// Where vehicles may stand across the bridge, where the file says so.
+    pub carriageway: Option<Carriageway>,
     /// Vehicles that are moved over the bridge, and by which rule, where the file says so.
     pub sweep: Option<SweepPlan>,
     /// The train that crosses, and what is measured meanwhile, where the file says so.
@@ -442,6 +444,19 @@ pub struct SweepPlan {
     pub discrete_elements: bool,
     /// Names and texts of the files, the rule's first; empty until somebody reads them.
     pub texts: Vec<(String, String)>,
+}
+
+/// Where vehicles may stand across the bridge.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Carriageway {
+    /// How many vehicles may stand abreast: lanes of a road, tracks of a railway.
+    pub lanes: Option<usize>,
+    /// Distance between the middles of two of them [m].
+    pub lane_width: Option<f64>,
+    /// Distance from an edge of the barrel to the middle of the nearest wheel or rail [m].
+    pub edge_distance: Option<f64>,
+    /// Angle between the bridge's axis and the normal of its springings [rad]: 0 for a square bridge.
+    pub skew: Option<f64>,
 }
 
 /// Which ways vehicles drive.

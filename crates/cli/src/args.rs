@@ -458,6 +458,12 @@ pub struct Schema {
     /// Of block model files instead of bridge files
     #[arg(long)]
     pub blocks: bool,
+    /// Of files of vehicles
+    #[arg(long, conflicts_with = "blocks")]
+    pub vehicles: bool,
+    /// Of files of a rule
+    #[arg(long, conflicts_with_all = ["blocks", "vehicles"])]
+    pub rule: bool,
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,

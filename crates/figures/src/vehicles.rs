@@ -122,7 +122,7 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
 mod tests {
     use super::*;
     use assess::analysis::Status;
-    use assess::analysis::vehicles::EnvelopePoint;
+    use assess::analysis::vehicles::{Across, EnvelopePoint};
 
     fn swept(code: &str, adequacy: Option<f64>) -> Swept {
         let point = |k: usize, direction| EnvelopePoint {
@@ -134,7 +134,13 @@ mod tests {
             axles: Some([0, 0]),
             weights: None,
         };
+        let library = assess::rules::library().expect("library");
+        let (rule, model) = (library.rule("cs-454").expect("rule"), library.model("cs-454").expect("model"));
         Swept {
+            across: Across { abreast: 1, at_edge: false, axles: 3.0, uniform: Vec::new() },
+            span_factors: vec![1.0],
+            acting: rule.acting(model).expect("factors"),
+            source: model.source.clone(),
             code: code.to_owned(),
             title: code.to_uppercase(),
             model: code.to_owned(),

@@ -214,17 +214,29 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
     }
 }
 
+/// Coefficients of spans that differ from those of the longest.
+fn of_spans(augment: &assess::wire::AugmentFacts) -> String {
+    let others = augment.spans.iter().filter(|one| one.loaded_length_m != augment.loaded_length_m);
+    let told: Vec<String> = others
+        .map(|one| {
+            format!("span {} ({} m): {:.3} and {:.3}", one.span, digits(one.loaded_length_m), one.total, one.design)
+        })
+        .collect();
+    if told.is_empty() { String::new() } else { format!("; {}", told.join(", ")) }
+}
+
 fn augment(a: &Assessment) -> String {
     let Some(facts) = a.service.made() else { return String::new() };
     let augment = &facts.augment;
     format!(
         "Train: {}. Live load is increased by the coefficient of dynamic augment (CDA): {:.3} in total for a loaded length of {} m, {:.3} \
-         by design with a cushion of {} m. Source: {}.",
+         by design with a cushion of {} m{}. Source: {}.",
         facts.train,
         augment.total,
         digits(augment.loaded_length_m),
         augment.design,
         digits(augment.cushion_m),
+        of_spans(augment),
         augment.source
     )
 }

@@ -15,6 +15,10 @@ pub struct Dispersal {
     pub width_base_m: f64,
     /// Growth of the width with depth, both sides together.
     pub width_per_depth: f64,
+    /// Whether the widths above are those of one rail's or wheel line's strip, in place of the axle's: two strips then stand
+    /// beside one another, each at most so wide [m].
+    #[serde(default)]
+    pub strip_at_most_m: Option<f64>,
     /// How the pressure is shared out over the length.
     pub pressure: Pressure,
     /// Where it is from.
@@ -41,7 +45,18 @@ impl Dispersal {
 
     /// Width across the bridge at a depth for wheels so far apart [m].
     pub fn width_at(&self, depth: f64, wheel_track: f64) -> f64 {
-        wheel_track + self.width_base_m + self.width_per_depth * depth
+        let strip = self.width_base_m + self.width_per_depth * depth;
+        match self.strip_at_most_m {
+            // Strips that meet share the width between them.
+            Some(most) => (2.0 * strip.min(most)).min(wheel_track + strip),
+            None => wheel_track + strip,
+        }
+    }
+
+    /// How far the spread load reaches beyond the middle of an outer wheel or rail at a depth [m].
+    pub fn overhang_at(&self, depth: f64) -> f64 {
+        let strip = self.width_base_m + self.width_per_depth * depth;
+        0.5 * self.strip_at_most_m.map_or(strip, |most| strip.min(most))
     }
 
     /// Vertical to one horizontal, on each side along the bridge; infinite where the length does not grow.

@@ -26,6 +26,35 @@ pub enum Impact {
     AllAxles {
         /// The factor.
         factor: Factor,
+        /// How fill reduces what it adds, where it does.
+        #[serde(default)]
+        fill: Option<FillReduction>,
+    },
+    /// A factor that falls with the root of the determinant length: `numerator / (sqrt(share L) - subtrahend) + constant`,
+    /// between `least` and `most`.
+    Root {
+        /// See above [m^0.5].
+        numerator: f64,
+        /// See above [m^0.5].
+        subtrahend: f64,
+        /// See above.
+        constant: f64,
+        /// Determinant length over the span.
+        share: f64,
+        /// Smallest factor.
+        least: f64,
+        /// Largest factor.
+        most: f64,
+        /// How cover reduces it, where it does.
+        #[serde(default)]
+        cover: Option<CoverReduction>,
+        /// Where it is from.
+        source: Source,
+    },
+    /// The loads of the model contain what motion adds: nothing comes on top.
+    Included {
+        /// Where that is said.
+        source: Source,
     },
     /// A factor on the one axle where it does most harm; 1 on the others.
     CriticalAxle {
@@ -45,6 +74,18 @@ pub struct FillReduction {
     pub share: f64,
     /// Depth below `d1` at which nothing is left [m].
     pub vanishing_m: f64,
+    /// Where it is from.
+    pub source: Source,
+}
+
+/// How deep cover reduces a dynamic factor: by so much a metre below a depth, never under 1.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoverReduction {
+    /// Depth from which on it reduces [m].
+    pub from_m: f64,
+    /// What it takes off for every metre below [1/m].
+    pub per_m: f64,
     /// Where it is from.
     pub source: Source,
 }
@@ -85,8 +126,62 @@ impl Impact {
     pub fn factors(&self, length: f64, depth: f64) -> [f64; 2] {
         match self {
             Impact::Augment { .. } => [1.0 + self.design_augment(length, depth).unwrap_or(0.0), 1.0],
-            Impact::AllAxles { factor } => [factor.value, 1.0],
+            Impact::AllAxles { factor, fill } => {
+                let share = fill.as_ref().map_or(1.0, |fill| fill.share_at(depth));
+                [1.0 + share * (factor.value - 1.0), 1.0]
+            }
             Impact::CriticalAxle { factor } => [1.0, factor.value],
+            Impact::Root { cover, .. } => {
+                let off = cover.as_ref().map_or(0.0, |cover| cover.per_m * (depth - cover.from_m).max(0.0));
+                [(self.root(length) - off).max(1.0), 1.0]
+            }
+            Impact::Included { .. } => [1.0, 1.0],
+        }
+    }
+
+    /// The factor of [`Impact::Root`] without cover.
+    fn root(&self, length: f64) -> f64 {
+        let Impact::Root { numerator, subtrahend, constant, share, least, most, .. } = self else { return 1.0 };
+        let below = (share * length).sqrt() - subtrahend;
+        // So short a length that the formula has no value: its largest factor.
+        if below > 0.0 { (numerator / below + constant).clamp(*least, *most) } else { *most }
+    }
+
+    /// Whether the factor depends on the loaded length.
+    pub fn depends_on_length(&self) -> bool {
+        matches!(self, Impact::Augment { .. } | Impact::Root { .. })
+    }
+
+    /// Where it is from: every source of it.
+    pub fn sources(&self) -> Vec<&Source> {
+        match self {
+            Impact::Augment { source, fill, .. } => {
+                std::iter::once(source).chain(fill.as_ref().map(|fill| &fill.source)).collect()
+            }
+            Impact::AllAxles { factor, fill } => {
+                std::iter::once(&factor.source).chain(fill.as_ref().map(|fill| &fill.source)).collect()
+            }
+            Impact::CriticalAxle { factor } => vec![&factor.source],
+            Impact::Root { source, cover, .. } => {
+                std::iter::once(source).chain(cover.as_ref().map(|cover| &cover.source)).collect()
+            }
+            Impact::Included { source } => vec![source],
+        }
+    }
+
+    /// In a few words: "coefficient of dynamic augment", "1.8 on the critical axle".
+    pub fn told(&self) -> String {
+        match self {
+            Impact::Augment { base, numerator_m, addend_m, most, .. } => {
+                format!("1 + {base} + {numerator_m}/({addend_m} + L), at most {}", 1.0 + most)
+            }
+            Impact::AllAxles { factor, fill: None } => format!("{} on all axles", factor.value),
+            Impact::AllAxles { factor, fill: Some(_) } => format!("{} on all axles, less under fill", factor.value),
+            Impact::CriticalAxle { factor } => format!("{} on the critical axle", factor.value),
+            Impact::Root { numerator, subtrahend, constant, share, most, .. } => {
+                format!("{numerator}/(sqrt({share} L) - {subtrahend}) + {constant}, at most {most}")
+            }
+            Impact::Included { .. } => "contained in the loads".to_owned(),
         }
     }
 }

@@ -22,8 +22,8 @@ pub type File = (&'static str, &'static str);
 
 /// The texts of all files: load models, then rules.
 pub const FILES: [&[File]; 2] = [
-    files!("loads": "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454"),
-    files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025"),
+    files!("loads": "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454", "ra"),
+    files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025", "en-1991-2"),
 ];
 
 /// Reads the library. A test reads it too, so that complaints reach users only from files of their own.
@@ -47,7 +47,7 @@ pub fn library() -> Result<Library, Vec<Problem>> {
 impl Library {
     /// The load model of this code.
     pub fn model(&self, code: &str) -> Option<&LoadModel> {
-        self.models.iter().find(|model| model.code == code)
+        self.models.iter().find(|model| model.code.eq_ignore_ascii_case(code))
     }
     /// The vehicle of this code and its load model.
     pub fn vehicle(&self, code: &str) -> Option<(&LoadModel, &Vehicle)> {
@@ -55,7 +55,7 @@ impl Library {
     }
     /// The rule of this code.
     pub fn rule(&self, code: &str) -> Option<&Rule> {
-        self.rules.iter().find(|rule| rule.code == code)
+        self.rules.iter().find(|rule| rule.code.eq_ignore_ascii_case(code))
     }
     /// Every vehicle with its load model, in the order of the files.
     pub fn vehicles(&self) -> impl Iterator<Item = (&LoadModel, &Vehicle)> {

@@ -1,6 +1,6 @@
 //! A load model: vehicles, and what was published of them.
 
-use crate::{Source, Vehicle};
+use crate::{Factor, Impact, Source, Vehicle};
 use serde::Deserialize;
 
 /// Vehicles of one standard, and the tables that were published for them.
@@ -21,6 +21,46 @@ pub struct LoadModel {
     /// Published numbers.
     #[serde(default)]
     pub published: Vec<Published>,
+    /// The longest span that the model may be used for, where it is known to fall short on longer ones.
+    #[serde(default)]
+    pub span_limit: Option<SpanLimit>,
+    /// Shares of its axle loads in the first lane or track, the second and so on, when vehicles stand abreast; the whole in
+    /// every lane where none are given.
+    #[serde(default)]
+    pub abreast: Vec<f64>,
+    /// Factors under rules that do not name this model, where its file gives them.
+    #[serde(default)]
+    pub under: Vec<Under>,
+}
+
+/// The longest span that a load model may be used for.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SpanLimit {
+    /// Span [m].
+    pub longest_m: f64,
+    /// Why not longer ones.
+    pub reason: String,
+    /// Where that is from.
+    pub source: Source,
+}
+
+/// What a rule does with the loads of a model, in the model's own file.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Under {
+    /// Code of the rule.
+    pub rule: String,
+    /// Factor on the loads.
+    pub live_load: Factor,
+    /// What motion adds.
+    pub impact: Impact,
+    /// Whether motion adds to uniform loads as well.
+    #[serde(default = "crate::rule::yes")]
+    pub impact_on_uniform: bool,
+    /// Factors of multiple presence: with one lane loaded, two, three.
+    #[serde(default)]
+    pub presence: Vec<f64>,
 }
 
 /// On what vehicles drive.
@@ -49,6 +89,12 @@ pub struct Published {
     pub values: Vec<f64>,
     /// How far the vehicle may be from them, relative.
     pub tolerance: f64,
+    /// How far above them the vehicle may be, where it covers them and does not meet them.
+    #[serde(default)]
+    pub above: f64,
+    /// Where along the span bending moments are compared, as a share of it; at the worst section where none is given.
+    #[serde(default)]
+    pub section: Option<f64>,
     /// Why this tolerance.
     pub reason: String,
     /// Why the vehicle alone does not give these numbers, where it does not; they are then read and not checked.
@@ -75,9 +121,19 @@ pub enum Quantity {
 }
 
 impl LoadModel {
-    /// The vehicle of this code.
+    /// The vehicle of this code, in whatever case it is written.
     pub fn vehicle(&self, code: &str) -> Option<&Vehicle> {
-        self.vehicles.iter().find(|vehicle| vehicle.code == code)
+        self.vehicles.iter().find(|vehicle| vehicle.code.eq_ignore_ascii_case(code))
+    }
+
+    /// The share of axle loads in a lane, from 0, when vehicles stand abreast.
+    pub fn share_in_lane(&self, lane: usize) -> f64 {
+        if self.abreast.is_empty() { 1.0 } else { self.abreast.get(lane).copied().unwrap_or(0.0) }
+    }
+
+    /// Where a vehicle of the model is from: its own source, or the model's.
+    pub fn source_of<'a>(&'a self, vehicle: &'a Vehicle) -> &'a Source {
+        vehicle.source.as_ref().unwrap_or(&self.source)
     }
 
     /// The published number at a span [m], linear between the spans of the table; none outside of it.

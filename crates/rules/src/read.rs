@@ -1,6 +1,8 @@
 //! Files of load models and rules, read with complaints that name file and key.
 
-use crate::{Factor, LoadModel, Rule, Source, Spacing, Vehicle};
+use crate::shape::Shape;
+use crate::walk::{differences, line_of};
+use crate::{Factor, Impact, LoadModel, Rule, Source, Spacing, Vehicle};
 use serde::de::DeserializeOwned;
 use std::fmt;
 
@@ -36,8 +38,8 @@ const MOST_PATTERNS: usize = 1000;
 
 /// Reads a file of vehicles.
 pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>> {
-    let model: LoadModel = parse(file, text)?;
-    let mut found = Complaints { file, problems: Vec::new() };
+    let model: LoadModel = parse(file, text, &crate::shape::LOAD_MODEL)?;
+    let mut found = Complaints { file, text, problems: Vec::new() };
     found.source("source", &model.source);
     found.need(!model.code.is_empty(), "code", "give the load model a name, as \"my-vehicle\"");
     found.need(
@@ -49,6 +51,19 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
         let twice = model.vehicles[..k].iter().any(|other| other.code == vehicle.code);
         found.need(!twice, &format!("vehicle[{k}].code"), "another vehicle of this file has the same code");
         found.vehicle(&format!("vehicle[{k}]"), vehicle);
+    }
+    if let Some(limit) = &model.span_limit {
+        found.source("span_limit.source", &limit.source);
+        let longest = limit.longest_m > 0.0 && limit.longest_m.is_finite();
+        found.need(longest, "span_limit.longest_m", "the longest span is a positive number");
+    }
+    found.need(
+        shares(&model.abreast),
+        "abreast",
+        "shares of lanes are numbers of 0 or more, the first of them positive",
+    );
+    for (k, under) in model.under.iter().enumerate() {
+        found.acting(&format!("under[{k}]"), Some(&under.live_load), &under.impact, &under.presence);
     }
     for (k, table) in model.published.iter().enumerate() {
         let at = format!("published[{k}]");
@@ -70,19 +85,28 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
             &format!("{at}.tolerance"),
             "the tolerance is a share between 0 and 1, as 2e-4",
         );
+        let inside = table.section.is_none_or(|x| x > 0.0 && x < 1.0) && (0.0..1.0).contains(&table.above);
+        found.need(
+            inside,
+            &format!("{at}.section"),
+            "a section is a share of the span between 0 and 1, and so is above",
+        );
     }
     found.done(model)
 }
 
 /// Reads a file of a rule.
 pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
-    let rule: Rule = parse(file, text)?;
-    let mut found = Complaints { file, problems: Vec::new() };
+    let rule: Rule = parse(file, text, &crate::shape::RULE)?;
+    let mut found = Complaints { file, text, problems: Vec::new() };
     found.source("source", &rule.source);
     found.need(!rule.code.is_empty(), "code", "give the rule a name, as \"my-rule\"");
     found.need(!rule.ways.is_empty(), "ways", "say what the rule is made for: [\"road\"], [\"rail\"] or both");
     for (name, factor) in rule.listed() {
         found.factor(&format!("factors ({name})"), factor);
+    }
+    if let Some(most) = rule.dispersal.strip_at_most_m {
+        found.need(most > 0.0 && most.is_finite(), "dispersal.strip_at_most_m", "the width of a strip is positive");
     }
     let d = &rule.dispersal;
     found.source("dispersal.source", &d.source);
@@ -92,25 +116,19 @@ pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
         "dispersal",
         "lengths and widths are numbers of 0 or more, and length_base_m is positive",
     );
-    match &rule.impact {
-        crate::Impact::Augment { base, numerator_m, addend_m, most, fill, source } => {
-            found.source("impact.source", source);
-            found.need(
-                [*base, *numerator_m, *addend_m, *most].iter().all(|v| v.is_finite() && *v >= 0.0) && *addend_m > 0.0,
-                "impact",
-                "base, numerator_m, addend_m and most are numbers of 0 or more, and addend_m is positive",
-            );
-            if let Some(fill) = fill {
-                found.source("impact.fill.source", &fill.source);
-                found.need(
-                    fill.depth_m > 0.0 && fill.vanishing_m > 0.0 && (0.0..=1.0).contains(&fill.share),
-                    "impact.fill",
-                    "depth_m and vanishing_m are positive, and share lies between 0 and 1",
-                );
-            }
-        }
-        crate::Impact::AllAxles { .. } | crate::Impact::CriticalAxle { .. } => {}
+    if let Some(impact) = &rule.impact {
+        found.impact("impact", impact);
     }
+    for (k, loads) in rule.loads.iter().enumerate() {
+        let at = format!("loads[{k}]");
+        found.need(!loads.models.is_empty(), &format!("{at}.models"), "name the load models, as [\"cs-454\"]");
+        found.acting(&at, loads.live_load.as_ref(), &loads.impact, &loads.presence);
+    }
+    found.need(
+        rule.impact.is_some() || !rule.loads.is_empty(),
+        "loads",
+        "say what the rule is made for: [[loads]] with models and impact, or a general [impact]",
+    );
     match &rule.effective_width {
         crate::EffectiveWidth::Fixed { width_m, source } => {
             found.source("effective_width.source", source);
@@ -123,7 +141,11 @@ pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
     found.done(rule)
 }
 
-fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T, Vec<Problem>> {
+fn parse<T: DeserializeOwned>(file: &str, text: &str, shape: &'static Shape) -> Result<T, Vec<Problem>> {
+    let wrong = differences(file, text, shape);
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
     toml::from_str(text).map_err(|error| {
         let line = error.span().map_or(0, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
         let key = error.span().and_then(|span| key_at(text, span.start)).unwrap_or_default();
@@ -140,14 +162,16 @@ fn key_at(text: &str, at: usize) -> Option<String> {
 
 struct Complaints<'a> {
     file: &'a str,
+    text: &'a str,
     problems: Vec<Problem>,
 }
 
 impl Complaints<'_> {
     fn need(&mut self, holds: bool, key: &str, message: &str) {
         if !holds {
+            let line = line_of(self.text, key);
             let (file, key, message) = (self.file.to_owned(), key.to_owned(), message.to_owned());
-            self.problems.push(Problem { file, key, line: 0, message });
+            self.problems.push(Problem { file, key, line, message });
         }
     }
 
@@ -160,6 +184,58 @@ impl Complaints<'_> {
         self.source(key, &factor.source);
         let possible = factor.value > 0.0 && factor.value.is_finite();
         self.need(possible, key, "a factor is a positive number");
+    }
+
+    /// What a rule does with the loads of models.
+    fn acting(&mut self, at: &str, live_load: Option<&Factor>, impact: &Impact, presence: &[f64]) {
+        if let Some(factor) = live_load {
+            self.factor(&format!("{at}.live_load"), factor);
+        }
+        self.impact(&format!("{at}.impact"), impact);
+        let positive = presence.iter().all(|p| *p > 0.0 && p.is_finite());
+        self.need(
+            positive,
+            &format!("{at}.presence"),
+            "factors of multiple presence are positive, as [1.2, 1.0, 0.85]",
+        );
+    }
+
+    fn impact(&mut self, at: &str, impact: &Impact) {
+        for source in impact.sources() {
+            self.source(&format!("{at}.source"), source);
+        }
+        let fill_possible = |fill: &crate::FillReduction| {
+            fill.depth_m > 0.0 && fill.vanishing_m > 0.0 && (0.0..=1.0).contains(&fill.share)
+        };
+        let numbers = |list: &[f64]| list.iter().all(|v| v.is_finite() && *v >= 0.0);
+        let (possible, said, fill) = match impact {
+            Impact::Augment { base, numerator_m, addend_m, most, fill, .. } => (
+                numbers(&[*base, *numerator_m, *addend_m, *most]) && *addend_m > 0.0,
+                "base, numerator_m, addend_m and most are numbers of 0 or more, and addend_m is positive",
+                fill.as_ref(),
+            ),
+            Impact::AllAxles { factor, fill } => {
+                (factor.value > 0.0 && factor.value.is_finite(), "a factor is a positive number", fill.as_ref())
+            }
+            Impact::CriticalAxle { factor } => {
+                (factor.value > 0.0 && factor.value.is_finite(), "a factor is a positive number", None)
+            }
+            Impact::Root { numerator, subtrahend, constant, share, least, most, cover, .. } => (
+                numbers(&[*numerator, *subtrahend, *constant, *share, *least, *most])
+                    && *share > 0.0
+                    && least <= most
+                    && cover.as_ref().is_none_or(|cover| numbers(&[cover.from_m, cover.per_m])),
+                "numbers are 0 or more, share is positive, and least is not above most",
+                None,
+            ),
+            Impact::Included { .. } => (true, "", None),
+        };
+        self.need(possible, at, said);
+        self.need(
+            fill.is_none_or(fill_possible),
+            &format!("{at}.fill"),
+            "depth_m and vanishing_m are positive, and share lies between 0 and 1",
+        );
     }
 
     fn vehicle(&mut self, at: &str, vehicle: &Vehicle) {
@@ -197,9 +273,13 @@ impl Complaints<'_> {
         );
         for (k, u) in vehicle.uniform.iter().enumerate() {
             self.need(
-                u.load_kn_per_m > 0.0 && u.load_kn_per_m.is_finite() && u.gap_m >= 0.0 && u.gap_m.is_finite(),
+                u.load_kn_per_m > 0.0
+                    && u.load_kn_per_m.is_finite()
+                    && u.gap_m >= 0.0
+                    && u.gap_m.is_finite()
+                    && u.width_m.is_none_or(|w| w > 0.0 && w.is_finite()),
                 &format!("{at}.uniform[{k}]"),
-                "load_kn_per_m is positive and gap_m is 0 or more",
+                "load_kn_per_m and width_m are positive and gap_m is 0 or more",
             );
         }
         self.need(
@@ -220,6 +300,11 @@ impl Complaints<'_> {
     fn done<T>(self, value: T) -> Result<T, Vec<Problem>> {
         if self.problems.is_empty() { Ok(value) } else { Err(self.problems) }
     }
+}
+
+/// Whether these may be the shares of lanes.
+fn shares(list: &[f64]) -> bool {
+    list.iter().all(|share| *share >= 0.0 && share.is_finite()) && list.first().is_none_or(|first| *first > 0.0)
 }
 
 /// How many distances of a spacing are tried, before they are listed.

@@ -1,6 +1,6 @@
 //! A rule of assessment: every factor between a vehicle's axle and the number that is compared with a limit.
 
-use crate::{Dispersal, Factor, Impact, Source, Ways};
+use crate::{Dispersal, Factor, Impact, LoadModel, Source, Ways};
 use serde::Deserialize;
 
 /// A rule of assessment.
@@ -19,10 +19,71 @@ pub struct Rule {
     pub dispersal: Dispersal,
     /// Which width of the barrel carries an axle.
     pub effective_width: EffectiveWidth,
-    /// What motion adds to loads.
-    pub impact: Impact,
+    /// What motion adds to the loads of every model that `loads` does not name. A rule without it refuses those models.
+    #[serde(default)]
+    pub impact: Option<Impact>,
+    /// The load models that the rule is made for, with the factors of each.
+    #[serde(default)]
+    pub loads: Vec<Loads>,
     /// Partial factors.
     pub factors: Factors,
+}
+
+/// Load models that a rule is made for, and what it does with their loads.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Loads {
+    /// Codes of load models.
+    pub models: Vec<String>,
+    /// Factor on their loads; the rule's own where none is given.
+    #[serde(default)]
+    pub live_load: Option<Factor>,
+    /// What motion adds to them.
+    pub impact: Impact,
+    /// Whether motion adds to uniform loads as well.
+    #[serde(default = "yes")]
+    pub impact_on_uniform: bool,
+    /// Factors of multiple presence: with one lane loaded, two, three; 1 for those that are not listed.
+    #[serde(default)]
+    pub presence: Vec<f64>,
+}
+
+/// The default of flags that are usually set.
+pub(crate) fn yes() -> bool {
+    true
+}
+
+/// What a rule does with the loads of one load model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Acting {
+    /// Factor on loads.
+    pub live_load: Factor,
+    /// What motion adds.
+    pub impact: Impact,
+    /// Whether motion adds to uniform loads as well.
+    pub impact_on_uniform: bool,
+    /// Factors of multiple presence, from one lane on.
+    pub presence: Vec<f64>,
+}
+
+impl Acting {
+    /// By what an axle's force is multiplied over a loaded length under cover of a depth [m]: live load factor and impact
+    /// on every axle, and what the critical axle has besides.
+    pub fn axle_factors(&self, length: f64, depth: f64) -> [f64; 2] {
+        let [all, critical] = self.impact.factors(length, depth);
+        [self.live_load.value * all, critical]
+    }
+
+    /// The same for uniform loads.
+    pub fn uniform_factor(&self, length: f64, depth: f64) -> f64 {
+        let all = if self.impact_on_uniform { self.impact.factors(length, depth)[0] } else { 1.0 };
+        self.live_load.value * all
+    }
+
+    /// The factor of multiple presence with so many lanes loaded.
+    pub fn presence(&self, lanes: usize) -> f64 {
+        self.presence.get(lanes.wrapping_sub(1)).copied().unwrap_or(1.0)
+    }
 }
 
 /// Partial factors. All must be given.
@@ -43,6 +104,10 @@ pub struct Factors {
     pub masonry_strength: Factor,
     /// On the friction of joints: it divides the coefficient.
     pub friction: Factor,
+    /// On the cohesion and the tensile strength of joints: it divides. The factor on the strength of masonry where none is
+    /// given.
+    #[serde(default)]
+    pub cohesion: Option<Factor>,
     /// On the fill's horizontal pressure where it helps: it divides.
     pub fill_pressure: Factor,
     /// For the method of analysis: it divides the capacity.
@@ -84,11 +149,49 @@ impl Rule {
         }
     }
 
-    /// By what an axle's force on the effective width is multiplied, over a loaded length under cover of a depth [m]: live
-    /// load factor and impact on every axle, and what the critical axle has besides.
-    pub fn load_factors(&self, length: f64, depth: f64) -> [f64; 2] {
-        let [all, critical] = self.impact.factors(length, depth);
-        [self.factors.live_load.value * all, critical]
+    /// What the rule does with the loads of a model: as `loads` says, as the model's own file says, or by the rule's general
+    /// impact. None where the rule is not made for the model.
+    pub fn acting(&self, model: &LoadModel) -> Option<Acting> {
+        if let Some(loads) = self.loads.iter().find(|loads| loads.models.contains(&model.code)) {
+            return Some(Acting {
+                live_load: loads.live_load.clone().unwrap_or_else(|| self.factors.live_load.clone()),
+                impact: loads.impact.clone(),
+                impact_on_uniform: loads.impact_on_uniform,
+                presence: loads.presence.clone(),
+            });
+        }
+        if let Some(under) = model.under.iter().find(|under| under.rule.eq_ignore_ascii_case(&self.code)) {
+            return Some(Acting {
+                live_load: under.live_load.clone(),
+                impact: under.impact.clone(),
+                impact_on_uniform: under.impact_on_uniform,
+                presence: under.presence.clone(),
+            });
+        }
+        let general = self.impact.as_ref().filter(|_| self.ways.contains(&model.ways))?;
+        Some(Acting {
+            live_load: self.factors.live_load.clone(),
+            impact: general.clone(),
+            impact_on_uniform: true,
+            presence: Vec::new(),
+        })
+    }
+
+    /// Codes of the load models that the rule is made for.
+    pub fn models(&self) -> Vec<&str> {
+        self.loads.iter().flat_map(|loads| loads.models.iter().map(String::as_str)).collect()
+    }
+
+    /// What motion adds to the loads of a model named by its code; else the rule's general impact; else the first that is
+    /// listed.
+    pub fn impact_of(&self, model: &str) -> Option<&Impact> {
+        let listed = self.loads.iter().find(|loads| loads.models.iter().any(|code| code == model));
+        listed.map(|loads| &loads.impact).or(self.impact.as_ref()).or(self.loads.first().map(|loads| &loads.impact))
+    }
+
+    /// The factor that divides cohesion and tensile strength of joints.
+    pub fn cohesion(&self) -> &Factor {
+        self.factors.cohesion.as_ref().unwrap_or(&self.factors.masonry_strength)
     }
 
     /// By what the load factor of an analysis is multiplied: condition over model factor.
@@ -99,7 +202,7 @@ impl Rule {
     /// Every factor with its name, for reports.
     pub fn listed(&self) -> Vec<(&'static str, &Factor)> {
         let f = &self.factors;
-        let mut list = vec![
+        vec![
             ("weight of masonry, adverse", &f.masonry_weight),
             ("weight of fill, adverse", &f.fill_weight),
             ("weight of surfacing, adverse", &f.surfacing_weight),
@@ -107,15 +210,10 @@ impl Rule {
             ("live load", &f.live_load),
             ("strength of masonry", &f.masonry_strength),
             ("friction of joints", &f.friction),
+            ("cohesion and tension of joints", self.cohesion()),
             ("fill pressure", &f.fill_pressure),
             ("model", &f.model),
             ("condition", &f.condition),
-        ];
-        match &self.impact {
-            Impact::AllAxles { factor } => list.push(("impact", factor)),
-            Impact::CriticalAxle { factor } => list.push(("impact on the critical axle", factor)),
-            Impact::Augment { .. } => {}
-        }
-        list
+        ]
     }
 }

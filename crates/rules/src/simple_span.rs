@@ -47,6 +47,28 @@ pub fn greatest_bending(pattern: &Pattern, span: f64) -> Greatest {
     best
 }
 
+/// The greatest bending moment at one section, a share of a simply supported span [m] from its left support.
+pub fn greatest_bending_at(pattern: &Pattern, span: f64, share: f64) -> Greatest {
+    let mut best = NOTHING;
+    let x = share * span;
+    for (mirrored, pattern) in [(false, pattern.clone()), (true, pattern.reversed())] {
+        let load = Load { pattern: &pattern, span };
+        let mut breaks: Vec<f64> = load.edges().flat_map(|place| [place, x + place, span + place]).collect();
+        breaks.push(0.0);
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        let reach = breaks.last().copied().unwrap_or(0.0) + span;
+        breaks.push(reach);
+        for pair in breaks.windows(2) {
+            for s in peaks(pair[0], pair[1], |s| load.moment(x, s, None)) {
+                let first_axle = if mirrored { s - pattern.length() } else { s };
+                keep(&mut best, Greatest { value: load.moment(x, s, None), section: x, first_axle });
+            }
+        }
+    }
+    best
+}
+
 /// The greatest shear: a reaction of a simply supported span [m].
 pub fn greatest_shear(pattern: &Pattern, span: f64) -> Greatest {
     let mut best = NOTHING;

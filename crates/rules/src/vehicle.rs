@@ -63,6 +63,9 @@ pub struct Uniform {
     pub gap_m: f64,
     /// Whether it may be left out where it helps.
     pub may_be_dropped: bool,
+    /// Width over which it stands across the bridge [m]; as an axle where none is given.
+    #[serde(default)]
+    pub width_m: Option<f64>,
 }
 
 /// Where a uniform load stands.

@@ -5,8 +5,8 @@ use rules::{Confidence, Impact, Pattern, library, read_load_model, read_rule};
 #[test]
 fn every_file_is_read_and_every_source_is_named() {
     let library = library().unwrap_or_else(|problems| panic!("{problems:?}"));
-    assert_eq!(library.models.len(), 8);
-    assert_eq!(library.rules.len(), 4);
+    assert_eq!(library.models.len(), 9);
+    assert_eq!(library.rules.len(), 5);
     let codes: Vec<&str> = library.vehicles().map(|(_, v)| v.code.as_str()).collect();
     for (k, code) in codes.iter().enumerate() {
         assert!(!codes[..k].contains(code), "{code} is there twice");
@@ -43,7 +43,7 @@ fn published_numbers_that_no_vehicle_gives_are_still_read() {
 fn dynamic_augment_falls_with_fill() {
     let library = library().unwrap();
     let rule = library.rule("irs-bridge-rules").unwrap();
-    let at = |depth: f64| rule.impact.design_augment(6.0, depth).unwrap();
+    let at = |depth: f64| rule.impact_of("25t-2008").unwrap().design_augment(6.0, depth).unwrap();
     let total = 0.15 + 8.0 / 12.0;
     assert!((at(0.0) - total).abs() < 1e-12);
     assert!((at(0.45) - 0.75 * total).abs() < 1e-12, "half of (2 - d / 0.9)");
@@ -52,7 +52,8 @@ fn dynamic_augment_falls_with_fill() {
     assert_eq!(at(4.0), 0.0);
     // The railway paper's design CDA of about 0.60 belongs to a cushion of about 0.48 m.
     assert!((at(0.48) - 0.60).abs() < 0.005, "{}", at(0.48));
-    assert_eq!(rule.load_factors(6.0, 0.9)[0], 1.0 + 0.5 * total);
+    let acting = rule.acting(library.model("25t-2008").unwrap()).unwrap();
+    assert_eq!(acting.axle_factors(6.0, 0.9)[0], 1.0 + 0.5 * total);
 }
 
 #[test]
@@ -63,10 +64,89 @@ fn widths_and_lengths_are_those_of_the_rules() {
     assert!((road.dispersal.width_at(0.5, 1.8) - 3.8).abs() < 1e-12);
     assert_eq!(road.dispersal.slope(), 2.0);
     assert_eq!(road.effective_width(1.8, 0.5, 3.0), 3.0, "at most the barrel");
-    assert_eq!(road.load_factors(5.0, 0.5), [1.9, 1.8]);
+    let acting = road.acting(library.model("cs-454").unwrap()).unwrap();
+    assert_eq!(acting.axle_factors(5.0, 0.5), [1.9, 1.8]);
     assert!(
-        matches!(&road.impact, Impact::CriticalAxle { factor } if factor.source.confidence == Confidence::Recalled)
+        matches!(&acting.impact, Impact::CriticalAxle { factor } if factor.source.confidence == Confidence::Recalled)
     );
+}
+
+/// Loads that contain what motion adds get nothing on top, loads at rest get what their own standard adds, and a rule that
+/// was not made for a load model refuses it.
+#[test]
+fn a_rule_acts_on_the_load_models_it_is_made_for() {
+    let library = library().unwrap();
+    let acting = |rule: &str, model: &str| library.rule(rule).unwrap().acting(library.model(model).unwrap());
+    let factors =
+        |rule: &str, model: &str, length: f64, depth: f64| acting(rule, model).unwrap().axle_factors(length, depth);
+    assert_eq!(factors("cs-454", "hb", 5.0, 0.5), [1.3, 1.0], "HB contains impact");
+    for (rule, model) in [
+        ("cs-454", "lm1"),
+        ("cs-454", "hl-93"),
+        ("cs-454", "25t-2008"),
+        ("irs-bridge-rules", "lm71"),
+        ("nr-civ-025", "25t-2008"),
+        ("en-1991-2", "cs-454"),
+    ] {
+        assert!(acting(rule, model).is_none(), "{rule} takes {model}");
+    }
+    // The dynamic allowance of HL-93 falls with depth, to nothing at 8 ft; the lane load has none.
+    let hl = acting("characteristic", "hl-93").unwrap();
+    assert!((hl.axle_factors(5.0, 0.0)[0] - 1.33).abs() < 1e-12);
+    assert!((hl.axle_factors(5.0, 1.2192)[0] - (1.0 + 0.33 * 0.5)).abs() < 1e-12);
+    assert_eq!((hl.axle_factors(5.0, 3.0)[0], hl.uniform_factor(5.0, 0.0)), (1.0, 1.0));
+    assert_eq!([1, 2, 3, 4].map(|lanes| hl.presence(lanes)), [1.2, 1.0, 0.85, 1.0]);
+    // Dynamic factor 3 over half the span, less under more than a metre of cover.
+    let phi = |length: f64, depth: f64| factors("characteristic", "lm71", length, depth)[0];
+    assert_eq!(phi(6.0, 0.5), 2.0);
+    let twenty = 2.16 / (10f64.sqrt() - 0.2) + 0.73;
+    assert!((phi(20.0, 0.5) - twenty).abs() < 1e-12 && (phi(20.0, 2.0) - (twenty - 0.1)).abs() < 1e-12);
+    assert_eq!(phi(300.0, 0.5), 1.0);
+    assert_eq!(factors("characteristic", "lm1", 5.0, 0.5), [1.0, 1.0]);
+    // An engineer's own file says what the rule does with it.
+    let hb = include_str!("../data/loads/hb.toml").replacen("code = \"hb\"", "code = \"crane\"", 1);
+    let rule = library.rule("cs-454").unwrap();
+    assert!(rule.acting(&read_load_model("crane.toml", &hb).unwrap()).is_none());
+    let source = "source = { text = \"permit\", date = \"2026\", confidence = \"read\" }";
+    let own = format!(
+        "{hb}\n[[under]]\nrule = \"CS-454\"\nlive_load = {{ value = 1.5, {source} }}\nimpact = {{ kind = \"included\", {source} }}\n"
+    );
+    let crane = read_load_model("crane.toml", &own).unwrap();
+    assert_eq!(rule.acting(&crane).unwrap().axle_factors(5.0, 0.5), [1.5, 1.0]);
+    // A general impact in a rule of one's own takes every model of its ways.
+    let text = include_str!("../data/rules/cs-454.toml");
+    let general = format!("{text}\n[impact]\nkind = \"all-axles\"\nfactor = {{ value = 1.4, {source} }}\n");
+    let mine = read_rule("mine.toml", &general).unwrap();
+    assert_eq!(mine.acting(library.model("lm1").unwrap()).unwrap().axle_factors(5.0, 0.5), [1.9 * 1.4, 1.0]);
+    assert!(mine.acting(library.model("lm71").unwrap()).is_none());
+}
+
+/// Each rail has a strip of its own, which grows to the distance of the rails and no further.
+#[test]
+fn network_rail_spreads_each_rail_over_a_strip_of_its_own() {
+    let library = library().unwrap();
+    let rail = library.rule("nr-civ-025").unwrap();
+    let width = |depth: f64| rail.effective_width(1.5, depth, 20.0);
+    assert!((width(0.0) - 1.6).abs() < 1e-12, "two strips of 0.8 m");
+    assert!((width(0.3) - 2.8).abs() < 1e-12, "two strips of 1.4 m");
+    assert!((width(0.35) - 3.0).abs() < 1e-12 && (width(1.5) - 3.0).abs() < 1e-12, "no more than 1.5 m each");
+}
+
+/// Every published row is covered: none lies below the table, none far above it.
+#[test]
+fn the_indian_loading_covers_its_table_up_to_fourteen_metres() {
+    let library = library().unwrap();
+    let model = library.model("25T-2008").unwrap();
+    assert!(model.published.iter().all(|table| table.not_from_vehicle.is_empty()));
+    let rows = rules::check(model, library.rule("irs-bridge-rules"));
+    for row in &rows {
+        assert!(
+            row.agrees() && row.difference() > -1.1e-3 && row.difference() < 0.053,
+            "{row:?}: {}",
+            row.difference()
+        );
+    }
+    assert_eq!(model.span_limit.as_ref().unwrap().longest_m, 14.0);
 }
 
 /// Condition multiplies what the bridge carries, the model factor divides it.
@@ -114,6 +194,18 @@ fn complaints_name_file_and_key() {
         ["source", "vehicle[0].axle_loads_kn", "vehicle[0].spacings_m", "vehicle[0].contact_length_m"],
         "all at once"
     );
+    let lines: Vec<usize> = wrong.iter().map(|p| p.line).collect();
+    assert_eq!(lines, [4, 8, 9, 12], "each with its place");
+    // Slips of every kind are told together.
+    let slips = text
+        .replace("ways = \"road\"", "ways = \"water\"")
+        .replace("axle_loads_kn", "axle_loads")
+        .replace("= 1.8", "= \"1.8 m\"");
+    let keys: Vec<(usize, String)> =
+        read_load_model("mine.toml", &slips).unwrap_err().into_iter().map(|p| (p.line, p.key)).collect();
+    let wanted =
+        [(3, "ways"), (5, "vehicle[0].axle_loads_kn"), (8, "vehicle[0].axle_loads"), (11, "vehicle[0].wheel_track_m")];
+    assert_eq!(keys, wanted.map(|(line, key)| (line, key.to_owned())));
     // No factor is silently one: a rule without its condition factor is no rule.
     let rule = include_str!("../data/rules/cs-454.toml");
     for name in ["weight_favourable", "surfacing_weight"] {
@@ -171,4 +263,50 @@ fn by_grid(pattern: &Pattern, span: f64) -> (f64, f64) {
         }
     }
     (moment, shear)
+}
+
+/// What the reader takes and what the list of keys says are the same: every key of every file of the library has a card, and
+/// a card without a field would be refused by the reader.
+#[test]
+fn the_list_of_keys_is_what_the_reader_takes() {
+    let with = |text: &str| rules::read_rule("r.toml", text);
+    let rule = include_str!("../data/rules/cs-454.toml");
+    let source = "source = { text = \"t\", date = \"2026\", confidence = \"read\", note = \"n\" }";
+    for impact in [
+        format!("kind = \"included\"\n{source}"),
+        format!(
+            "kind = \"all-axles\"\nfactor = {{ value = 1.2, {source} }}\nfill = {{ depth_m = 1.0, share = 0.5, vanishing_m = 1.0, {source} }}"
+        ),
+        format!("kind = \"critical-axle\"\nfactor = {{ value = 1.2, {source} }}"),
+        format!("kind = \"augment\"\nbase = 0.15\nnumerator_m = 8.0\naddend_m = 6.0\nmost = 1.0\n{source}"),
+        format!(
+            "kind = \"root\"\nnumerator = 2.16\nsubtrahend = 0.2\nconstant = 0.73\nshare = 0.5\nleast = 1.0\nmost = 2.0\n{source}\n\
+             cover = {{ from_m = 1.0, per_m = 0.1, {source} }}"
+        ),
+    ] {
+        let text = format!("{rule}\n[impact]\n{impact}\n");
+        assert!(with(&text).is_ok(), "{impact}: {:?}", with(&text));
+    }
+    let page = include_str!("../../../docs/input/vehicles.md");
+    fn look(shape: &rules::shape::Shape, page: &str) {
+        use rules::shape::Kind;
+        for key in shape.keys {
+            assert!(
+                page.contains(&format!("`{}`", key.name)),
+                "docs/input/vehicles.md lacks `{}` of {}",
+                key.name,
+                shape.name
+            );
+            match key.kind {
+                Kind::Table(inner) | Kind::Tables(inner) => look(inner, page),
+                Kind::Tagged(forms) => forms.iter().for_each(|form| look(form.1, page)),
+                _ => {}
+            }
+        }
+    }
+    let example = page.split("```toml\n").nth(2).unwrap().split("```").next().unwrap();
+    let lorry = read_load_model("our-lorry.toml", example).unwrap();
+    assert_eq!(library().unwrap().rule("cs-454").unwrap().acting(&lorry).unwrap().axle_factors(5.0, 0.5), [1.9, 1.8]);
+    look(&rules::shape::LOAD_MODEL, page);
+    look(&rules::shape::RULE, page);
 }

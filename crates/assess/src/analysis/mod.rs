@@ -134,7 +134,7 @@ pub enum AnalysisError {
     Equations(mechanics::fem::FactorError),
     /// A vehicle or a rule of a sweep is not known.
     #[error(transparent)]
-    Vehicles(#[from] crate::vehicles::Unknown),
+    Vehicles(#[from] crate::vehicles::Refused),
     /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase; describe one with [[load]]")]
     NoLoad,

@@ -3,7 +3,9 @@
 use super::spoken;
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::{self, Passage, PassageError, PassageStatus, outcome};
-use crate::wire::{AugmentFacts, ChannelFacts, JointFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts};
+use crate::wire::{
+    AugmentFacts, ChannelFacts, JointFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts, SpanAugmentFacts,
+};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
 use bridge::passage::{Direction, Face, GAUGE_LENGTH, Place, Sensor, SensorKind, default_sensors};
@@ -13,8 +15,8 @@ use mechanics::watch::Watch;
 use outcome::{Moment, Pair, RowKind};
 use thiserror::Error;
 
-/// The coefficients of dynamic augment of the file's rule: in full, and as a cushion of fill lessens it. Without a rule
-/// nothing is added.
+/// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
+/// Without a rule nothing is added. What stands beside the list of spans is that of the longest.
 pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> {
     let longest = bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max);
     let length = asked.limits.loaded_length.unwrap_or(longest);
@@ -29,17 +31,49 @@ pub fn augment(bridge: &Bridge, asked: &Assess) -> Result<AugmentFacts, NoRule> 
         code: code.clone(),
         known: library.rules.iter().map(|rule| rule.code.as_str()).collect::<Vec<_>>().join(", "),
     })?;
-    let say = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
-    let [all, critical] = rule.impact.factors(length, cushion);
-    facts.design = all * critical - 1.0;
-    facts.total = rule.impact.total_augment(length).unwrap_or(facts.design);
-    facts.source = match &rule.impact {
-        rules::Impact::Augment { source, fill: Some(fill), .. } => format!("{}; {}", say(source), say(&fill.source)),
-        rules::Impact::Augment { source, .. } => say(source),
-        rules::Impact::AllAxles { factor } | rules::Impact::CriticalAxle { factor } => say(&factor.source),
+    // The train of a passage is one of its library, or of that kind.
+    let Some(impact) = rule.impact_of("trains") else { return Ok(facts) };
+    let of = |length: f64| {
+        let [all, critical] = impact.factors(length, cushion);
+        let design = all * critical - 1.0;
+        // Without cover: what the formula gives before anything lessens it.
+        let [bare, critical] = impact.factors(length, 0.0);
+        [design, impact.total_augment(length).unwrap_or(bare * critical - 1.0)]
     };
-    facts.source = format!("{}: {}", rule.title, facts.source);
+    [facts.design, facts.total] = of(length);
+    for (k, span) in bridge.spans.iter().enumerate() {
+        let loaded_length_m = asked.limits.loaded_length.unwrap_or(span.span);
+        let [design, total] = of(loaded_length_m);
+        facts.spans.push(SpanAugmentFacts { span: k + 1, loaded_length_m, total, design });
+    }
+    let say = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
+    let sources: Vec<String> = impact.sources().into_iter().map(say).collect();
+    facts.source = format!("{}: {}", rule.title, sources.join("; "));
     Ok(facts)
+}
+
+/// The span, from 1, whose loaded length decides what motion adds to an effect on one of them: its own where an axle stands
+/// there, else the one among the loaded ones with which motion adds most; its own where none is.
+fn loaded(ranges: &[[f64; 2]], augment: &AugmentFacts, own: usize, axles: &[f64]) -> usize {
+    let stands = |span: usize| {
+        ranges.get(span - 1).is_some_and(|[from, to]| axles.iter().any(|x| (from - 1e-9..=to + 1e-9).contains(x)))
+    };
+    if stands(own) {
+        return own;
+    }
+    let more = |a: &usize, b: &usize| augment.on(*a)[1].total_cmp(&augment.on(*b)[1]);
+    (1..=ranges.len()).filter(|span| stands(*span)).max_by(more).unwrap_or(own)
+}
+
+/// From springing to springing of every span [m].
+fn ranges(bridge: &Bridge) -> Vec<[f64; 2]> {
+    let mut x = 0.0;
+    let mut list = Vec::with_capacity(bridge.spans.len());
+    for (k, span) in bridge.spans.iter().enumerate() {
+        list.push([x, x + span.span]);
+        x += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
+    }
+    list
 }
 
 /// The file names a rule that the library does not have.
@@ -168,6 +202,7 @@ pub fn service(
 ) -> Result<(ServiceFacts, Vec<Passage>), ServiceError> {
     let probes = probes(bridge);
     let coefficient = augment(bridge, asked)?;
+    let ranges = ranges(bridge);
     let alone = [ServiceLoad { name: "train of the file".to_owned(), axle_load: None, source: None }];
     let loads = if asked.service_loads.is_empty() { &alone[..] } else { &asked.service_loads[..] };
     let (mut facts, mut passages) = (ServiceFacts::default(), Vec::new());
@@ -190,10 +225,18 @@ pub fn service(
             source: load.source.clone(),
             status: found.status.word().to_owned(),
             channels: found.channels[..sensors].iter().map(channel).collect(),
-            places: places(&found, sensors, &probes),
-            joints: [("design", coefficient.design), ("total", coefficient.total)]
+            places: places(&found, sensors, &probes, |own, first_axle| {
+                let standing: Vec<f64> = axles.iter().map(|axle| first_axle - axle.offset).collect();
+                loaded(&ranges, &coefficient, own, &standing)
+            }),
+            joints: [("design", 0), ("total", 1)]
                 .into_iter()
-                .map(|(reading, augment)| joints(&found.moments, reading, augment))
+                .map(|(reading, which)| {
+                    joints(&found.moments, reading, [coefficient.design, coefficient.total][which], |span, moment| {
+                        let standing: Vec<f64> = moment.axles.iter().map(|axle| axle.0).collect();
+                        coefficient.on(loaded(&ranges, &coefficient, span + 1, &standing))[which]
+                    })
+                })
                 .collect(),
         });
         if facts.assumptions.is_empty() {
@@ -231,7 +274,7 @@ fn channel(channel: &outcome::Channel) -> ChannelFacts {
     }
 }
 
-fn places(found: &Passage, sensors: usize, probes: &[Probe]) -> Vec<PlaceFacts> {
+fn places(found: &Passage, sensors: usize, probes: &[Probe], loaded: impl Fn(usize, f64) -> usize) -> Vec<PlaceFacts> {
     let one = |(probe, channel): (&Probe, &outcome::Channel)| {
         let extreme = |better: fn(f64, f64) -> bool| {
             let values = &channel.values;
@@ -250,21 +293,25 @@ fn places(found: &Passage, sensors: usize, probes: &[Probe]) -> Vec<PlaceFacts> 
             self_weight: probe.scale * channel.self_weight,
             minimum: value(low),
             minimum_at_m: at(low),
+            minimum_span: loaded(probe.span, at(low)),
             maximum: value(high),
             maximum_at_m: at(high),
+            maximum_span: loaded(probe.span, at(high)),
         }
     };
     probes.iter().zip(&found.channels[sensors..]).map(one).collect()
 }
 
 /// The worst joints over the moments that are kept: those at which a sensor or a probe peaks. The first moment is
-/// self-weight alone; what the train adds to its tractions is increased.
-fn joints(moments: &[Moment], reading: &str, augment: f64) -> JointFacts {
+/// self-weight alone; what the train adds to its tractions is increased by the coefficient on the joint's span at that moment.
+fn joints(moments: &[Moment], reading: &str, augment: f64, on: impl Fn(usize, &Moment) -> f64) -> JointFacts {
     let mut worst = JointFacts { reading: reading.to_owned(), augment, ..JointFacts::default() };
     let Some((rest, passing)) = moments.split_first() else { return worst };
-    for (moment, increase) in passing.iter().map(|moment| (moment, 1.0 + augment)).chain([(rest, 0.0)]) {
+    for (moment, passes) in passing.iter().map(|moment| (moment, true)).chain([(rest, false)]) {
         for (now, before) in moment.rows.iter().zip(&rest.rows) {
             let RowKind::Joint { span, joint } = now.kind else { continue };
+            let added = if passes { on(span, moment) } else { 0.0 };
+            let increase = if passes { 1.0 + added } else { 0.0 };
             let pairs: Vec<Pair> = now
                 .pairs
                 .iter()
@@ -278,13 +325,14 @@ fn joints(moments: &[Moment], reading: &str, augment: f64) -> JointFacts {
             let place = format!("joint {joint} of span {}, {}", span + 1, when(moment));
             let shear = pairs.iter().map(|pair| pair.shear.abs()).fold(0.0, f64::max) / 1e6;
             if shear > worst.shear_mpa {
-                (worst.shear_mpa, worst.shear_position_m) = (shear, moment.position);
+                (worst.shear_mpa, worst.shear_position_m, worst.shear_augment) = (shear, moment.position, added);
                 worst.shear_at.clone_from(&place);
             }
             if let Some(eccentricity) = eccentricity(&pairs)
                 && eccentricity > worst.eccentricity
             {
                 (worst.eccentricity, worst.eccentricity_position_m) = (eccentricity, moment.position);
+                worst.eccentricity_augment = added;
                 worst.eccentricity_at = place;
             }
         }
@@ -322,6 +370,29 @@ mod tests {
 
     fn pair(y: f64, normal: f64) -> Pair {
         Pair { at: [0.0, y], area: 0.25, normal, shear: 0.0, opening: 0.0, sliding: 0.0, state: PairState::Closed }
+    }
+
+    /// Motion adds by the span that is loaded: the short one's coefficient does not come from the long one.
+    #[test]
+    fn augment_is_that_of_the_loaded_span() {
+        let mut bridge = crate::samples::bridgemill();
+        bridge.spans = [3.0, 12.0].map(|span| bridge::Span { span, ..bridge.spans[0].clone() }).to_vec();
+        bridge.piers = vec![bridge::Pier { width: 1.0, base_width: 1.0, height: 3.0, courses: 6 }];
+        let mut asked = Assess::default();
+        asked.limits.rule = Some("irs-bridge-rules".to_owned());
+        asked.limits.cushion = Some(0.0);
+        let facts = augment(&bridge, &asked).unwrap();
+        let total: Vec<f64> = facts.spans.iter().map(|span| span.total).collect();
+        assert!((total[0] - 1.0).abs() < 1e-12 && (total[1] - (0.15 + 8.0 / 18.0)).abs() < 1e-12, "{total:?}");
+        assert_eq!((facts.on(1)[1], facts.on(2)[1], facts.total), (total[0], total[1], total[1]));
+        let ranges = ranges(&bridge);
+        assert_eq!(ranges, [[0.0, 3.0], [4.0, 16.0]]);
+        let of = |own: usize, axles: &[f64]| loaded(&ranges, &facts, own, axles);
+        assert_eq!((of(2, &[1.0, 6.0]), of(2, &[1.0]), of(1, &[6.0]), of(1, &[])), (2, 1, 2, 1));
+        // A loaded length of the file's own counts for all spans.
+        asked.limits.loaded_length = Some(6.0);
+        let facts = augment(&bridge, &asked).unwrap();
+        assert_eq!(facts.on(1), facts.on(2));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::spoken;
 use super::ultimate::by_weight_alone;
-use crate::analysis::vehicles::{ByDiscreteElements, Swept, VehicleSweep, vehicle_sweep};
+use crate::analysis::vehicles::{ByDiscreteElements, Swept, VehicleSweep, by_acting, vehicle_sweep};
 use crate::analysis::{AnalysisError, Status};
 use crate::warning;
 use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
@@ -47,6 +47,17 @@ pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
             .listed()
             .into_iter()
             .map(|(name, factor)| [name.to_owned(), factor.value.to_string(), source(&factor.source)])
+            .chain(by_acting(&found.vehicles).into_iter().flat_map(|(models, acting)| {
+                let sources: Vec<String> = acting.impact.sources().into_iter().map(source).collect();
+                [
+                    [
+                        format!("live load of {models}"),
+                        acting.live_load.value.to_string(),
+                        source(&acting.live_load.source),
+                    ],
+                    [format!("impact on {models}"), acting.impact.told(), sources.join("; ")],
+                ]
+            }))
             .collect(),
         safety: safety(&found.rule),
         vehicles: found.vehicles.iter().map(swept).collect(),

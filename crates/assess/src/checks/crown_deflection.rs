@@ -1,6 +1,6 @@
 //! Deflection of crowns in service.
 
-use super::stress::{columns, readings};
+use super::stress::{READINGS, columns, told};
 use super::{Card, Check, Finding, NotMade, limit, of, used};
 use crate::assessment::Assessment;
 
@@ -27,20 +27,21 @@ impl Check for CrownDeflection {
         let facts = of(&a.service)?;
         let mut list = Vec::new();
         for load in &facts.loads {
-            for (reading, augment) in readings(facts) {
+            for (word, which) in READINGS {
+                let on = |place: &crate::wire::PlaceFacts| facts.augment.on(place.minimum_span)[which];
                 let places = load.places.iter().filter(|place| place.quantity == "deflection");
-                let down = |place: &&crate::wire::PlaceFacts| -(place.self_weight + (1.0 + augment) * place.minimum);
+                let down = |place: &&crate::wire::PlaceFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
                 let Some(place) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
                 let value = down(&place);
                 list.push(Finding {
-                    load_model: format!("{}, {reading}", load.name),
+                    load_model: format!("{}, {}", load.name, told(word, on(place))),
                     value: -value,
                     limit: -limit,
                     unit: "mm",
                     utilisation: used(value, limit),
                     basis: format!("{}; first axle at {:.2} m", place.about, place.minimum_at_m),
                     position: Some(place.minimum_at_m),
-                    columns: Some(columns(facts, place.self_weight, place.minimum)),
+                    columns: Some(columns(facts, place.minimum_span, place.self_weight, place.minimum)),
                     strength: false,
                 });
             }

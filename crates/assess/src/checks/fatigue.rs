@@ -34,20 +34,20 @@ impl Check for StressRange {
             NotMade::because("the masonry has no compressive strength: write compressive_strength in [masonry]")
         })? / 1e6;
         let limit = bound(cycles);
-        let increase = 1.0 + facts.augment.design;
         let mut list = Vec::new();
         for load in &facts.loads {
             let level = |at: &PlaceFacts| {
                 // Compression of the two ends; tension counts as none.
-                let most = -(at.self_weight + increase * at.minimum).min(0.0);
-                let least = -(at.self_weight + increase * at.maximum).min(0.0);
+                let increase = |span: usize| 1.0 + facts.augment.on(span)[0];
+                let most = -(at.self_weight + increase(at.minimum_span) * at.minimum).min(0.0);
+                let least = -(at.self_weight + increase(at.maximum_span) * at.maximum).min(0.0);
                 ((most - least) * most).sqrt() / strength
             };
             let stresses = load.places.iter().filter(|at| at.quantity == "stress");
             let Some(at) = stresses.max_by(|x, y| level(x).total_cmp(&level(y))) else { continue };
             let value = level(at);
             list.push(Finding {
-                load_model: format!("{}, design CDA {:.3}", load.name, facts.augment.design),
+                load_model: format!("{}, design CDA {:.3}", load.name, facts.augment.on(at.minimum_span)[0]),
                 value,
                 limit,
                 unit: "of the strength",

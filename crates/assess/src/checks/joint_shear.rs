@@ -22,16 +22,20 @@ impl Check for JointShear {
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let limit = limit(a.asked.limits.joint_shear, "joint_shear_limit = \"1 MPa\"")? / 1e6;
-        of_joints(a, |joint| Finding {
-            load_model: String::new(),
-            value: joint.shear_mpa,
-            limit,
-            unit: "MPa",
-            utilisation: used(joint.shear_mpa, limit),
-            basis: joint.shear_at.clone(),
-            position: Some(joint.shear_position_m),
-            columns: None,
-            strength: false,
-        })
+        of_joints(
+            a,
+            |joint| joint.shear_augment,
+            |joint| Finding {
+                load_model: String::new(),
+                value: joint.shear_mpa,
+                limit,
+                unit: "MPa",
+                utilisation: used(joint.shear_mpa, limit),
+                basis: joint.shear_at.clone(),
+                position: Some(joint.shear_position_m),
+                columns: None,
+                strength: false,
+            },
+        )
     }
 }

@@ -137,10 +137,14 @@ fn limit(given: Option<f64>, key: &str) -> Result<f64, NotMade> {
 }
 
 /// A finding for every load and every reading of the augment at the joints of the rings.
-fn of_joints(a: &Assessment, finding: impl Fn(&JointFacts) -> Finding) -> Result<Vec<Finding>, NotMade> {
+fn of_joints(
+    a: &Assessment,
+    augment: impl Fn(&JointFacts) -> f64,
+    finding: impl Fn(&JointFacts) -> Finding,
+) -> Result<Vec<Finding>, NotMade> {
     let facts = of(&a.service)?;
     let told = |load: &ServiceLoadFacts, joint: &JointFacts| Finding {
-        load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, joint.augment),
+        load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, augment(joint)),
         ..finding(joint)
     };
     let list: Vec<Finding> =

@@ -20,15 +20,18 @@ const TEXT: &str = "The stress along the ring on the faces of the stones at this
 
 const SOURCE: &str = "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 2.64 in tension";
 
-/// Both readings of the augment, in words.
-pub(super) fn readings(facts: &ServiceFacts) -> [(String, f64); 2] {
-    [("design", facts.augment.design), ("total", facts.augment.total)]
-        .map(|(word, augment)| (format!("{word} CDA {augment:.3}"), augment))
+/// Both readings of the augment: the word, and which of [`crate::wire::AugmentFacts::on`] it is.
+pub(super) const READINGS: [(&str, usize); 2] = [("design", 0), ("total", 1)];
+
+/// A reading in words.
+pub(super) fn told(word: &str, augment: f64) -> String {
+    format!("{word} CDA {augment:.3}")
 }
 
-/// The columns of Table 7: self-weight, live load with design augment, sum, live load with total augment, sum.
-pub(super) fn columns(facts: &ServiceFacts, own: f64, live: f64) -> [f64; 5] {
-    let (design, total) = ((1.0 + facts.augment.design) * live, (1.0 + facts.augment.total) * live);
+/// The columns of Table 7: self-weight, live load with design augment, sum, live load with total augment, sum; loads stand on
+/// a span, from 1.
+pub(super) fn columns(facts: &ServiceFacts, span: usize, own: f64, live: f64) -> [f64; 5] {
+    let [design, total] = facts.augment.on(span).map(|augment| (1.0 + augment) * live);
     [own, design, own + design, total, own + total]
 }
 
@@ -40,10 +43,11 @@ fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
     let facts = of(&a.service)?;
     let mut list = Vec::new();
     for load in &facts.loads {
-        for (reading, augment) in readings(facts) {
+        for (reading, which) in READINGS {
             let here = || load.places.iter().filter(|at| at.quantity == "stress" && at.place == place);
-            let pressed = |at: &&PlaceFacts| -(at.self_weight + (1.0 + augment) * at.minimum);
-            let pulled = |at: &&PlaceFacts| at.self_weight + (1.0 + augment) * at.maximum;
+            let on = |span: usize| facts.augment.on(span)[which];
+            let pressed = |at: &&PlaceFacts| -(at.self_weight + (1.0 + on(at.minimum_span)) * at.minimum);
+            let pulled = |at: &&PlaceFacts| at.self_weight + (1.0 + on(at.maximum_span)) * at.maximum;
             let sides = [
                 (limits.compression, -1.0, here().max_by(|x, y| pressed(x).total_cmp(&pressed(y)))),
                 (limits.tension, 1.0, here().max_by(|x, y| pulled(x).total_cmp(&pulled(y)))),
@@ -51,20 +55,20 @@ fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
             for (limit, sign, worst) in sides {
                 let (Some(limit), Some(at)) = (limit.map(|pascals| pascals / 1e6), worst) else { continue };
                 let compression = sign < 0.0;
-                let (size, live, position) = match compression {
-                    true => (pressed(&at), at.minimum, at.minimum_at_m),
-                    false => (pulled(&at), at.maximum, at.maximum_at_m),
+                let (size, live, position, span) = match compression {
+                    true => (pressed(&at), at.minimum, at.minimum_at_m, at.minimum_span),
+                    false => (pulled(&at), at.maximum, at.maximum_at_m, at.maximum_span),
                 };
                 let word = if compression { "compression" } else { "tension" };
                 list.push(Finding {
-                    load_model: format!("{}, {reading}", load.name),
+                    load_model: format!("{}, {}", load.name, told(reading, on(span))),
                     value: sign * size,
                     limit: sign * limit,
                     unit: "MPa",
                     utilisation: used(size, limit),
                     basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
                     position: Some(position),
-                    columns: Some(columns(facts, at.self_weight, live)),
+                    columns: Some(columns(facts, span, at.self_weight, live)),
                     strength: false,
                 });
             }

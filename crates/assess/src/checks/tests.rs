@@ -19,6 +19,8 @@ fn place(place: &str, quantity: &str, self_weight: f64, minimum: f64, maximum: f
         minimum_at_m: 3.0,
         maximum,
         maximum_at_m: 9.0,
+        minimum_span: 1,
+        maximum_span: 1,
     }
 }
 
@@ -36,6 +38,8 @@ fn assessment() -> Assessment {
         joints: vec![JointFacts {
             reading: "total".into(),
             augment: 0.817,
+            shear_augment: 0.817,
+            eccentricity_augment: 0.817,
             shear_mpa: 0.4,
             eccentricity: 0.2,
             ..JointFacts::default()

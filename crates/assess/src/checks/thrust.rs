@@ -24,17 +24,21 @@ impl Check for ThrustZone {
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let zone = a.asked.limits.thrust_zone.ok_or_else(|| NotMade::because(no_zone(a)))?;
         let limit = 0.5 * zone;
-        of_joints(a, |joint| Finding {
-            load_model: String::new(),
-            value: joint.eccentricity,
-            limit,
-            unit: "of the depth",
-            utilisation: used(joint.eccentricity, limit),
-            basis: joint.eccentricity_at.clone(),
-            position: Some(joint.eccentricity_position_m),
-            columns: None,
-            strength: false,
-        })
+        of_joints(
+            a,
+            |joint| joint.eccentricity_augment,
+            |joint| Finding {
+                load_model: String::new(),
+                value: joint.eccentricity,
+                limit,
+                unit: "of the depth",
+                utilisation: used(joint.eccentricity, limit),
+                basis: joint.eccentricity_at.clone(),
+                position: Some(joint.eccentricity_position_m),
+                columns: None,
+                strength: false,
+            },
+        )
     }
 }
 

@@ -32,6 +32,31 @@ pub struct AugmentFacts {
     pub design: f64,
     /// Where the formula is from.
     pub source: String,
+    /// The same span by span: motion adds by the length of the span that is loaded. The numbers above are those of the
+    /// longest.
+    #[serde(default)]
+    pub spans: Vec<SpanAugmentFacts>,
+}
+
+/// Coefficients of dynamic augment for loads on one span.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SpanAugmentFacts {
+    /// Span, from 1.
+    pub span: usize,
+    /// Length that they are taken for [m].
+    pub loaded_length_m: f64,
+    /// Without the cushion's effect.
+    pub total: f64,
+    /// With it.
+    pub design: f64,
+}
+
+impl AugmentFacts {
+    /// The design and the total coefficient for loads on a span, from 1.
+    pub fn on(&self, span: usize) -> [f64; 2] {
+        let of_span = self.spans.iter().find(|one| one.span == span);
+        of_span.map_or([self.design, self.total], |one| [one.design, one.total])
+    }
 }
 
 /// What the bridge answers to one load.
@@ -89,10 +114,16 @@ pub struct PlaceFacts {
     pub minimum: f64,
     /// Place of the first axle then [m].
     pub minimum_at_m: f64,
+    /// The span, from 1, whose loaded length decides what motion adds to it.
+    #[serde(default)]
+    pub minimum_span: usize,
     /// Greatest.
     pub maximum: f64,
     /// Place of the first axle then [m].
     pub maximum_at_m: f64,
+    /// The span, from 1, whose loaded length decides what motion adds to it.
+    #[serde(default)]
+    pub maximum_span: usize,
 }
 
 /// The worst joints of a passage, live load increased by an augment.
@@ -100,8 +131,14 @@ pub struct PlaceFacts {
 pub struct JointFacts {
     /// "design" or "total".
     pub reading: String,
-    /// Its coefficient.
+    /// Its coefficient on the longest span.
     pub augment: f64,
+    /// Its coefficient where the shear is largest.
+    #[serde(default)]
+    pub shear_augment: f64,
+    /// Its coefficient where the thrust goes farthest.
+    #[serde(default)]
+    pub eccentricity_augment: f64,
     /// Largest shear stress of a point of a joint [MPa].
     pub shear_mpa: f64,
     /// Which joint and when.

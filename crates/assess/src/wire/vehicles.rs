@@ -61,9 +61,16 @@ struct WeightsObject {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct FactorObject {
-    name: &'static str,
+    name: String,
     value: f64,
     source: SourceObject,
+}
+
+/// What motion adds to the loads of a vehicle by the rule.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct ImpactObject {
+    rule: String,
+    sources: Vec<SourceObject>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -92,7 +99,13 @@ struct VehicleObject {
     without_dilation: Option<f64>,
     effective_width_m: f64,
     load_factor: f64,
+    load_factor_per_span: Vec<f64>,
     critical_axle_factor: f64,
+    live_load_factor: f64,
+    impact: ImpactObject,
+    vehicles_abreast: usize,
+    at_edge: bool,
+    source: SourceObject,
     weight_factors: Option<WeightsObject>,
     case: Option<CaseObject>,
     sections: Vec<SectionObject>,
@@ -187,7 +200,7 @@ fn source(s: &Source) -> SourceObject {
 }
 
 fn factor((name, f): (&'static str, &Factor)) -> FactorObject {
-    FactorObject { name, value: f.value, source: source(&f.source) }
+    FactorObject { name: name.to_owned(), value: f.value, source: source(&f.source) }
 }
 
 fn vehicle(v: &Swept) -> VehicleObject {
@@ -205,7 +218,16 @@ fn vehicle(v: &Swept) -> VehicleObject {
         without_dilation: v.without_dilation,
         effective_width_m: v.effective_width,
         load_factor: v.load_factors[0],
+        load_factor_per_span: v.span_factors.clone(),
         critical_axle_factor: v.load_factors[1],
+        live_load_factor: v.acting.live_load.value,
+        impact: ImpactObject {
+            rule: v.acting.impact.told(),
+            sources: v.acting.impact.sources().into_iter().map(source).collect(),
+        },
+        vehicles_abreast: v.across.abreast,
+        at_edge: v.across.at_edge,
+        source: source(&v.source),
         weight_factors: v.weights.as_ref().map(weights),
         case: v.case.as_ref().map(case),
         sections: v.sections.iter().map(section).collect(),

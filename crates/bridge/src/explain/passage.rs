@@ -68,6 +68,24 @@ pub(super) const CARDS: &[Card] = &[
         source: "the format of bridge files",
     },
     Card {
+        code: "B660",
+        title: "a vehicle beyond the middle",
+        meaning: "edge_distance of [carriageway] is at most half the width of the barrel.",
+        why: "It is measured from the nearer edge of the barrel to the nearest wheel or rail.",
+        wrong: r#"edge_distance = "80 m""#,
+        right: r#"edge_distance = "0.8 m""#,
+        source: "the format of bridge files",
+    },
+    Card {
+        code: "B661",
+        title: "more vehicles abreast than fit",
+        meaning: "The vehicles of [carriageway] stand on the barrel: lanes - 1 distances of lane_width are not more than its width.",
+        why: "Each vehicle is carried by its part of the barrel.",
+        wrong: r#"lanes = 20"#,
+        right: r#"lanes = 2"#,
+        source: "the format of bridge files",
+    },
+    Card {
         code: "P051",
         title: "an unusual axle load",
         meaning: "Axles bring 1 to 45 t onto rails.",
@@ -102,5 +120,15 @@ pub(super) const CARDS: &[Card] = &[
         wrong: r#"effective_width = "1.0 m""#,
         right: r#"effective_width = "3.9 m""#,
         source: "NR/GN/CIV/025 and CS 454: load spreads from the sleeper's ends outwards",
+    },
+    Card {
+        code: "P060",
+        title: "a skew bridge",
+        meaning: "The bridge is skew by more than 10 degrees; every model here is plane and square.",
+        why: "Skew barrels carry along the shorter way between obtuse corners, twist, and part along the spandrels: what a plane \
+              model says of them is not a bound. A verdict needs another model.",
+        wrong: r#"skew = "40 deg""#,
+        right: r#"skew = "5 deg""#,
+        source: "CIRIA C656, Masonry arch bridges, 2006 [recalled]; common limit of plane analysis",
     },
 ];

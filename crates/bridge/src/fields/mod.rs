@@ -297,6 +297,13 @@ pub static FILE: Section = Section {
         )
         .optional("fill is weight and spreads loads, and does not press sideways"),
         Field::new(
+            "carriageway",
+            Kind::Table(&sweep::CARRIAGEWAY),
+            "Where vehicles of [sweep] may stand across the bridge.",
+            "",
+        )
+        .optional("a vehicle stands in the middle; on roads two abreast where they fit"),
+        Field::new(
             "sweep",
             Kind::Table(&sweep::SWEEP),
             "Vehicles that `extrados collapse --sweep` moves over the bridge.",

@@ -56,6 +56,43 @@ pub(super) static SWEEP: Section = Section {
     ],
 };
 
+pub(super) static CARRIAGEWAY: Section = Section {
+    path: "carriageway",
+    doc: "Where vehicles of [sweep] may stand across the bridge. A plane model sees it as the width of the barrel that carries one \
+          vehicle: two abreast share what lies between them, and one at the edge lacks what lies beyond. The worst of all counts.",
+    fields: &[
+        Field::new(
+            "lanes",
+            Kind::Count,
+            "how many vehicles may stand abreast: lanes of a road, tracks of a railway",
+            "2",
+        )
+        .at_least(1.0)
+        .at_most(20.0)
+        .optional("road: two where two of 2.5 m fit on the barrel, else one; railway: one"),
+        Field::new(
+            "lane_width",
+            Kind::Quantity(Length),
+            "distance between the middles of two vehicles abreast",
+            "2.5 m",
+        )
+        .positive()
+        .optional("2.5 m on roads, 3.4 m on railways"),
+        Field::new(
+            "edge_distance",
+            Kind::Quantity(Length),
+            "distance from an edge of the barrel to the middle of the nearest wheel or rail",
+            "0.8 m",
+        )
+        .at_least(0.0)
+        .optional("vehicles stand in the middle of the barrel"),
+        Field::new("skew", Kind::Quantity(Angle), "angle of skew: 0 for a square bridge", "15 deg")
+            .at_least(0.0)
+            .at_most(1.31)
+            .optional("taken as square; the model is square in any case"),
+    ],
+};
+
 const LEAST: &[Word] = &[
     Word { word: "at-rest", doc: "at rest: 1 - sin(phi) of the vertical stress (Jaky)" },
     Word { word: "active", doc: "Rankine's active pressure, without cohesion" },

@@ -50,6 +50,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
     let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
     let fill_pressure = sweep::fill_pressure(file, findings);
+    let carriageway = sweep::carriageway(file, width, findings);
     let sweep = sweep::sweep(file, findings);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
@@ -87,6 +88,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         dispersal: dispersal?,
         plan: plan?,
         fill_pressure: fill_pressure?,
+        carriageway: carriageway?,
         sweep: sweep?,
         service: service?,
         passage: passage?,

@@ -2,7 +2,7 @@
 
 use super::materials::maybe;
 use crate::findings::Findings;
-use crate::model::{Directions, FillPressure, LeastPressure, SweepPlan};
+use crate::model::{Carriageway, Directions, FillPressure, LeastPressure, SweepPlan};
 use crate::tree::Table;
 
 /// The rule where the file names none.
@@ -54,6 +54,61 @@ pub(super) fn sweep(file: &Table<'_>, findings: &mut Findings) -> Option<Option<
         },
         texts: Vec::new(),
     }))
+}
+
+/// Skew from which on a square model says little [rad].
+const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
+
+/// Where vehicles may stand across a barrel so wide [m].
+pub(super) fn carriageway(
+    file: &Table<'_>,
+    width: Option<f64>,
+    findings: &mut Findings,
+) -> Option<Option<Carriageway>> {
+    if !file.has("carriageway") {
+        return Some(None);
+    }
+    let table = file.table("carriageway", findings)?;
+    let lanes = table.count("lanes", findings);
+    let mut quantity = |key| {
+        let value = table.quantity(key, findings);
+        maybe(&table, key, value)
+    };
+    let (lane_width, edge_distance, skew) = (quantity("lane_width"), quantity("edge_distance"), quantity("skew"));
+    let lanes = maybe(&table, "lanes", lanes)?.map(|lanes| usize::try_from(lanes).unwrap_or(usize::MAX));
+    let found = Carriageway { lanes, lane_width: lane_width?, edge_distance: edge_distance?, skew: skew? };
+    if let (Some(width), Some(edge)) = (width, found.edge_distance)
+        && edge > 0.5 * width
+    {
+        findings.error(
+            "B660",
+            table.place("edge_distance"),
+            "the nearest wheel stands beyond the middle of the barrel",
+            format!("the barrel is {width} m wide"),
+            format!("write a distance of at most {} m, half the width", 0.5 * width),
+        );
+    }
+    if let (Some(width), Some(lanes), Some(lane)) = (width, found.lanes, found.lane_width)
+        && (lanes as f64 - 1.0) * lane > width
+    {
+        findings.error(
+            "B661",
+            table.place("lanes"),
+            format!("{lanes} vehicles {lane} m apart do not stand on a barrel of {width} m"),
+            "vehicles abreast on this bridge",
+            "write fewer lanes, or the distance that they have",
+        );
+    }
+    if found.skew.is_some_and(|skew| skew > DOUBTFUL_SKEW) {
+        findings.warning(
+            "P060",
+            table.place("skew"),
+            "the bridge is skew, and the model is square",
+            "skew barrels carry from obtuse corner to obtuse corner",
+            "measure spans square to the springings, and confirm the load by a model in three dimensions or by test",
+        );
+    }
+    Some(Some(found))
 }
 
 /// The pressure of fill that helps.

@@ -140,6 +140,9 @@ fn sweeps_and_fill_pressure_are_read_as_written() {
     assert!(!sweep.subsets && sweep.own_dispersal && sweep.discrete_elements);
     assert!(fill.applies && fill.least == bridge::LeastPressure::Active);
     assert!((fill.friction_angle.to_degrees() - 32.0).abs() < 1e-9 && fill.cohesion == 2e3 && fill.mobilisation == 0.4);
+    let across = bridge.carriageway.unwrap();
+    assert_eq!((across.lanes, across.lane_width, across.edge_distance), (Some(2), Some(2.5), Some(0.8)));
+    assert!((across.skew.unwrap().to_degrees() - 5.0).abs() < 1e-9);
     let other = good(WALLS).sweep.unwrap();
     assert_eq!((other.rule_file.as_deref(), other.vehicles.len(), other.subsets), (Some("own-rule.toml"), 0, true));
     // Two rules are none; a sweep alone needs no load.

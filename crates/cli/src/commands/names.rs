@@ -9,20 +9,22 @@ pub fn look_up(read: &mut Read, text: &[u8]) {
     let Some(bridge) = &read.bridge else { return };
     let text = String::from_utf8_lossy(text);
     let mut wrong = Vec::new();
-    if let Some(Err(unknown)) = bridge.sweep.as_ref().map(|plan| vehicles::chosen(bridge, plan)) {
-        let word = match &unknown {
-            Unknown::Vehicle { code, .. } | Unknown::Rule { code, .. } => code.as_str(),
-            Unknown::File(_) => "",
-        };
-        wrong.push(finding(&text, "sweep", word, &unknown));
+    if let Some(Err(refused)) = bridge.sweep.as_ref().map(|plan| vehicles::chosen(bridge, plan)) {
+        for unknown in &refused.0 {
+            let word = match unknown {
+                Unknown::Vehicle { code, .. } | Unknown::Rule { code, .. } => code.as_str(),
+                Unknown::Pairing { vehicle, .. } | Unknown::Span { vehicle, .. } => vehicle.as_str(),
+                Unknown::File(_) => "",
+            };
+            wrong.push(finding(&text, "sweep", word, unknown));
+        }
     }
     let rule = read.assess.as_ref().and_then(|asked| asked.limits.rule.as_ref());
     if let (Some(code), Ok(library)) = (rule, vehicles::library(bridge.gravity))
         && library.rule(code).is_none()
     {
         let known: Vec<&str> = library.rules.iter().map(|rule| rule.code.as_str()).collect();
-        let unknown = Unknown::Rule { code: code.clone(), known: known.join(", ") };
-        let mut finding = finding(&text, "assess", code, &unknown);
+        let mut finding = finding(&text, "assess", code, &vehicles::no_rule(&library, code));
         finding.help = Some(format!("write one of {}", known.join(", ")));
         wrong.push(finding);
     }

@@ -1,4 +1,4 @@
-//! `extrados schema`: the JSON Schema of bridge files or block model files, alone on stdout with and without `--json`.
+//! `extrados schema`: the JSON Schema of bridge files, block model files, or files of vehicles and rules, alone on stdout with and without `--json`.
 
 use super::Answer;
 use crate::args::Schema;
@@ -6,6 +6,11 @@ use crate::report;
 
 /// The schema.
 pub fn run(arguments: &Schema) -> Answer {
-    let schema = if arguments.blocks { bridge::schema::schema_of_blocks() } else { bridge::schema::schema() };
+    let schema = match (arguments.blocks, arguments.vehicles, arguments.rule) {
+        (true, ..) => bridge::schema::schema_of_blocks(),
+        (_, true, _) => ::assess::wire::schema_of_vehicles(),
+        (.., true) => ::assess::wire::schema_of_rules(),
+        _ => bridge::schema::schema(),
+    };
     Answer::Text(report::text_of(&schema))
 }

@@ -167,7 +167,9 @@ fn vehicles_of_the_library_and_of_a_file_are_moved_over_the_bridge() {
     let own = "code = \"own\"\ntitle = \"Own\"\nways = \"road\"\n\
         source = { text = \"a plate\", date = \"2026\", confidence = \"assumed\" }\n\n[[vehicle]]\ncode = \"crane\"\n\
         title = \"Crane\"\naxle_loads_kn = [120.0, 120.0]\nspacings_m = [1.6]\naxles_may_be_dropped = true\n\
-        wheel_track_m = 2.0\ncontact_length_m = 0.30\n";
+        wheel_track_m = 2.0\ncontact_length_m = 0.30\n\n[[under]]\nrule = \"characteristic\"\n\
+        live_load = { value = 1.0, source = { text = \"a plate\", date = \"2026\", confidence = \"assumed\" } }\n\
+        impact = { kind = \"included\", source = { text = \"a plate\", date = \"2026\", confidence = \"assumed\" } }\n";
     stage.write("bridge/crane.toml", own);
     let asked = "vehicles = [\"crane\", \"lm1\"]\nvehicle_files = [\"crane.toml\"]\nstep = \"0.6 m\"\n\n[dispersal]";
     stage.write(

@@ -28,6 +28,7 @@ mod twins;
 mod update;
 mod vary;
 mod varying;
+mod vehicle_files;
 mod verdict;
 mod walls;
 mod wrong_files;

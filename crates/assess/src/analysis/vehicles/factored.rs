@@ -1,9 +1,11 @@
 //! A bridge with the factors of a rule, and with one case of a vehicle as its loads.
 
+use super::across::{self, Across};
 use super::weights::{self, Weights};
 use super::{Case, Direction};
+use crate::vehicles::Chosen;
 use bridge::{Bridge, Dispersal, DispersalRule, Load, LoadKind, Method, SweepPlan};
-use rules::{Pattern, Pressure, Rule, Vehicle};
+use rules::{Pattern, Pressure, Rule};
 
 /// The bridge with the rule's factors on strengths, and one combination of those on weights.
 pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
@@ -15,6 +17,13 @@ pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
     }
     for joint in [&mut b.joint, &mut b.ring_joint] {
         joint.friction_angle = (joint.friction_angle.tan() / f.friction.value).atan();
+        joint.cohesion /= rule.cohesion().value;
+        joint.tensile_strength /= rule.cohesion().value;
+    }
+    if let Some(wall) = &mut b.spandrel_wall {
+        wall.joint.friction_angle = (wall.joint.friction_angle.tan() / f.friction.value).atan();
+        wall.joint.cohesion /= rule.cohesion().value;
+        wall.joint.tensile_strength /= rule.cohesion().value;
     }
     if let Some(fill) = &mut b.fill_pressure {
         fill.mobilisation /= f.fill_pressure.value;
@@ -25,26 +34,87 @@ pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
     b
 }
 
-/// How an axle stands on the surface and spreads below it.
+/// Factors on what stands over one span.
 #[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OfSpan {
+    /// From springing to springing [m].
+    pub range: [f64; 2],
+    /// Factor on axles.
+    pub axles: f64,
+    /// Factor on uniform loads.
+    pub uniform: f64,
+}
+
+/// How an axle stands on the surface and spreads below it.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Footprint {
     /// How it spreads.
     pub dispersal: Dispersal,
     /// Length on the surface [m].
     pub length: f64,
-    /// Width of the barrel that carries it [m].
-    pub width: f64,
-    /// Factor on every axle.
-    pub all: f64,
-    /// Further factor on the critical one.
+    /// How vehicles stand across the bridge.
+    pub across: Across,
+    /// Live load and impact, span by span: motion adds by the length of the span that is loaded.
+    pub spans: Vec<OfSpan>,
+    /// Further factor on the critical axle.
     pub critical: f64,
 }
 
+impl Footprint {
+    /// The factors that act at a place [m]: those of the span there, over a pier the larger ones of both spans, beyond the
+    /// springings those of the outer span.
+    fn at(&self, x: f64) -> [f64; 2] {
+        let within = |k: usize| {
+            let from = if k == 0 { f64::NEG_INFINITY } else { self.spans[k - 1].range[1] };
+            let to = self.spans.get(k + 1).map_or(f64::INFINITY, |next| next.range[0]);
+            from - 1e-9 <= x && x <= to + 1e-9
+        };
+        let here = (0..self.spans.len()).filter(|k| within(*k)).map(|k| &self.spans[k]);
+        here.fold([0.0, 0.0], |most, span| [span.axles.max(most[0]), span.uniform.max(most[1])])
+    }
+
+    /// Factor on an axle at a place [m].
+    pub fn axle_at(&self, x: f64) -> f64 {
+        self.at(x)[0]
+    }
+
+    /// Pieces of a stretch with one factor on uniform loads each: from, to [m], factor.
+    pub fn pieces(&self, from: f64, to: f64) -> Vec<(f64, f64, f64)> {
+        let inner = self.spans.iter().flat_map(|span| span.range);
+        let mut borders: Vec<f64> = inner.filter(|x| *x > from + 1e-9 && *x < to - 1e-9).collect();
+        borders.sort_by(f64::total_cmp);
+        borders.insert(0, from);
+        borders.push(to);
+        let mut pieces: Vec<(f64, f64, f64)> = Vec::new();
+        for pair in borders.windows(2) {
+            let factor = self.at(0.5 * (pair[0] + pair[1]))[1];
+            match pieces.last_mut() {
+                Some(last) if last.2 == factor => last.1 = pair[1],
+                _ => pieces.push((pair[0], pair[1], factor)),
+            }
+        }
+        pieces
+    }
+
+    /// The largest factor on axles of any span.
+    pub fn all(&self) -> f64 {
+        self.spans.iter().map(|span| span.axles).fold(0.0, f64::max)
+    }
+}
+
 /// How a vehicle's axles stand and spread by a plan and a rule.
-pub fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicle: &Vehicle) -> Footprint {
+pub fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen) -> Footprint {
     let depth = bridge.cover.depth;
-    let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
-    let [all, critical] = rule.load_factors(shortest, depth);
+    let mut x = 0.0;
+    let mut spans = Vec::with_capacity(bridge.spans.len());
+    let mut critical = 1.0f64;
+    for (k, span) in bridge.spans.iter().enumerate() {
+        let [axles, more] = chosen.acting.axle_factors(span.span, depth);
+        critical = critical.max(more);
+        let uniform = chosen.acting.uniform_factor(span.span, depth);
+        spans.push(OfSpan { range: [x, x + span.span], axles, uniform });
+        x += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
+    }
     let by_rule = Dispersal {
         rule: match rule.dispersal.pressure {
             _ if rule.dispersal.length_per_depth == 0.0 => DispersalRule::None,
@@ -56,16 +126,17 @@ pub fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicle: &Vehic
     };
     Footprint {
         dispersal: if plan.own_dispersal { bridge.dispersal } else { by_rule },
-        length: if plan.own_dispersal { vehicle.contact_length_m } else { rule.dispersal.length_base_m },
-        width: rule.effective_width(vehicle.wheel_track_m, depth, bridge.width),
-        all,
+        length: if plan.own_dispersal { chosen.vehicle.contact_length_m } else { rule.dispersal.length_base_m },
+        across: across::worst(bridge, rule, chosen),
+        spans,
         critical,
     }
 }
 
 /// The bridge with one case as its loads: each axle and each stretch of uniform load by itself, with its factors.
-pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicle: &Vehicle, case: &Case) -> Bridge {
-    let foot = footprint(bridge, plan, rule, vehicle);
+pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen, case: &Case) -> Bridge {
+    let foot = footprint(bridge, plan, rule, chosen);
+    let vehicle = &chosen.vehicle;
     let mut b = bridge.clone();
     b.dispersal = foot.dispersal;
     let Some(pattern) = vehicle.patterns().into_iter().find(|p| p.label == case.arrangement) else { return b };
@@ -73,23 +144,24 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicle: &Vehic
     if let Some([first, last]) = case.axles {
         for (k, axle) in pattern.axles.iter().enumerate().take(last + 1).skip(first) {
             let critical = if case.critical_axle == Some(k) { foot.critical } else { 1.0 };
+            let position = case.position - sign * axle.offset;
             b.loads.push(Load {
                 name: format!("{}, axle {}", vehicle.title, k + 1),
                 kind: LoadKind::Axles {
-                    axles: vec![(axle.force * foot.all * critical, 0.0)],
+                    axles: vec![(axle.force * foot.axle_at(position) * critical, 0.0)],
                     contact_length: foot.length,
-                    effective_width: foot.width,
+                    effective_width: foot.across.axles,
                 },
-                position: case.position - sign * axle.offset,
+                position,
                 block: None,
             });
         }
     }
     if let Some([from, to]) = case.uniform {
-        for (a, b_, force) in clipped(&pattern, case, [from, to]) {
+        for (a, b_, pressure) in clipped(&pattern, &foot, case, [from, to]) {
             b.loads.push(Load {
                 name: format!("{}, uniform load", vehicle.title),
-                kind: LoadKind::Patch { pressure: force * foot.all / foot.width, length: b_ - a },
+                kind: LoadKind::Patch { pressure, length: b_ - a },
                 position: 0.5 * (a + b_),
                 block: None,
             });
@@ -98,16 +170,18 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, vehicle: &Vehic
     b
 }
 
-/// Where the pattern's uniform loads stand within a range: from, to [m], and force [N/m along the bridge].
-pub fn clipped(pattern: &Pattern, case: &Case, range: [f64; 2]) -> Vec<(f64, f64, f64)> {
+/// Where the pattern's uniform loads stand within a range: from, to [m], and pressure with its factors on its own width [Pa].
+pub fn clipped(pattern: &Pattern, foot: &Footprint, case: &Case, range: [f64; 2]) -> Vec<(f64, f64, f64)> {
     let place = |behind: f64| match case.direction {
         Direction::Right => case.position - behind,
         Direction::Left => case.position + behind,
     };
-    let parts = pattern.stretches.iter().filter_map(|s| {
+    let parts = pattern.stretches.iter().enumerate().flat_map(|(k, s)| {
         let (a, b) = (place(s.from), place(s.to));
         let (from, to) = (a.min(b).max(range[0]), a.max(b).min(range[1]));
-        (to > from + 1e-9).then_some((from, to, s.force))
+        let width = foot.across.uniform.get(k).copied().unwrap_or(foot.across.axles);
+        let pieces = if to > from + 1e-9 { foot.pieces(from, to) } else { Vec::new() };
+        pieces.into_iter().map(move |(from, to, factor)| (from, to, s.force * factor / width))
     });
     parts.collect()
 }

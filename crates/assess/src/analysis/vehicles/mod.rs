@@ -5,9 +5,11 @@
 //! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
 //! what joints carry meanwhile, `discrete` makes the governing case by discrete elements.
 
+mod across;
 mod cases;
 mod discrete;
 mod factored;
+mod limits;
 mod search;
 mod sections;
 mod standing;
@@ -16,6 +18,7 @@ mod tests;
 mod told;
 mod weights;
 
+pub use across::Across;
 pub use discrete::ByDiscreteElements;
 pub(super) use search::{DILATANCY, REFINEMENTS};
 pub use sections::{Extreme, SectionEnvelope};
@@ -23,11 +26,11 @@ pub use weights::Weights;
 
 use super::AnalysisError;
 use super::report::{Collapse, Status};
-use crate::vehicles::{Chosen, chosen};
+use crate::vehicles::{Chosen, chosen, left_out};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
-use rules::Rule;
+use rules::{Acting, Confidence, Rule, Source};
 
 /// Which way a vehicle drives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,8 +125,16 @@ pub struct Swept {
     pub sections: Vec<SectionEnvelope>,
     /// Width of the barrel that carries an axle [m].
     pub effective_width: f64,
-    /// Factor on every axle: live load and impact; and what the critical axle has besides.
+    /// How vehicles stand across the bridge.
+    pub across: Across,
+    /// Factor on axles: live load and impact, the largest of all spans; and what the critical axle has besides.
     pub load_factors: [f64; 2],
+    /// The first of these span by span: motion adds by the length of the loaded span.
+    pub span_factors: Vec<f64>,
+    /// What the rule does with its loads.
+    pub acting: Acting,
+    /// Where the vehicle is from.
+    pub source: Source,
     /// How many cases were answered.
     pub cases: usize,
     /// How many of them had to be left to the interior-point method.
@@ -291,7 +302,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
         && found.status() != Ended::Cancelled
     {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
-        let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k].vehicle, &case);
+        let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k], &case);
         let mut by_limit = super::collapse_by_limit(&one)?;
         found.vehicles[k].governed_by(&by_limit, found.rule.capacity_factor());
         by_limit.picture.case = Some(told::case(&found.vehicles[k], &case, &one));
@@ -307,12 +318,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
 
 fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     let rule = &found.rule;
-    let uncertain: Vec<String> = rule
-        .listed()
-        .iter()
-        .filter(|(_, f)| f.source.confidence == rules::Confidence::Recalled)
-        .map(|(name, f)| format!("{name} {}", f.value))
-        .collect();
+    let uncertain = uncertain(rule, &found.vehicles);
     if !uncertain.is_empty() {
         found.warnings.push(Warning::new(
             warning::RECALLED_FACTOR,
@@ -333,6 +339,8 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     // What is to be said of the governing case is to be said of the sweep.
     let of_case = found.collapse.iter().flat_map(|collapse| &collapse.warnings).cloned();
     found.warnings.extend(of_case.collect::<Vec<_>>());
+    let beyond = bridge.sweep.as_ref().map_or(Vec::new(), |plan| left_out(bridge, plan));
+    found.warnings.extend(limits::of_vehicles(bridge, vehicles, found, &beyond));
     found.warnings.extend(near_the_limit(found));
     let slides = found.vehicles.iter().filter(|v| v.without_dilation.is_some()).count();
     found.assumptions = vec![
@@ -343,7 +351,10 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
              steadily.",
             found.step
         ),
-        "Uniform loads that may be left out stand on any run of half spans; they spread over the same width as an axle.".into(),
+        "Uniform loads that may be left out stand on any run of half spans; those of a lane spread over its width, others over that of \
+         an axle."
+            .into(),
+        "Across the bridge vehicles stand where they load a metre of its width most: ".to_owned() + &limits::across(found),
         "Concurrent values at critical joints are those of elastic blocks whose joints open nowhere, under the vehicle with its factors."
             .into(),
     ];
@@ -374,7 +385,14 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
         found.assumptions.push("Fill presses against movement as [fill_pressure] says.".into());
     }
-    let factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
+    let mut factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
+    for (models, acting) in by_acting(&found.vehicles) {
+        factors.push(format!(
+            "on loads of {models}: live load {}, impact {}",
+            acting.live_load.value,
+            acting.impact.told()
+        ));
+    }
     found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
 }
 
@@ -390,6 +408,35 @@ fn not_converged(of: &Swept) -> Option<Warning> {
         );
         Warning::new(warning::POSITIONS_NOT_CONVERGED, message)
     })
+}
+
+/// Factors that are recalled and not read, each with its value: the rule's, then those on the loads of the vehicles.
+fn uncertain(rule: &Rule, vehicles: &[Swept]) -> Vec<String> {
+    let recalled = |source: &Source| source.confidence == Confidence::Recalled;
+    let own = rule.listed().into_iter().filter(|(name, f)| *name != "live load" && recalled(&f.source));
+    let mut list: Vec<String> = own.map(|(name, f)| format!("{name} {}", f.value)).collect();
+    for (models, acting) in by_acting(vehicles) {
+        if recalled(&acting.live_load.source) {
+            list.push(format!("live load {} ({models})", acting.live_load.value));
+        }
+        if acting.impact.sources().into_iter().any(recalled) {
+            list.push(format!("impact {} ({models})", acting.impact.told()));
+        }
+    }
+    list
+}
+
+/// What the rule does with loads, and the load models that it does it with.
+pub fn by_acting(vehicles: &[Swept]) -> Vec<(String, &Acting)> {
+    let mut list: Vec<(Vec<&str>, &Acting)> = Vec::new();
+    for v in vehicles {
+        match list.iter_mut().find(|(_, acting)| **acting == v.acting) {
+            Some((models, _)) if !models.contains(&v.model.as_str()) => models.push(&v.model),
+            Some(_) => {}
+            None => list.push((vec![&v.model], &v.acting)),
+        }
+    }
+    list.into_iter().map(|(models, acting)| (models.join(", "), acting)).collect()
 }
 
 /// Vehicles that would not be met if discrete elements took as much off them as off the governing one.

@@ -129,7 +129,7 @@ pub(super) fn thinned(
     }
     let d = &built[0];
     let watched = watched(bridge, d, &grounds[0]);
-    let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, &v.vehicle)).collect();
+    let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, v)).collect();
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut all_drives = Vec::new();
     for (k, (chosen, foot)) in vehicles.iter().zip(&feet).enumerate() {
@@ -413,8 +413,12 @@ fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
         weights: None,
         envelope: Vec::new(),
         sections: Vec::new(),
-        effective_width: foot.width,
-        load_factors: [foot.all, foot.critical],
+        effective_width: foot.across.axles,
+        across: foot.across.clone(),
+        load_factors: [foot.all(), foot.critical],
+        span_factors: foot.spans.iter().map(|span| span.axles).collect(),
+        acting: chosen.acting.clone(),
+        source: chosen.source.clone(),
         cases: 0,
         by_interior_point: 0,
     }

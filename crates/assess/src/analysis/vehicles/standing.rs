@@ -57,7 +57,8 @@ impl Scene<'_> {
         let mut axles: Vec<(usize, Effect)> = Vec::new();
         for (k, axle) in drive.pattern.axles.iter().enumerate() {
             let middle = drive.axle_at(position, k);
-            let strip = Strip { middle, length: foot.length, force: axle.force * foot.all / foot.width };
+            let strip =
+                Strip { middle, length: foot.length, force: axle.force * foot.axle_at(middle) / foot.across.axles };
             if let Some(effect) = self.effect(sweeper, foot, strip) {
                 axles.push((k, effect));
             }
@@ -132,12 +133,8 @@ impl Scene<'_> {
         let foot = &self.feet[drive.vehicle];
         let mut sum: Option<Effect> = None;
         let case = self.bare(index, position);
-        for (from, to, force) in clipped(&drive.pattern, &case, range) {
-            let strip = Strip {
-                middle: 0.5 * (from + to),
-                length: to - from,
-                force: force * (to - from) * foot.all / foot.width,
-            };
+        for (from, to, pressure) in clipped(&drive.pattern, foot, &case, range) {
+            let strip = Strip { middle: 0.5 * (from + to), length: to - from, force: pressure * (to - from) };
             if let Some(effect) = self.effect(sweeper, foot, strip) {
                 match &mut sum {
                     Some(sum) => sum.add(&effect, 1.0),
@@ -176,14 +173,14 @@ impl Scene<'_> {
         if let Some([first, last]) = key.axles {
             for (k, axle) in drive.pattern.axles.iter().enumerate().take(last + 1).skip(first) {
                 let critical = if key.critical == Some(k) { foot.critical } else { 1.0 };
-                case.load += axle.force * critical * foot.all / foot.width;
+                case.load += axle.force * critical * foot.axle_at(drive.axle_at(key.position, k)) / foot.across.axles;
             }
         }
         if let Some([a, b]) = key.uniform {
             let range = [self.borders[a], self.borders[b + 1]];
             case.uniform = Some(range);
-            let parts = clipped(&drive.pattern, &case, range);
-            case.load += parts.iter().map(|(from, to, force)| force * (to - from) * foot.all / foot.width).sum::<f64>();
+            let parts = clipped(&drive.pattern, foot, &case, range);
+            case.load += parts.iter().map(|(from, to, pressure)| pressure * (to - from)).sum::<f64>();
         }
         case
     }

@@ -1,0 +1,93 @@
+//! What a sweep of vehicles leaves out, and what its vehicles rest on: said in the result.
+
+use super::{VehicleSweep, across};
+use crate::vehicles::Chosen;
+use crate::warning::{self, Warning};
+use bridge::Bridge;
+use rules::{Confidence, Ways};
+
+/// Warnings of what vehicles rest on and of what is left out. `beyond`: load models left out because of their spans.
+pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[String]) -> Vec<Warning> {
+    let mut list = Vec::new();
+    let mut doubtful: Vec<String> = Vec::new();
+    for chosen in vehicles {
+        let source = &chosen.source;
+        if !matches!(source.confidence, Confidence::Read) {
+            let note = if source.note.is_empty() { String::new() } else { format!("; {}", source.note) };
+            let said = format!("{} ({}): {}{note}", chosen.vehicle.code, source.confidence.word(), source.text);
+            if !doubtful.contains(&said) {
+                doubtful.push(said);
+            }
+        }
+    }
+    if !doubtful.is_empty() {
+        let message = format!("axles and distances that were not read in their standard: {}", doubtful.join(". "));
+        list.push(Warning::new(warning::VEHICLE_NOT_READ, message));
+    }
+    if !beyond.is_empty() {
+        let message = format!("spans of this bridge are too long for load models of the rule: {}", beyond.join("; "));
+        list.push(Warning::new(warning::SPAN_TOO_LONG, message));
+    }
+    if bridge.carriageway.is_none_or(|asked| asked.lanes.is_none() || asked.edge_distance.is_none()) {
+        let mut ways: Vec<Ways> = Vec::new();
+        vehicles.iter().filter(|v| found.vehicles.iter().any(|s| s.code == v.vehicle.code)).for_each(|v| {
+            if !ways.contains(&v.ways) {
+                ways.push(v.ways);
+            }
+        });
+        let told: Vec<String> = ways.into_iter().map(|ways| assumed(bridge, ways)).collect();
+        let message = format!("the file does not say where vehicles may stand across the bridge: {}", told.join("; "));
+        list.push(Warning::new(warning::ACROSS_ASSUMED, message));
+    }
+    if let Some(skew) = bridge.carriageway.and_then(|asked| asked.skew).filter(|skew| *skew > 1e-6) {
+        let message = format!(
+            "the bridge is skew by {:.0} degrees and the model is square: the load of a skew barrel was not found",
+            skew.to_degrees()
+        );
+        list.push(Warning::new(warning::SKEW, message));
+    }
+    let rail = vehicles.iter().any(|v| v.ways == Ways::Rail);
+    let words = if rail { "braking and traction of trains" } else { "braking" };
+    list.push(Warning::new(
+        warning::NO_LONGITUDINAL,
+        format!("loads stand vertically: {words}, curvature and wind are left out"),
+    ));
+    list
+}
+
+/// What was assumed of lanes and edges.
+fn assumed(bridge: &Bridge, ways: Ways) -> String {
+    let (lanes, apart) = across::lanes(bridge, ways);
+    let given = bridge.carriageway.unwrap_or_default();
+    let (what, abreast) = match ways {
+        Ways::Road => ("vehicles on a road", "abreast"),
+        Ways::Rail => ("trains", "on tracks"),
+    };
+    let lanes = match (given.lanes, lanes) {
+        (Some(_), _) => String::new(),
+        (None, 1) => format!("{what}: one at a time"),
+        (None, count) => format!("{what}: up to {count} {abreast}, {apart} m apart"),
+    };
+    let edge = match given.edge_distance {
+        Some(_) => "",
+        None => "none nearer to the edge than its load spreads",
+    };
+    [lanes.as_str(), edge].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// How vehicles stand across the bridge, in words.
+pub fn across(found: &VehicleSweep) -> String {
+    let mut list: Vec<(String, Vec<&str>)> = Vec::new();
+    for v in &found.vehicles {
+        let told = v.across.told();
+        match list.iter_mut().find(|(known, _)| *known == told) {
+            Some((_, codes)) => codes.push(&v.code),
+            None => list.push((told, vec![&v.code])),
+        }
+    }
+    let each = list.iter().map(|(told, codes)| match list.len() {
+        1 => told.clone(),
+        _ => format!("{told} ({})", codes.join(", ")),
+    });
+    format!("{}.", each.collect::<Vec<_>>().join("; "))
+}

@@ -1,0 +1,48 @@
+//! Files of vehicles and rules of one's own, as the command reads them.
+
+use crate::stage::Stage;
+
+const LORRY: &str = "code = \"lorry\"\ntitle = \"Lorry\"\nways = \"road\"\n\
+    source = { text = \"a plate\", date = \"2026\", confidence = \"assumed\" }\n\n[[vehicle]]\ncode = \"our-lorry\"\n\
+    title = \"Lorry\"\naxle_loads_kn = [80.0, 110.0]\nspacings_m = [4.0]\naxles_may_be_dropped = true\n\
+    wheel_track_m = 1.8\ncontact_length_m = 0.30\n";
+
+/// A vehicle that no rule was made for is refused with its place and what to write; so are all other slips, at once.
+#[test]
+fn slips_in_names_and_files_are_told_together() {
+    let stage = Stage::with_example("vehicle-files", "bridgemill");
+    let text = stage.read("bridge/vehicles.toml");
+    stage.write("bridge/lorry.toml", LORRY);
+    let asked = |names: &str| {
+        let more = format!("vehicles = [{names}]\nvehicle_files = [\"lorry.toml\"]\n\n[dispersal]");
+        text.replacen("rule = \"characteristic\"", "rule = \"cs-454\"", 1).replacen("[dispersal]", &more, 1)
+    };
+    stage.write("bridge/own.toml", &asked("\"our-lorry\", \"LM1\", \"hb46\""));
+    let (answer, ending) = stage.object(&["check", "bridge/own.toml"]);
+    assert_eq!(ending.code, Some(2), "{}", ending.stderr);
+    let said: Vec<&str> =
+        answer["errors"].as_array().expect("errors").iter().filter_map(|e| e["message"].as_str()).collect();
+    for part in ["our-lorry", "LM1", "hb46"] {
+        assert!(said.iter().any(|message| message.contains(part)), "{part}: {said:?}");
+    }
+    // Several slips of one file are told together, each with its line.
+    let wrong =
+        LORRY.replace("ways = \"road\"", "ways = \"water\"").replace("= [4.0]", "= []").replace("= 1.8", "= \"1.8 m\"");
+    stage.write("bridge/lorry.toml", &wrong);
+    let (answer, _) = stage.object(&["check", "bridge/own.toml"]);
+    let said: Vec<&str> =
+        answer["errors"].as_array().expect("errors").iter().filter_map(|e| e["message"].as_str()).collect();
+    let told = |part: &str| said.iter().any(|message| message.contains("lorry.toml") && message.contains(part));
+    assert!(told("line 3") && told("line 11"), "{said:?}");
+}
+
+/// Schemas of both kinds of files are printed alone.
+#[test]
+fn schemas_of_vehicles_and_rules_are_printed() {
+    let stage = Stage::with_example("vehicle-schemas", "tiny");
+    for (flag, key) in [("--vehicles", "vehicle"), ("--rule", "factors")] {
+        let (answer, ending) = stage.object(&["schema", flag]);
+        assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+        assert!(answer["properties"][key].is_object(), "{flag}");
+    }
+}
