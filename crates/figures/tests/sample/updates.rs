@@ -7,7 +7,7 @@ use assess::analysis::update::{
 };
 use assess::calibrate::posterior::{self, Likelihood};
 use assess::calibrate::search::hierarchical;
-use assess::calibrate::search::jacobian::STEP;
+use assess::calibrate::search::jacobian;
 use assess::calibrate::{
     Basis, Channel, Evaluation, Evaluator, Failure, Forward, Log, Misfit, Parameter, Problem, Request, Response,
     Samples, Serial, Start, Unwatched, identify,
@@ -125,7 +125,8 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
     let outcome = hierarchical::search(&mut evaluator, &basis, &settings);
     let found = outcome.found.clone();
     let end = found.as_ref().map(|found| found.point());
-    let identifiability = end.as_ref().and_then(|end| identify::identify(&mut evaluator, &basis, end, STEP).ok());
+    let identifiability =
+        end.as_ref().and_then(|end| identify::identify(&mut evaluator, &basis, end, jacobian::STEP).ok());
     let posterior = posterior.then(|| {
         let settings =
             posterior::Settings { effective_samples: 100.0, particles: 60, moves: 2, steps: 100, ..Default::default() };
