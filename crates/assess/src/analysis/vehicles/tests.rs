@@ -459,32 +459,6 @@ fn discrete_elements_come_to_limit_analysis_as_joints_stiffen() {
     assert!(rigid.abs() < 0.03, "{soft} {stiff}: {rigid}");
 }
 
-/// Between positions at which all cases were answered, those far above the least are left out, and nothing is lost by it.
-#[test]
-fn cases_far_above_the_least_are_left_out_and_the_factors_stay() {
-    let mut b = bridgemill(&["cs454-bogie-10"]);
-    let ring = Ring { crown_thickness: 0.215, springing_thickness: 0.215, voussoirs: 32 };
-    b.spans[0] = Span { span: 5.0, rise: 1.25, rings: vec![ring; 2], ..b.spans[0].clone() };
-    b.masonry.compressive_strength = Some(8e6);
-    b.sweep.as_mut().unwrap().directions = Directions::Right;
-    let (rule, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
-    let weights = weights::combinations(&b, &rule);
-    let with = |stride| {
-        let plan = b.sweep.as_ref().unwrap();
-        search::thinned(&b, &rule, plan, &vehicles, &weights, 5.0 / 60.0, stride, &mut Unwatched).unwrap().remove(0)
-    };
-    let (all, thin) = (with(1), with(search::STRIDE));
-    assert!(thin.by_interior_point > 0 && thin.cases < all.cases, "{} of {}", thin.cases, all.cases);
-    assert_eq!(thin.envelope.len(), all.envelope.len());
-    for (a, b) in all.envelope.iter().zip(&thin.envelope) {
-        assert_eq!((a.position, a.converged, a.adequacy.is_some()), (b.position, b.converged, b.adequacy.is_some()));
-        let [a, b] = [a.adequacy.unwrap_or(1.0), b.adequacy.unwrap_or(1.0)];
-        assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
-    }
-    assert!((all.factor().unwrap() / thin.factor().unwrap() - 1.0).abs() < 1e-6);
-    assert_eq!(all.sections, thin.sections);
-}
-
 /// A rule acts on the load models that it was made for, and refuses others by name, all of them at once.
 #[test]
 fn a_vehicle_is_refused_under_a_rule_that_was_not_made_for_it() {
