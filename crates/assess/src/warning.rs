@@ -119,19 +119,6 @@ cards! {
     LEFT_OUT = "A122", "samples were left out",
         "A sample counts only if it came to rest in every load step and became shorter in each. The message says how many did \
          not, and at which multiple of the stiffness. Many of them make the mean doubtful: use smaller load steps, or fewer.";
-    /// A wanted strength of fill that no contacts give.
-    STRENGTH_OUT_OF_REACH = "A163", "the wanted strength of the fill is out of reach",
-        "Discs roll past one another, so a fill of them is weaker than its contacts: beyond some friction of the contacts they roll \
-         instead of sliding, and the fill gets no stronger. The message gives the strength that was reached. A fill that is stronger \
-         in truth is then modelled on the safe side: keep the contacts of the message, or take a smaller wanted value. \
-         docs/theory/calibration.md.";
-    /// A check of strength that does not bear the search out.
-    STRENGTH_CHECK_APART = "A164", "other packings do not have the wanted strength",
-        "Friction and cohesion of the contacts were found on the packings of some seeds and checked on as many others, whose mean \
-         should be within 2 degrees and 10 % of the wanted cohesion (or 1 kPa). It is not: use more `seeds` and `sheared_samples` in [calibration].";
-    /// Samples left out of the strength.
-    NOT_SHEARED = "A165", "sheared samples were left out",
-        "A sample counts only if it rested under every confining pressure and gave way under each. The message says how many did not.";
     /// Too many particles for figures.
     NOT_DRAWN = "A123", "too many particles to be drawn",
         "Drawings hold at most 200 000 particles; above that no viewer of drawings would open them. The figures show blocks, \
@@ -216,6 +203,19 @@ cards! {
         "The typesetter refused the report; the message holds its words. report.html and result.json are complete, verdict and \
          numbers stand. The usual cause is a drawing that is no valid SVG, which is a mistake of this program: please report it with \
          the bridge file.";
+    /// A wanted strength of fill that no contacts give.
+    STRENGTH_OUT_OF_REACH = "A163", "the wanted strength of the fill is out of reach",
+        "Discs roll past one another, so a fill of them is weaker than its contacts: beyond some friction of the contacts they roll \
+         instead of sliding, and the fill gets no stronger. The message gives the strength that was reached. A fill that is stronger \
+         in truth is then modelled on the safe side: keep the contacts of the message, or take a smaller wanted value. \
+         docs/theory/calibration.md.";
+    /// A check of strength that does not bear the search out.
+    STRENGTH_CHECK_APART = "A164", "other packings do not have the wanted strength",
+        "Friction and cohesion of the contacts were found on the packings of some seeds and checked on as many others, whose mean \
+         should be within 2 degrees and 10 % of the wanted cohesion (or 1 kPa). It is not: use more `seeds` and `sheared_samples` in [calibration].";
+    /// Samples left out of the strength.
+    NOT_SHEARED = "A165", "sheared samples were left out",
+        "A sample counts only if it rested under every confining pressure and gave way under each. The message says how many did not.";
     /// No end of the iteration without dilation; a proven lower load in its place.
     WITHOUT_FRICTION = "A170", "a lower load without friction where joints slide",
         "Joints slide in the mechanism, and the iteration that finds the load without dilation came to no end. The associated load \

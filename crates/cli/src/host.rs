@@ -15,7 +15,7 @@ const TICK: Duration = Duration::from_millis(20);
 /// What a run is given to come to an end by itself, with an answer of its own.
 const GRACE: Duration = Duration::from_millis(700);
 /// Stack of the run: as much as a main thread has, and more for files that nest deeply.
-const STACK: usize = 32 << 20;
+pub const STACK: usize = 32 << 20;
 
 /// How a run ended.
 pub enum Ended<T> {

@@ -163,7 +163,12 @@ fn title(found: &Collapse) -> String {
 fn loads(page: &mut String, found: &Collapse) {
     if let Some(headline) = found.headline() {
         let (load, whole) = (headline.load / 1e3, headline.whole / 1e3);
-        let _ = writeln!(page, "  {:<22}  {load:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", "carried", found.width);
+        let _ = match found.has_own_widths() {
+            true => writeln!(page, "  {:<22}  {load:>9.2} kN/m", "carried"),
+            false => {
+                writeln!(page, "  {:<22}  {load:>9.2} kN/m   {whole:>9.0} kN over {:.2} m", "carried", found.width)
+            }
+        };
         let _ = writeln!(page, "  {:<22}  {}", "", headline.from);
     }
     let both = found.combination.is_some();

@@ -331,10 +331,11 @@ pub struct Interface {
 /// Every pair of blocks that touch where they are built, in the order of their ids. Blocks count as touching when
 /// their gap is at most `tolerance` [m]; pairs of held blocks are left out.
 ///
-/// Two corners that only touch are no joint. What a corner prevents of another is one of two things, to pass under the
+/// Two corners that only touch are no joint where a face of one of them ends at that point. What a corner prevents of another is one of two things, to pass under the
 /// bed or to pass through the side, and it may always give way along the other: no single normal says so, and the
 /// diagonal one would hold both. Leaving the pair out never adds strength. A common face no longer than `tolerance` is
-/// such a pair as well, for where a face ends is known no better than whether it touches.
+/// such a pair as well, for where a face ends is known no better than whether it touches. Blocks that meet nowhere but in their corners
+/// are pinned there: the point stays their joint.
 pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, ModelError> {
     let rounded = model.cores()?;
     let sharp: Table<BlockId, Core> = model
@@ -343,7 +344,7 @@ pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, 
         .map(|(id, b)| Core::new(&b.outline, 0.0).map_err(|source| ModelError::Outline { block: id.0, source }))
         .collect::<Result<_, _>>()?;
     let poses = model.poses();
-    let mut found = Vec::new();
+    let (mut found, mut pins) = (Vec::new(), Vec::new());
     for (a, b) in close_pairs(model, tolerance) {
         if model.blocks[a].held.is_fixed() && model.blocks[b].held.is_fixed() {
             continue;
@@ -353,15 +354,30 @@ pub fn interfaces(model: &BlockModel, tolerance: f64) -> Result<Vec<Interface>, 
             let meeting = meet(ca, &poses[a], cb, &poses[b], None);
             let m = meeting.manifold(ca, &poses[a], cb, &poses[b]);
             let face = matches!(meeting, Meeting::Face { .. }) && (m.points[1] - m.points[0]).norm() > tolerance;
-            let touching = (0..m.count).filter(|&k| face && m.gaps[k] <= tolerance);
-            (m.normal, touching.map(|k| m.points[k]).collect::<Vec<Vec2>>())
+            let touching = (0..m.count).filter(|&k| m.gaps[k] <= tolerance);
+            (m.normal, face, touching.map(|k| m.points[k]).collect::<Vec<Vec2>>())
         };
-        let (normal, contact) = points(&rounded);
-        let (_, face) = points(&sharp);
-        if !contact.is_empty() && face.len() == contact.len() {
-            found.push(Interface { first: a, second: b, normal, points: contact, face });
+        let (normal, is_face, contact) = points(&rounded);
+        let (_, sharp_is_face, face) = points(&sharp);
+        match (is_face && sharp_is_face, &contact[..]) {
+            (_, []) => {}
+            (true, _) if face.len() == contact.len() => {
+                found.push(Interface { first: a, second: b, normal, points: contact, face });
+            }
+            (false, &[at, ..]) if !is_face => {
+                pins.push(Interface { first: a, second: b, normal, points: vec![at], face: vec![at] });
+            }
+            _ => {}
         }
     }
+    let ends_here = |pin: &Interface, joint: &Interface| {
+        let blocks = [pin.first, pin.second];
+        let shared = blocks.contains(&joint.first) || blocks.contains(&joint.second);
+        shared && joint.face.iter().any(|end| (*end - pin.points[0]).norm() <= 4.0 * tolerance)
+    };
+    pins.retain(|pin| !found.iter().any(|joint| ends_here(pin, joint)));
+    found.extend(pins);
+    found.sort_by_key(|joint| (joint.first, joint.second));
     Ok(found)
 }
 

@@ -31,8 +31,7 @@ pub fn asked(bridge: &Bridge) -> Vec<AskedAxles> {
 impl Collapse {
     /// How often the loads of the file are carried.
     pub fn load_factor(&self) -> Option<f64> {
-        let carried = self.last_stable_load.or(self.collapse_load).filter(|_| self.reference_load > 0.0)?;
-        Some(carried / self.reference_load)
+        Some(self.carried().filter(|_| self.reference_load > 0.0)? / self.reference_load)
     }
 
     /// Whether loads have widths of their own, so that a load per metre times the width of the bridge is nothing that was asked for.

@@ -68,7 +68,7 @@ pub fn run(words: Vec<OsString>) -> u8 {
     let unasked = u16::from(matches!(arguments.command, Command::Bench(_)));
     let threads = usize::from(speech.threads.unwrap_or(unasked));
     // Only fails when a pool is there already; then its size is the one that `threads` reports.
-    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(host::STACK).build_global();
     signs::listen();
     let lines = host::lines(speech.quiet, speech.progress_every);
     let schema = desk.schema.clone();

@@ -183,17 +183,17 @@ above = "It was grouted."
     let (answer, ending) = stage.object(&["assess", "bridge.toml", "--out", "out", "--skip", "sensitivity"]);
     assert_eq!(ending.code, Some(0), "{}", ending.stderr);
     let fill = &answer["condition"][0];
-    // The records are exact: the search ends where it can no longer tell values apart.
+    // The records are exact: the search ends where it can no longer tell values apart. What three channels tell of the fill, at a
+    // hundredth of each peak, is 85 to 249 MPa: too wide to conclude anything from.
     assert!((number(fill, "value") - 170.0).abs() < 0.5, "{fill}");
-    assert_eq!(
-        (fill["verdict"].as_str(), fill["words"].as_str()),
-        (Some("higher-than-expected"), Some("It was grouted."))
-    );
+    assert_eq!(fill["verdict"].as_str(), Some("not-told-by-the-records"), "{fill}");
+    let interval = &answer["update"]["parameters"][0]["interval_95"];
+    assert!(interval[0].as_f64() < Some(120.0) && interval[1].as_f64() > Some(200.0), "{interval}");
     let (own, _) =
         stage.object(&["assess", "bridge.toml", "--out", "own", "--skip", "sensitivity", "--skip", "update"]);
     assert_ne!(check(&own, "C101")["value"], check(&answer, "C101")["value"]);
     let page = stage.read("out/report.html");
-    assert!(page.contains("SYNTHETIC") && page.contains("It was grouted."));
+    assert!(page.contains("SYNTHETIC") && !page.contains("It was grouted."));
 }
 
 /// A small bridge of a fleet, with its own geometry; every fiftieth file is broken.

@@ -104,10 +104,19 @@ pub fn all(
     step: f64,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Swept>, AnalysisError> {
-    thinned(bridge, rule, plan, vehicles, weights, step, STRIDE, watch)
+    thinned(bridge, rule, plan, vehicles, weights, step, Thin { stride: STRIDE, only_slow: true }, watch)
 }
 
-/// The same with all slow cases at every so manyth position.
+/// Where all cases of a position are answered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Thin {
+    /// At every so manyth position.
+    pub stride: usize,
+    /// And at the others too, unless cases are slow there.
+    pub only_slow: bool,
+}
+
+/// The same with all cases at some positions only.
 #[allow(clippy::too_many_arguments)]
 pub(super) fn thinned(
     bridge: &Bridge,
@@ -116,7 +125,7 @@ pub(super) fn thinned(
     vehicles: &[Chosen],
     weights: &[Weights],
     step: f64,
-    stride: usize,
+    thin: Thin,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Swept>, AnalysisError> {
     let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
@@ -147,7 +156,7 @@ pub(super) fn thinned(
         drives: &all_drives,
         borders: &borders,
         capacity: rule.capacity_factor(),
-        stride,
+        thin,
     };
     if let Some(falls) = grounds.iter().position(|ground| !ground.stands()) {
         return Ok(vehicles.iter().zip(&feet).map(|(v, foot)| fallen(v, foot, weights[falls])).collect());
@@ -208,7 +217,7 @@ impl Scene<'_> {
     fn positions(&self, sweepers: &mut [Sweeper], part: &mut Part, positions: &[f64], pace: &Pace) -> Option<()> {
         let last = positions.len().checked_sub(1)?;
         let mut before: Option<(usize, Near)> = None;
-        for end in (0..last).step_by(self.stride).chain([last]) {
+        for end in (0..last).step_by(self.thin.stride).chain([last]) {
             let slow = part.slow;
             let met = self.position(sweepers, part, positions[end], &[], pace)?;
             let near = Near { met, slow: part.slow > slow };
@@ -216,7 +225,8 @@ impl Scene<'_> {
                 None => near,
                 Some((from, old)) => {
                     let ends = [old, near];
-                    let thin = if ends.iter().all(|near| near.slow) { &ends[..] } else { &[][..] };
+                    let thin =
+                        if !self.thin.only_slow || ends.iter().all(|near| near.slow) { &ends[..] } else { &[][..] };
                     for &position in &positions[from + 1..end] {
                         self.position(sweepers, part, position, thin, pace)?;
                     }

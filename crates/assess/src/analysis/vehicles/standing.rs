@@ -3,6 +3,7 @@
 use super::Case;
 use super::cases::{Drive, runs};
 use super::factored::{Footprint, clipped};
+use super::search::Thin;
 use super::sections::Watched;
 use super::weights::Weights;
 use crate::discretise::Discretised;
@@ -44,8 +45,8 @@ pub struct Scene<'a> {
     pub borders: &'a [f64],
     /// By what load factors are multiplied.
     pub capacity: f64,
-    /// Slow cases are all answered at every so manyth position.
-    pub stride: usize,
+    /// Where all cases of a position are answered.
+    pub thin: Thin,
 }
 
 impl Scene<'_> {
