@@ -127,7 +127,8 @@ fn a_wrong_model_misses_without_its_error_term_and_covers_with_it() {
             (all, widths, found.model_error)
         };
         let (without, narrow, _) = covers(ModelError::None, None);
-        let (with, wide, error) = covers(ModelError::Sought(0.2), Some(4));
+        // The error is a gain of one channel. A local part of the same scale, of which these records have none, makes the scale small.
+        let (with, wide, error) = covers(ModelError::Sought(0.2), None);
         assert!(!without && with && wide > 5.0 * narrow, "{narrow} {wide}");
         assert!(error.unwrap().mean > 0.05);
     });
