@@ -415,7 +415,7 @@ mod tests {
             ("2 ksi", Dimension::Stress, 2000.0 * 4.448_221_615_260_5 / 0.000_645_16),
             ("140 lb/ft^3", Dimension::Density, 140.0 * 0.453_592_37 / 0.028_316_846_592),
             ("140 pcf", Dimension::Density, 140.0 * 0.453_592_37 / 0.028_316_846_592),
-            ("22 kips", Dimension::Force, 22.0 * 4448.221_615_260_5),
+            ("22 kips", Dimension::Force, 22.0 * 4_448.221_615_260_5),
             ("1 tonf", Dimension::Force, 9_964.016_418_183_52),
             ("100 lbf/ft", Dimension::LineLoad, 444.822_161_526_05 / 0.3048),
             ("19 ft 8 in", Dimension::Length, 5.9944),

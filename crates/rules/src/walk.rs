@@ -40,7 +40,7 @@ pub fn line_of(text: &str, path: &str) -> usize {
         let Some((key, value)) = table.iter().find(|(key, _)| **key.get_ref() == *name) else { return found };
         found = line_at(text, key.span().start);
         let inner = match (value.get_ref(), index) {
-            (DeValue::Array(items), Some(index)) => match items.iter().nth(index) {
+            (DeValue::Array(items), Some(index)) => match items.get(index) {
                 Some(item) => {
                     found = line_at(text, item.span().start);
                     item.get_ref()

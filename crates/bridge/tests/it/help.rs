@@ -19,7 +19,7 @@ fn feet_and_pounds_are_read_and_never_renamed() {
     for words in ["19 ft 8 in", "19' 8\\\"", "19ft 8in", "236 in"] {
         assert!((wide(words) - 5.9944).abs() < 1e-12, "{words}");
     }
-    for (unit, key, right) in [("140 lb/ft^3", "density", 2242.584_8), ("140 pcf", "density", 2242.584_8)] {
+    for (unit, key, right) in [("140 lb/ft^3", "density", 2_242.584_8), ("140 pcf", "density", 2_242.584_8)] {
         let file = TINY.replacen(&format!("{key} = \"{}\"", quoted(TINY, key)), &format!("{key} = \"{unit}\""), 1);
         let bridge = read(file.as_bytes()).bridge.unwrap_or_else(|| panic!("{}", show_all(&file)));
         assert!((bridge.masonry.density - right).abs() < 1e-3, "{unit}: {}", bridge.masonry.density);

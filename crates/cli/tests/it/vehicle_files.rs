@@ -17,7 +17,7 @@ fn slips_in_names_and_files_are_told_together() {
         let more = format!("vehicles = [{names}]\nvehicle_files = [\"lorry.toml\"]\n\n[dispersal]");
         text.replacen("rule = \"characteristic\"", "rule = \"cs-454\"", 1).replacen("[dispersal]", &more, 1)
     };
-    stage.write("bridge/own.toml", &asked("\"our-lorry\", \"LM1\", \"hb46\""));
+    stage.write("bridge/own.toml", asked("\"our-lorry\", \"LM1\", \"hb46\""));
     let (answer, ending) = stage.object(&["check", "bridge/own.toml"]);
     assert_eq!(ending.code, Some(2), "{}", ending.stderr);
     let said: Vec<&str> =
