@@ -49,7 +49,7 @@ pub const COLLAPSE: Analysis = Analysis {
     },
 };
 
-/// Vehicles of the file's [sweep] moved over the bridge, or else its loads.
+/// Vehicles of the file's `[sweep]` moved over the bridge, or else its loads.
 pub const SWEEP: Analysis = Analysis {
     name: "sweep",
     leading: &["adequacy_factor", "load_factor"],
