@@ -1,7 +1,8 @@
 //! Vehicles and rules that a bridge file can name: those of the library, the trains of passages, and an engineer's own.
 
 use bridge::{Bridge, SweepPlan};
-use rules::{Acting, Confidence, Library, LoadModel, Rule, Source, Vehicle, Ways};
+use rules::{Acting, Confidence};
+pub use rules::{Library, LoadModel, Place, Rule, Source, Spacing, Uniform, Vehicle, Ways};
 
 /// Code of the load model that holds the trains of passages.
 const TRAINS: &str = "trains";

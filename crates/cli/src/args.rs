@@ -42,6 +42,8 @@ pub enum Command {
     CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
     Explain(Explain),
+    /// List the vehicles and rules of the library: their names, loads, factors and sources
+    Vehicles(Vehicles),
     /// Print the JSON Schema of bridge files or block model files, for editors
     Schema(Schema),
     /// Run the verification cases and print their table
@@ -452,6 +454,16 @@ pub struct Explain {
     pub speech: Speech,
 }
 
+/// `extrados vehicles`.
+#[derive(Debug, Args)]
+pub struct Vehicles {
+    /// A vehicle, a load model or a rule, such as lm71 or cs-454; without a name, all are listed
+    pub name: Option<String>,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
+}
+
 /// `extrados schema`.
 #[derive(Debug, Args)]
 pub struct Schema {
@@ -611,6 +623,7 @@ impl Command {
             Command::Assess(assess) => &assess.speech,
             Command::CalibrateFill(calibrate) => &calibrate.speech,
             Command::Explain(explain) => &explain.speech,
+            Command::Vehicles(vehicles) => &vehicles.speech,
             Command::Schema(schema) => &schema.speech,
             Command::Verify(verify) => &verify.speech,
             Command::Bench(bench) => &bench.speech,
@@ -630,6 +643,7 @@ impl Command {
             Command::Assess(_) => "assess",
             Command::CalibrateFill(_) => "calibrate-fill",
             Command::Explain(_) => "explain",
+            Command::Vehicles(_) => "vehicles",
             Command::Schema(_) => "schema",
             Command::Verify(_) => "verify",
             Command::Bench(_) => "bench",

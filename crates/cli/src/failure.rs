@@ -186,6 +186,12 @@ pub const CARDS: &[Card] = &[
                its own.",
     },
     Card {
+        code: "F126",
+        title: "no vehicle, load model or rule of this name",
+        text: "`extrados vehicles NAME` knows the vehicles, load models and rules of the library; `extrados vehicles` without a name lists them \
+               all. Vehicles and rules of your own stand in files that the bridge file names (`vehicle_files` and `rule_file` in [sweep]).",
+    },
+    Card {
         code: "F130",
         title: "nothing can be updated",
         text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] with `place`, a table or a \

@@ -25,7 +25,7 @@ fn one(code: &str) -> Result<Report, Failure> {
     let cards = all();
     let card = cards.iter().find(|card| card.code.eq_ignore_ascii_case(code)).ok_or_else(|| {
         let message = format!("there is no error, warning or status {code}");
-        Failure::input("F105", message, "extrados explain lists them all")
+        Failure::input("F105", message, "extrados explain lists them all; extrados vehicles lists vehicles and rules")
     })?;
     Ok(Report::new(Status::Completed)
         .with("code", card.code.as_str())

@@ -14,6 +14,7 @@ mod respond;
 mod schema;
 mod update;
 mod vary;
+mod vehicles;
 mod verify;
 
 use crate::args::{Arguments, Command};
@@ -117,6 +118,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Update(arguments) => update::run(desk, arguments).map(Answer::from),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
+        Command::Vehicles(arguments) => vehicles::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
         Command::Bench(arguments) => bench::run(desk, arguments).map(Answer::from),

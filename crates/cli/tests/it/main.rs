@@ -13,6 +13,7 @@ mod examples;
 mod house;
 mod interruption;
 mod keeping;
+mod library;
 mod messages;
 mod misuse;
 mod particles;
