@@ -96,6 +96,8 @@ pub struct Hinge {
     pub point: Point,
     /// At which edge.
     pub edge: HingeAt,
+    /// The two sides of its joint: indices into the shapes.
+    pub between: [usize; 2],
     /// Relative rotation of the two sides [rad, or per unit of the mechanism].
     pub rotation: f64,
 }

@@ -303,7 +303,7 @@ fn mechanism(page: &mut String, found: &Collapse) {
     if count > MOST_HINGES {
         let _ = writeln!(page, "  {:<22}  {count}, see hinges.csv", "hinges");
     } else if count > 0 {
-        let places: Vec<String> = ring.into_iter().map(hinge).collect();
+        let places: Vec<String> = ring.into_iter().map(|one| hinge(found, one)).collect();
         let _ = writeln!(page, "  {:<22}  {count} at x [m] = {}", "hinges", places.join(", "));
     }
     if !wall.is_empty() {
@@ -314,12 +314,15 @@ fn mechanism(page: &mut String, found: &Collapse) {
     }
 }
 
-/// Where a hinge is, with the letter of its edge.
-fn hinge(hinge: &Hinge) -> String {
+/// Where a hinge is: with its edge in a ring, between which blocks elsewhere.
+fn hinge(found: &Collapse, hinge: &Hinge) -> String {
     let edge = match hinge.edge {
-        HingeAt::Intrados => "intrados",
-        HingeAt::Extrados => "extrados",
-        HingeAt::Other => "other",
+        HingeAt::Intrados => "intrados".to_owned(),
+        HingeAt::Extrados => "extrados".to_owned(),
+        HingeAt::Other => match found.sides(hinge) {
+            Some([first, second]) => format!("between {first} and {second}"),
+            None => format!("y = {:.2} m", hinge.point[1]),
+        },
     };
     // Adding zero takes the sign off a negative zero.
     format!("{:.2} ({edge})", (100.0 * hinge.point[0]).round() / 100.0 + 0.0)

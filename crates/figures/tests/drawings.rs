@@ -350,7 +350,12 @@ fn results_that_are_not_numbers_and_lists_that_do_not_fit_do_no_harm() {
     picture.snapshots[4].motions.truncate(3);
     picture.snapshots[5].velocities.clear();
     picture.path[2].displacement = [f64::NAN; 2];
-    picture.hinges.push(Hinge { point: [f64::NAN; 2], edge: HingeAt::Other, rotation: f64::NAN });
+    picture.hinges.push(Hinge {
+        point: [f64::NAN; 2],
+        edge: HingeAt::Other,
+        between: [usize::MAX; 2],
+        rotation: f64::NAN,
+    });
     picture.thrust_lines[0][4].point = [f64::NAN; 2];
     picture.loads[0].force = [f64::NAN; 2];
     picture.surface_loads.push(([f64::NAN; 2], f64::NAN));

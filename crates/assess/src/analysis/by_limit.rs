@@ -7,7 +7,7 @@ use crate::discretise::{Discretised, discretise, pressure};
 use crate::outcome::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
 use bridge::{Analysis, Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
-use mechanics::ids::Id;
+use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
 
 /// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
@@ -209,7 +209,8 @@ pub fn hinges(d: &Discretised, joints: &[Interface], found: &[limit::Hinge]) -> 
         .map(|h| {
             let joint = &joints[h.joint];
             let edge = edge_at(d, joint.first, joint.second, h.at);
-            Hinge { point: point(h.at), edge, rotation: h.rotation }
+            let between = [joint.first, joint.second].map(BlockId::index);
+            Hinge { point: point(h.at), edge, between, rotation: h.rotation }
         })
         .collect()
 }

@@ -109,7 +109,8 @@ pub fn moving(d: &Discretised, joints: &[Interface], motions: &[Motion]) -> Movi
             && j.points.len() == 2
             && !between_rings(d, j.first, j.second)
         {
-            found.hinges.push(Hinge { point: point(at), edge: edge_at(d, j.first, j.second, at), rotation });
+            let between = [j.first, j.second].map(BlockId::index);
+            found.hinges.push(Hinge { point: point(at), edge: edge_at(d, j.first, j.second, at), between, rotation });
         }
         if apart.dot(j.normal.left()).abs() >= SLIDING && !opened {
             let middle = j.points.iter().fold(Vec2::ZERO, |sum, &p| sum + p) * (1.0 / j.points.len() as f64);

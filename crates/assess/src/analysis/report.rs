@@ -135,6 +135,12 @@ impl Collapse {
         Some(Headline { load, whole: load * self.width, from })
     }
 
+    /// Names of the two blocks whose joint a hinge is.
+    pub fn sides(&self, hinge: &Hinge) -> Option<[&str; 2]> {
+        let [first, second] = hinge.between.map(|side| self.block_names.get(side).map(String::as_str));
+        Some([first?, second?])
+    }
+
     /// Load of the headline [N/m].
     pub fn carried(&self) -> Option<f64> {
         self.headline().map(|headline| headline.load)

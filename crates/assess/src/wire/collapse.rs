@@ -78,6 +78,7 @@ struct Hinge {
     x_m: f64,
     y_m: f64,
     edge: &'static str,
+    between: Vec<String>,
     rotation: f64,
 }
 
@@ -286,7 +287,13 @@ impl CollapseObject {
             hinges: c
                 .hinges
                 .iter()
-                .map(|h| Hinge { x_m: h.point[0], y_m: h.point[1], edge: edge(h.edge), rotation: h.rotation })
+                .map(|h| Hinge {
+                    x_m: h.point[0],
+                    y_m: h.point[1],
+                    edge: edge(h.edge),
+                    between: c.sides(h).map(|sides| sides.map(str::to_owned).to_vec()).unwrap_or_default(),
+                    rotation: h.rotation,
+                })
                 .collect(),
             sliding_joints: c.sliding_joints.iter().map(|p| Place { x_m: p[0], y_m: p[1] }).collect(),
             max_compressive_stress_mpa: c.max_compressive_stress.map(|s| s / 1e6),

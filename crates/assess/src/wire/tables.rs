@@ -26,9 +26,11 @@ pub fn path(c: &Collapse) -> String {
 
 /// Hinges of the mechanism.
 pub fn hinges(c: &Collapse) -> String {
-    let mut csv = String::from("x_m,y_m,edge,rotation\n");
+    let mut csv = String::from("x_m,y_m,edge,rotation,first_side,second_side\n");
     for h in &c.hinges {
-        row(&mut csv, format_args!("{},{},{},{}", h.point[0], h.point[1], edge(h.edge), h.rotation));
+        let [first, second] = c.sides(h).unwrap_or_default().map(super::vary::quoted);
+        let [x, y] = h.point;
+        row(&mut csv, format_args!("{x},{y},{},{},{first},{second}", edge(h.edge), h.rotation));
     }
     csv
 }

@@ -240,7 +240,7 @@ pub fn vary_table(study: &Study) -> String {
 }
 
 /// A cell as spreadsheets read it (RFC 4180).
-fn quoted(cell: &str) -> String {
+pub(super) fn quoted(cell: &str) -> String {
     match cell.contains(['"', ',', '\n', '\r']) {
         true => format!("\"{}\"", cell.replace('"', "\"\"")),
         false => cell.to_owned(),

@@ -108,6 +108,27 @@ fn results_come_as_drawings_too() {
     assert_eq!(code(&arch.0), "F108");
 }
 
+/// Blocks of a drawing belong to no ring: a hinge is named by the two blocks whose joint opens.
+#[test]
+fn hinges_between_drawn_blocks_are_named_by_their_blocks() {
+    let stage = stage("drawing-hinges");
+    let words = ["collapse", "bridge/bridge.toml", "--method", "limit", "--out", "out"];
+    let (answer, ending) = stage.object(&words);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    let hinges = answer["hinges"].as_array().expect("hinges");
+    assert!(!hinges.is_empty() && hinges.iter().all(|hinge| hinge["edge"] == "other"), "{answer}");
+    let page = stage.run(&words).stdout;
+    let table = stage.read("out/hinges.csv");
+    for hinge in hinges {
+        let side = |k: usize| hinge["between"][k].as_str().expect("a name");
+        assert!([side(0), side(1)].iter().any(|name| name.starts_with("RING ")), "{hinge}");
+        let place = format!("{:.2} (between {} and {})", number(hinge, "x_m"), side(0), side(1));
+        assert!(page.contains(&place), "{place} is not in\n{page}");
+        assert!(table.contains(&format!(",{},{}\n", side(0), side(1))), "{table}");
+    }
+    assert!(!page.contains("(other)"), "{page}");
+}
+
 #[test]
 fn every_conversion_keeps_the_blocks() {
     let stage = stage("drawing-convert");

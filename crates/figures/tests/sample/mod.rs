@@ -87,6 +87,7 @@ fn four_hinges(shapes: &[Shape], joints: &[Joint], at: [usize; 4]) -> (Vec<Motio
         .map(|k| Hinge {
             point: h[k],
             edge: if edges[k] == 0 { HingeAt::Intrados } else { HingeAt::Extrados },
+            between: [k, k + 1],
             rotation: turns[k] / largest,
         })
         .collect();
@@ -339,7 +340,7 @@ pub fn multi_span() -> Picture {
         let c = area_centre(&shapes[k].outline);
         mechanism[k] = Motion { translation: [0.05 * (c[1] + 4.0), 0.0], rotation: -0.05 };
     }
-    hinges.push(Hinge { point: [7.2, -4.0], edge: HingeAt::Other, rotation: 0.05 });
+    hinges.push(Hinge { point: [7.2, -4.0], edge: HingeAt::Other, between: [0, 1], rotation: 0.05 });
     let dimension = |measure, from, to| Dimension { measure, from, to };
     let mut dimensions: Vec<Dimension> =
         all_joints.iter().map(|j| dimension(Measure::Span, j[0][0], j[27][0])).collect();
