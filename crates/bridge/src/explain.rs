@@ -26,6 +26,40 @@ pub struct Card {
     pub source: &'static str,
 }
 
+impl Card {
+    /// What to write instead, as it is shown. A value that the file must get from its own bridge is an ellipsis before its unit: the
+    /// value of another bridge is no remedy. Numbers of the wrong lines stay, for there it is the writing that is wrong.
+    pub fn instead(&self) -> String {
+        let doubt = self.code.starts_with('P');
+        let leave_out = |number: &str| doubt || !self.wrong.replace(',', ".").contains(number);
+        let line = |line: &str| match line.split_once(" = ") {
+            // A constant of nature.
+            Some(("gravity", _)) => line.to_owned(),
+            Some((key, count)) if doubt && count.parse::<u32>().is_ok() => format!("{key} = …"),
+            Some(_) => masked(line, leave_out),
+            // A row of a list shows how lists are written.
+            None => line.to_owned(),
+        };
+        self.right.trim().lines().map(line).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The words above these lines.
+    pub fn instead_is(&self) -> &'static str {
+        if self.instead().contains('…') { "Instead, with this bridge's own value:" } else { "Instead:" }
+    }
+}
+
+/// A line with an ellipsis for the number of every quantity in quotes that is one to leave out.
+fn masked(line: &str, leave_out: impl Fn(&str) -> bool) -> String {
+    let piece = |(at, piece): (usize, &str)| match piece.split_once(' ') {
+        Some((number, unit)) if at % 2 == 1 && crate::quantity::parse(piece).is_ok() && leave_out(number) => {
+            format!("… {unit}")
+        }
+        _ => piece.to_owned(),
+    };
+    line.split('"').enumerate().map(piece).collect::<Vec<_>>().join("\"")
+}
+
 /// All cards, by subject.
 pub const CARDS: [&[Card]; 6] =
     [errors::CARDS, geometry::CARDS, passage::CARDS, update::CARDS, vary::CARDS, warnings::CARDS];
@@ -56,5 +90,19 @@ mod tests {
         }
         assert_eq!(explain(" b104").map(|card| card.code), Some("B104"));
         assert_eq!(explain("B999"), None);
+    }
+
+    #[test]
+    fn no_card_offers_the_value_of_another_bridge() {
+        let shown = |code: &str| explain(code).expect("a card").instead();
+        assert_eq!(shown("P003"), "compressive_strength = \"… MPa\"");
+        assert_eq!(shown("P026"), "voussoirs = …");
+        assert_eq!(shown("B401"), "[joint]\nnormal_stiffness = \"… GPa/m\"\nshear_stiffness = \"0.573 GPa/m\"");
+        assert_eq!(shown("B105"), "span = \"18.30 m\"", "the reader's own number, with a point");
+        for card in cards().filter(|card| card.code.starts_with('P') && !card.instead().starts_with("gravity")) {
+            let shown = card.instead();
+            let quantity = shown.split('"').find(|piece| crate::quantity::parse(piece).is_ok());
+            assert_eq!(quantity, None, "{}", card.code);
+        }
     }
 }

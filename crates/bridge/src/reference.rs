@@ -49,7 +49,9 @@ pub fn messages() -> String {
     );
     for card in cards() {
         line(&mut out, &format!("\n## {}: {}\n\n{} {}\n", card.code, card.title, card.meaning, card.why));
-        line(&mut out, &format!("```toml\n# wrong\n{}\n\n# right\n{}\n```\n", card.wrong.trim(), card.right.trim()));
+        let (wrong, right) = (card.wrong.trim(), card.instead());
+        let own = if right.contains('…') { ", with this bridge's own value" } else { "" };
+        line(&mut out, &format!("```toml\n# wrong\n{wrong}\n\n# right{own}\n{right}\n```\n"));
         line(&mut out, &format!("Source: {}.", card.source));
     }
     out

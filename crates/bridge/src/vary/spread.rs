@@ -142,7 +142,7 @@ fn absolute(quantity: &Quantity, own: Option<&(f64, Scale)>, written: &str) -> R
     let Some(factor) = value.as_str().and_then(factor).filter(|_| numeric) else { return Ok(literal(&value)) };
     let Some((number, scale)) = own else {
         let message = format!("\"{}\" is relative, but `{}` has no number", text_of(written), quantity.path);
-        return Err(of_values(message, "write the value itself, such as the example of its card"));
+        return Err(of_values(message, "write the value itself, as the file would"));
     };
     Ok(scale.literal(number * factor))
 }
@@ -165,12 +165,12 @@ fn range(field: &Field, ends: &[String; 2], points: u64, geometric: bool) -> Res
         let words = ends.iter().map(|end| text_of(end)).collect::<Vec<_>>().join("\" to \"");
         return Err(of_values(
             format!("\"{words}\" is no range of numbers"),
-            &format!("write from and to like {}", field.example),
+            &format!("write both ends as the file writes {}", field.form()),
         ));
     };
     let Some(to) = convert(to, &other, &scale) else {
         let message = format!("\"{}\" and \"{}\" measure different things", text_of(&ends[0]), text_of(&ends[1]));
-        return Err(of_values(message, &format!("write both like {}", field.example)));
+        return Err(of_values(message, &format!("write both as the file writes {}", field.form())));
     };
     if geometric && !(from * to > 0.0) {
         let message = format!("\"{}\" to \"{}\" has no equal ratios", text_of(&ends[0]), text_of(&ends[1]));

@@ -78,7 +78,7 @@ fn of_file(card: &bridge::explain::Card) -> String {
     let indented = |lines: &str| lines.lines().map(|line| format!("  {line}")).collect::<Vec<_>>().join("\n");
     let mut text = format!("{} {}\n\nRaised by:\n{}\n", card.meaning, card.why, indented(card.wrong));
     if !card.right.is_empty() {
-        let _ = write!(text, "\nInstead:\n{}\n", indented(card.right));
+        let _ = write!(text, "\n{}\n{}\n", card.instead_is(), indented(&card.instead()));
     }
     let _ = write!(text, "\nSource: {}", card.source);
     text
