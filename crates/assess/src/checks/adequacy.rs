@@ -23,7 +23,7 @@ impl Check for Adequacy {
     }
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = 1.0")?;
+        let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
         let facts = of(&a.ultimate)?;
         let value = match (facts.load_factor, facts.status.as_str()) {
             (Some(factor), _) => factor,

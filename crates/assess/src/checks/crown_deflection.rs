@@ -18,12 +18,13 @@ impl Check for CrownDeflection {
                    adds at rest; the analysis is not repeated with heavier axles. The sum is compared with deflection_limit of [assess]. \
                    Self-weight counts from the bare, stress-free bridge, which no record can show: read the columns of the report apart. Where the \
                    check is not met, look at the moduli first: a record of a train (extrados update) tells more than any table.",
-            source: "Table 7 of the railway paper, row 1: 1.25 mm",
+            source: "Table 7 of the railway paper, row 1, for the bridge of that paper",
         }
     }
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let limit = 1e3 * limit(a.asked.limits.deflection, "deflection_limit = \"1.25 mm\"")?;
+        let limit =
+            1e3 * limit(a.asked.limits.deflection, "deflection_limit = \"… mm\"", "from the rule that you assess by")?;
         let facts = of(&a.service)?;
         let mut list = Vec::new();
         for load in &facts.loads {

@@ -28,7 +28,8 @@ impl Check for StressRange {
     }
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let cycles = limit(a.asked.limits.load_cycles, "load_cycles = 1e7")?;
+        let cycles =
+            limit(a.asked.limits.load_cycles, "load_cycles = …", "from the traffic in the life that is asked for")?;
         let facts = of(&a.service)?;
         let strength = a.bridge.masonry.compressive_strength.ok_or_else(|| {
             NotMade::because("the masonry has no compressive strength: write compressive_strength in [masonry]")

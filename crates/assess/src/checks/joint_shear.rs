@@ -21,7 +21,11 @@ impl Check for JointShear {
     }
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let limit = limit(a.asked.limits.joint_shear, "joint_shear_limit = \"1 MPa\"")? / 1e6;
+        let limit = limit(
+            a.asked.limits.joint_shear,
+            "joint_shear_limit = \"… MPa\"",
+            "from tests of its joints or the rule that you assess by",
+        )? / 1e6;
         of_joints(
             a,
             |joint| joint.shear_augment,

@@ -131,9 +131,9 @@ fn of<T>(stage: &Stage<T>) -> Result<&T, NotMade> {
     stage.made().ok_or_else(not_made)
 }
 
-/// A limit of the file, or what to write.
-fn limit(given: Option<f64>, key: &str) -> Result<f64, NotMade> {
-    given.ok_or_else(|| NotMade::because(format!("the file gives no limit: write {key} in [assess]")))
+/// A limit of the file, or the form of what to write and where its value is found: never a value.
+fn limit(given: Option<f64>, form: &str, found: &str) -> Result<f64, NotMade> {
+    given.ok_or_else(|| NotMade::because(format!("the file gives no limit: write {form} in [assess], {found}")))
 }
 
 /// A finding for every load and every reading of the augment at the joints of the rings.

@@ -21,7 +21,12 @@ impl Check for SupportMovement {
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
         let limits = &a.asked.limits;
-        let expected = 1e3 * limit(limits.expected_movement, "expected_movement = \"20 mm\"")?;
+        let expected = 1e3
+            * limit(
+                limits.expected_movement,
+                "expected_movement = \"… mm\"",
+                "as measured or expected at the support",
+            )?;
         let facts = of(&a.movement)?;
         let stood = facts.last_stable_mm.ok_or_else(|| NotMade {
             why: format!("the analysis of the movement ended with {}", facts.status),

@@ -21,7 +21,8 @@ impl Check for PermissibleShare {
     }
 
     fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let limit = limit(a.asked.limits.permissible_share, "permissible_share = 0.5")?;
+        let limit =
+            limit(a.asked.limits.permissible_share, "permissible_share = …", "from the rule that you assess by")?;
         let facts = of(&a.ultimate)?;
         let factor = facts.load_factor.filter(|factor| *factor > 0.0).ok_or_else(|| NotMade {
             why: format!("limit analysis ended with {}", facts.status),

@@ -38,7 +38,7 @@ pub(super) fn columns(facts: &ServiceFacts, span: usize, own: f64, live: f64) ->
 fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
     let limits = &a.asked.limits;
     if limits.compression.is_none() && limits.tension.is_none() {
-        limit(None, "compression_limit and tension_limit")?;
+        limit(None, "compression_limit and tension_limit", "from the rule that you assess by")?;
     }
     let facts = of(&a.service)?;
     let mut list = Vec::new();

@@ -86,6 +86,27 @@ fn the_crown_has_the_columns_of_table_7() {
     assert!((found[1].utilisation - 0.58 / 1.25).abs() < 1e-9 && found[1].met());
 }
 
+/// A limit that is missing is asked for by the form of its line and a place to look for it: a value would be another bridge's.
+#[test]
+fn a_check_that_lacks_its_limit_offers_no_value() {
+    let mut a = assessment();
+    a.asked = Assess::default();
+    let asked: Vec<String> = CHECKS
+        .iter()
+        .filter_map(|check| check.run(&a).err())
+        .filter(|not_made| not_made.why.contains("the file gives no limit: write "))
+        .map(|not_made| not_made.why)
+        .collect();
+    assert!(asked.len() >= 8, "{asked:?}");
+    for why in &asked {
+        assert!(!why.contains(|letter: char| letter.is_ascii_digit()), "{why}");
+        assert!(
+            why.contains("in [assess], from the ") || why.contains("in [assess], as ") || why.contains("from tests"),
+            "{why}"
+        );
+    }
+}
+
 #[test]
 fn codes_are_unique_and_in_order_and_say_something() {
     let cards: Vec<Card> = cards().collect();
