@@ -75,6 +75,28 @@ fn assessment() -> Assessment {
     }
 }
 
+/// A vehicle that was moved over the bridge.
+fn vehicle(code: &str, adequacy: Option<f64>, status: &str) -> SweptFacts {
+    SweptFacts { code: code.into(), status: status.into(), adequacy, ..SweptFacts::default() }
+}
+
+/// A rule's factor on live loads and its model factor, each with how sure it is.
+fn safety(live_load: (f64, &str), model: (f64, &str)) -> SafetyFacts {
+    SafetyFacts {
+        rule: "own".into(),
+        live_load: live_load.0,
+        live_load_confidence: live_load.1.into(),
+        model: model.0,
+        model_confidence: model.1.into(),
+        ..SafetyFacts::default()
+    }
+}
+
+/// Vehicles under a rule with this safety.
+fn moved(vehicles: Vec<SweptFacts>, safety: SafetyFacts) -> Stage<VehicleFacts> {
+    Stage::Made(VehicleFacts { vehicles, safety, ..VehicleFacts::default() })
+}
+
 #[test]
 fn the_crown_has_the_columns_of_table_7() {
     let found = crown_deflection::CrownDeflection.run(&assessment()).unwrap();
@@ -157,21 +179,8 @@ fn a_rule_without_safety_passes_no_vehicle() {
     let mut a = assessment();
     a.asked.limits.adequacy_factor = None;
     let mut with = |adequacy: f64, live_load: f64, confidence: &str| {
-        let vehicle = SweptFacts {
-            code: "heavy".into(),
-            status: "collapsed".into(),
-            adequacy: Some(adequacy),
-            ..SweptFacts::default()
-        };
-        let safety = SafetyFacts {
-            rule: "own".into(),
-            live_load,
-            live_load_confidence: confidence.into(),
-            model: 1.0,
-            model_confidence: "read".into(),
-            ..SafetyFacts::default()
-        };
-        a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
+        let heavy = vehicle("heavy", Some(adequacy), "collapsed");
+        a.vehicles = moved(vec![heavy], safety((live_load, confidence), (1.0, "read")));
         let found = verdict(&a, &run(&a));
         (found.status, found.strength.assessed)
     };
@@ -188,20 +197,8 @@ fn a_model_factor_from_tests_counts_where_a_rule_has_none() {
     let mut a = assessment();
     a.asked.limits.adequacy_factor = None;
     let mut with = |adequacy: f64, model: f64, confidence: &str| {
-        let vehicle = SweptFacts {
-            code: "heavy".into(),
-            status: "collapsed".into(),
-            adequacy: Some(adequacy),
-            ..SweptFacts::default()
-        };
-        let safety = SafetyFacts {
-            live_load: 1.9,
-            live_load_confidence: "read".into(),
-            model,
-            model_confidence: confidence.into(),
-            ..SafetyFacts::default()
-        };
-        a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
+        let heavy = vehicle("heavy", Some(adequacy), "collapsed");
+        a.vehicles = moved(vec![heavy], safety((1.9, "read"), (model, confidence)));
         let found = verdict(&a, &run(&a));
         (found.status, found.strength.missing.join("; ").contains("4 tests to collapse"))
     };
@@ -225,15 +222,8 @@ fn a_model_factor_from_tests_counts_where_a_rule_has_none() {
 fn a_vehicle_left_open_leaves_the_verdict_open() {
     let mut a = assessment();
     let mut with = |other: f64| {
-        let vehicle = |code: &str, adequacy: Option<f64>, status: &str| SweptFacts {
-            code: code.into(),
-            status: status.into(),
-            adequacy,
-            ..SweptFacts::default()
-        };
         let vehicles = vec![vehicle("light", Some(other), "collapsed"), vehicle("heavy", None, "not-converged")];
-        let safety = SafetyFacts { live_load: 1.9, live_load_confidence: "read".into(), ..SafetyFacts::default() };
-        a.vehicles = Stage::Made(VehicleFacts { vehicles, safety, ..VehicleFacts::default() });
+        a.vehicles = moved(vehicles, safety((1.9, "read"), (0.0, "")));
         let found = verdict(&a, &run(&a));
         (found.status, found.finished)
     };
@@ -322,20 +312,15 @@ fn a_bridge_that_does_not_stand_settles_nothing_of_its_share() {
 /// The smaller of both methods counts, for the vehicle that was made by both.
 #[test]
 fn discrete_elements_count_where_they_carry_less() {
-    let vehicle = |code: &str, adequacy: f64| SweptFacts {
-        code: code.into(),
-        status: "collapsed".into(),
-        adequacy: Some(adequacy),
-        position_m: Some(3.0),
-        ..SweptFacts::default()
-    };
+    let at =
+        |code: &str, adequacy: f64| SweptFacts { position_m: Some(3.0), ..vehicle(code, Some(adequacy), "collapsed") };
     let mut a = assessment();
     let mut with = |by_dem: f64| {
         a.vehicles = Stage::Made(VehicleFacts {
-            vehicles: vec![vehicle("heavy", 1.1), vehicle("light", 2.0)],
+            vehicles: vec![at("heavy", 1.1), at("light", 2.0)],
             governing: Some("heavy".into()),
             adequacy_by_discrete_elements: Some(by_dem),
-            safety: SafetyFacts { live_load: 1.9, live_load_confidence: "read".into(), ..SafetyFacts::default() },
+            safety: safety((1.9, "read"), (0.0, "")),
             ..VehicleFacts::default()
         });
         let found = vehicles::Vehicles.run(&a).unwrap();
