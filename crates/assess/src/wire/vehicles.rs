@@ -143,6 +143,7 @@ struct ExtremeObject {
     of: &'static str,
     thrust_kn_per_m: f64,
     eccentricity_m: f64,
+    outside_section: bool,
     shear_kn_per_m: f64,
     case: CaseObject,
 }
@@ -275,6 +276,7 @@ fn extreme(e: &Extreme) -> ExtremeObject {
         of: e.of,
         thrust_kn_per_m: kilo(e.thrust),
         eccentricity_m: e.eccentricity,
+        outside_section: e.outside,
         shear_kn_per_m: kilo(e.shear),
         case: case(&e.case),
     }
@@ -369,7 +371,7 @@ pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
 /// Extremes at critical joints, each with the values and the position that go with it.
 pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
-        "vehicle,section,x_m,y_m,depth_m,extreme,thrust_kn_per_m,eccentricity_m,shear_kn_per_m,position_m,direction,first_axle,last_axle,\
+        "vehicle,section,x_m,y_m,depth_m,extreme,thrust_kn_per_m,eccentricity_m,outside_section,shear_kn_per_m,position_m,direction,first_axle,last_axle,\
          weight_masonry,weight_fill,weight_surfacing\n",
     );
     for v in &found.vehicles {
@@ -379,7 +381,7 @@ pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
                 row(
                     &mut csv,
                     format_args!(
-                        "{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                         v.code,
                         s.name,
                         s.at[0],
@@ -388,6 +390,7 @@ pub fn vehicle_sections_table(found: &VehicleSweep) -> String {
                         e.of,
                         kilo(e.thrust),
                         e.eccentricity,
+                        e.outside,
                         kilo(e.shear),
                         e.case.position,
                         e.case.direction.word(),

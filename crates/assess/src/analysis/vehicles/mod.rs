@@ -356,7 +356,8 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
             .into(),
         "Across the bridge vehicles stand where they load a metre of its width most: ".to_owned() + &limits::across(found),
         "Concurrent values at critical joints are those of elastic blocks whose joints open nowhere, under the vehicle with its factors."
-            .into(),
+            .to_owned()
+            + &sections::outside(found.vehicles.iter().flat_map(|v| &v.sections)),
     ];
     if found.vehicles.iter().any(|v| v.by_interior_point > 0) {
         found.assumptions.push(format!(

@@ -14,6 +14,8 @@ pub struct Extreme {
     pub thrust: f64,
     /// Distance of the thrust from the middle of the joint [m], outwards positive; on piers to the left.
     pub eccentricity: f64,
+    /// Whether that lies outside the joint: no ring without tension carries it so; joints open and hinges form.
+    pub outside: bool,
     /// Shear [N/m].
     pub shear: f64,
     /// The case.
@@ -88,6 +90,22 @@ fn named_joint(bridge: &Bridge, span: usize, ring: usize, word: &str) -> String 
     }
 }
 
+/// A thrust at the very edge of its joint lies in it.
+const ROUNDING: f64 = 1e-9;
+
+/// What is to be said of thrusts that lie outside their joints; nothing where none does.
+pub fn outside<'a>(envelopes: impl Iterator<Item = &'a SectionEnvelope>) -> String {
+    let all: Vec<&Extreme> = envelopes.flat_map(|envelope| &envelope.extremes).collect();
+    match all.iter().filter(|extreme| extreme.outside).count() {
+        0 => String::new(),
+        outside => format!(
+            " At {outside} of {} of these the thrust would lie outside its joint (outside_section in sections.csv): no ring without \
+             tension carries it so, joints open and hinges form.",
+            all.len()
+        ),
+    }
+}
+
 const OF: [&str; 5] = ["largest thrust", "smallest thrust", "outermost thrust", "innermost thrust", "largest shear"];
 
 /// The size by which extremes are compared, in the order of [`OF`].
@@ -138,10 +156,65 @@ impl<K: Clone> Extremes<K> {
             let told = OF.iter().zip(row).filter_map(|(of, kept)| {
                 let (_, s, key) = kept?;
                 let (thrust, eccentricity, shear) = (s.compression, s.eccentricity, s.shear);
-                Some(Extreme { of, thrust, eccentricity, shear, case: case(&key) })
+                let outside = eccentricity.abs() > 0.5 * w.depth * (1.0 + ROUNDING);
+                Some(Extreme { of, thrust, eccentricity, outside, shear, case: case(&key) })
             });
             SectionEnvelope { name: w.name.clone(), at: w.at, depth: w.depth, extremes: told.collect() }
         });
         each.collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{VehicleSweep, vehicle_sweep};
+    use crate::samples;
+    use crate::wire::vehicle_sections_table;
+    use bridge::{Directions, Method, Ring, Span, SweepPlan};
+    use mechanics::watch::Unwatched;
+
+    /// A span of 6 m with a ring of this thickness [m] under one vehicle.
+    fn swept(thickness: f64, vehicle: &str) -> VehicleSweep {
+        let mut b = samples::bridgemill();
+        b.cover.layers = vec![samples::fill(0.478, 1890.0)];
+        b.plan.method = Method::Limit;
+        let ring = Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs: 21 };
+        b.spans = vec![Span { span: 6.0, rise: 1.5, rings: vec![ring], ..b.spans[0].clone() }];
+        b.sweep = Some(SweepPlan {
+            rule: "characteristic".into(),
+            rule_file: None,
+            vehicles: vec![vehicle.to_owned()],
+            vehicle_files: Vec::new(),
+            step: Some(0.5),
+            directions: Directions::Both,
+            subsets: true,
+            own_dispersal: false,
+            discrete_elements: false,
+            texts: Vec::new(),
+        });
+        vehicle_sweep(&b, &mut Unwatched).unwrap()
+    }
+
+    /// An eccentricity beyond the joint is that of an elastic ring that takes tension: it says so where it stands, and once in words.
+    #[test]
+    fn a_thrust_outside_its_joint_is_told_at_its_value_and_in_words() {
+        let thin = swept(0.30, "hb-45");
+        let table = vehicle_sections_table(&thin);
+        let heads: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+        let column = |name: &str| heads.iter().position(|head| *head == name).unwrap();
+        let [depth, eccentricity, flag] = ["depth_m", "eccentricity_m", "outside_section"].map(column);
+        let mut told = [0, 0];
+        for line in table.lines().skip(1) {
+            let cells: Vec<&str> = line.split(',').collect();
+            let number = |at: usize| cells[at].parse::<f64>().unwrap();
+            let outside = number(eccentricity).abs() > 0.5 * number(depth) + 1e-6;
+            assert_eq!(cells[flag], if outside { "true" } else { "false" }, "{line}");
+            told[usize::from(outside)] += 1;
+        }
+        let words = format!("At {} of {} of these the thrust would lie outside its joint", told[1], told[0] + told[1]);
+        assert!(told[0] > 0 && told[1] > 0 && thin.assumptions.iter().any(|line| line.contains(&words)), "{words}");
+        let thick = swept(0.90, "cs454-single");
+        assert!(thick.vehicles[0].sections.iter().flat_map(|s| &s.extremes).all(|e| !e.outside));
+        assert!(!thick.assumptions.iter().any(|line| line.contains("outside its joint")));
     }
 }
