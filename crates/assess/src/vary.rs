@@ -29,10 +29,20 @@ pub struct Analysis {
     pub run: fn(&Bridge, &mut dyn Watch) -> Result<Outcome, AnalysisError>,
 }
 
-/// The load, the thickness or the support movement that makes a mechanism, as the plan says.
+/// The load that is carried: the headline of `extrados collapse`.
+pub const CARRIED: &str = "headline_kn_per_m";
+
+/// The load, the thickness or the support movement that makes a mechanism, as the plan says; what is carried leads.
 pub const COLLAPSE: Analysis = Analysis {
     name: "collapse",
-    leading: &["minimum_thickness_m", "collapse_movement_m", "collapse_load_kn_per_m", "last_stable_load_kn_per_m"],
+    leading: &[
+        "minimum_thickness_m",
+        "last_stable_movement_m",
+        "collapse_movement_m",
+        CARRIED,
+        "last_stable_load_kn_per_m",
+        "collapse_load_kn_per_m",
+    ],
     brackets: &[
         ["collapse_load_kn_per_m", "last_stable_load_kn_per_m"],
         ["collapse_movement_m", "last_stable_movement_m"],
@@ -164,7 +174,9 @@ impl Study {
 
 /// How sharp a number of the file's own bridge is: the bracket that it is an end of, zero where it is none.
 pub fn resolution(analysis: &Analysis, study: &Study) -> f64 {
-    let pair = analysis.brackets.iter().find(|pair| pair.contains(&study.outcome.as_str()));
+    // What is carried is the last stable load, or a limit load below it, which is no coarser.
+    let outcome = if study.outcome == CARRIED { "last_stable_load_kn_per_m" } else { study.outcome.as_str() };
+    let pair = analysis.brackets.iter().find(|pair| pair.contains(&outcome));
     let ends = pair.zip(study.baseline()).map(|(pair, own)| pair.map(|name| own.outcome.number(name)));
     match ends {
         Some([Some(a), Some(b)]) => (a - b).abs(),

@@ -50,6 +50,9 @@ const UNITS: [(&str, &str); 7] =
 
 /// A number's name as people say it, and its unit: `collapse_load_kn_per_m` is the collapse load in kN/m.
 pub fn name_and_unit(name: &str) -> (String, &'static str) {
+    if name == assess::vary::CARRIED {
+        return ("load carried".to_owned(), "kN/m");
+    }
     let found = UNITS.iter().find_map(|(ending, unit)| Some((name.strip_suffix(ending)?, *unit)));
     let (words, unit) = found.unwrap_or((name, ""));
     (words.replace('_', " "), unit)
@@ -87,6 +90,7 @@ mod tests {
     #[test]
     fn names_say_their_unit() {
         assert_eq!(name_and_unit("collapse_load_kn_per_m"), ("collapse load".to_owned(), "kN/m"));
+        assert_eq!(name_and_unit(assess::vary::CARRIED), ("load carried".to_owned(), "kN/m"));
         assert_eq!(name_and_unit("minimum_thickness_m"), ("minimum thickness".to_owned(), "m"));
         assert_eq!(name_and_unit("hinges"), ("hinges".to_owned(), ""));
         assert_eq!(file_name("span[1].ring[2].thickness"), "span-1-ring-2-thickness");

@@ -106,6 +106,10 @@ fn the_leading_number_is_one_that_there_is() {
         ..Outcome::default()
     };
     let (load, stable) = (with(&["collapse_load_kn_per_m"]), with(&["last_stable_load_kn_per_m"]));
+    let all = with(&["collapse_load_kn_per_m", "last_stable_load_kn_per_m", CARRIED]);
+    assert_eq!(leading(&COLLAPSE, &[&all]), Some(CARRIED), "what is carried stands before what is not");
+    let moved = with(&["collapse_movement_m", "last_stable_movement_m"]);
+    assert_eq!(leading(&COLLAPSE, &[&moved]), Some("last_stable_movement_m"));
     assert_eq!(leading(&COLLAPSE, &[&load, &stable]), Some("collapse_load_kn_per_m"));
     assert_eq!(leading(&COLLAPSE, &[&stable, &load]), Some("last_stable_load_kn_per_m"));
     assert_eq!(leading(&COLLAPSE, &[&with(&[]), &load]), Some("collapse_load_kn_per_m"));
