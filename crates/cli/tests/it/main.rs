@@ -17,6 +17,7 @@ mod library;
 mod messages;
 mod misuse;
 mod particles;
+mod pressure;
 mod records;
 mod respond;
 mod rings;
