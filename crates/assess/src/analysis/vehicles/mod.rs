@@ -15,6 +15,8 @@ mod sections;
 mod standing;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod thinned;
 mod told;
 mod weights;
 
