@@ -11,8 +11,8 @@ pub struct Purpose {
     pub of: PathBuf,
     /// Every file that it reads.
     inputs: Vec<PathBuf>,
-    /// Stems of the files that it may write; `*` at the end stands for anything.
-    stems: &'static [&'static str],
+    /// Stems of the files that it may write, in lists; `*` at the end stands for anything.
+    stems: [&'static [&'static str]; 2],
 }
 
 /// Endings of files of results.
@@ -21,7 +21,8 @@ const ENDINGS: [&str; 9] = ["json", "csv", "svg", "png", "dxf", "vtu", "pvd", "h
 /// Folders below the folder of results whose files are all results.
 pub const BELOW: [&str; 3] = ["paraview", "wall", "wall/paraview"];
 
-const COLLAPSE: &[&str] = &[
+/// What both a collapse and a sweep draw of the mechanism.
+const DRAWN: &[&str] = &[
     "result",
     "bridge",
     "mechanism",
@@ -34,34 +35,10 @@ const COLLAPSE: &[&str] = &[
     "displacement",
     "fill-stress",
     "animation",
-    "model",
-    "deformed",
-    "path",
-    "hinges",
-    "blocks",
-    "contacts",
-    "particles",
-    "particle-contacts",
 ];
-const SWEEP: &[&str] = &[
-    "result",
-    "bridge",
-    "mechanism",
-    "thrust-line",
-    "stress",
-    "load-displacement",
-    "collapse",
-    "packing",
-    "force-chains",
-    "displacement",
-    "fill-stress",
-    "animation",
-    "envelope",
-    "adequacy",
-    "sweep",
-    "vehicles",
-    "sections",
-];
+const COLLAPSE: &[&str] =
+    &["model", "deformed", "path", "hinges", "blocks", "contacts", "particles", "particle-contacts"];
+const SWEEP: &[&str] = &["envelope", "adequacy", "sweep", "vehicles", "sections"];
 const RESPOND: &[&str] =
     &["result", "records", "influence-lines", "moment-*", "influence", "channels", "log", "joints", "thrust-lines"];
 const UPDATE: &[&str] = &[
@@ -85,15 +62,15 @@ impl Purpose {
     /// A run of this kind on a file, which reads these files too. The kind begins with the command.
     pub fn new(kind: &str, file: &Path, inputs: &[PathBuf]) -> Purpose {
         let stems = match kind.split('-').next().unwrap_or_default() {
-            "collapse" => COLLAPSE,
-            "sweep" => SWEEP,
-            "respond" => RESPOND,
-            "update" => UPDATE,
-            "vary" => VARY,
-            "assess" => ASSESS,
-            "fleet" => FLEET,
-            "calibrate" => CALIBRATE,
-            _ => CHECK,
+            "collapse" => [DRAWN, COLLAPSE],
+            "sweep" => [DRAWN, SWEEP],
+            "respond" => [RESPOND, &[]],
+            "update" => [UPDATE, &[]],
+            "vary" => [VARY, &[]],
+            "assess" => [ASSESS, &[]],
+            "fleet" => [FLEET, &[]],
+            "calibrate" => [CALIBRATE, &[]],
+            _ => [CHECK, &[]],
         };
         let mut all: Vec<PathBuf> = inputs.iter().filter_map(|input| input.canonicalize().ok()).collect();
         let of = file.canonicalize().unwrap_or_else(|_| file.to_owned());
@@ -107,7 +84,8 @@ impl Purpose {
         let name = name.to_lowercase();
         let Some((stem, ending)) = name.rsplit_once('.') else { return false };
         let fits = |known: &str| known.strip_suffix('*').map_or(stem == known, |start| stem.starts_with(start));
-        ENDINGS.contains(&ending) && (stem.contains('/') || self.stems.iter().any(|known| fits(known)))
+        ENDINGS.contains(&ending)
+            && (stem.contains('/') || self.stems.iter().copied().flatten().any(|known| fits(known)))
     }
 
     /// Whether a file is one that the run reads.
@@ -131,6 +109,10 @@ mod tests {
         let may = |names: &[&str]| names.iter().map(|name| purpose.may_write(name)).collect::<Vec<_>>();
         assert_eq!(may(&["model.dxf", "Model.DXF", "result.json", "paraview/a.vtu"]), [true; 4]);
         assert_eq!(may(&["survey.dxf", "model.txt", "channels.csv", "model"]), [false; 4]);
+        // A sweep draws the mechanism of its governing case, and writes no load steps.
+        let sweep = Purpose::new("sweep-vehicles", Path::new("b.toml"), &[]);
+        let may = ["mechanism.svg", "sections.csv", "path.csv", "model.dxf"].map(|name| sweep.may_write(name));
+        assert_eq!(may, [true, true, false, false]);
         assert!(Purpose::new("respond", Path::new("b.toml"), &[]).may_write("moment-3-ring.svg"));
     }
 }
