@@ -216,13 +216,13 @@ cards! {
     /// Samples left out of the strength.
     NOT_SHEARED = "A165", "sheared samples were left out",
         "A sample counts only if it rested under every confining pressure and gave way under each. The message says how many did not.";
-    /// No end of the iteration without dilation; a proven lower load in its place.
+    /// No end of the iteration without dilation; a lower load in its place.
     WITHOUT_FRICTION = "A170", "a lower load without friction where joints slide",
         "Joints slide in the mechanism, and the iteration that finds the load without dilation came to no end. The associated load \
          is an upper bound that real joints need not reach, and it never takes the place of the answer. What is reported as carried is the \
-         load of the same blocks without friction and cohesion in the joints that slide: no mechanism in which only these slide \
-         can form below it (Radenkovic 1961, second theorem). It is often far below the true load. The status stays not-converged: \
-         use discrete elements for a closer answer.";
+         load of the same blocks without friction and cohesion in the joints that slide. It is proven for some mechanisms only: none in \
+         which no other joint slides can form below it (Radenkovic 1961, second theorem), and one in which others slide is not excluded. \
+         It is often far below the true load. The status stays not-converged: use discrete elements for a closer answer.";
     /// Positions without an answer.
     POSITIONS_NOT_CONVERGED = "A175", "positions of a sweep were not answered",
         "At the positions that the message counts, limit analysis found no answer that it can vouch for: the iteration for friction \

@@ -37,7 +37,7 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
                 ),
             ));
         }
-        ("associated", _) => assumptions.push("Friction is associated; no joint slides in the mechanism, so the rule does not matter.".into()),
+        ("associated", _) => assumptions.push("Friction is associated; no joint slides in the mechanism, which forms without dilation as well.".into()),
         (_, Some(load)) => assumptions.push(format!(
             "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
             load / 1e3
@@ -49,7 +49,8 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         warnings.push(Warning::new(
             warning::WITHOUT_FRICTION,
             format!(
-                "{:.2} kN/m are carried without friction in the joints that slide; no load without dilation was found",
+                "no load without dilation was found; {:.2} kN/m are carried without friction in the joints that slide. No mechanism in \
+                 which only these slide forms below that load; one in which others slide is not excluded",
                 carried / 1e3
             ),
         ));

@@ -1,6 +1,8 @@
 //! Rings that lie on one another: their load hangs on no coincidence of their joints.
 
 use crate::stage::{Stage, number};
+use std::fs;
+use std::path::Path;
 
 /// The example of two rings, coarser, and with the friction asked for.
 fn rings(stage: &Stage, friction: &str) -> String {
@@ -35,4 +37,32 @@ fn aligned_ring_joints_do_not_lock() {
         assert!((rounded("0.000001 mm") / aligned - 1.0).abs() < 1e-4, "{friction}");
         assert!((rounded("0.1 mm") / aligned - 1.0).abs() < 1e-2, "{friction}");
     }
+}
+
+/// A laboratory arch of three half-brick rings, for which the iteration without dilation finds no end where the rings are rough.
+#[test]
+fn without_a_level_end_the_lower_answer_has_its_name() {
+    let stage = Stage::new("rings-lower");
+    let case = "../../verification/rings/laboratory-3-m-3-rings/case.toml";
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let case = fs::read_to_string(root.join(case)).expect("the case");
+    let text = fs::read_to_string(root.join("../../verification/rings/laboratory.toml")).expect("its input");
+    let (before, after) = text.split_once("[[span.ring]]").expect("rings");
+    let after = &after[after.find("[masonry]").expect("masonry")..];
+    let line = case.lines().find_map(|line| line.strip_prefix("\"span.0.ring\" = ")).expect("rings of the case");
+    let text = format!("{before}ring = {line}\n\n{after}");
+    stage.write("rough.toml", &text);
+    stage.write("smoother.toml", &text.replace("45 deg", "35 deg"));
+    let (rough, _) = stage.object(&["collapse", "rough.toml"]);
+    assert_eq!(rough["status"], "not-converged", "the iteration ends here now: take another arch");
+    assert!(rough["collapse_load_kn_per_m"].is_null());
+    let lower = number(&rough, "lower_bound_kn_per_m");
+    let smoother = number(&stage.object(&["collapse", "smoother.toml"]).0, "collapse_load_kn_per_m");
+    assert!(
+        0.0 < lower && lower < smoother && smoother < number(&rough, "associated_load_kn_per_m"),
+        "{lower} {smoother}"
+    );
+    let warnings = rough["warnings"].as_array().expect("warnings");
+    let named = warnings.iter().find(|w| w["code"] == "A170").expect("A170")["message"].as_str().expect("a message");
+    assert!(named.contains(&format!("{lower:.2} kN/m")) && named.contains("not excluded"), "{named}");
 }

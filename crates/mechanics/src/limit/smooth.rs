@@ -12,7 +12,7 @@
 //! `g = 0` and `f >= 0`, sliding joints `f = 0` and `g` against the motion: no term is positive, so `a <= b`.
 //!
 //! What it bounds are mechanisms in which no other joint slides. Joints that slide in the mechanism found lose their
-//! friction too, until none does.
+//! friction too, until none does; a mechanism in which yet others slide is not excluded.
 
 use super::bounds;
 use super::collapse::largest_factor;
