@@ -121,8 +121,10 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     Ok(Some(Ultimate { facts, collapse, sweep: Some(sweep) }))
 }
 
+/// The load factor of a collapse. What is carried where no load was found bounds nothing from above, and is none.
 fn factor(found: &Collapse) -> Option<f64> {
-    found.carried().map(|load| load / found.reference_load)
+    let answered = found.status == Status::Collapsed;
+    found.carried().filter(|_| answered).map(|load| load / found.reference_load)
 }
 
 /// The loads moved by an offset [m], with only a run of their axles.
@@ -176,4 +178,17 @@ pub fn movement_facts(bridge: &Bridge, found: &Collapse) -> MovementFacts {
 /// The object of `extrados collapse`.
 fn object(found: &Collapse) -> Value {
     serde_json::to_value(CollapseObject::new(found, &Run::default())).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_carried_without_an_answer_is_no_load_factor() {
+        let mut found = analysis::collapse_by_limit(&crate::samples::bridgemill()).unwrap();
+        assert!(factor(&found).is_some());
+        found.status = Status::NotConverged;
+        assert!(found.carried().is_some() && factor(&found).is_none());
+    }
 }

@@ -171,7 +171,9 @@ impl Swept {
     /// Takes the result of the governing case by itself: where it carries less, the smaller factor counts, and where it
     /// found none, nothing is settled.
     fn governed_by(&mut self, run: &Collapse, capacity: f64) {
-        let by_itself = run.carried().map(|load| load / run.reference_load * capacity);
+        // What is carried where no load was found bounds nothing from above.
+        let answered = run.status == Status::Collapsed;
+        let by_itself = run.carried().filter(|_| answered).map(|load| load / run.reference_load * capacity);
         match by_itself {
             Some(factor) => {
                 let smaller = |found: f64| if factor < found * (1.0 - SAME) { factor } else { found };

@@ -435,6 +435,21 @@ fn sliding_without_dilation_counts() {
     assert!((v.adequacy.unwrap() / level - 1.0).abs() < 1e-9);
 }
 
+/// What the governing case carries where no load was found for it is below its load: no adequacy factor, and no bound from above.
+#[test]
+fn a_governing_case_without_an_answer_leaves_a_bound_from_above() {
+    let found = swept(&bridgemill(&["cs454-single"]));
+    let mut v = found.vehicles[0].clone();
+    let mut run = *found.collapse.unwrap();
+    let adequacy = v.adequacy.unwrap();
+    run.status = Status::NotConverged;
+    run.last_stable_load = run.last_stable_load.map(|load| 0.5 * load);
+    for _ in 0..2 {
+        v.governed_by(&run, 1.0);
+        assert_eq!((v.status, v.adequacy, v.adequacy_at_most), (Status::NotConverged, None, Some(adequacy)));
+    }
+}
+
 /// What discrete elements lack of limit analysis with crushing is what their joints give: it falls with the stiffness, and
 /// carried on to rigid joints nothing is left but what one inset for all hinges costs, 3 %.
 #[test]
