@@ -22,15 +22,21 @@ pub(super) fn lower(equilibrium: &Equilibrium, forces: &[f64]) -> Bound {
     Bound { factor, violation }
 }
 
-/// Largest force by which a joint exceeds its strength, scaled.
+/// Largest force by which a joint exceeds its strength, or an answer to movement its bounds, scaled.
 pub(super) fn yield_violation(
     equilibrium: &Equilibrium,
     joints: &[Joint],
     strengths: &[Strength],
     forces: &[f64],
 ) -> f64 {
+    let answers = equilibrium.restraints.iter().map(|r| (-forces[r.column]).max(forces[r.column] - r.most));
+    answers.fold((-room(equilibrium, joints, strengths, forces)).max(0.0), f64::max)
+}
+
+/// The least force that is left to any limit of any joint, scaled; negative where one is exceeded.
+pub(super) fn room(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength], forces: &[f64]) -> f64 {
     let unit = equilibrium.force;
-    let mut worst = 0.0f64;
+    let mut room = f64::INFINITY;
     for ((joint, strength), &c) in joints.iter().zip(strengths).zip(&equilibrium.first_column) {
         let n = joint.points.len();
         let tension = strength.tension / unit;
@@ -38,22 +44,31 @@ pub(super) fn yield_violation(
         let curvature = strength.curvature(n) * unit;
         let least = curvature * (total + n as f64 * tension).powi(2);
         for k in 0..n {
-            worst = worst.max(least - tension - forces[c + k]);
+            room = room.min(forces[c + k] - (least - tension));
         }
         if strength.friction.is_finite() {
-            worst = worst.max(forces[c + n].abs() - strength.friction * total - strength.cohesion / unit);
+            room = room.min(strength.friction * total + strength.cohesion / unit - forces[c + n].abs());
         }
     }
-    for r in &equilibrium.restraints {
-        worst = worst.max(-forces[r.column]).max(forces[r.column] - r.most);
-    }
-    worst
+    room
 }
 
 /// The work equation: `factor p . u = -w . u + dissipation`, with the largest dissipation that each joint's strength
 /// allows for the way it moves (associated flow). `violation` is the largest velocity that would dissipate without
 /// bound.
 pub(super) fn upper(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength], velocities: &[f64]) -> Bound {
+    let work = resistance(equilibrium, joints, strengths, velocities);
+    let variable: f64 = equilibrium.variable.iter().zip(velocities).map(|(p, u)| p * u).sum();
+    Bound { factor: work.factor / variable, ..work }
+}
+
+/// What a motion needs of variable loads: what it dissipates less the work of the permanent loads, and the violation, as in [`upper`].
+pub(super) fn resistance(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    velocities: &[f64],
+) -> Bound {
     let dot = |a: &[f64]| a.iter().zip(velocities).map(|(x, y)| x * y).sum::<f64>();
     let deformations = equilibrium.deformations(velocities);
     let (mut work, mut violation) = (-dot(&equilibrium.permanent), 0.0f64);
@@ -66,7 +81,7 @@ pub(super) fn upper(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
     for r in &equilibrium.restraints {
         work += r.most * (-deformations[r.column]).max(0.0);
     }
-    Bound { factor: work / dot(&equilibrium.variable), violation }
+    Bound { factor: work, violation }
 }
 
 /// Largest dissipation of a joint that opens and slides as given (openings of its points, then sliding), and the

@@ -8,10 +8,12 @@ use super::mechanism::mechanism;
 use super::nonassociated::settle;
 use super::outcome::{JointForces, Outcome, PointForces, Resultant, Status};
 use super::program::{Ending, Program, Role, Solution};
+use super::proven::{Roomy, proven, roomy};
 use super::settings::{Friction, Settings};
 use super::smooth::smooth;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
+use std::sync::OnceLock;
 
 /// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
 pub(super) const TOLERANCE: f64 = 1e-9;
@@ -78,6 +80,8 @@ pub(super) struct Carried {
     /// `None` when the program was not solved.
     carried: Option<bool>,
     solution: Solution,
+    /// A state with room to every limit, once it is asked for.
+    roomy: OnceLock<Option<Roomy>>,
 }
 
 impl Carried {
@@ -97,11 +101,11 @@ pub(super) fn carried(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[
     if let Some(forces) = elastic_state(equilibrium, joints, strengths) {
         let velocities = vec![0.0; equilibrium.rows];
         let solution = Solution { ending: Ending::Solved, forces, factor: 1.0, velocities, iterations: 0 };
-        return Carried { carried: Some(true), solution };
+        return Carried { carried: Some(true), solution, roomy: OnceLock::new() };
     }
     let solution = share_carried(equilibrium, joints, strengths);
     let carried = (solution.ending == Ending::Solved).then_some(solution.factor >= 1.0 - 1e-6);
-    Carried { carried, solution }
+    Carried { carried, solution, roomy: OnceLock::new() }
 }
 
 /// Maximises the load factor, and asks what is wrong where there is no largest one.
@@ -135,6 +139,12 @@ pub(super) fn largest_factor_of_carried(
     let solution = program.solve(TOLERANCE);
     let iterations = solution.iterations;
     if solution.ending == Ending::Solved && stands.carried == Some(true) {
+        return Found { status: Status::Solved, solution, iterations };
+    }
+    if stands.carried == Some(true)
+        && let Some(roomy) = stands.roomy.get_or_init(|| roomy(equilibrium, joints, strengths))
+        && let Some(solution) = proven(equilibrium, joints, strengths, roomy, &solution)
+    {
         return Found { status: Status::Solved, solution, iterations };
     }
     let locked = locks(equilibrium, joints, strengths);

@@ -25,6 +25,7 @@ mod mechanism;
 mod nonassociated;
 mod outcome;
 mod program;
+mod proven;
 mod reduced;
 mod settings;
 mod simplex;
