@@ -24,6 +24,8 @@ const KEPT: usize = 48;
 /// Tangents beyond the rows that every load has; with more, those of no kept mechanism are dropped. The search looks at every
 /// row, and without a bound a sweep of joints that crush gathers tens of thousands.
 const TANGENTS: usize = 300;
+/// Largest velocity against the flow rule, relative to the fastest, with which a motion bounds other loads.
+const FLOWS: f64 = 1e-6;
 
 /// A load factor and how sure it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +50,16 @@ impl Ground<'_> {
         // Also where the fast method has nothing to work on: what joints carry is told all the same.
         let elastic = Elastic::new(&self.equilibrium, &self.joints, &self.resistances);
         let reduced = self.reduced.as_ref().filter(|_| elastic.is_some()).cloned();
-        Sweeper { ground: self, elastic, reduced, kept: Vec::new(), next: 0 }
+        Sweeper {
+            ground: self,
+            elastic,
+            reduced,
+            kept: Vec::new(),
+            next: 0,
+            given: Vec::new(),
+            moved: Vec::new(),
+            oldest: 0,
+        }
     }
 }
 
@@ -57,6 +68,23 @@ struct Kept {
     mechanism: Vec<(usize, f64)>,
     members: Vec<Member>,
 }
+
+/// A motion that the interior-point method found, and what it needs of a load.
+struct Moved {
+    velocities: Vec<f64>,
+    resistance: f64,
+}
+
+impl Moved {
+    /// Upper bound of a load's factor; infinite where the load does not drive the motion.
+    fn bound(&self, load: &[f64], least: f64) -> f64 {
+        let work: f64 = load.iter().zip(&self.velocities).map(|(p, u)| p * u).sum();
+        if work > least { self.resistance / work } else { f64::INFINITY }
+    }
+}
+
+/// Share of a load's size, times the fastest velocity of a motion, that the load must do in work to be bounded by it.
+const DRIVES: f64 = 1e-9;
 
 /// How far the fast method came with a load.
 enum Reached {
@@ -76,6 +104,11 @@ pub struct Sweeper<'a> {
     /// Mechanisms: rows with their multipliers, and the basis.
     kept: Vec<Kept>,
     next: usize,
+    /// Motions that were given at the beginning.
+    given: Vec<Moved>,
+    /// Motions of loads that the interior-point method answered.
+    moved: Vec<Moved>,
+    oldest: usize,
 }
 
 impl Sweeper<'_> {
@@ -137,6 +170,7 @@ impl Sweeper<'_> {
                         .factor
                         * scale
                 });
+                self.learn(&found.solution.velocities);
                 Factor {
                     status: found.status,
                     lower: solved.then_some(found.solution.factor * scale),
@@ -149,11 +183,66 @@ impl Sweeper<'_> {
         }
     }
 
+    /// Upper bound of a load's factor by the mechanisms of loads that were answered before; infinite where none bounds it.
+    pub fn at_most(&self, effect: &Effect) -> f64 {
+        let least = DRIVES * sum_of_sizes(&effect.load);
+        let moved = self.given.iter().chain(&self.moved).map(|moved| moved.bound(&effect.load, least));
+        moved.fold(self.least_kept(effect).map_or(f64::INFINITY, |kept| kept.0), f64::min)
+    }
+
+    /// The same by the motion that was learnt last.
+    pub fn at_most_by_newest(&self, effect: &Effect) -> f64 {
+        let least = DRIVES * sum_of_sizes(&effect.load);
+        self.newest().map_or(f64::INFINITY, |moved| moved.bound(&effect.load, least))
+    }
+
+    /// The scaled velocities that were learnt last.
+    pub fn newest_motion(&self) -> Option<&[f64]> {
+        self.newest().map(|moved| &moved.velocities[..])
+    }
+
+    fn newest(&self) -> Option<&Moved> {
+        let newest = (self.oldest + self.moved.len()).checked_sub(1)?;
+        self.moved.get(newest % KEPT)
+    }
+
+    /// Learns scaled velocities of the same blocks, also those found under other weights, to bound loads by.
+    pub fn learn(&mut self, velocities: &[f64]) {
+        let Some(moved) = self.moved_as(velocities) else { return };
+        if self.moved.len() < KEPT {
+            self.moved.push(moved);
+        } else {
+            self.moved[self.oldest] = moved;
+            self.oldest = (self.oldest + 1) % KEPT;
+        }
+    }
+
+    /// Takes scaled velocities that are never given up for newer ones.
+    pub fn take(&mut self, all: &[Vec<f64>]) {
+        let taken: Vec<Moved> = all.iter().filter_map(|velocities| self.moved_as(velocities)).collect();
+        self.given.extend(taken);
+    }
+
+    /// A motion and what it needs; none where joints do what they may not, or where nothing moves.
+    fn moved_as(&self, velocities: &[f64]) -> Option<Moved> {
+        let ground = self.ground;
+        let fastest = velocities.iter().fold(0.0f64, |most, u| most.max(u.abs()));
+        let velocities: Vec<f64> = velocities.iter().map(|u| u / fastest).collect();
+        let needs = bounds::resistance(&ground.equilibrium, &ground.joints, &ground.strengths, &velocities);
+        let bounds = fastest > 0.0 && needs.violation <= FLOWS && needs.factor.is_finite();
+        bounds.then_some(Moved { velocities, resistance: needs.factor })
+    }
+
     /// Forces, resultants and mechanism at that factor.
     pub fn outcome(&mut self, effect: &Effect) -> Outcome {
         let ground = self.ground;
         let (equilibrium, found) = self.found(effect);
         report(ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
+    }
+
+    /// Scaled velocities of the mechanism at that factor.
+    pub fn motion(&mut self, effect: &Effect) -> Vec<f64> {
+        self.found(effect).1.solution.velocities
     }
 
     /// The factor without dilation, where the iteration for it settles.
@@ -227,8 +316,13 @@ impl Sweeper<'_> {
         None
     }
 
-    /// The kept mechanism that gives the load the least upper bound.
+    /// The members of the kept mechanism that gives the load the least upper bound.
     fn best_kept(&self, effect: &Effect) -> Option<Vec<Member>> {
+        self.least_kept(effect).map(|(_, index)| self.kept[index].members.clone())
+    }
+
+    /// The least upper bound of the load by a kept mechanism, and which it is.
+    fn least_kept(&self, effect: &Effect) -> Option<(f64, usize)> {
         let reduced = self.reduced.as_ref()?;
         let (mut least, mut best) = (f64::INFINITY, None);
         for (index, Kept { mechanism, .. }) in self.kept.iter().enumerate() {
@@ -238,7 +332,7 @@ impl Sweeper<'_> {
                 (least, best) = (resistance / work, Some(index));
             }
         }
-        best.map(|index| self.kept[index].members.clone())
+        best.map(|index| (least, index))
     }
 
     fn keep(&mut self, corner: &Corner) {

@@ -3,7 +3,7 @@
 use crate::limit_models::Ring;
 use mechanics::blocks::{BlockModel, Held, Loading, PointForce, Restraint};
 use mechanics::ids::{BlockId, Id};
-use mechanics::limit::{Friction, Ground, Settings, Status, collapse_load};
+use mechanics::limit::{Effect, Friction, Ground, Settings, Status, collapse_load};
 use mechanics::plane::{Polygon, Vec2, vec2};
 
 fn bridgemill() -> (Ring, BlockModel, Loading) {
@@ -363,4 +363,36 @@ fn sections_are_those_of_an_elastic_arch() {
     assert!((crown.compression / thrust - 1.0).abs() < 5e-3, "{} {thrust}", crown.compression);
     let lever = (moment / thrust).abs();
     assert!((crown.eccentricity.abs() - lever).abs() < 0.02 * ring.thickness, "{} {lever}", crown.eccentricity);
+}
+
+/// A motion that one load found bounds every other load from above, also under other weights, and its own exactly.
+#[test]
+fn motions_bound_other_loads_from_above() {
+    let (ring, model, loading) = bridgemill();
+    let settings = Settings { friction: Friction::Associated, ..Settings::default() };
+    let ground = Ground::new(&model, &loading, &settings).unwrap();
+    let mut heavier = model.clone();
+    heavier.gravity = vec2(0.0, -1.2 * 9.81);
+    let other = Ground::new(&heavier, &loading, &settings).unwrap();
+    let (mut sweeper, mut under) = (ground.sweeper(), other.sweeper());
+    let places = places(&ring);
+    let effects: Vec<Effect> = places.iter().map(|load| sweeper.effect(load)).collect();
+    assert!(effects.iter().all(|effect| under.at_most(&other.taken(effect, &ground)) == f64::INFINITY));
+    let chosen = places.len() / 4;
+    let motion = sweeper.motion(&effects[chosen]);
+    sweeper.learn(&motion);
+    under.learn(&motion);
+    let mut bounded = 0;
+    for (k, effect) in effects.iter().enumerate() {
+        let taken = other.taken(effect, &ground);
+        let (bound, above) = (sweeper.at_most_by_newest(effect), under.at_most_by_newest(&taken));
+        let (exact, heavy) = (sweeper.factor(effect), under.factor(&taken));
+        bounded += usize::from(bound.is_finite());
+        assert!(exact.lower.is_none_or(|factor| bound >= factor * (1.0 - 1e-9)), "{k}: {bound} {exact:?}");
+        assert!(heavy.lower.is_none_or(|factor| above >= factor * (1.0 - 1e-9)), "{k}: {above} {heavy:?}");
+        if k == chosen {
+            assert!((bound / exact.lower.unwrap() - 1.0).abs() < 1e-6, "{bound} {exact:?}");
+        }
+    }
+    assert!(bounded > places.len() / 4);
 }
