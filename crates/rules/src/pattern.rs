@@ -59,6 +59,21 @@ impl Pattern {
         }
     }
 
+    /// Whether its loads are so many times those of another at the same places, to twelve digits.
+    pub fn is_multiple(&self, of: &Pattern, times: f64) -> bool {
+        let close = |a: f64, b: f64| (a - b * times).abs() <= 1e-12 * a.abs().max((b * times).abs());
+        times.is_finite()
+            && times > 0.0
+            && self.label == of.label
+            && (self.axles.len(), self.stretches.len()) == (of.axles.len(), of.stretches.len())
+            && self.axles.iter().zip(&of.axles).all(|(a, b)| a.offset == b.offset && close(a.force, b.force))
+            && self
+                .stretches
+                .iter()
+                .zip(&of.stretches)
+                .all(|(a, b)| Stretch { force: b.force, ..*a } == *b && close(a.force, b.force))
+    }
+
     /// Whether it is the same driving the other way, to a millimetre and a newton.
     pub fn is_symmetric(&self) -> bool {
         let other = self.reversed();

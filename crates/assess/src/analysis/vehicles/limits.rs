@@ -9,17 +9,21 @@ use rules::{Confidence, Ways};
 /// Warnings of what vehicles rest on and of what is left out. `beyond`: load models left out because of their spans.
 pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, beyond: &[String]) -> Vec<Warning> {
     let mut list = Vec::new();
-    let mut doubtful: Vec<String> = Vec::new();
+    // Vehicles with the same source together.
+    let mut doubtful: Vec<(String, Vec<&str>)> = Vec::new();
     for chosen in vehicles {
         let source = &chosen.source;
         if !matches!(source.confidence, Confidence::Read) {
             let note = if source.note.is_empty() { String::new() } else { format!("; {}", source.note) };
-            let said = format!("{} ({}): {}{note}", chosen.vehicle.code, source.confidence.word(), source.text);
-            if !doubtful.contains(&said) {
-                doubtful.push(said);
+            let said = format!("({}): {}{note}", source.confidence.word(), source.text);
+            match doubtful.iter_mut().find(|(known, _)| *known == said) {
+                Some((_, codes)) => codes.push(&chosen.vehicle.code),
+                None => doubtful.push((said, vec![&chosen.vehicle.code])),
             }
         }
     }
+    let doubtful: Vec<String> =
+        doubtful.into_iter().map(|(said, codes)| format!("{} {said}", codes.join(", "))).collect();
     if !doubtful.is_empty() {
         let message = format!("axles and distances that were not read in their standard: {}", doubtful.join(". "));
         list.push(Warning::new(warning::VEHICLE_NOT_READ, message));

@@ -10,13 +10,13 @@ mod cases;
 mod discrete;
 mod factored;
 mod limits;
+#[cfg(test)]
+mod screened;
 mod search;
 mod sections;
 mod standing;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod thinned;
 mod told;
 mod weights;
 
@@ -339,7 +339,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
             format!("rule \"{}\" is not made for vehicle \"{}\"", rule.code, chosen.vehicle.code),
         ));
     }
-    found.warnings.extend(found.vehicles.iter().filter_map(not_converged));
+    found.warnings.extend(not_converged(&found.vehicles));
     // What is to be said of the governing case is to be said of the sweep.
     let of_case = found.collapse.iter().flat_map(|collapse| &collapse.warnings).cloned();
     found.warnings.extend(of_case.collect::<Vec<_>>());
@@ -365,9 +365,9 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     ];
     if found.vehicles.iter().any(|v| v.by_interior_point > 0) {
         found.assumptions.push(format!(
-            "Where cases had to be left to the slower method, all of them were answered at every {}th position; between these, cases \
-             that are more than {} times the least at both were not.",
-            search::STRIDE,
+            "Where cases had to be left to the slower method, those were not answered whose upper bound, by the mechanisms met before, lies \
+             more than {} times above the least factor at the position, and as many times more as such bounds lay too high at the position \
+             before.",
             search::FAR_ABOVE
         ));
     }
@@ -401,16 +401,16 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
 }
 
-/// What is to be said of a vehicle with positions that were not answered.
-fn not_converged(of: &Swept) -> Option<Warning> {
-    let bound = of.adequacy_at_most.map_or(String::new(), |most| format!("; its adequacy factor is at most {most:.3}"));
-    (of.positions_not_converged > 0).then(|| {
-        let message = format!(
-            "{}: {} of {} positions were not answered{bound}, and is not known",
-            of.code,
-            of.positions_not_converged,
-            of.envelope.len()
-        );
+/// What is to be said of vehicles with positions that were not answered.
+fn not_converged(all: &[Swept]) -> Option<Warning> {
+    let told = |of: &Swept| {
+        let bound = of.adequacy_at_most.map_or(String::new(), |most| format!(", its factor at most {most:.3}"));
+        format!("{} ({} of {}{bound})", of.code, of.positions_not_converged, of.envelope.len())
+    };
+    let open: Vec<String> = all.iter().filter(|of| of.positions_not_converged > 0).map(told).collect();
+    (!open.is_empty()).then(|| {
+        let message =
+            format!("positions were not answered, and adequacy factors are not known: of {}", open.join(", "));
         Warning::new(warning::POSITIONS_NOT_CONVERGED, message)
     })
 }

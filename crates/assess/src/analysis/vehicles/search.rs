@@ -8,22 +8,25 @@ use super::factored::{self, Footprint, footprint};
 use super::sections::{Extremes, watched};
 use super::standing::{Key, Scene};
 use super::weights::Weights;
-use super::{AnalysisError, Direction, EnvelopePoint, Swept};
+use super::{AnalysisError, Case, EnvelopePoint, Swept};
 use crate::discretise::Discretised;
+use crate::discretise::dispersal::{Strip, spread};
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use mechanics::limit::{self, Effect, Ground, Sweeper};
 use mechanics::watch::Watch;
-use rules::Rule;
+use rules::{Pattern, Rule};
 
 /// Positions that are answered one after the other, each starting from the mechanisms of those before it. Fixed, so that
 /// the numbers do not depend on the number of threads.
 const CHUNK: usize = 24;
-/// Where cases are slow, all of them are answered at every so manyth position only.
-pub const STRIDE: usize = 6;
-/// A case that is this many times above the least at both such positions is not answered between them, where cases are slow: an
-/// axle moves by a tenth of the span meanwhile.
-pub const FAR_ABOVE: f64 = 1.5;
+/// Where cases are slow, one is left out whose upper bound by the mechanisms met before is this many times above the least factor
+/// at its position, and as many times more as such bounds lay above the answers at the position before.
+pub const FAR_ABOVE: f64 = 1.25;
+/// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
+const NEAR: f64 = 2.0;
+/// Places in a span under which an axle gives the mechanisms to begin with.
+const SEEDS: usize = 12;
 /// Cases in which joints slide that are answered again without dilation, for each vehicle.
 const SLIDING: usize = 3;
 /// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
@@ -50,32 +53,12 @@ enum Met {
     Open,
 }
 
-impl Met {
-    /// The factor; none is known of what is open, and there is none of what locks.
-    fn factor(&self) -> f64 {
-        match self {
-            Met::Factor(answer) => answer.factor,
-            Met::Locks => f64::INFINITY,
-            Met::Open => 0.0,
-        }
-    }
-}
-
-/// What was met at a position near by.
-struct Near {
-    met: Vec<(Key, f64)>,
-    /// Whether the interior-point method had to help.
-    slow: bool,
-}
-
-impl Near {
-    /// Whether a case stood there and was far above the least.
-    fn leaves_out(&self, key: &Key) -> bool {
-        let known = self.met.iter().map(|(_, factor)| *factor).filter(|factor| *factor > 0.0);
-        let least = known.fold(f64::INFINITY, f64::min);
-        let there = self.met.iter().find(|(other, _)| Key { position: key.position, ..*other } == *key);
-        there.is_some_and(|(_, factor)| *factor > FAR_ABOVE * least)
-    }
+/// A case that is still to be answered.
+struct Waiting {
+    key: Key,
+    effect: Effect,
+    /// Upper bound of its factor by the mechanisms met so far.
+    at_most: f64,
 }
 
 /// What came of some positions of one drive.
@@ -104,28 +87,19 @@ pub fn all(
     step: f64,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Swept>, AnalysisError> {
-    thinned(bridge, rule, plan, vehicles, weights, step, Thin { stride: STRIDE, only_slow: true }, watch)
+    screened(bridge, rule, plan, vehicles, weights, step, true, watch)
 }
 
-/// Where all cases of a position are answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Thin {
-    /// At every so manyth position.
-    pub stride: usize,
-    /// And at the others too, unless cases are slow there.
-    pub only_slow: bool,
-}
-
-/// The same with all cases at some positions only.
+/// The same with or without cases left out.
 #[allow(clippy::too_many_arguments)]
-pub(super) fn thinned(
+pub(super) fn screened(
     bridge: &Bridge,
     rule: &Rule,
     plan: &SweepPlan,
     vehicles: &[Chosen],
     weights: &[Weights],
     step: f64,
-    thin: Thin,
+    screen: bool,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Swept>, AnalysisError> {
     let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
@@ -147,6 +121,8 @@ pub(super) fn thinned(
         all_drives.extend(drives(k, &chosen.vehicle, plan, own, step));
     }
     let borders = borders(bridge, range);
+    let twins = twins(vehicles, &feet);
+    let seeds = if screen && !grounds[0].is_fast() { seeds(bridge, d, &grounds[0], &feet[0]) } else { Vec::new() };
     let scene = Scene {
         d,
         grounds: &grounds,
@@ -156,7 +132,9 @@ pub(super) fn thinned(
         drives: &all_drives,
         borders: &borders,
         capacity: rule.capacity_factor(),
-        thin,
+        screen,
+        twins: &twins,
+        seeds: &seeds,
     };
     if let Some(falls) = grounds.iter().position(|ground| !ground.stands()) {
         return Ok(vehicles.iter().zip(&feet).map(|(v, foot)| fallen(v, foot, weights[falls])).collect());
@@ -176,11 +154,20 @@ pub(super) fn thinned(
         of.parts.extend(part);
     }
     let each: Vec<(usize, Parts)> = of_vehicle.into_iter().enumerate().collect();
-    let stage = Stage { name: "worst positions of vehicles", steps: each.len() as u64, shares: [POSITIONS, 1.0] };
+    let own: Vec<&(usize, Parts)> = each.iter().filter(|(k, _)| twins[*k].is_none()).collect();
+    let stage = Stage { name: "worst positions of vehicles", steps: own.len() as u64, shares: [POSITIONS, 1.0] };
     let (found, _) =
-        pieces::each(&each, &stage, watch, |(k, parts), pace| scene.gathered(*k, &vehicles[*k], parts, step, pace));
-    let unsought = |(k, parts): &(usize, Parts)| scene.gathered(*k, &vehicles[*k], parts, step, &Pace::at_its_end());
-    Ok(found.into_iter().zip(&each).map(|(found, parts)| found.unwrap_or_else(|| unsought(parts))).collect())
+        pieces::each(&own, &stage, watch, |(k, parts), pace| scene.gathered(*k, &vehicles[*k], parts, step, pace));
+    let mut swept: Vec<Option<Swept>> = vehicles.iter().map(|_| None).collect();
+    for (found, (k, parts)) in found.into_iter().zip(own) {
+        swept[*k] = Some(found.unwrap_or_else(|| scene.gathered(*k, &vehicles[*k], parts, step, &Pace::at_its_end())));
+    }
+    for (k, parts) in &each {
+        if let Some(twin) = twins[*k] {
+            swept[*k] = swept[twin.of].as_ref().map(|of| scene.like(of, twin.times, &vehicles[*k], &feet[*k], parts));
+        }
+    }
+    Ok(swept.into_iter().flatten().collect())
 }
 
 /// What came of the positions of one vehicle.
@@ -194,6 +181,7 @@ impl Scene<'_> {
     /// Positions of one drive, one after the other.
     fn part(&self, drive: usize, positions: &[f64], pace: &Pace) -> Part {
         let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(Ground::sweeper).collect();
+        sweepers.iter_mut().for_each(|sweeper| sweeper.take(self.seeds));
         let mut part = Part {
             drive,
             envelope: Vec::with_capacity(positions.len()),
@@ -203,72 +191,58 @@ impl Scene<'_> {
             cases: 0,
             slow: 0,
         };
-        self.positions(&mut sweepers, &mut part, positions, pace);
-        // In the order in which the vehicle comes to them.
-        part.envelope.sort_by(|a, b| a.position.total_cmp(&b.position));
-        if self.drives[drive].direction == Direction::Left {
-            part.envelope.reverse();
+        // The first position is answered in full: how good are the bounds?
+        let (mut looseness, mut slow) = (f64::INFINITY, !self.grounds[0].is_fast());
+        for &position in positions {
+            let before = part.slow;
+            let bounds = (self.screen && slow).then_some(looseness);
+            match self.position(&mut sweepers, &mut part, position, bounds, pace) {
+                Some(found) => looseness = found,
+                None => break,
+            }
+            slow = part.slow > before;
         }
         part
     }
 
-    /// Every so manyth position and the last one first; between them, slow cases far above the least at both are not answered.
-    /// None where the work does not go on.
-    fn positions(&self, sweepers: &mut [Sweeper], part: &mut Part, positions: &[f64], pace: &Pace) -> Option<()> {
-        let last = positions.len().checked_sub(1)?;
-        let mut before: Option<(usize, Near)> = None;
-        for end in (0..last).step_by(self.thin.stride).chain([last]) {
-            let slow = part.slow;
-            let met = self.position(sweepers, part, positions[end], &[], pace)?;
-            let near = Near { met, slow: part.slow > slow };
-            let near = match before.take() {
-                None => near,
-                Some((from, old)) => {
-                    let ends = [old, near];
-                    let thin =
-                        if !self.thin.only_slow || ends.iter().all(|near| near.slow) { &ends[..] } else { &[][..] };
-                    for &position in &positions[from + 1..end] {
-                        self.position(sweepers, part, position, thin, pace)?;
-                    }
-                    let [_, near] = ends;
-                    near
-                }
-            };
-            before = Some((end, near));
-        }
-        Some(())
-    }
-
-    /// Answers one position, but for cases that need no answer beside what is `near`; gives what was met. None where the work
-    /// does not go on: a position that is broken off is not told.
+    /// Answers one position, but for slow cases that need no answer: those whose bound, though `looseness` times too high, still lies far
+    /// above the least; None asks for no bounds. Gives how many times the bounds lay above the answers here. None where the work does not go on: a position that
+    /// is broken off is not told.
     fn position(
         &self,
         sweepers: &mut [Sweeper],
         part: &mut Part,
         position: f64,
-        near: &[Near],
+        looseness: Option<f64>,
         pace: &Pace,
-    ) -> Option<Vec<(Key, f64)>> {
+    ) -> Option<f64> {
         let drive = &self.drives[part.drive];
+        let mut waiting = self.waiting(sweepers, part, position, looseness.is_some());
         let (mut least, mut converged): (Option<Answer>, bool) = (None, true);
-        let mut all = Vec::new();
-        for (key, effect) in self.cases(&mut sweepers[0], part.drive, position) {
-            for (weights, sweeper) in sweepers.iter_mut().enumerate() {
-                if !pace.goes_on() {
-                    return None;
+        let mut bounded: Vec<[f64; 2]> = Vec::new();
+        while let Some(next) = next(&waiting) {
+            if !pace.goes_on() {
+                return None;
+            }
+            let Waiting { key, effect, at_most } = waiting.remove(next);
+            let margin = FAR_ABOVE * looseness.unwrap_or(f64::INFINITY);
+            if at_most.is_finite() && least.is_some_and(|least| at_most > margin * least.factor) {
+                continue;
+            }
+            let by_interior_point = part.slow;
+            match self.answer(&mut sweepers[key.weights], part, key, &effect) {
+                Met::Factor(answer) => {
+                    bounded.push([at_most, answer.factor]);
+                    least = least.filter(|least| least.factor <= answer.factor).or(Some(answer));
                 }
-                let key = Key { weights, ..key };
-                let effect = self.under(&effect, weights);
-                part.extremes.look(&self.grounds[weights], self.watched, &effect, || key);
-                if !near.is_empty() && near.iter().all(|near| near.leaves_out(&key)) {
-                    continue;
-                }
-                let met = self.answer(sweeper, part, key, &effect);
-                all.push((key, met.factor()));
-                match met {
-                    Met::Factor(answer) if least.is_none_or(|l| answer.factor < l.factor) => least = Some(answer),
-                    Met::Factor(_) | Met::Locks => {}
-                    Met::Open => converged = false,
+                Met::Locks => {}
+                Met::Open => converged = false,
+            }
+            if part.slow > by_interior_point {
+                share_newest(sweepers, key.weights);
+                for other in waiting.iter_mut().filter(|_| looseness.is_some()) {
+                    let bound = sweepers[other.key.weights].at_most_by_newest(&other.effect);
+                    other.at_most = other.at_most.min(bound);
                 }
             }
         }
@@ -287,7 +261,30 @@ impl Scene<'_> {
             weights: least.map(|l| self.weights[l.key.weights]),
         });
         pace.step();
-        Some(all)
+        let near = least.map_or(0.0, |least| NEAR * least.factor);
+        let times = bounded.iter().filter(|[_, factor]| *factor <= near).map(|[bound, factor]| bound / factor);
+        Some(times.fold(1.0, f64::max))
+    }
+
+    /// Every case at a position that is to be answered, after a look at what it does to the watched joints: none of a vehicle whose
+    /// answers are those of another.
+    fn waiting(&self, sweepers: &mut [Sweeper], part: &mut Part, position: f64, bounds: bool) -> Vec<Waiting> {
+        let mut waiting = Vec::new();
+        let answered_by_another = self.twins[self.drives[part.drive].vehicle].is_some();
+        for (key, effect) in self.cases(&mut sweepers[0], part.drive, position) {
+            for (weights, sweeper) in sweepers.iter().enumerate() {
+                let key = Key { weights, ..key };
+                let effect = self.under(&effect, weights);
+                part.extremes.look(&self.grounds[weights], self.watched, &effect, || key);
+                if !answered_by_another {
+                    let at_most = if bounds { sweeper.at_most(&effect) } else { f64::INFINITY };
+                    waiting.push(Waiting { key, effect, at_most });
+                }
+            }
+        }
+        // In reverse, so that the next one is taken from the end.
+        waiting.reverse();
+        waiting
     }
 
     /// One case under one combination of weights.
@@ -369,6 +366,32 @@ impl Scene<'_> {
         swept
     }
 
+    /// A vehicle whose loads are so many times those of one that was answered: the same cases govern, by factors that are so many
+    /// times smaller. What its loads do to the watched joints is its own.
+    fn like(&self, of: &Swept, times: f64, chosen: &Chosen, foot: &Footprint, all: &Parts) -> Swept {
+        let mut extremes = Extremes::new(self.watched);
+        all.parts.iter().for_each(|part| extremes.merge(part.extremes.clone()));
+        let less = |factor: Option<f64>| factor.map(|factor| factor / times);
+        Swept {
+            status: if all.whole { of.status } else { Status::Cancelled },
+            adequacy: less(of.adequacy).filter(|_| all.whole),
+            adequacy_at_most: less(of.adequacy_at_most.or(of.adequacy.filter(|_| !all.whole))),
+            positions_not_converged: of.positions_not_converged,
+            bounds: of.bounds.map(|both| both.map(|bound| bound / times)),
+            without_dilation: less(of.without_dilation),
+            case: of.case.clone().map(|case| Case { load: case.load * times, ..case }),
+            weights: of.weights,
+            envelope: of
+                .envelope
+                .iter()
+                .map(|point| EnvelopePoint { adequacy: less(point.adequacy), ..point.clone() })
+                .collect(),
+            sections: extremes.told(self.watched, |key| self.told(key)),
+            by_interior_point: of.by_interior_point,
+            ..blank(chosen, foot)
+        }
+    }
+
     /// A case's place in the envelope, without its factor.
     fn point(&self, key: &Key) -> EnvelopePoint {
         let drive = &self.drives[key.drive];
@@ -407,6 +430,42 @@ impl Scene<'_> {
     }
 }
 
+/// The case to answer next: the one with the least bound, those without a bound in their order, last.
+fn next(waiting: &[Waiting]) -> Option<usize> {
+    let last = waiting.len().checked_sub(1)?;
+    Some((0..last).rev().fold(last, |best, k| if waiting[k].at_most < waiting[best].at_most { k } else { best }))
+}
+
+/// Mechanisms under an axle at many places, to begin with: wherever a vehicle stands, one of them lies near.
+fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint) -> Vec<Vec<f64>> {
+    let mut sweeper = ground.sweeper();
+    let mut motions = Vec::new();
+    let mut left = 0.0;
+    for (k, span) in bridge.spans.iter().enumerate() {
+        for place in 0..=SEEDS {
+            let middle = left + span.span * place as f64 / SEEDS as f64;
+            let strip = Strip { middle, length: foot.length, force: 1e3 };
+            let spread = spread(strip, foot.dispersal, d.surface, &d.extrados);
+            if !spread.forces.is_empty() {
+                let effect = sweeper.effect(&spread.forces);
+                motions.push(sweeper.motion(&effect));
+            }
+        }
+        left += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
+    }
+    motions
+}
+
+/// What was learnt under some weights bounds loads under all of them.
+fn share_newest(sweepers: &mut [Sweeper], from: usize) {
+    let Some(motion) = sweepers[from].newest_motion().map(<[f64]>::to_vec) else { return };
+    for (k, sweeper) in sweepers.iter_mut().enumerate() {
+        if k != from {
+            sweeper.learn(&motion);
+        }
+    }
+}
+
 /// A vehicle of which nothing is known yet.
 fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
     Swept {
@@ -432,6 +491,32 @@ fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
         cases: 0,
         by_interior_point: 0,
     }
+}
+
+/// A vehicle whose loads are a multiple of those of an earlier one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Twin {
+    /// The earlier one.
+    pub of: usize,
+    /// How many times its loads.
+    pub times: f64,
+}
+
+/// For each vehicle the first one that it is a multiple of: units of HB, numbers of RA.
+pub(super) fn twins(vehicles: &[Chosen], feet: &[Footprint]) -> Vec<Option<Twin>> {
+    let patterns: Vec<Vec<Pattern>> = vehicles.iter().map(|chosen| chosen.vehicle.patterns()).collect();
+    let mut twins: Vec<Option<Twin>> = Vec::with_capacity(vehicles.len());
+    for k in 0..vehicles.len() {
+        let twin = (0..k).filter(|&of| twins[of].is_none() && feet[of] == feet[k]).find_map(|of| {
+            let alike = vehicles[of].vehicle.axles_may_be_dropped == vehicles[k].vehicle.axles_may_be_dropped
+                && patterns[of].len() == patterns[k].len();
+            let times = patterns[k].first()?.force() / patterns[of].first()?.force();
+            let multiple = patterns[k].iter().zip(&patterns[of]).all(|(this, other)| this.is_multiple(other, times));
+            (alike && multiple).then_some(Twin { of, times })
+        });
+        twins.push(twin);
+    }
+    twins
 }
 
 /// A vehicle over a bridge that does not carry its own weight with these factors.

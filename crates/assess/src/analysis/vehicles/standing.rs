@@ -3,7 +3,7 @@
 use super::Case;
 use super::cases::{Drive, runs};
 use super::factored::{Footprint, clipped};
-use super::search::Thin;
+use super::search::Twin;
 use super::sections::Watched;
 use super::weights::Weights;
 use crate::discretise::Discretised;
@@ -45,8 +45,12 @@ pub struct Scene<'a> {
     pub borders: &'a [f64],
     /// By what load factors are multiplied.
     pub capacity: f64,
-    /// Where all cases of a position are answered.
-    pub thin: Thin,
+    /// Whether slow cases are left out whose upper bound lies far above the least factor.
+    pub screen: bool,
+    /// Mechanisms that bound slow cases to begin with; none where cases are fast.
+    pub seeds: &'a [Vec<f64>],
+    /// Vehicles whose answers are those of another.
+    pub twins: &'a [Option<Twin>],
 }
 
 impl Scene<'_> {

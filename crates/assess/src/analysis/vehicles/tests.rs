@@ -474,32 +474,22 @@ fn discrete_elements_come_to_limit_analysis_as_joints_stiffen() {
     assert!(rigid.abs() < 0.03, "{soft} {stiff}: {rigid}");
 }
 
-/// Between positions at which all cases were answered, those far above the least are left out, and nothing is lost by it.
+/// A vehicle with a multiple of another's loads is answered by the other, and by itself alike.
 #[test]
-fn cases_far_above_the_least_are_left_out_and_the_factors_stay() {
-    let mut b = bridgemill(&["cs454-bogie-10", "cs454-triple-8"]);
-    b.masonry.compressive_strength = Some(8e6);
-    b.sweep.as_mut().unwrap().rule = "cs-454".into();
-    let (rule, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
-    let weights = weights::combinations(&b, &rule);
-    let with = |stride| {
-        let (plan, thin) = (b.sweep.as_ref().unwrap(), search::Thin { stride, only_slow: false });
-        search::thinned(&b, &rule, plan, &vehicles, &weights, 18.3 / 60.0, thin, &mut Unwatched).unwrap()
-    };
-    for (all, thin) in with(1).iter().zip(&with(search::STRIDE)) {
-        assert!(thin.cases < all.cases, "{}: {} of {}", all.code, thin.cases, all.cases);
-        assert_eq!(thin.envelope.len(), all.envelope.len());
-        for (a, b) in all.envelope.iter().zip(&thin.envelope) {
-            assert_eq!(
-                (a.position, a.converged, a.adequacy.is_some()),
-                (b.position, b.converged, b.adequacy.is_some())
-            );
-            let [a, b] = [a.adequacy.unwrap_or(1.0), b.adequacy.unwrap_or(1.0)];
-            assert!((a / b - 1.0).abs() < 1e-6, "{}: {a} {b}", all.code);
-        }
-        assert!((all.factor().unwrap() / thin.factor().unwrap() - 1.0).abs() < 1e-6);
-        assert_eq!(all.sections, thin.sections);
-    }
+fn a_multiple_of_a_vehicle_has_its_share_of_the_factor() {
+    let mut b = bridgemill(&["hb-25", "hb-45"]);
+    b.sweep.as_mut().unwrap().step = Some(0.9);
+    let both = swept(&b).vehicles;
+    b.sweep.as_mut().unwrap().vehicles = vec!["hb-45".into()];
+    let alone = swept(&b).vehicles.remove(0);
+    let twin = &both[1];
+    assert_eq!((twin.cases, twin.status), (0, alone.status));
+    assert!((both[0].adequacy.unwrap() / twin.adequacy.unwrap() - 45.0 / 25.0).abs() < 1e-9);
+    assert!((twin.adequacy.unwrap() / alone.adequacy.unwrap() - 1.0).abs() < 1e-6);
+    let [a, b] = [twin, &alone].map(|v| v.case.clone().unwrap());
+    assert_eq!((a.position, a.axles, a.direction, a.weights), (b.position, b.axles, b.direction, b.weights));
+    assert!((a.load / b.load - 1.0).abs() < 1e-9);
+    assert_eq!((&twin.sections, twin.envelope.len()), (&alone.sections, alone.envelope.len()));
 }
 
 /// A rule acts on the load models that it was made for, and refuses others by name, all of them at once.
