@@ -253,7 +253,7 @@ cards! {
     VEHICLE_NOT_READ = "A180", "a vehicle that was not read in its standard",
         "Axle loads or distances of the vehicles in the message are recalled, assumed, or calculated from published tables, as the \
          message says. Wrong distances move an arch's load by tens of percent. Look the loading diagram up, put it into a file of your \
-         own (docs/input/vehicles.md), and judge by that; a verdict on an assumed vehicle holds for that vehicle alone.";
+         own (docs/input/vehicles.md), and judge by that. A vehicle whose loads are assumed can turn a bridge down, and never makes it adequate.";
     /// Load models that the spans are too long for.
     SPAN_TOO_LONG = "A181", "a load model is not made for so long a span",
         "On longer spans more of the loading stands than the model holds, so that the model is known or feared to fall short. The \
@@ -266,8 +266,8 @@ cards! {
     /// A skew bridge analysed as a square one.
     SKEW = "A183", "skew is not modelled",
         "A skew barrel carries along the shorter way between its obtuse corners and twists; a plane, square model finds neither, and its \
-         load is not a bound for it. Use the span square to the springings, and confirm by a model in three dimensions or by a test \
-         before a verdict rests on it.";
+         load is not a bound for it. Use the span along the road, which is the longer one, and confirm by a model in three dimensions or by a \
+         test. Beyond 10 degrees a bridge is called adequate only where skew_source in [assess] names what confirms it.";
     /// Horizontal forces of vehicles.
     NO_LONGITUDINAL = "A184", "braking and traction are left out",
         "Vehicles brake and pull: on railways up to a quarter of the axle loads along the track. Track and fill carry much of that to \

@@ -50,6 +50,8 @@ pub struct Limits {
     pub adequacy_factor: Option<f64>,
     /// Document and clause that it is from; without one it assesses no strength.
     pub adequacy_source: Option<String>,
+    /// By what a square model stands for a skew bridge; without it no strength of one is assessed.
+    pub skew_source: Option<String>,
     /// Factor that the forces of the file's loads already carry; 1 where they are nominal.
     pub load_factor_included: f64,
     /// Factor for the method of analysis; the program's own where none is given.

@@ -59,6 +59,9 @@ pub const UPDATE_SECTIONS: [&str; 4] = resolve::UPDATE_SECTIONS;
 /// Sections that say how to assess a bridge, and are no part of it.
 pub const ASSESS_SECTIONS: [&str; 4] = resolve::ASSESS_SECTIONS;
 
+/// Beyond this skew [rad] a square model says nothing that a verdict may rest on.
+pub const DOUBTFUL_SKEW: f64 = resolve::DOUBTFUL_SKEW;
+
 /// No bridge file is longer [bytes]; what is, is something else.
 const LONGEST: usize = 1 << 20;
 

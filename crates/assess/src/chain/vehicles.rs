@@ -179,5 +179,6 @@ fn swept(one: &Swept) -> SweptFacts {
         case,
         effective_width_m: one.effective_width,
         load_factor: one.load_factors[0],
+        loads_confidence: one.source.confidence.word().to_owned(),
     }
 }

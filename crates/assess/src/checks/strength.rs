@@ -28,7 +28,7 @@ pub fn strength(a: &Assessment, checked: &[Checked]) -> Strength {
     let ultimate: Vec<&Checked> = checked.iter().filter(|one| ULTIMATE.contains(&one.card.code)).collect();
     let failed = ultimate.iter().any(|one| one.outcome.as_ref().is_err_and(|why| why.failed));
     let made = ultimate.iter().flat_map(|one| one.outcome.iter().flatten());
-    let assessed = ultimate.iter().any(|one| whole(one)) && !failed;
+    let assessed = ultimate.iter().any(|one| whole(one)) && !failed && skew(a).is_none();
     let missing = if assessed { Vec::new() } else { missing(a, &ultimate) };
     let qualifications = if made.count() > 0 { qualifications(a) } else { Vec::new() };
     Strength { assessed, missing, qualifications }
@@ -41,6 +41,7 @@ fn whole(check: &Checked) -> bool {
 
 fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
     let mut list = vec![WANTED.to_owned()];
+    list.extend(skew(a));
     for check in ultimate {
         let card = check.card;
         match &check.outcome {
@@ -53,10 +54,37 @@ fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
                 let wanted = a.vehicles.made().map_or(1.0, |facts| vehicles::wanted(&facts.safety));
                 let why = within(found, wanted, "a model factor that was read in its source, in rule_file of [sweep],");
                 list.extend(why.map(|why| format!("{} ({}): {why}", card.title, card.code)));
+                list.extend(of_assumed_loads(a).map(|why| format!("{} ({}): {why}", card.title, card.code)));
             }
         }
     }
     list
+}
+
+/// Why a skew bridge has no verdict of adequacy; none where it is square, hardly skew, or where the file names what confirms it.
+fn skew(a: &Assessment) -> Option<String> {
+    let skew = a.bridge.carriageway.and_then(|asked| asked.skew).filter(|skew| *skew > bridge::DOUBTFUL_SKEW)?;
+    a.asked.limits.skew_source.is_none().then(|| {
+        format!(
+            "the bridge is skew by {:.0} degrees and the model is square, which is no bound for it: name the model in three dimensions or \
+             the test that confirms it as skew_source in [assess]",
+            skew.to_degrees()
+        )
+    })
+}
+
+/// Which vehicles are carried but have assumed loads.
+fn of_assumed_loads(a: &Assessment) -> Option<String> {
+    let facts = a.vehicles.made()?;
+    let carried = facts.vehicles.iter().filter(|one| one.adequacy.is_some_and(|adequacy| adequacy >= 1.0));
+    let assumed: Vec<&str> =
+        carried.filter(|one| one.loads_confidence == vehicles::ASSUMED).map(|one| one.code.as_str()).collect();
+    (!assumed.is_empty()).then(|| {
+        format!(
+            "axle loads or distances of {} are assumed: write those of the loading's own diagram in vehicle_files of [sweep]",
+            assumed.join(", ")
+        )
+    })
 }
 
 /// Why the factor of the file is none that assesses strength; none where it is one.

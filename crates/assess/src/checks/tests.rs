@@ -231,6 +231,71 @@ fn a_vehicle_left_open_leaves_the_verdict_open() {
     assert_eq!(with(0.9), ("inadequate", true));
 }
 
+/// An answer is missing at some position, but the others turn the bridge down already: the true factor is not above theirs.
+#[test]
+fn what_fails_at_some_position_fails_whatever_the_others_say() {
+    let mut a = assessment();
+    let mut with = |at_most: f64| {
+        let vehicle = SweptFacts {
+            code: "heavy".into(),
+            status: "not-converged".into(),
+            adequacy_at_most: Some(at_most),
+            positions: 271,
+            position_m: Some(3.0),
+            positions_not_converged: 1,
+            ..SweptFacts::default()
+        };
+        let safety = SafetyFacts { live_load: 1.9, live_load_confidence: "read".into(), ..SafetyFacts::default() };
+        a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
+        let basis = vehicles::Vehicles.run(&a).map(|found| found[0].basis.clone()).unwrap_or_default();
+        (verdict(&a, &run(&a)).status, basis.contains("at most: 1 of 271 positions have no answer"))
+    };
+    assert_eq!(with(0.4), ("inadequate", true));
+    assert_eq!(with(1.4), ("undetermined", false));
+}
+
+/// A square model is no bound for a skew bridge, and assumed loads are nobody's: neither makes a bridge adequate, and what is
+/// missing says what to write.
+#[test]
+fn skew_and_assumed_loads_give_no_verdict_of_adequacy() {
+    let mut a = assessment();
+    let sourced = SafetyFacts {
+        live_load: 1.9,
+        live_load_confidence: "read".into(),
+        model: 1.0,
+        model_confidence: "read".into(),
+        ..SafetyFacts::default()
+    };
+    let vehicle = |confidence: &str| SweptFacts {
+        code: "wagon".into(),
+        status: "collapsed".into(),
+        adequacy: Some(3.0),
+        loads_confidence: confidence.into(),
+        ..SweptFacts::default()
+    };
+    let mut with = |confidence: &str, skew: f64, source: Option<&str>| {
+        a.ultimate = Stage::NotAsked("no load".into());
+        (a.asked.limits.adequacy_factor, a.asked.limits.permissible_share) = (None, None);
+        a.vehicles = Stage::Made(VehicleFacts {
+            vehicles: vec![vehicle(confidence)],
+            safety: sourced.clone(),
+            ..VehicleFacts::default()
+        });
+        a.bridge.carriageway =
+            Some(bridge::Carriageway { skew: Some(skew.to_radians()), ..bridge::Carriageway::default() });
+        a.asked.limits.skew_source = source.map(str::to_owned);
+        let found = verdict(&a, &run(&a));
+        (found.status, found.strength.missing.join(" "))
+    };
+    assert_eq!(with("read", 0.0, None).0, "adequate");
+    assert_eq!(with("recalled", 10.0, None).0, "adequate");
+    let (status, missing) = with("assumed", 0.0, None);
+    assert!(status == "undetermined" && missing.contains("of wagon are assumed"), "{status} {missing}");
+    let (status, missing) = with("read", 20.0, None);
+    assert!(status == "undetermined" && missing.contains("skew by 20 degrees") && missing.contains("skew_source"));
+    assert_eq!(with("read", 20.0, Some("model in three dimensions, report 12")).0, "adequate");
+}
+
 #[test]
 fn the_stress_range_follows_its_bound() {
     let mut a = assessment();

@@ -33,14 +33,15 @@ impl Check for Vehicles {
         let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != "locks");
         let all: Vec<Finding> = bounded
             .clone()
-            .filter(|one| one.adequacy.is_some() || one.status != OPEN)
+            .filter(|one| one.adequacy.is_some() || one.status != OPEN || fails_all_the_same(one))
             .map(|one| finding(facts, one, strength, wanted))
             .collect();
         let (met, broken): (Vec<&Finding>, Vec<&Finding>) = all.iter().partition(|finding| finding.met());
         // What fails at some position fails; what passes at the others passes only where no position is left open.
         let open: Vec<&str> = bounded.filter(|one| one.status == OPEN).map(|one| one.code.as_str()).collect();
         if !open.is_empty() && broken.is_empty() {
-            return Err(NotMade { why: format!("limit analysis of {} came to no end", open.join(", ")), failed: true });
+            let why = format!("limit analysis of {} came to no end at every position", open.join(", "));
+            return Err(NotMade { why, failed: true });
         }
         match (strength, met.first(), broken.is_empty()) {
             (_, None, true) => {
@@ -54,8 +55,15 @@ impl Check for Vehicles {
     }
 }
 
+/// The confidence of loads that have no source.
+pub(super) const ASSUMED: &str = "assumed";
 /// The status of a vehicle without an answer.
 const OPEN: &str = "not-converged";
+
+/// Whether what was answered of a vehicle turns the bridge down, whatever the positions left open would say.
+fn fails_all_the_same(one: &SweptFacts) -> bool {
+    one.adequacy_at_most.is_some_and(|most| most < 1.0)
+}
 
 /// Whether a rule has a factor on live loads that has a source: without one, loads at their nominal values are compared with
 /// what they collapse at.
@@ -90,9 +98,15 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> F
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);
     let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
-    let by_limit = one.adequacy.unwrap_or(0.0);
+    let by_limit = one.adequacy.or(one.adequacy_at_most).unwrap_or(0.0);
     let value = by_limit.min(second.unwrap_or(f64::INFINITY));
     let method = match value < by_limit {
+        _ if one.adequacy.is_none() && one.adequacy_at_most.is_some() => {
+            format!(
+                "limit analysis, at most: {} of {} positions have no answer",
+                one.positions_not_converged, one.positions
+            )
+        }
         true => format!("discrete elements (limit analysis {by_limit:.3})"),
         false => "limit analysis".to_owned(),
     };
@@ -111,7 +125,7 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> F
         },
         position: one.position_m,
         columns: None,
-        // What fails is settled; what passes must pass with the model's own uncertainty.
-        strength: safe && (value < 1.0 || value >= wanted),
+        // What fails is settled; what passes must pass with the model's own uncertainty, under loads that have a source.
+        strength: safe && (value < 1.0 || value >= wanted && one.loads_confidence != ASSUMED),
     }
 }

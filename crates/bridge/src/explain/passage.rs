@@ -126,7 +126,8 @@ pub(super) const CARDS: &[Card] = &[
         title: "a skew bridge",
         meaning: "The bridge is skew by more than 10 degrees; every model here is plane and square.",
         why: "Skew barrels carry along the shorter way between obtuse corners, twist, and part along the spandrels: what a plane \
-              model says of them is not a bound. A verdict needs another model.",
+              model says of them is not a bound. Spans measured along the road are longer than square to the springings and carry less: they are \
+              the careful ones. A verdict needs another model or a test, named as skew_source in [assess].",
         wrong: r#"skew = "40 deg""#,
         right: r#"skew = "5 deg""#,
         source: "CIRIA C656, Masonry arch bridges, 2006 [recalled]; common limit of plane analysis",

@@ -52,6 +52,13 @@ pub(super) static ASSESS: Section = Section {
             "BS 5400-2, Table 1",
         )
         .optional("`adequacy_factor` is compared with, but assesses no strength: no verdict of adequacy rests on it"),
+        Field::new(
+            "skew_source",
+            Kind::Text,
+            "document and clause, or test, by which a square model stands for the skew of [carriageway]",
+            "finite elements in three dimensions, report 12",
+        )
+        .optional("with a skew of more than 10 degrees no verdict of adequacy is given"),
         Field::new("load_factor_included", Kind::Number, "factor that the forces of [[load]] already carry", "1.9")
             .at_least(1.0)
             .default("1"),

@@ -50,7 +50,8 @@ fn text(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<Option<
 }
 
 fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
-    let [source, rule, adequacy_source] = ["source", "rule", "adequacy_source"].map(|key| text(table, key, findings));
+    let [source, rule, adequacy_source, skew_source] =
+        ["source", "rule", "adequacy_source", "skew_source"].map(|key| text(table, key, findings));
     let [loaded_length, cushion, deflection, compression, tension, joint_shear, expected_movement] = [
         "loaded_length",
         "cushion",
@@ -84,6 +85,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
         thrust_zone: zone.map(|word| if word == "middle-third" { 1.0 / 3.0 } else { 0.5 }),
         adequacy_factor: adequacy_factor?,
         adequacy_source: adequacy_source?,
+        skew_source: skew_source?,
         load_factor_included: load_factor_included?.unwrap_or(1.0),
         model_factor: model_factor?,
         permissible_share: permissible_share?,

@@ -26,6 +26,7 @@ use crate::tree::Table;
 
 pub(crate) use assess::{SECTIONS as ASSESS_SECTIONS, assess};
 pub(crate) use loading::{read_share, read_slope, slope};
+pub(crate) use sweep::DOUBTFUL_SKEW;
 pub(crate) use update::{SECTIONS as UPDATE_SECTIONS, update};
 pub(crate) use vary::{check as check_vary, vary};
 

@@ -57,7 +57,7 @@ pub(super) fn sweep(file: &Table<'_>, findings: &mut Findings) -> Option<Option<
 }
 
 /// Skew from which on a square model says little [rad].
-const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
+pub(crate) const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 /// Where vehicles may stand across a barrel so wide [m].
 pub(super) fn carriageway(
@@ -105,7 +105,7 @@ pub(super) fn carriageway(
             table.place("skew"),
             "the bridge is skew, and the model is square",
             "skew barrels carry from obtuse corner to obtuse corner",
-            "measure spans square to the springings, and confirm the load by a model in three dimensions or by test",
+            "give the spans along the road, which are the longer ones, and confirm the load by a model in three dimensions or by test",
         );
     }
     Some(Some(found))
