@@ -39,11 +39,13 @@ fn an_assessment_rests_on_the_lower_end_of_fill_pressure() {
         serde_json::from_str::<Value>(&stage.read(&format!("{name}/result.json"))).expect("a result")
     };
     let [presses, bare] = ["presses", "bare"].map(assessed);
-    for code in ["C201", "C202", "C204"] {
+    let differ = |code: &&str| {
         let [with, without] = [&presses, &bare].map(|answer| check(answer, code));
-        assert_eq!(number(with, "value"), number(without, "value"), "{code}");
-        assert_eq!((&with["utilisation"], &with["met"]), (&without["utilisation"], &without["met"]), "{code}");
-    }
+        let same = number(with, "value") == number(without, "value");
+        !same || (&with["utilisation"], &with["met"]) != (&without["utilisation"], &without["met"])
+    };
+    let higher: Vec<&str> = ["C201", "C202", "C204"].into_iter().filter(differ).collect();
+    assert!(higher.is_empty(), "{higher:?} rest on the upper end: {presses}");
     let of = |answer: &Value| -> Vec<String> {
         let all = answer["warnings"].as_array().into_iter().flatten();
         all.filter(|w| w["code"] == "A195").map(|w| w["message"].as_str().unwrap_or_default().to_owned()).collect()
