@@ -144,7 +144,9 @@ pub(super) fn screened(
         .enumerate()
         .flat_map(|(k, drive)| drive.positions.chunks(CHUNK).map(move |positions| (k, positions)))
         .collect();
-    let steps = all_drives.iter().map(|drive| drive.positions.len() as u64).sum();
+    // Vehicles that another answers take no time to speak of.
+    let own = all_drives.iter().filter(|drive| twins[drive.vehicle].is_none());
+    let steps = own.map(|drive| drive.positions.len() as u64).sum();
     let stage = Stage { name: "positions of vehicles", steps, shares: [0.0, POSITIONS] };
     let (parts, _) = pieces::each(&jobs, &stage, watch, |(drive, positions), pace| scene.part(*drive, positions, pace));
     let mut of_vehicle: Vec<Parts> = vehicles.iter().map(|_| Parts { parts: Vec::new(), whole: true }).collect();
@@ -260,7 +262,9 @@ impl Scene<'_> {
             axles: least.and_then(|l| l.key.axles),
             weights: least.map(|l| self.weights[l.key.weights]),
         });
-        pace.step();
+        if self.twins[drive.vehicle].is_none() {
+            pace.step();
+        }
         let near = least.map_or(0.0, |least| NEAR * least.factor);
         let times = bounded.iter().filter(|[_, factor]| *factor <= near).map(|[bound, factor]| bound / factor);
         Some(times.fold(1.0, f64::max))
