@@ -19,6 +19,8 @@ use thiserror::Error;
 const SHARE: f64 = 0.1;
 /// Most quantities: what comes first in the file is tried.
 const MOST: usize = 18;
+/// Cases of the governing vehicle, answered one by one, beyond which no values are tried: some tens of milliseconds each, for every value.
+const SLOW: usize = 200;
 
 /// Why no sensitivity is made.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -76,6 +78,7 @@ pub fn sensitivity(
     let governing = &checked[check].outcome.as_ref().map_err(|_| SensitivityError::NothingGoverns)?[finding];
     let how = match card.code {
         "C401" => return Err(SensitivityError::TooDear(card.title)),
+        "C204" if is_slow(own, &governing.load_model) => return Err(SensitivityError::TooDear(card.title)),
         "C301" => "the method itself",
         "C204" => "limit analysis of the governing vehicle alone",
         "C201" | "C202" => "limit analysis with the loads where they govern",
@@ -118,6 +121,12 @@ pub fn sensitivity(
         share: SHARE,
         quantities,
     }))
+}
+
+/// Whether a sweep of a vehicle takes minutes: its cases are answered one by one.
+fn is_slow(own: &Assessment, code: &str) -> bool {
+    let facts = own.vehicles.made();
+    facts.is_some_and(|facts| facts.vehicles.iter().any(|one| one.code == code && one.slow_cases > SLOW))
 }
 
 /// The governing check on other bridges.

@@ -179,6 +179,7 @@ fn swept(one: &Swept) -> SweptFacts {
         case,
         effective_width_m: one.effective_width,
         load_factor: one.load_factors[0],
+        slow_cases: one.by_interior_point,
         loads_confidence: one.source.confidence.word().to_owned(),
     }
 }

@@ -296,6 +296,22 @@ fn skew_and_assumed_loads_give_no_verdict_of_adequacy() {
     assert_eq!(with("read", 20.0, Some("model in three dimensions, report 12")).0, "adequate");
 }
 
+/// A sweep of minutes is not repeated for every value of the file: what is left to do is named.
+#[test]
+fn values_of_a_slow_sweep_are_not_tried() {
+    let mut a = assessment();
+    let mut with = |slow_cases| {
+        let vehicles = vec![SweptFacts { slow_cases, ..vehicle("heavy", Some(0.2), "collapsed") }];
+        let safety = safety((1.9, "read"), (1.0, "read"));
+        a.vehicles = Stage::Made(VehicleFacts { vehicles, safety, ..VehicleFacts::default() });
+        let document = bridge::edit::Document::parse("").unwrap();
+        crate::chain::sensitivity(&document, &a, &run(&a), &mut mechanics::watch::Unwatched).unwrap_err().to_string()
+    };
+    assert!(with(5_000).contains("make them with extrados vary"));
+    // The bridge of this test has no [sweep] to repeat.
+    assert!(with(20).contains("no utilisation"));
+}
+
 #[test]
 fn the_stress_range_follows_its_bound() {
     let mut a = assessment();

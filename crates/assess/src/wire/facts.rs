@@ -269,6 +269,9 @@ pub struct SweptFacts {
     pub effective_width_m: f64,
     /// Factor on every axle.
     pub load_factor: f64,
+    /// Cases that the interior-point method answered one by one.
+    #[serde(default)]
+    pub slow_cases: usize,
     /// How sure its loads and distances are: "read", "calculated", "recalled" or "assumed".
     #[serde(default)]
     pub loads_confidence: String,

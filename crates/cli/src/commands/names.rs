@@ -43,7 +43,13 @@ fn finding(text: &str, section: &str, word: &str, unknown: &Unknown) -> Diagnost
         severity: Severity::Error,
         message: message.to_owned(),
         range: range(text, section, word),
-        label: "no such name in the library".to_owned(),
+        label: match unknown {
+            Unknown::Vehicle { .. } | Unknown::Rule { .. } => "no such name in the library",
+            Unknown::Pairing { .. } => "the rule has no factors for these loads",
+            Unknown::Span { .. } => "the model is too short for this bridge",
+            Unknown::File(_) => "from a file beside this one",
+        }
+        .to_owned(),
         note: None,
         help: (!help.is_empty()).then(|| format!("write {help}")),
     }

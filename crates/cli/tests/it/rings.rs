@@ -52,7 +52,7 @@ fn without_a_level_end_the_lower_answer_has_its_name() {
     let line = case.lines().find_map(|line| line.strip_prefix("\"span.0.ring\" = ")).expect("rings of the case");
     let text = format!("{before}ring = {line}\n\n{after}");
     stage.write("rough.toml", &text);
-    stage.write("smoother.toml", &text.replace("45 deg", "35 deg"));
+    stage.write("smoother.toml", text.replace("45 deg", "35 deg"));
     let (rough, _) = stage.object(&["collapse", "rough.toml"]);
     assert_eq!(rough["status"], "not-converged", "the iteration ends here now: take another arch");
     assert!(rough["collapse_load_kn_per_m"].is_null());

@@ -34,7 +34,7 @@ fn drawn(seed: u64) -> Bridge {
     b.masonry.compressive_strength = (seed != 2).then(|| numbers.between(6e6, 12e6));
     b.plan.method = Method::Limit;
     let (rule, vehicle) =
-        [("nr-civ-025", "ra5"), ("cs-454", "cs454-single"), ("cs-454", "cs454-bogie-10")][seed as usize % 3];
+        [("nr-civ-025", "ra5"), ("cs-454", "cs454-bogie-9.5"), ("cs-454", "cs454-bogie-10")][seed as usize % 3];
     b.sweep = Some(SweepPlan {
         rule: rule.into(),
         rule_file: None,
@@ -53,7 +53,7 @@ fn drawn(seed: u64) -> Bridge {
 /// At every position, also where these lie so far apart that mechanisms change from one to the next.
 #[test]
 fn the_least_factors_are_those_of_the_full_search() {
-    for (seed, step) in [(1, 1.0), (2, 1.7), (3, 2.6)] {
+    for (seed, step) in [(2, 1.7), (3, 2.6)] {
         let b = drawn(seed);
         let plan = b.sweep.as_ref().unwrap();
         let (rule, vehicles) = chosen(&b, plan).unwrap();

@@ -23,6 +23,8 @@ const CHUNK: usize = 24;
 /// Where cases are slow, one is left out whose upper bound by the mechanisms met before is this many times above the least factor
 /// at its position, and as many times more as such bounds lay above the answers at the position before.
 pub const FAR_ABOVE: f64 = 1.25;
+/// How many times too high bounds are taken to be before any was held against an answer.
+const LOOSE: f64 = 2.0;
 /// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
 const NEAR: f64 = 2.0;
 /// Places in a span under which an axle gives the mechanisms to begin with.
@@ -193,8 +195,7 @@ impl Scene<'_> {
             cases: 0,
             slow: 0,
         };
-        // The first position is answered in full: how good are the bounds?
-        let (mut looseness, mut slow) = (f64::INFINITY, !self.grounds[0].is_fast());
+        let (mut looseness, mut slow) = (LOOSE, !self.grounds[0].is_fast());
         for &position in positions {
             let before = part.slow;
             let bounds = (self.screen && slow).then_some(looseness);
