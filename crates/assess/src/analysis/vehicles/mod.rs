@@ -14,10 +14,12 @@ mod limits;
 mod screened;
 mod search;
 mod sections;
+mod seeds;
 mod standing;
 #[cfg(test)]
 mod tests;
 mod told;
+mod twins;
 mod weights;
 
 pub use across::Across;

@@ -6,16 +6,17 @@ use super::super::report::Status;
 use super::cases::{borders, drives, reach};
 use super::factored::{self, Footprint, footprint};
 use super::sections::{Extremes, watched};
+use super::seeds::seeds;
 use super::standing::{Key, Scene};
+use super::twins::twins;
 use super::weights::Weights;
 use super::{AnalysisError, Case, EnvelopePoint, Swept};
 use crate::discretise::Discretised;
-use crate::discretise::dispersal::{Strip, spread};
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use mechanics::limit::{self, Effect, Ground, Sweeper};
 use mechanics::watch::Watch;
-use rules::{Pattern, Rule};
+use rules::Rule;
 
 /// Positions that are answered one after the other, each starting from the mechanisms of those before it. Fixed, so that
 /// the numbers do not depend on the number of threads.
@@ -27,8 +28,6 @@ pub const FAR_ABOVE: f64 = 1.25;
 const LOOSE: f64 = 2.0;
 /// Bounds are held against answers up to this multiple of the least factor; what lies above does not count.
 const NEAR: f64 = 2.0;
-/// Places in a span under which an axle gives the mechanisms to begin with.
-const SEEDS: usize = 12;
 /// Cases in which joints slide that are answered again without dilation, for each vehicle.
 const SLIDING: usize = 3;
 /// Cases in which joints slide count from this multiple of the least factor down: dilatancy is worth up to half of an
@@ -441,26 +440,6 @@ fn next(waiting: &[Waiting]) -> Option<usize> {
     Some((0..last).rev().fold(last, |best, k| if waiting[k].at_most < waiting[best].at_most { k } else { best }))
 }
 
-/// Mechanisms under an axle at many places, to begin with: wherever a vehicle stands, one of them lies near.
-fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint) -> Vec<Vec<f64>> {
-    let mut sweeper = ground.sweeper();
-    let mut motions = Vec::new();
-    let mut left = 0.0;
-    for (k, span) in bridge.spans.iter().enumerate() {
-        for place in 0..=SEEDS {
-            let middle = left + span.span * place as f64 / SEEDS as f64;
-            let strip = Strip { middle, length: foot.length, force: 1e3 };
-            let spread = spread(strip, foot.dispersal, d.surface, &d.extrados);
-            if !spread.forces.is_empty() {
-                let effect = sweeper.effect(&spread.forces);
-                motions.push(sweeper.motion(&effect));
-            }
-        }
-        left += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
-    }
-    motions
-}
-
 /// What was learnt under some weights bounds loads under all of them.
 fn share_newest(sweepers: &mut [Sweeper], from: usize) {
     let Some(motion) = sweepers[from].newest_motion().map(<[f64]>::to_vec) else { return };
@@ -496,32 +475,6 @@ fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
         cases: 0,
         by_interior_point: 0,
     }
-}
-
-/// A vehicle whose loads are a multiple of those of an earlier one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Twin {
-    /// The earlier one.
-    pub of: usize,
-    /// How many times its loads.
-    pub times: f64,
-}
-
-/// For each vehicle the first one that it is a multiple of: units of HB, numbers of RA.
-pub(super) fn twins(vehicles: &[Chosen], feet: &[Footprint]) -> Vec<Option<Twin>> {
-    let patterns: Vec<Vec<Pattern>> = vehicles.iter().map(|chosen| chosen.vehicle.patterns()).collect();
-    let mut twins: Vec<Option<Twin>> = Vec::with_capacity(vehicles.len());
-    for k in 0..vehicles.len() {
-        let twin = (0..k).filter(|&of| twins[of].is_none() && feet[of] == feet[k]).find_map(|of| {
-            let alike = vehicles[of].vehicle.axles_may_be_dropped == vehicles[k].vehicle.axles_may_be_dropped
-                && patterns[of].len() == patterns[k].len();
-            let times = patterns[k].first()?.force() / patterns[of].first()?.force();
-            let multiple = patterns[k].iter().zip(&patterns[of]).all(|(this, other)| this.is_multiple(other, times));
-            (alike && multiple).then_some(Twin { of, times })
-        });
-        twins.push(twin);
-    }
-    twins
 }
 
 /// A vehicle over a bridge that does not carry its own weight with these factors.

@@ -3,8 +3,8 @@
 use super::Case;
 use super::cases::{Drive, runs};
 use super::factored::{Footprint, clipped};
-use super::search::Twin;
 use super::sections::Watched;
+use super::twins::Twin;
 use super::weights::Weights;
 use crate::discretise::Discretised;
 use crate::discretise::dispersal::{Strip, spread};

@@ -1,0 +1,30 @@
+//! Mechanisms that bound slow cases before any was answered.
+
+use super::factored::Footprint;
+use crate::discretise::Discretised;
+use crate::discretise::dispersal::{Strip, spread};
+use bridge::Bridge;
+use mechanics::limit::Ground;
+
+/// Places in a span under which an axle gives the mechanisms to begin with.
+const SEEDS: usize = 12;
+
+/// Mechanisms under an axle at many places, to begin with: wherever a vehicle stands, one of them lies near.
+pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint) -> Vec<Vec<f64>> {
+    let mut sweeper = ground.sweeper();
+    let mut motions = Vec::new();
+    let mut left = 0.0;
+    for (k, span) in bridge.spans.iter().enumerate() {
+        for place in 0..=SEEDS {
+            let middle = left + span.span * place as f64 / SEEDS as f64;
+            let strip = Strip { middle, length: foot.length, force: 1e3 };
+            let spread = spread(strip, foot.dispersal, d.surface, &d.extrados);
+            if !spread.forces.is_empty() {
+                let effect = sweeper.effect(&spread.forces);
+                motions.push(sweeper.motion(&effect));
+            }
+        }
+        left += span.span + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
+    }
+    motions
+}
