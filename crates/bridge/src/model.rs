@@ -637,7 +637,7 @@ pub enum Friction {
     Associated,
     /// Sliding does not dilate: iterative correction.
     NonAssociated,
-    /// Non-associated where sliding takes part in the mechanism.
+    /// Non-associated where sliding takes part in the mechanism or lowers the load.
     Automatic,
 }
 

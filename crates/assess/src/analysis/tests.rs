@@ -398,6 +398,25 @@ fn a_wall_between_fixed_walls_locks() {
     assert_eq!(answer(&b).status, Status::Locks);
 }
 
+/// A semicircle with backing of blocks up to 2 m: no joint slides in the mechanism with dilation, and one without it forms
+/// below.
+#[test]
+fn automatic_friction_takes_the_lower_load_where_no_joint_slides() {
+    let text = include_str!("../../../../verification/profiles/semicircular.toml")
+        .replace("\"6 mm\"", "\"0 mm\"")
+        .replace("\"unlimited\"", "\"8 MPa\"");
+    let backing = "[backing]\nheight = \"2 m\"\ndensity = \"2000 kg/m^3\"\nas = \"blocks\"\n";
+    let mut b = bridge::read(format!("{text}\n{backing}").as_bytes()).bridge.unwrap();
+    let mut load = |friction| {
+        b.plan = bridge::Plan { friction, method: bridge::Method::Limit, ..b.plan.clone() };
+        answer(&b).collapse_load.unwrap()
+    };
+    use bridge::Friction::{Associated, Automatic, NonAssociated};
+    let [dilates, automatic, level] = [Associated, Automatic, NonAssociated].map(&mut load);
+    assert!(level < 0.95 * dilates, "{level} {dilates}");
+    assert_eq!(automatic, level);
+}
+
 /// Backing to 1.5 m as weight and as blocks, under cover that is weight.
 #[test]
 fn backing_of_blocks_stands_on_the_ring_and_helps() {

@@ -16,7 +16,7 @@ impl Check for JointShear {
                    peaks; what the train adds is increased by the coefficient of dynamic augment. It is compared with joint_shear_limit of \
                    [assess]. Points are compared and not the mean over the joint, which is lower. Where it is not met, look whether the joint \
                    carries compression there: friction, not adhesion, then holds it.",
-            source: "the railway paper, section 3.4: shear strength of mortar joints 1 MPa",
+            source: "the railway paper, section 3.4, which takes a shear strength for the joints of its own bridge",
         }
     }
 

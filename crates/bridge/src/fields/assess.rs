@@ -28,13 +28,13 @@ pub(super) static ASSESS: Section = Section {
         Field::new("cushion", Kind::Quantity(Length), "depth between load and ring that lessens it", "0.48 m")
             .at_least(0.0)
             .optional("the cover's depth"),
-        Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "1.25 mm")
+        Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "5 mm")
             .positive()
             .optional("deflections are not checked"),
-        Field::new("compression_limit", Kind::Quantity(Stress), "largest compression along the ring", "2.589 MPa")
+        Field::new("compression_limit", Kind::Quantity(Stress), "largest compression along the ring", "2 MPa")
             .positive()
             .optional("compression is not checked"),
-        Field::new("tension_limit", Kind::Quantity(Stress), "largest tension along the ring", "0.2589 MPa")
+        Field::new("tension_limit", Kind::Quantity(Stress), "largest tension along the ring", "0.2 MPa")
             .at_least(0.0)
             .optional("tension is not checked"),
         Field::new("joint_shear_limit", Kind::Quantity(Stress), "shear strength of joints", "1 MPa")

@@ -22,7 +22,7 @@ pub(super) static MASONRY: Section = Section {
             "compressive_strength",
             Kind::QuantityOr(Stress, "unlimited"),
             "compressive strength of the masonry, or \"unlimited\"",
-            "43.8 MPa",
+            "10 MPa",
         )
         .positive()
         .optional("crushing is not considered, and a warning says so"),

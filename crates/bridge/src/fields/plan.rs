@@ -38,7 +38,7 @@ const LENGTHS: &[Word] = &[
 const FRICTIONS: &[Word] = &[
     Word { word: "associated", doc: "sliding dilates by the friction angle: exact bounds" },
     Word { word: "non-associated", doc: "sliding does not dilate: iterative correction" },
-    Word { word: "automatic", doc: "non-associated where sliding takes part in the mechanism" },
+    Word { word: "automatic", doc: "non-associated where sliding takes part in the mechanism or lowers the load" },
 ];
 
 const CONTACT_POINTS: &[Word] = &[

@@ -18,6 +18,10 @@ use std::sync::OnceLock;
 /// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
 pub(super) const TOLERANCE: f64 = 1e-9;
 
+/// How far below the load with dilation one without it lies that is a load of its own, relative: starts of the iteration agree
+/// to this.
+const BELOW: f64 = 1e-4;
+
 /// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
 pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
@@ -29,13 +33,24 @@ pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings)
     let found = largest_factor(&equilibrium, &joints, &strengths);
     let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
     let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty()) || found.status == Status::Locks;
-    let level = match settings.friction {
-        Friction::Associated => false,
-        Friction::NonAssociated => true,
-        Friction::Automatic => slides,
-    };
-    if level && matches!(found.status, Status::Solved | Status::Locks) {
-        relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome);
+    let answered = matches!(found.status, Status::Solved | Status::Locks);
+    match settings.friction {
+        Friction::Associated => {}
+        Friction::NonAssociated if answered => relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome),
+        Friction::Automatic if answered && slides => {
+            relax(model, &equilibrium, &joints, &strengths, &found, &mut outcome);
+        }
+        // A mechanism in which no joint slides forms without dilation as well, but another one may form below it.
+        Friction::Automatic if answered => {
+            let mut level = outcome.clone();
+            relax(model, &equilibrium, &joints, &strengths, &found, &mut level);
+            if let (Some(below), Some(load)) = (level.factor, outcome.factor)
+                && below < (1.0 - BELOW) * load
+            {
+                outcome = level;
+            }
+        }
+        Friction::NonAssociated | Friction::Automatic => {}
     }
     Ok(outcome)
 }
