@@ -4,6 +4,7 @@
 
 pub mod assess;
 pub mod blocks;
+mod companions;
 pub mod diagnostic;
 pub mod edit;
 pub mod explain;

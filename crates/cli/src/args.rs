@@ -361,6 +361,18 @@ pub enum AssessStage {
 }
 
 impl AssessStage {
+    /// The stage.
+    pub fn named(self) -> extrados::StageName {
+        match self {
+            AssessStage::Update => extrados::StageName::Update,
+            AssessStage::Service => extrados::StageName::Service,
+            AssessStage::Collapse => extrados::StageName::Collapse,
+            AssessStage::Vehicles => extrados::StageName::Vehicles,
+            AssessStage::SupportMovement => extrados::StageName::SupportMovement,
+            AssessStage::Sensitivity => extrados::StageName::Sensitivity,
+        }
+    }
+
     /// As on the command line.
     pub fn word(self) -> &'static str {
         match self {
@@ -652,45 +664,31 @@ impl Command {
 }
 
 impl Choice {
-    /// Sets what was said in place of a file's plan.
-    pub fn apply(&self, plan: &mut bridge::Plan, width: f64) -> Result<(), Failure> {
-        self.overrides.apply(plan);
-        plan.method = self.method.map_or(plan.method, |method| method.planned());
-        plan.analysis = self.analysis.map_or(plan.analysis, |analysis| analysis.planned());
-        if let Some(text) = &self.resolution {
-            plan.resolution = Some(quantities::line_load("--resolution", text, width)?);
-        }
-        Ok(())
-    }
-}
-
-impl Overrides {
-    /// Sets what was said in a plan.
-    pub fn apply(&self, plan: &mut bridge::Plan) {
-        if let Some(damping) = self.damping {
-            plan.damping = damping;
-        }
-        if let Some(length) = self.contact_length {
-            plan.contact_length = match length {
+    /// What was said in place of a file's plan, for a bridge of this width [m].
+    pub fn of(&self, width: f64) -> Result<extrados::Choice, Failure> {
+        let resolution = self.resolution.as_ref().map(|text| quantities::line_load("--resolution", text, width));
+        let own = &self.overrides;
+        Ok(extrados::Choice {
+            analysis: self.analysis.map(Analysis::planned),
+            method: self.method.map(Method::planned),
+            resolution: resolution.transpose()?,
+            damping: own.damping,
+            contact_length: own.contact_length.map(|length| match length {
                 ContactLength::Fixed => bridge::ContactLength::Fixed,
                 ContactLength::Updated => bridge::ContactLength::Updated,
-            };
-        }
-        if let Some(friction) = self.friction {
-            plan.friction = match friction {
+            }),
+            friction: own.friction.map(|friction| match friction {
                 Friction::Associated => bridge::Friction::Associated,
                 Friction::NonAssociated => bridge::Friction::NonAssociated,
                 Friction::Automatic => bridge::Friction::Automatic,
-            };
-        }
-        if let Some(points) = self.contact_points {
-            plan.contact_points = match points {
+            }),
+            contact_points: own.contact_points.map(|points| match points {
                 ContactPoints::Rounded => bridge::ContactPoints::Rounded,
                 ContactPoints::FullRing => bridge::ContactPoints::FullRing,
-            };
-        }
-        plan.tolerance = self.tolerance.unwrap_or(plan.tolerance);
-        plan.step_limit = self.step_limit.unwrap_or(plan.step_limit);
+            }),
+            tolerance: own.tolerance,
+            step_limit: own.step_limit,
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! What keeps a command from its work: what, where, and what to do about it.
 
 use crate::status::Status;
+use extrados::{Refusal, reason};
 use std::io;
 use std::path::Path;
 
@@ -209,13 +210,7 @@ impl Failure {
 
     /// A file cannot be read.
     pub fn unreadable(path: &Path, error: &io::Error) -> Failure {
-        let help = match error.kind() {
-            io::ErrorKind::NotFound => "check the path; `extrados new DIR` writes an example to start from",
-            io::ErrorKind::IsADirectory => "name a file in that folder",
-            io::ErrorKind::PermissionDenied => "make the file readable for you",
-            _ => "check the path and the disk",
-        };
-        Failure::input("F101", format!("cannot read {}: {}", path.display(), reason(error)), help)
+        Refusal::unreadable(path, error).into()
     }
 
     /// A folder for results cannot be written.
@@ -264,25 +259,15 @@ fn listed(names: &[String]) -> String {
     }
 }
 
-/// The system's words without its number.
-fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    match text.find(" (os error") {
-        Some(end) => text[..end].to_lowercase(),
-        None => text,
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Failure {
+        Failure::input(refusal.code, refusal.message, refusal.help)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_missing_file_is_named_with_a_remedy() {
-        let failure = Failure::unreadable(Path::new("a.toml"), &io::Error::from_raw_os_error(2));
-        assert_eq!(failure.message, "cannot read a.toml: no such file or directory");
-        assert!(failure.help.contains("extrados new"));
-    }
 
     #[test]
     fn codes_are_in_order() {

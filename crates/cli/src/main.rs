@@ -1,7 +1,6 @@
-//! `extrados`: asks the engineer's question of `assess`, and shows the answer.
+//! `extrados`: asks the question of the crate `extrados`, and shows the answer.
 
 mod args;
-mod cache;
 mod checkpoint;
 mod clock;
 mod commands;
@@ -9,11 +8,14 @@ mod examples;
 mod failure;
 mod folder;
 mod host;
+mod log;
+mod program;
 mod quantities;
 mod render;
 mod report;
 mod results;
 mod screen;
+mod shelf;
 mod signs;
 mod status;
 mod summary;

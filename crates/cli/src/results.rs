@@ -6,6 +6,7 @@ use crate::folder::Folder;
 use crate::report::{self, Report};
 use crate::status::Status;
 use assess::analysis::AnalysisError;
+use extrados::Refusal;
 use figures::RasterError;
 use serde_json::json;
 use std::fs;
@@ -14,12 +15,7 @@ use std::path::Path;
 
 /// An analysis that cannot be set up.
 pub fn not_set_up(error: &AnalysisError) -> Failure {
-    cannot_be_set_up(&error.to_string())
-}
-
-/// The same from its words.
-pub fn cannot_be_set_up(message: &str) -> Failure {
-    Failure::input("F108", message, "extrados explain F108 tells what each analysis needs")
+    Refusal::not_set_up(error).into()
 }
 
 /// A figure that cannot be drawn is a result that cannot be written.

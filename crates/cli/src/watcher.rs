@@ -4,8 +4,8 @@ use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
 use crate::signs;
 pub use crate::signs::asked_to_stop;
+use extrados::{Progress, Watch, Wish};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use mechanics::watch::{Progress, Watch, Wish};
 use std::time::{Duration, Instant};
 
 /// Steps of the bar.
@@ -59,6 +59,26 @@ impl Spectator {
 }
 
 impl Watch for Spectator {
+    fn begin(&mut self, part: &str) {
+        signs::begin(part);
+    }
+
+    fn look(&mut self, progress: &Progress) -> Wish {
+        draw(&self.0, progress)
+    }
+}
+
+/// Draws nothing, hears Ctrl-C.
+pub struct Silent;
+
+impl Watch for Silent {
+    fn look(&mut self, _: &Progress) -> Wish {
+        if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+    }
+}
+
+/// Measures of speed call analyses by themselves.
+impl mechanics::watch::Watch for Spectator {
     fn look(&mut self, progress: &Progress) -> Wish {
         draw(&self.0, progress)
     }
@@ -68,7 +88,10 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
     if let Some(fraction) = progress.fraction {
         bar.set_position((fraction.clamp(0.0, 1.0) * BAR as f64) as u64);
     }
-    let words = format!("{}, {} steps", progress.stage, progress.steps);
+    let words = match progress.steps {
+        0 => progress.stage.clone(),
+        steps => format!("{}, {steps} steps", progress.stage),
+    };
     signs::tell(&words, progress.fraction);
     bar.set_message(words);
     if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
@@ -117,58 +140,6 @@ impl Watch for Watcher {
             }
             Err(failure) => self.trouble = Some(failure),
         }
-    }
-}
-
-/// Looks on several runs at once: one bar for all of them, and Ctrl-C for each.
-pub struct Shared {
-    bar: ProgressBar,
-}
-
-impl Shared {
-    /// A bar for so many runs.
-    pub fn new(quiet: bool, runs: usize) -> Shared {
-        Shared { bar: bar(quiet, BAR * runs as u64) }
-    }
-
-    /// Someone who looks on one of the runs.
-    pub fn onlooker(&self) -> Onlooker<'_> {
-        Onlooker { bar: &self.bar, drawn: 0 }
-    }
-
-    /// Ends the drawing.
-    pub fn finish(self) {
-        self.bar.finish_and_clear();
-    }
-}
-
-/// Looks on one run of several.
-pub struct Onlooker<'a> {
-    bar: &'a ProgressBar,
-    drawn: u64,
-}
-
-impl Onlooker<'_> {
-    /// The run is done.
-    pub fn finish(&mut self) {
-        self.draw(BAR);
-    }
-
-    fn draw(&mut self, position: u64) {
-        self.bar.inc(position.saturating_sub(self.drawn));
-        self.drawn = self.drawn.max(position);
-        let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(1).max(1));
-        signs::tell(&format!("{} of {} runs", done / BAR, all / BAR), Some(done as f64 / all as f64));
-    }
-}
-
-impl Watch for Onlooker<'_> {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        if let Some(fraction) = progress.fraction {
-            // The last step of the bar is for the run's end.
-            self.draw((fraction.clamp(0.0, 1.0) * (BAR - 1) as f64) as u64);
-        }
-        if asked_to_stop() { Wish::Stop } else { Wish::GoOn }
     }
 }
 

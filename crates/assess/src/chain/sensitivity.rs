@@ -142,13 +142,7 @@ impl Probe<'_> {
             let mut edited = document.clone();
             edited.set(&varied.path, &varied.values.get(k)?.literal).ok()?;
             let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
-            // What stands in files beside the bridge's has been read already.
-            if let (Some(new), Some(own)) = (&mut bridge.sweep, &self.own.bridge.sweep) {
-                new.texts.clone_from(&own.texts);
-            }
-            if let (Some(new), Some(own)) = (&mut bridge.passage, &self.own.bridge.passage) {
-                new.train.clone_from(&own.train);
-            }
+            bridge.take_over(&self.own.bridge);
             self.utilisation(&bridge)
         };
         ChangeFacts {

@@ -27,8 +27,8 @@ pub(super) const CARDS: &[Card] = &[
         title: "unusual strength of masonry",
         meaning: "Masonry crushes at 0.5 to 400 MPa.",
         why: "MPa, kPa and GPa are easily exchanged.",
-        wrong: r#"compressive_strength = "12 kPa""#,
-        right: r#"compressive_strength = "12 MPa""#,
+        wrong: r#"compressive_strength = "10 kPa""#,
+        right: r#"compressive_strength = "10 MPa""#,
         source: "common range of bricks and building stones",
     },
     Card {

@@ -1,29 +1,22 @@
 //! `extrados assess`: the whole chain against the file's limits, with a report; on a folder, for every bridge file in it.
 
-mod chain;
 mod fleet;
-mod kept;
 mod pdf;
-mod pictures;
 
 use super::{Desk, Source};
 use crate::args::Assess as Arguments;
+use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
+use crate::program;
 use crate::report::{self, Report};
 use crate::results;
+use crate::shelf::{FolderShelf, Resume};
 use crate::signs;
 use crate::status::Status;
 use crate::summary;
-use ::assess::assessment::Assessment;
-use ::assess::checks::{self, Checked, Verdict};
-use ::assess::condition::{Condition, condition};
-use ::assess::wire;
-use ::report::{Appendix, Figure, Material, StageLine};
-use bridge::inputs::Input;
-use chain::Chain;
-use kept::{Kept, Program};
-use std::path::Path;
+use crate::watcher::{Silent, Spectator};
+use extrados::{AssessOptions, Assessed, Means};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// One bridge, or a folder of them.
@@ -32,17 +25,17 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return fleet::run(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;
-    if source.read.bridge.is_none() {
+    if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));
     }
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = source.folder(&out, "assess")?;
-    let program = Program::running();
+    let program = program::hash();
     signs::keeps("out", folder.path(), KEPT);
-    let Some(done) = assessed(&source, &arguments.file, &folder, &program, arguments, desk.screen.quiet)? else {
+    let Some(done) = assessed(&source, &folder, &program, arguments, desk.screen.quiet)? else {
         return Ok(source.report(Status::Cancelled).saying(format!("interrupted; {KEPT}\n")));
     };
-    let mut report = done.report(&source);
+    let mut report = answer(&done, &source);
     for [code, message] in done.warnings() {
         report.warn(&mut desk.screen, &code, &message);
     }
@@ -58,7 +51,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
             );
         }
     }
-    let mut files = done.files();
+    let mut files = files(&done);
     match pdf::pdf(&done.material()) {
         Ok(bytes) => files.push(figures::File { name: "report.pdf".to_owned(), bytes }),
         Err([code, message]) => report.warn(&mut desk.screen, &code, &message),
@@ -73,134 +66,54 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
 /// What stays of an assessment that is interrupted.
 const KEPT: &str = "finished stages are kept, and the same command takes them up";
 
-/// A bridge that was judged.
-pub struct Done {
-    /// What is known of it.
-    pub assessment: Assessment,
-    /// Its checks.
-    pub checked: Vec<Checked>,
-    /// The verdict.
-    pub verdict: Verdict,
-    /// Its condition.
-    pub condition: Vec<Condition>,
-    /// Drawings of its stages.
-    pub figures: Vec<Figure>,
-    /// Its file, value by value.
-    pub inputs: Vec<Input>,
-    /// What was found in the file.
-    pub findings: Vec<[String; 3]>,
-    /// How it was made.
-    pub appendix: Appendix,
+/// The answer for scripts.
+pub fn answer(done: &Assessed, source: &Source) -> Report {
+    let mut report = source.report(Status::named(done.verdict.status).unwrap_or(Status::Undetermined));
+    report.finished = done.verdict.finished;
+    report.fields = report::fields_of(done.object());
+    let stages: Vec<serde_json::Value> = done
+        .appendix
+        .stages
+        .iter()
+        .map(|stage| serde_json::json!({ "name": stage.name, "state": stage.state, "key": stage.key }))
+        .collect();
+    report.with("stages", stages).with("input_hash", done.appendix.input.as_str())
 }
 
-impl Done {
-    /// What its report is made of.
-    fn material(&self) -> Material<'_> {
-        Material {
-            assessment: &self.assessment,
-            checked: &self.checked,
-            verdict: &self.verdict,
-            condition: &self.condition,
-            figures: &self.figures,
-            inputs: &self.inputs,
-            findings: &self.findings,
-            appendix: &self.appendix,
-        }
-    }
-
-    /// The answer for scripts.
-    pub fn report(&self, source: &Source) -> Report {
-        let mut report = source.report(Status::named(self.verdict.status).unwrap_or(Status::Undetermined));
-        report.finished = self.verdict.finished;
-        report.fields =
-            report::fields_of(wire::AssessObject::new(&self.assessment, &self.checked, &self.verdict, &self.condition));
-        let stages: Vec<serde_json::Value> = self
-            .appendix
-            .stages
-            .iter()
-            .map(|stage| serde_json::json!({ "name": stage.name, "state": stage.state, "key": stage.key }))
-            .collect();
-        report.with("stages", stages).with("input_hash", self.appendix.input.as_str())
-    }
-
-    /// Warnings of its stages, each once.
-    fn warnings(&self) -> Vec<[String; 2]> {
-        let a = &self.assessment;
-        let lists = [
-            a.update.made().map(|facts| &facts.warnings),
-            a.service.made().map(|facts| &facts.warnings),
-            a.ultimate.made().map(|facts| &facts.warnings),
-            a.vehicles.made().map(|facts| &facts.warnings),
-            a.movement.made().map(|facts| &facts.warnings),
-        ];
-        let mut all: Vec<[String; 2]> = Vec::new();
-        for warning in lists.into_iter().flatten().flatten() {
-            if !all.contains(warning) {
-                all.push(warning.clone());
-            }
-        }
-        all
-    }
-
-    /// Report and tables.
-    pub fn files(&self) -> Vec<figures::File> {
-        let mut files = vec![figures::File {
-            name: "report.html".to_owned(),
-            bytes: ::report::html(&self.material()).into_bytes(),
-        }];
-        files.extend(results::tables([("checks", wire::checks_table(&self.checked))]));
-        files
-    }
+/// Report and tables.
+pub fn files(done: &Assessed) -> Vec<figures::File> {
+    let page = figures::File { name: "report.html".to_owned(), bytes: done.html().into_bytes() };
+    [page].into_iter().chain(results::tables([("checks", done.table())])).collect()
 }
 
 /// Makes the chain of one bridge; none where somebody asked to stop.
 fn assessed(
     source: &Source,
-    path: &Path,
     folder: &Folder,
-    program: &Program,
+    program: &str,
     arguments: &Arguments,
     quiet: bool,
-) -> Result<Option<Done>, Failure> {
-    let kept = Kept::in_folder(folder, program);
-    let chain = Chain { source, path, folder, kept: &kept, skip: &arguments.skip, quiet };
-    let Some(linked) = chain.run()? else { return Ok(None) };
-    let (assessment, checked, figures, stages) = linked;
-    let verdict = checks::verdict(&assessment, &checked);
-    let condition = condition(&assessment);
-    let text = String::from_utf8_lossy(&source.text);
-    let appendix = Appendix {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        program: program.hash().to_owned(),
-        file: source.name.clone(),
-        input: blake3::hash(&source.text).to_hex().to_string(),
-        command: command(arguments, &source.name),
+) -> Result<Option<Assessed>, Failure> {
+    let shelf = FolderShelf::new(folder, Resume::WherePossible);
+    let options = AssessOptions {
+        skip: arguments.skip.iter().map(|stage| stage.named()).collect(),
+        command: command(arguments, source.project.name()),
         day: today(),
-        stages,
     };
-    let findings: Vec<[String; 3]> = source
-        .read
-        .diagnostics
-        .iter()
-        .map(|finding| {
-            let place = bridge::text::position(&source.text, finding.range.start);
-            [finding.code.to_owned(), finding.message.clone(), format!("line {}", place.line)]
-        })
-        .collect();
-    let inputs = bridge::inputs::inputs(&text);
-    Ok(Some(Done { assessment, checked, verdict, condition, figures, inputs, findings, appendix }))
+    let means = Means { shelf: &shelf, clock: &Clock::start(), program };
+    if quiet {
+        return Ok(extrados::assess(&source.project, &options, &means, &mut Silent)?);
+    }
+    let mut spectator = Spectator::new(false);
+    let done = extrados::assess(&source.project, &options, &means, &mut spectator);
+    spectator.finish();
+    Ok(done?)
 }
 
 /// The command that makes this bridge's report by itself.
 fn command(arguments: &Arguments, file: &str) -> String {
     let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {}", stage.word())).collect();
     format!("extrados assess {file}{skipped}")
-}
-
-/// The stages.
-fn line(name: &str, state: String, seconds: Option<f64>, key: &str) -> StageLine {
-    let seconds = seconds.map_or("–".to_owned(), |seconds| format!("{seconds:.1} s"));
-    StageLine { name: name.to_owned(), state, seconds, key: key.to_owned() }
 }
 
 /// Today in universal time, as year-month-day; the rule for civil days is Hinnant's.

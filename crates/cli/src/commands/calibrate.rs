@@ -12,16 +12,17 @@ use crate::{quantities, summary};
 use assess::analysis::calibrate::{self, CalibrationReport, Verdict};
 use assess::wire;
 use bridge::Bridge;
+use extrados::Looking;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
-    let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
+    let Some(mut bridge) = source.bridge().cloned() else { return Ok(source.report(Status::UnusableInput)) };
     plan(&mut bridge, arguments)?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = source.folder(&out, "calibrate-fill")?;
     let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
-    let found = calibrate::calibrate_fill(&bridge, &mut watcher);
+    let found = calibrate::calibrate_fill(&bridge, &mut Looking(&mut watcher));
     watcher.finish();
     let found = found.map_err(|error| results::not_set_up(&error))?;
     let mut report = source.report(Status::named(found.verdict.word()).unwrap_or(Status::Undetermined));

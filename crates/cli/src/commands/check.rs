@@ -19,7 +19,7 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
         return model::check(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;
-    let Some(bridge) = &source.read.bridge else { return Ok(source.report(Status::UnusableInput)) };
+    let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
     let picture = assess::analysis::as_built(bridge).map_err(|error| results::not_set_up(&error))?;
     planned(bridge)?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
@@ -61,10 +61,8 @@ pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
         _ => report,
     };
     // Records come after their file has been written, so that missing ones are a doubt.
-    let asked = source.read.update.as_ref();
-    let records = asked.map(|asked| super::update::records(&arguments.file, &asked.records.place));
-    if let Some(Err(failure)) = records {
-        report.warn(&mut desk.screen, failure.code, &format!("update cannot use this file yet: {}", failure.message));
+    if let Err(refusal) = source.project.records() {
+        report.warn(&mut desk.screen, refusal.code, &format!("update cannot use this file yet: {}", refusal.message));
     }
     Ok(report)
 }

@@ -11,9 +11,9 @@ use crate::status::Status;
 use crate::watcher::{Spectator, Watcher};
 use crate::{quantities, summary};
 use assess::analysis::vehicles::Ended;
-use assess::analysis::{self, AnalysisError, Collapse, Places};
+use assess::analysis::{Collapse, Sweep, VehicleSweep};
 use assess::{warning, wire};
-use bridge::Bridge;
+use extrados::{Choice, CollapseOptions, SweepOptions, Swept};
 use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
@@ -22,18 +22,17 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return model::collapse(desk, arguments);
     }
     let source = Source::open(desk, &arguments.file)?;
-    let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
-    let width = bridge.width;
-    plan(&mut bridge.plan, width, arguments)?;
+    let Some(own) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
+    let choice = choice(own.width, arguments)?;
+    let bridge = extrados::planned(&source.project, &choice)?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = source.folder(&out, &kind(&bridge.plan, arguments.sweep.then_some(bridge.sweep.is_some())))?;
-    if arguments.sweep && bridge.sweep.is_some() {
-        return vehicles(desk, arguments, &source, &mut bridge, &folder);
-    }
     if arguments.sweep {
-        return sweep(desk, arguments, &source, &bridge, &folder);
+        return sweep(desk, arguments, &source, choice, &folder);
     }
-    let run = |resume: Option<&[u64]>, watcher: &mut Watcher| analysis::collapse(&bridge, resume, watcher);
+    let run = |resume: Option<Vec<u64>>, watcher: &mut Watcher| {
+        extrados::collapse(&source.project, &CollapseOptions { choice, resume }, watcher).map_err(Failure::from)
+    };
     let checkpoint = Checkpoint::of(&bridge, &folder);
     let report = source.report(Status::Completed);
     analyse(desk, arguments, report, checkpoint, &folder, run)
@@ -49,13 +48,13 @@ pub(super) fn kind(plan: &bridge::Plan, sweep_of_vehicles: Option<bool>) -> Stri
     }
 }
 
-/// Sets what the command line says in place of the file.
-pub(super) fn plan(plan: &mut bridge::Plan, width: f64, arguments: &Arguments) -> Result<(), Failure> {
+/// What the command line says in place of the file's plan, for a bridge of this width [m].
+pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Failure> {
     if arguments.sweep && arguments.choice.method == Some(crate::args::Method::Dem) {
         let message = "--sweep is limit analysis: --method dem cannot do it";
         return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
     }
-    arguments.choice.apply(plan, width)
+    arguments.choice.of(width)
 }
 
 /// The analysis under a watcher, and its files; where it was interrupted, the report says so.
@@ -65,7 +64,7 @@ pub(super) fn analyse(
     mut report: Report,
     checkpoint: Checkpoint,
     folder: &Folder,
-    run: impl FnOnce(Option<&[u64]>, &mut Watcher) -> Result<Collapse, AnalysisError>,
+    run: impl FnOnce(Option<Vec<u64>>, &mut Watcher) -> Result<Collapse, Failure>,
 ) -> Result<Report, Failure> {
     let resume = if arguments.resume { checkpoint.take_up()? } else { None };
     if let Some(words) = if arguments.resume { None } else { checkpoint.make_way()? } {
@@ -77,10 +76,10 @@ pub(super) fn analyse(
     }
     let mut watcher =
         Watcher::new(desk.screen.quiet, checkpoint.clone(), Duration::from_secs_f64(arguments.keep_every));
-    let found = run(resume.as_deref(), &mut watcher);
+    let found = run(resume, &mut watcher);
     let kept = watcher.has_kept();
     let trouble = watcher.finish();
-    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let found = found?;
     if let Some(failure) = trouble {
         report.warn(&mut desk.screen, failure.code, &failure.message);
     }
@@ -149,38 +148,63 @@ fn tables(found: &Collapse) -> Vec<figures::File> {
     filled.map(|(name, text)| table(name, text)).collect()
 }
 
-/// Vehicles of the library or of files, moved over the bridge as [sweep] says.
-fn vehicles(
+/// The vehicles of the file's [sweep] moved over the bridge, or its loads where it has none.
+fn sweep(
     desk: &mut Desk,
     arguments: &Arguments,
     source: &Source,
-    bridge: &mut Bridge,
+    choice: Choice,
     folder: &Folder,
 ) -> Result<Report, Failure> {
-    desk.schema = "extrados.vehicle-sweep/1".to_owned();
-    if let (Some(text), Some(plan)) = (&arguments.sweep_step, &mut bridge.sweep) {
-        plan.step = Some(quantities::length("--sweep-step", text)?);
-    }
+    let vehicles = source.bridge().is_some_and(|bridge| bridge.sweep.is_some());
+    desk.schema = if vehicles { "extrados.vehicle-sweep/1" } else { "extrados.sweep/1" }.to_owned();
+    let step = arguments.sweep_step.as_ref().map(|text| quantities::length("--sweep-step", text)).transpose()?;
     let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = analysis::vehicle_sweep(bridge, &mut spectator);
+    let found = extrados::sweep(&source.project, &SweepOptions { choice, step }, &mut spectator);
     spectator.finish();
-    let found = found.map_err(|error| results::not_set_up(&error))?;
+    match found? {
+        Swept::Vehicles(found) => vehicles_moved(desk, source, &found, folder),
+        Swept::Loads(found) => loads_moved(desk, source, &found, folder),
+    }
+}
+
+/// Writes a sweep of vehicles.
+fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder: &Folder) -> Result<Report, Failure> {
     let mut report = source.report(ended(found.status()));
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(wire::VehicleSweepObject::new(&found, &wire::Run::default()));
-    report.summary = summary::vehicles(&found, &folder.path().display().to_string());
+    report.fields = report::fields_of(wire::VehicleSweepObject::new(found, &wire::Run::default()));
+    report.summary = summary::vehicles(found, &folder.path().display().to_string());
     let mut files = Vec::new();
     if let Some(collapse) = &found.collapse {
         files = figures::all(&collapse.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
     }
-    for (name, svg) in figures::vehicles(&found) {
+    for (name, svg) in figures::vehicles(found) {
         files.extend(figures::both(name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
-    files.push(table("vehicles", wire::vehicles_table(&found)));
-    files.push(table("sweep", wire::vehicle_envelope_table(&found)));
-    files.push(table("sections", wire::vehicle_sections_table(&found)));
+    files.push(table("vehicles", wire::vehicles_table(found)));
+    files.push(table("sweep", wire::vehicle_envelope_table(found)));
+    files.push(table("sections", wire::vehicle_sections_table(found)));
+    results::publish(desk, report, folder, &files)
+}
+
+/// Writes a sweep of the file's loads.
+fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder) -> Result<Report, Failure> {
+    let mut report = source.report(ended(found.ended()));
+    for warning in &found.warnings {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
+    }
+    let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
+    report.fields = report::fields_of(wire::SweepObject::new(name, width, found, &wire::Run::default()));
+    report.summary = summary::sweep(found, &folder.path().display().to_string());
+    let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
+    let curve = figures::Sweep { label: "load factor".to_owned(), points };
+    let mut files = Vec::new();
+    if let Some(svg) = figures::envelope(name, figures::Quantity::Factor, &[curve], None) {
+        files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
+    }
+    files.push(table("sweep", wire::sweep_table(found)));
     results::publish(desk, report, folder, &files)
 }
 
@@ -195,38 +219,4 @@ fn ended(sweep: Ended) -> Status {
 
 fn table(name: &str, text: String) -> figures::File {
     figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }
-}
-
-fn sweep(
-    desk: &mut Desk,
-    arguments: &Arguments,
-    source: &Source,
-    bridge: &Bridge,
-    folder: &Folder,
-) -> Result<Report, Failure> {
-    desk.schema = "extrados.sweep/1".to_owned();
-    let span = assess::discretise::bridge_length(bridge);
-    let step = match &arguments.sweep_step {
-        Some(text) => quantities::length("--sweep-step", text)?,
-        None => span / 100.0,
-    };
-    let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = analysis::sweep(bridge, Places::Every(step), true, &mut spectator);
-    spectator.finish();
-    let found = found.map_err(|error| results::not_set_up(&error))?;
-    let mut report = source.report(ended(found.ended()));
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
-    let object = wire::SweepObject::new(&bridge.name, bridge.width, &found, &wire::Run::default());
-    report.fields = report::fields_of(object);
-    report.summary = summary::sweep(&found, &folder.path().display().to_string());
-    let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
-    let curve = figures::Sweep { label: "load factor".to_owned(), points };
-    let mut files = Vec::new();
-    if let Some(svg) = figures::envelope(&bridge.name, figures::Quantity::Factor, &[curve], None) {
-        files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
-    }
-    files.push(table("sweep", wire::sweep_table(&found)));
-    results::publish(desk, report, folder, &files)
 }

@@ -90,7 +90,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
         return Ok((model.report(status), scene.map(|scene| Content::Model(Box::new(scene))), inputs));
     }
     let source = Source::open(desk, &arguments.from)?;
-    let Some(bridge) = &source.read.bridge else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
+    let Some(bridge) = source.bridge() else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
     let cut = assess::discretise::discretise(bridge).map_err(|error| results::not_set_up(&error.into()))?;
     let scene = Box::new(of_bridge(bridge, &cut));
     Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))

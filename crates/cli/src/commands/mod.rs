@@ -8,7 +8,6 @@ mod collapse;
 mod convert;
 mod explain;
 mod model;
-mod names;
 mod new;
 mod respond;
 mod schema;
@@ -29,10 +28,10 @@ use crate::signs;
 use crate::status::Status;
 use clap::Parser;
 use clap::error::ErrorKind;
+use extrados::{Disk, Files, Project};
 use serde_json::json;
 use std::ffi::OsString;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What every command is given.
 pub struct Desk {
@@ -174,152 +173,43 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     failure.status.exit_code()
 }
 
-/// A bridge file that was read.
+/// A bridge file that was read, with what it takes from other files.
 struct Source {
-    /// As the command line names it.
-    name: String,
-    text: Vec<u8>,
-    read: bridge::Read,
-    /// Every file that was read, and every record that is going to be.
-    inputs: Vec<PathBuf>,
+    project: Project,
 }
 
 impl Source {
     /// Reads a file and shows what was found in it.
     fn open(desk: &mut Desk, path: &Path) -> Result<Source, Failure> {
         let source = Source::read(path)?;
-        if source.read.bridge.is_none() || !desk.screen.quiet {
-            let paint = Paint::for_stderr();
-            desk.screen.remark(&render::findings(&source.name, &source.text, &source.read.diagnostics, &paint));
+        if source.bridge().is_none() || !desk.screen.quiet {
+            let (project, paint) = (&source.project, Paint::for_stderr());
+            desk.screen.remark(&render::findings(project.name(), project.text(), project.findings(), &paint));
         }
         Ok(source)
     }
 
     /// Reads a file and says nothing.
     fn read(path: &Path) -> Result<Source, Failure> {
-        let text = read_text(path)?;
-        let mut read = bridge::read(&text);
-        take_files(&mut read, None, path)?;
-        names::look_up(&mut read, &text);
-        let inputs = inputs(&read, path);
-        Ok(Source { name: path.display().to_string(), text, read, inputs })
+        Ok(Source { project: Project::read(path, &Disk)? })
     }
 
-    /// Reads an edited text of the same file, with what other files give it: those that were read already are not read again.
-    fn read_again(&self, text: &[u8]) -> Result<bridge::Read, Failure> {
-        let mut read = bridge::read(text);
-        take_files(&mut read, self.read.bridge.as_ref(), Path::new(&self.name))?;
-        names::look_up(&mut read, text);
-        Ok(read)
-    }
-
-    /// The bridge of an edited text, likewise.
-    fn again(&self, edited: &bridge::edit::Document) -> Option<bridge::Bridge> {
-        self.read_again(edited.text().as_bytes()).ok()?.bridge
+    /// Its bridge; none where the file cannot be used.
+    fn bridge(&self) -> Option<&bridge::Bridge> {
+        self.project.meaning().bridge.as_ref()
     }
 
     /// The folder for the results of a run of this kind.
     fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
-        Folder::prepare(path, Purpose::new(kind, Path::new(&self.name), &self.inputs))
+        Folder::prepare(path, Purpose::new(kind, Path::new(self.project.name()), self.project.inputs()))
     }
 
     /// An answer with what was found.
     fn report(&self, status: Status) -> Report {
         let mut report = Report::new(status);
-        report.add_findings(&self.name, &self.text, &self.read.diagnostics);
+        report.add_findings(self.project.name(), self.project.text(), self.project.findings());
         report
     }
-}
-
-/// Reads the files that a bridge file names; those that `known` took from files of the same names are taken over from it.
-fn take_files(read: &mut bridge::Read, known: Option<&bridge::Bridge>, path: &Path) -> Result<(), Failure> {
-    let Some(bridge) = read.bridge.as_mut() else { return Ok(()) };
-    if let Some(particles) = &mut bridge.particles {
-        match known.and_then(|known| known.particles.as_ref()).filter(|known| known.file == particles.file) {
-            Some(known) => particles.grains.clone_from(&known.grains),
-            None => take_packing(particles, path)?,
-        }
-    }
-    if let Some(sweep) = &mut bridge.sweep {
-        let same = |known: &&bridge::SweepPlan| {
-            known.rule_file == sweep.rule_file && known.vehicle_files == sweep.vehicle_files
-        };
-        match known.and_then(|known| known.sweep.as_ref()).filter(same) {
-            Some(known) => sweep.texts.clone_from(&known.texts),
-            None => take_vehicles(sweep, path)?,
-        }
-    }
-    if let Some(passage) = &mut bridge.passage {
-        let train = &mut passage.train;
-        let same = |known: &&bridge::train::Train| train.file.is_some() && known.file == train.file;
-        match known.and_then(|known| known.passage.as_ref()).map(|known| &known.train).filter(same) {
-            Some(known) => train.vehicles.clone_from(&known.vehicles),
-            None => take_train(train, path)?,
-        }
-    }
-    Ok(())
-}
-
-/// Files that a bridge file names, beside it.
-fn inputs(read: &bridge::Read, path: &Path) -> Vec<PathBuf> {
-    let Some(bridge) = &read.bridge else { return Vec::new() };
-    let mut names: Vec<&str> = Vec::new();
-    names.extend(bridge.particles.as_ref().and_then(|particles| particles.file.as_deref()));
-    names.extend(bridge.passage.as_ref().and_then(|passage| passage.train.file.as_deref()));
-    names.extend(
-        bridge.sweep.iter().flat_map(|sweep| sweep.rule_file.iter().chain(&sweep.vehicle_files)).map(String::as_str),
-    );
-    let beside = path.parent().unwrap_or(Path::new(""));
-    let mut all: Vec<PathBuf> = names.into_iter().map(|name| beside.join(name)).collect();
-    // A folder of records is every file in it.
-    if let Some(place) = read.update.as_ref().map(|update| beside.join(&update.records.place)) {
-        let entries = std::fs::read_dir(&place).into_iter().flatten().flatten();
-        all.extend(entries.map(|entry| entry.path()));
-        all.push(place);
-    }
-    all
-}
-
-/// Reads the packing that the bridge file names; its path is relative to the bridge file.
-fn take_packing(particles: &mut bridge::Particles, beside: &Path) -> Result<(), Failure> {
-    let Some(name) = &particles.file else { return Ok(()) };
-    let path = beside.parent().unwrap_or(Path::new("")).join(name);
-    let text = read_file(&path)?;
-    particles.grains = ::assess::packing_file::read(&text).map_err(|error| {
-        let message = format!("cannot use the packing {}: {error}", path.display());
-        Failure::input("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
-    })?;
-    Ok(())
-}
-
-/// Reads the vehicles that the bridge file names; their path is relative to the bridge file.
-fn take_train(train: &mut bridge::train::Train, beside: &Path) -> Result<(), Failure> {
-    let Some(name) = &train.file else { return Ok(()) };
-    let path = beside.parent().unwrap_or(Path::new("")).join(name);
-    let text = read_file(&path)?;
-    let unusable = |why: String| {
-        let message = format!("cannot use the train {}: {why}", path.display());
-        Failure::input("F121", message, "write [[vehicle]] tables (.toml), or axle_load_t,distance_m (.csv)")
-    };
-    let table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
-    train.vehicles = if table {
-        bridge::train::read_csv(&String::from_utf8_lossy(&text)).map_err(|wrong| unusable(wrong.join("; ")))?
-    } else {
-        let read = bridge::train::read_toml(&text);
-        let said = render::findings(&path.display().to_string(), &text, &read.diagnostics, &Paint::new(false));
-        read.vehicles.ok_or_else(|| unusable(format!("\n{said}")))?
-    };
-    Ok(())
-}
-
-/// Reads the files of a rule and of vehicles that the bridge file names; their paths are relative to it.
-fn take_vehicles(sweep: &mut bridge::SweepPlan, beside: &Path) -> Result<(), Failure> {
-    for name in sweep.rule_file.iter().chain(&sweep.vehicle_files) {
-        let path = beside.parent().unwrap_or(Path::new("")).join(name);
-        let text = String::from_utf8_lossy(&read_text(&path)?).into_owned();
-        sweep.texts.push((path.display().to_string(), text));
-    }
-    Ok(())
 }
 
 /// The bytes of a text file, in UTF-8 where it was UTF-16.
@@ -329,8 +219,5 @@ fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
 
 /// The bytes of a file; a folder is refused in words.
 fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
-    if path.is_dir() {
-        return Err(Failure::unreadable(path, &io::Error::new(io::ErrorKind::IsADirectory, "it is a folder")));
-    }
-    std::fs::read(path).map_err(|error| Failure::unreadable(path, &error))
+    Disk.read(path).map_err(|error| Failure::unreadable(path, &error))
 }

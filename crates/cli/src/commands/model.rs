@@ -14,6 +14,7 @@ use assess::analysis;
 use assess::blocks::{Scene, assemble};
 use bridge::blocks::{DrawingPart, Role};
 use bridge::{Diagnostic, Method, Severity};
+use extrados::Looking;
 use mechanics::blocks::ModelError;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -193,7 +194,7 @@ pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure
     if arguments.sweep || arguments.choice.analysis.is_some_and(|analysis| analysis != crate::args::Analysis::Load) {
         return Err(Failure::input("F108", arch, remedy));
     }
-    super::collapse::plan(&mut scene.plan, scene.width, arguments)?;
+    super::collapse::choice(scene.width, arguments)?.apply(&mut scene.plan);
     if !scene.particles.is_empty() && scene.plan.method == Method::Limit {
         let message = ModelError::ParticlesInLimitAnalysis(scene.particles.len()).to_string();
         let help = "say --method dem, or give their layers role = \"ignore\" to analyse the blocks alone";
@@ -201,7 +202,10 @@ pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure
     }
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
-    let run = |resume: Option<&[u64]>, watcher: &mut Watcher| analysis::collapse_of_blocks(&scene, resume, watcher);
+    let run = |resume: Option<Vec<u64>>, watcher: &mut Watcher| {
+        analysis::collapse_of_blocks(&scene, resume.as_deref(), &mut Looking(watcher))
+            .map_err(|error| results::not_set_up(&error))
+    };
     let checkpoint = Checkpoint::of(&scene, &folder);
     super::collapse::analyse(desk, arguments, model.report(Status::Completed), checkpoint, &folder, run)
 }

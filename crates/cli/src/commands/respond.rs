@@ -12,23 +12,26 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use assess::analysis::passage::{self, Passage, PassageStatus};
+use assess::analysis::passage::{Passage, PassageStatus};
 use assess::wire;
-use bridge::Bridge;
+use bridge::passage::{PassageAnalysis as Analysis, PassagePath as Path};
+use extrados::RespondOptions;
 use serde_json::json;
 
 /// Reads the file, lets the train cross, writes the records.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
-    let Some(mut bridge) = source.read.bridge.clone() else { return Ok(source.report(Status::UnusableInput)) };
-    plan(&mut bridge, arguments)?;
+    if source.bridge().is_none() {
+        return Ok(source.report(Status::UnusableInput));
+    }
+    let options = options(arguments)?;
     let recorder = Recorder::new(arguments)?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = source.folder(&out, "respond")?;
     let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
-    let found = passage::passage(&bridge, &mut watcher);
+    let found = extrados::respond(&source.project, &options, &mut watcher);
     watcher.finish();
-    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let found = found?;
     let mut report = source.report(Status::named(found.status.word()).unwrap_or(Status::NotConverged));
     if found.status == PassageStatus::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
@@ -57,24 +60,20 @@ fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(),
     Ok(())
 }
 
-/// Sets what the command line says in place of the file.
-fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
-    let Some(passage) = &mut bridge.passage else { return Ok(()) };
-    let plan = &mut passage.plan;
-    if let Some(text) = &arguments.speed {
-        plan.speed = quantities::speed("--speed", text)?;
-    }
-    plan.analysis = match arguments.analysis {
-        Some(PassageAnalysis::Static) => bridge::passage::PassageAnalysis::Static,
-        Some(PassageAnalysis::Transient) => bridge::passage::PassageAnalysis::Transient,
-        None => plan.analysis,
-    };
-    plan.path = match arguments.path {
-        Some(PassagePath::Condensed) => bridge::passage::PassagePath::Condensed,
-        Some(PassagePath::Plain) => bridge::passage::PassagePath::Plain,
-        None => plan.path,
-    };
-    Ok(())
+/// What the command line says in place of the file.
+fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
+    let speed = arguments.speed.as_ref().map(|text| quantities::speed("--speed", text));
+    Ok(RespondOptions {
+        speed: speed.transpose()?,
+        analysis: arguments.analysis.map(|analysis| match analysis {
+            PassageAnalysis::Static => Analysis::Static,
+            PassageAnalysis::Transient => Analysis::Transient,
+        }),
+        path: arguments.path.map(|path| match path {
+            PassagePath::Condensed => Path::Condensed,
+            PassagePath::Plain => Path::Plain,
+        }),
+    })
 }
 
 fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {

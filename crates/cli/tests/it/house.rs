@@ -75,8 +75,19 @@ fn leaves_know_nothing_of_one_another_and_only_assess_joins_them() {
         let end = text[start..].find("\n[").map_or(text.len(), |length| start + length);
         text[start..end].to_owned()
     };
-    let crates =
-        ["bridge", "drawing", "records", "mechanics", "calibrate", "rules", "assess", "figures", "report", "cli"];
+    let crates = [
+        "bridge",
+        "drawing",
+        "records",
+        "mechanics",
+        "calibrate",
+        "rules",
+        "assess",
+        "figures",
+        "report",
+        "extrados",
+        "cli",
+    ];
     let allowed = [
         ("bridge", ""),
         ("drawing", ""),
@@ -87,7 +98,8 @@ fn leaves_know_nothing_of_one_another_and_only_assess_joins_them() {
         ("assess", "bridge drawing records mechanics calibrate rules"),
         ("figures", "assess drawing records"),
         ("report", "assess bridge"),
-        ("cli", "bridge drawing records mechanics calibrate rules assess figures report"),
+        ("extrados", "bridge records mechanics calibrate assess figures report"),
+        ("cli", "bridge drawing records mechanics calibrate rules assess figures report extrados"),
     ];
     for (name, may) in allowed {
         let text = dependencies(name);
@@ -135,6 +147,18 @@ fn mechanics_and_calibrate_have_no_file_clock_thread_print_or_format_and_no_brid
         let text = code(&path);
         for word in NOT_HERE.iter().chain(&BRIDGE_WORDS) {
             assert!(!text.to_lowercase().contains(&word.to_lowercase()), "{} speaks of {word}", path.display());
+        }
+    }
+}
+
+/// The library reads files through its trait, and no clock at all: it runs where there is neither.
+#[test]
+fn the_door_has_one_place_for_files_and_none_for_clocks() {
+    for path in sources("crates/extrados/src") {
+        let (text, place) = (code(&path), path.to_string_lossy().replace('\\', "/"));
+        assert!(place.ends_with("/files.rs") || !text.contains("std::fs"), "{place} reads files");
+        for word in ["Instant", "SystemTime", "std::thread", "std::process", "println!", "std::env::"] {
+            assert!(!text.contains(word), "{place} has {word}");
         }
     }
 }

@@ -92,10 +92,7 @@ impl<'a> Model<'a> {
             return Err(Failure::new("unusable-input", message));
         };
         // Vehicles and packings from files beside this one were read once.
-        if let (Some(passage), Some(own)) = (&mut bridge.passage, &self.own.passage) {
-            passage.train = own.train.clone();
-        }
-        bridge.particles.clone_from(&self.own.particles);
+        bridge.take_over(self.own);
         Ok(bridge)
     }
 

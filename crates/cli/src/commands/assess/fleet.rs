@@ -1,12 +1,12 @@
 //! A folder of bridge files: each is assessed into a folder of its own, side by side over the cores, and one table lists them,
 //! worst first. A file that cannot be used is a row and stops nothing. What is finished is taken up by the next run.
 
-use super::kept::Program;
-use super::{assessed, command};
+use super::{answer, assessed, command, files};
 use crate::args::Assess as Arguments;
 use crate::commands::{Desk, Source};
 use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
+use crate::program;
 use crate::report::{self, Report};
 use crate::results;
 use crate::signs;
@@ -21,19 +21,19 @@ use std::path::{Path, PathBuf};
 
 /// Every bridge file of the folder, in the order of their names.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
-    let files = bridge_files(&arguments.file)?;
+    let paths = bridge_files(&arguments.file)?;
     let out = arguments.out.clone().unwrap_or_else(|| default_for(&arguments.file));
-    let folder = Folder::prepare(&out, Purpose::new("fleet", &arguments.file, &files))?;
-    let program = Program::running();
+    let folder = Folder::prepare(&out, Purpose::new("fleet", &arguments.file, &paths))?;
+    let program = program::hash();
     signs::keeps("out", folder.path(), KEPT);
-    let bar = watcher::count(desk.screen.quiet, files.len());
-    let rows: Vec<Option<FleetRow>> = files
+    let bar = watcher::count(desk.screen.quiet, paths.len());
+    let rows: Vec<Option<FleetRow>> = paths
         .par_iter()
         .map(|file| {
             if watcher::asked_to_stop() {
                 return None;
             }
-            let row = one(file, &folder_of(file, &files), arguments, &folder, &program);
+            let row = one(file, &folder_of(file, &paths), arguments, &folder, &program);
             watcher::counted(&bar, "bridges");
             row
         })
@@ -125,7 +125,7 @@ fn folder_of(path: &Path, files: &[PathBuf]) -> String {
 }
 
 /// One bridge, into a folder of this name; none where somebody asked to stop.
-fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &Program) -> Option<FleetRow> {
+fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &str) -> Option<FleetRow> {
     let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
     let blank = |status: Status, words: String| FleetRow {
         file: file.clone(),
@@ -144,10 +144,10 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         Ok(source) => source,
         Err(failure) => return Some(refused(failure)),
     };
-    if source.read.bridge.is_none() {
-        let errors = source.read.diagnostics.iter().filter(|finding| finding.severity == Severity::Error);
+    if source.bridge().is_none() {
+        let errors = source.project.findings().iter().filter(|finding| finding.severity == Severity::Error);
         let words = errors.map(|finding| {
-            let place = bridge::text::position(&source.text, finding.range.start);
+            let place = bridge::text::position(source.project.text(), finding.range.start);
             format!("line {}: {} ({})", place.line, finding.message, finding.code)
         });
         return Some(blank(Status::UnusableInput, words.take(5).collect::<Vec<_>>().join("; ")));
@@ -156,13 +156,13 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         Ok(folder) => folder,
         Err(failure) => return Some(refused(failure)),
     };
-    let done = match assessed(&source, path, &folder, program, arguments, true) {
+    let done = match assessed(&source, &folder, program, arguments, true) {
         Ok(done) => done?,
         Err(failure) => return Some(refused(failure)),
     };
-    let mut report = done.report(&source);
+    let mut report = answer(&done, &source);
     let written = folder.fill(
-        |staging| done.files().iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
+        |staging| files(&done).iter().try_for_each(|file| fs::write(staging.join(&file.name), &file.bytes)),
         |names, place, _| {
             report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));

@@ -1,16 +1,16 @@
 //! Every quantity of a file that can be varied.
 
 use super::super::Source;
+use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use bridge::edit::Document;
 use bridge::vary::known;
 use serde_json::json;
 use std::fmt::Write;
 
 /// Path, value and meaning of every quantity.
-pub fn list(source: &Source, document: &Document) -> Report {
-    let all = known(document);
+pub fn list(source: &Source) -> Result<Report, Failure> {
+    let all = known(&source.project.document_without_ranges()?);
     let width = |of: fn(&bridge::vary::Known) -> &str| all.iter().map(|one| of(one).chars().count()).max().unwrap_or(0);
     let (paths, values) = (width(|one| &one.path), width(|one| &one.value).min(40));
     let mut page = String::new();
@@ -24,5 +24,5 @@ pub fn list(source: &Source, document: &Document) -> Report {
             |one| json!({ "quantity": one.path, "value": one.value, "by_default": one.by_default, "meaning": one.doc }),
         )
         .collect();
-    source.report(Status::Completed).with("quantities", objects).saying(page)
+    Ok(source.report(Status::Completed).with("quantities", objects).saying(page))
 }

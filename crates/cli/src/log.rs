@@ -1,12 +1,10 @@
-//! Looks on an update: draws its progress, hears Ctrl-C, appends every finished evaluation to the log in the folder of results.
+//! The log of an update: every finished evaluation as a line of a file in the folder of results.
 
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::signs;
-use crate::watcher;
+use calibrate::Log;
 use calibrate::log::Unreadable;
-use calibrate::{Log, Progress, Watch, Wish};
-use indicatif::ProgressBar;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -14,17 +12,16 @@ use std::path::PathBuf;
 /// Name of the log.
 pub const NAME: &str = "evaluations.log";
 
-/// Keeps what is done.
-pub struct Keeper {
-    bar: ProgressBar,
+/// A log that is written to.
+pub struct LogFile {
     path: PathBuf,
     file: File,
     trouble: Option<io::Error>,
 }
 
-impl Keeper {
-    /// What an earlier run of the same model did, if it is to be taken up, and someone who keeps what comes.
-    pub fn open(folder: &Folder, identity: &str, resume: bool, quiet: bool) -> Result<(Log, Keeper), Failure> {
+impl LogFile {
+    /// What an earlier run of the same model did, if it is to be taken up, and the file for what comes.
+    pub fn open(folder: &Folder, identity: &str, resume: bool) -> Result<(Log, LogFile), Failure> {
         let path = folder.file(NAME);
         let log = match read(&path)? {
             Some(text) if resume => take_up(folder, identity, &text)?,
@@ -44,38 +41,19 @@ impl Keeper {
         let file = OpenOptions::new().append(true).open(&path).map_err(unwritable)?;
         let words = format!("evaluations are kept in {}\nthe same command with --resume goes on", path.display());
         signs::keeps("log", &path, words);
-        let bar = watcher::count(quiet, 1);
-        Ok((log, Keeper { bar, path, file, trouble: None }))
+        Ok((log, LogFile { path, file, trouble: None }))
     }
 
-    /// Ends the drawing; tells what kept an evaluation from being kept.
-    pub fn finish(self) -> Option<Failure> {
-        self.bar.finish_and_clear();
-        self.trouble.map(|error| Failure::not_written(&self.path, &error))
-    }
-}
-
-/// Looks on where nothing is worth keeping: draws progress, hears Ctrl-C.
-pub struct Onlooker(ProgressBar);
-
-impl Onlooker {
-    /// Someone who draws, unless told to be quiet.
-    pub fn new(quiet: bool) -> Onlooker {
-        Onlooker(watcher::count(quiet, 1))
+    /// Adds a line.
+    pub fn append(&mut self, line: &str) {
+        if let Err(error) = self.file.write_all(format!("{line}\n").as_bytes()) {
+            self.trouble.get_or_insert(error);
+        }
     }
 
-    /// Ends the drawing.
-    pub fn finish(self) {
-        self.0.finish_and_clear();
-    }
-}
-
-impl Watch for Onlooker {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let words = format!("{}: {} evaluations", progress.stage, progress.done);
-        signs::tell(&words, None);
-        self.0.set_message(words);
-        if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
+    /// What kept a line from being kept.
+    pub fn trouble(&self) -> Option<Failure> {
+        self.trouble.as_ref().map(|error| Failure::not_written(&self.path, error))
     }
 }
 
@@ -120,29 +98,5 @@ fn take_up(folder: &Folder, identity: &str, text: &str) -> Result<Log, Failure> 
             let message = format!("cannot use {}: it is no log of evaluations", path.display());
             Err(Failure::input("F110", message, "run without --resume to start anew"))
         }
-    }
-}
-
-impl Watch for Keeper {
-    fn look(&mut self, progress: &Progress) -> Wish {
-        let to_come = progress.to_come.unwrap_or(0);
-        self.bar.set_length((progress.done + to_come).max(1) as u64);
-        self.bar.set_position(progress.done as u64);
-        let left = progress.to_come.map_or(String::new(), |left| format!(", at most {left} to come"));
-        let words = format!("{}: {} evaluations{left}", progress.stage, progress.done);
-        signs::tell(&words, None);
-        self.bar.set_message(words);
-        if watcher::asked_to_stop() { Wish::Stop } else { Wish::GoOn }
-    }
-
-    fn keep(&mut self, line: &str) {
-        let written = self.file.write_all(format!("{line}\n").as_bytes());
-        if let Err(error) = written {
-            self.trouble.get_or_insert(error);
-        }
-    }
-
-    fn keeps(&self) -> bool {
-        true
     }
 }

@@ -1,7 +1,7 @@
 //! Names of vehicles and rules that a bridge file takes from the library: looked up as soon as the file is read, so that a
 //! slip of the pen ends as a finding with its place and not after minutes of analyses.
 
-use ::assess::vehicles::{self, Unknown};
+use assess::vehicles::{self, Unknown};
 use bridge::{Diagnostic, Read, Severity, TextRange};
 
 /// Adds a finding for every name that nothing bears; a file with one cannot be used.

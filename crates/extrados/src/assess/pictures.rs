@@ -1,11 +1,11 @@
 //! Which drawings of a stage stand in the report, and what is said under them.
 
-use ::assess::analysis::passage::Passage;
-use ::assess::analysis::update::Update;
-use ::assess::analysis::vehicles::VehicleSweep;
-use ::assess::chain::Ultimate;
-use ::assess::outcome::Picture;
-use ::report::Figure;
+use assess::analysis::passage::Passage;
+use assess::analysis::update::Update;
+use assess::analysis::vehicles::VehicleSweep;
+use assess::chain::Ultimate;
+use assess::outcome::Picture;
+use report::Figure;
 
 /// Most drawings of an update: histories, residuals, then sensitivity curves and surfaces in their order.
 const MOST_OF_UPDATE: usize = 12;

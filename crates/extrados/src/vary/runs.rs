@@ -1,10 +1,9 @@
 //! From quantities and values to bridges: each value is put into the file's text and read by the file's own reader.
 
-use super::Refusals;
-use crate::args::Choice;
-use crate::cache::{Cache, Key};
-use crate::commands::Source;
-use crate::failure::Failure;
+use crate::choice::Choice;
+use crate::means::Means;
+use crate::project::Project;
+use crate::refusal::Refusal;
 use assess::vary::{Analysis, Design, Run, runs};
 use bridge::edit::Document;
 use bridge::vary::Varied;
@@ -15,25 +14,23 @@ use std::collections::BTreeMap;
 const MOST_REFUSALS: usize = 50;
 
 /// What every run starts from.
-pub struct Plan<'a> {
+pub struct Source<'a> {
     /// The file, with what other files gave it.
-    pub source: &'a Source,
+    pub project: &'a Project,
     /// The bridge as its file has it.
     pub own: &'a Bridge,
-    /// The file's text.
-    pub document: &'a Document,
-    /// What the command line says in place of the file.
-    pub choice: &'a Choice,
-    /// All against all.
-    pub grid: bool,
+    /// The file's text without its ranges.
+    pub document: Document,
+    /// What takes the place of the file's plan.
+    pub choice: Choice,
+    /// One at a time, or all against all.
+    pub design: Design,
 }
 
 /// Every run, with the bridge that it computes. Runs that mean the same bridge share a job.
-pub struct Task {
-    /// What is varied.
-    pub varied: Vec<Varied>,
+pub struct Runs {
     /// The runs, the file's own bridge first.
-    pub runs: Vec<Run>,
+    pub list: Vec<Run>,
     /// For each run, its job.
     pub job_of: Vec<usize>,
     /// What there is to compute.
@@ -47,30 +44,22 @@ pub struct Job {
     /// The bridge with its plan.
     pub bridge: Bridge,
     /// What the answer is kept by.
-    pub key: Key,
+    pub key: String,
 }
 
-impl Plan<'_> {
-    /// One at a time, or all against all.
-    pub fn design(&self) -> Design {
-        if self.grid { Design::Grid } else { Design::OneAtATime }
-    }
-
+impl Source<'_> {
     /// Whether every value of every quantity gives a bridge by itself, and whether each quantity says something that the
-    /// command line does not overrule.
-    pub fn check(&self, varied: &[Varied]) -> Result<(), Refusals> {
+    /// choice does not overrule.
+    pub fn check(&self, varied: &[Varied]) -> Result<(), Vec<Refusal>> {
         let mut refusals = Vec::new();
-        let own = self.chosen(self.own.clone()).map_err(|failure| vec![failure])?;
+        let own = self.chosen(self.own.clone());
         for quantity in varied {
             let (mut means_something, mut is_overruled) = (false, true);
             for setting in &quantity.values {
                 match self.read(&[(quantity, setting.literal.as_str())]) {
                     Ok((bridge, _)) => {
                         means_something |= bridge != *self.own;
-                        match self.chosen(bridge) {
-                            Ok(chosen) => is_overruled &= chosen == own,
-                            Err(failure) => refusals.push(failure),
-                        }
+                        is_overruled &= self.chosen(bridge) == own;
                     }
                     Err(found) => {
                         refusals.extend(found);
@@ -80,29 +69,26 @@ impl Plan<'_> {
             }
             if means_something && is_overruled {
                 let message = format!("a flag of the command line overrules every value of `{}`", quantity.path);
-                refusals.push(Failure::input("F116", message, "leave the flag or the quantity away"));
+                refusals.push(Refusal::new("F116", message, "leave the flag or the quantity away"));
             }
         }
         no_more(refusals)
     }
 
     /// Every run and its bridge, or what is wrong with values that only go together badly.
-    pub fn task(&self, varied: Vec<Varied>, analysis: &Analysis, cache: &Cache) -> Result<Task, Refusals> {
+    pub fn runs(&self, varied: &[Varied], analysis: &Analysis, means: &Means<'_>) -> Result<Runs, Vec<Refusal>> {
         let counts: Vec<usize> = varied.iter().map(|one| one.values.len()).collect();
-        let runs = runs(self.design(), &counts);
+        let list = runs(self.design, &counts);
         let mut refusals = Vec::new();
-        let mut jobs = Jobs { analysis, cache, known: BTreeMap::new(), list: Vec::new() };
+        let mut jobs = Jobs { analysis, means, known: BTreeMap::new(), list: Vec::new() };
         let (mut job_of, mut warnings) = (Vec::new(), Vec::new());
-        for run in &runs {
+        for run in &list {
             let values = varied.iter().zip(&run.choice);
             let values: Vec<(&Varied, &str)> =
                 values.filter_map(|(one, choice)| Some((one, one.values.get((*choice)?)?.literal.as_str()))).collect();
-            let read = self.read(&values).and_then(|(bridge, doubts)| {
-                self.chosen(bridge).map(|bridge| (bridge, doubts)).map_err(|failure| vec![failure])
-            });
-            match read {
+            match self.read(&values) {
                 Ok((bridge, doubts)) => {
-                    job_of.push(jobs.number_of(bridge));
+                    job_of.push(jobs.number_of(self.chosen(bridge)));
                     warnings.push(doubts);
                 }
                 Err(found) => refusals.extend(found),
@@ -115,34 +101,29 @@ impl Plan<'_> {
         let own: Vec<&'static str> = warnings.first().cloned().unwrap_or_default();
         let new = |doubts: Vec<&'static str>| doubts.into_iter().filter(|code| !own.contains(code)).collect();
         let new_warnings = warnings.into_iter().map(new).collect();
-        Ok(Task { varied, runs, job_of, jobs: jobs.list, new_warnings })
+        Ok(Runs { list, job_of, jobs: jobs.list, new_warnings })
     }
 
     /// The bridge as its file has it, alone.
-    pub fn own_task(&self, analysis: &Analysis, cache: &Cache) -> Result<Task, Failure> {
-        let bridge = self.chosen(self.own.clone())?;
-        let key = cache.key(analysis.name, &bridge);
-        Ok(Task {
-            varied: Vec::new(),
-            runs: runs(Design::OneAtATime, &[]),
-            job_of: vec![0],
-            jobs: vec![Job { bridge, key }],
-            new_warnings: vec![Vec::new()],
-        })
+    pub fn alone(&self, analysis: &Analysis, means: &Means<'_>) -> Runs {
+        let bridge = self.chosen(self.own.clone());
+        let key = key(analysis, means, &bridge);
+        let list = runs(Design::OneAtATime, &[]);
+        Runs { list, job_of: vec![0], jobs: vec![Job { bridge, key }], new_warnings: vec![Vec::new()] }
     }
 
     /// The file with these values, read again; doubts are codes of its warnings.
-    fn read(&self, values: &[(&Varied, &str)]) -> Result<(Bridge, Vec<&'static str>), Refusals> {
+    fn read(&self, values: &[(&Varied, &str)]) -> Result<(Bridge, Vec<&'static str>), Vec<Refusal>> {
         let mut document = self.document.clone();
         let shown: Vec<String> = values.iter().map(|(one, literal)| format!("{} = {literal}", one.path)).collect();
         let shown = shown.join(", ");
         for (one, literal) in values {
             if document.set(&one.path, literal).is_err() {
                 let message = format!("{shown}: the file has no place for it");
-                return Err(vec![Failure::input("F114", message, "extrados vary FILE --list shows what the file has")]);
+                return Err(vec![Refusal::new("F114", message, "extrados vary FILE --list shows what the file has")]);
             }
         }
-        let read = self.source.read_again(document.text().as_bytes()).map_err(|failure| vec![failure])?;
+        let read = self.project.read_again(document.text().as_bytes());
         let codes = |list: &[Diagnostic]| list.iter().map(|finding| finding.code).collect();
         match read.bridge {
             Some(bridge) => Ok((bridge, codes(&read.diagnostics))),
@@ -153,38 +134,42 @@ impl Plan<'_> {
         }
     }
 
-    /// With what the command line says in place of the file.
-    pub fn chosen(&self, mut bridge: Bridge) -> Result<Bridge, Failure> {
-        let width = bridge.width;
-        self.choice.apply(&mut bridge.plan, width)?;
-        Ok(bridge)
+    /// With what was chosen in place of the file's plan.
+    pub fn chosen(&self, mut bridge: Bridge) -> Bridge {
+        self.choice.apply(&mut bridge.plan);
+        bridge
     }
 }
 
-fn no_more(mut refusals: Refusals) -> Result<(), Refusals> {
+fn no_more(mut refusals: Vec<Refusal>) -> Result<(), Vec<Refusal>> {
     refusals.dedup();
     refusals.truncate(MOST_REFUSALS);
     if refusals.is_empty() { Ok(()) } else { Err(refusals) }
 }
 
 /// What the reader says about a value.
-fn refused(shown: &str, finding: &Diagnostic) -> Failure {
+fn refused(shown: &str, finding: &Diagnostic) -> Refusal {
     let message = format!("{shown}: {} ({}; {})", finding.message, finding.label, finding.code);
     let help = finding.help.clone().unwrap_or_else(|| format!("extrados explain {}", finding.code));
-    Failure::input("F114", message, help)
+    Refusal::new("F114", message, help)
+}
+
+/// The name of a run on the shelf. Comments, order and units of the file do not enter; every number does to its last bit.
+fn key(analysis: &Analysis, means: &Means<'_>, bridge: &Bridge) -> String {
+    format!("runs/{}", means.key(analysis.name, bridge))
 }
 
 /// Jobs by their keys.
 struct Jobs<'a> {
     analysis: &'a Analysis,
-    cache: &'a Cache,
-    known: BTreeMap<Key, usize>,
+    means: &'a Means<'a>,
+    known: BTreeMap<String, usize>,
     list: Vec<Job>,
 }
 
 impl Jobs<'_> {
     fn number_of(&mut self, bridge: Bridge) -> usize {
-        let key = self.cache.key(self.analysis.name, &bridge);
+        let key = key(self.analysis, self.means, &bridge);
         let next = self.list.len();
         let number = *self.known.entry(key.clone()).or_insert(next);
         if number == next {

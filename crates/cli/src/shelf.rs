@@ -1,0 +1,117 @@
+//! Finished pieces of work in the folder of results: runs in `cache`, stages in `stages`, evaluations in their log. A piece that
+//! is there is never computed again.
+
+use crate::failure::Failure;
+use crate::folder::{Folder, write_whole};
+use crate::log::LogFile;
+use extrados::Refusal;
+use extrados::shelf::Shelf;
+use std::fs;
+use std::io;
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Whether evaluations of an earlier command are taken up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Resume {
+    /// They must be those of the same model.
+    Asked,
+    /// Where they are those of the same model.
+    WherePossible,
+    /// They make way.
+    No,
+}
+
+/// A folder of results as a shelf.
+pub struct FolderShelf<'a> {
+    folder: &'a Folder,
+    resume: Resume,
+    log: Mutex<Opened>,
+}
+
+/// The log, once it is asked for.
+#[derive(Default)]
+struct Opened {
+    file: Option<LogFile>,
+    taken_up: usize,
+    failure: Option<Failure>,
+}
+
+impl<'a> FolderShelf<'a> {
+    /// The shelf of a folder.
+    pub fn new(folder: &'a Folder, resume: Resume) -> FolderShelf<'a> {
+        FolderShelf { folder, resume, log: Mutex::default() }
+    }
+
+    /// Where runs of a study are.
+    pub fn runs(&self) -> PathBuf {
+        self.folder.file("cache")
+    }
+
+    /// How many evaluations were taken up.
+    pub fn taken_up(&self) -> usize {
+        self.log().taken_up
+    }
+
+    /// What kept the log from being opened or an evaluation from being kept.
+    pub fn trouble(&self) -> Option<Failure> {
+        let log = self.log();
+        log.failure.clone().or(log.file.as_ref().and_then(LogFile::trouble))
+    }
+
+    fn log(&self) -> MutexGuard<'_, Opened> {
+        self.log.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        match name.strip_prefix("runs/") {
+            Some(key) => self.runs().join(format!("{key}.json")),
+            None => self.folder.file(&format!("{name}.json")),
+        }
+    }
+}
+
+impl Shelf for FolderShelf<'_> {
+    fn find(&self, name: &str) -> Option<Vec<u8>> {
+        fs::read(self.file(name)).ok()
+    }
+
+    fn put(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        let path = self.file(name);
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        write_whole(&path, bytes)
+    }
+
+    fn evaluations(&self, identity: &str) -> Result<calibrate::Log, Refusal> {
+        let open = |resume| LogFile::open(self.folder, identity, resume);
+        let opened = match self.resume {
+            Resume::Asked => open(true),
+            Resume::WherePossible => open(true).or_else(|_| open(false)),
+            Resume::No => open(false),
+        };
+        let mut log = self.log();
+        match opened {
+            Ok((known, file)) => {
+                (log.file, log.taken_up) = (Some(file), known.len());
+                Ok(known)
+            }
+            Err(failure) => {
+                let refusal = Refusal::new(failure.code, failure.message.clone(), failure.help.clone());
+                log.failure = Some(failure);
+                Err(refusal)
+            }
+        }
+    }
+
+    fn append(&self, line: &str) {
+        if let Some(file) = &mut self.log().file {
+            file.append(line);
+        }
+    }
+
+    fn appends(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,155 @@
+//! The whole chain of a bridge against the limits of its file, and what its report is made of.
+
+mod kept;
+mod pictures;
+mod stages;
+
+use crate::means::Means;
+use crate::project::Project;
+use crate::refusal::Refusal;
+use crate::watch::{Remembering, Watch};
+use assess::assessment::Assessment;
+use assess::checks::{self, Checked, Verdict};
+use assess::condition::{Condition, condition};
+use assess::wire::{self, AssessObject};
+use bridge::inputs::Input;
+use report::{Appendix, Figure, Material};
+use stages::{Halt, Stages};
+
+/// A stage that can be left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StageName {
+    /// Parameters from records.
+    Update,
+    /// Trains that cross.
+    Service,
+    /// Collapse under the loads of the file.
+    Collapse,
+    /// Vehicles moved over the bridge.
+    Vehicles,
+    /// Supports that move.
+    SupportMovement,
+    /// What the governing check depends on.
+    Sensitivity,
+}
+
+/// What an assessment leaves out, and what its report says of how it was made.
+#[derive(Debug, Clone, Default)]
+pub struct AssessOptions {
+    /// Stages to leave out.
+    pub skip: Vec<StageName>,
+    /// The command or program that made it.
+    pub command: String,
+    /// The day, as year-month-day.
+    pub day: String,
+}
+
+/// A bridge that was judged.
+#[derive(Debug)]
+pub struct Assessed {
+    /// What is known of it.
+    pub assessment: Assessment,
+    /// Its checks.
+    pub checked: Vec<Checked>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Its condition.
+    pub condition: Vec<Condition>,
+    /// Drawings of its stages.
+    pub figures: Vec<Figure>,
+    /// Its file, value by value.
+    pub inputs: Vec<Input>,
+    /// What was found in the file: code, message, place.
+    pub findings: Vec<[String; 3]>,
+    /// How it was made.
+    pub appendix: Appendix,
+}
+
+/// Makes every stage that the file asks for and judges the bridge. Stages are kept on the shelf as they are finished; none is given
+/// where somebody asked to stop.
+///
+/// # Errors
+/// A file that cannot be used (F108, F114).
+pub fn assess(
+    project: &Project,
+    options: &AssessOptions,
+    means: &Means<'_>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Assessed>, Refusal> {
+    let watch = Remembering { watch, stopped: false };
+    let mut stages = Stages { project, skip: &options.skip, means, watch, figures: Vec::new(), lines: Vec::new() };
+    let (assessment, checked) = match stages.run() {
+        Ok(made) => made,
+        Err(Halt::Stopped) => return Ok(None),
+        Err(Halt::Refused(refusal)) => return Err(refusal),
+    };
+    let Stages { figures, lines, .. } = stages;
+    let verdict = checks::verdict(&assessment, &checked);
+    let condition = condition(&assessment);
+    let appendix = Appendix {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        program: means.program.to_owned(),
+        file: project.name().to_owned(),
+        input: blake3::hash(project.text()).to_hex().to_string(),
+        command: options.command.clone(),
+        day: options.day.clone(),
+        stages: lines,
+    };
+    let findings = project.findings().iter().map(|finding| {
+        let place = bridge::text::position(project.text(), finding.range.start);
+        [finding.code.to_owned(), finding.message.clone(), format!("line {}", place.line)]
+    });
+    let inputs = bridge::inputs::inputs(&String::from_utf8_lossy(project.text()));
+    let findings = findings.collect();
+    Ok(Some(Assessed { assessment, checked, verdict, condition, figures, inputs, findings, appendix }))
+}
+
+impl Assessed {
+    /// What its report is made of.
+    pub fn material(&self) -> Material<'_> {
+        Material {
+            assessment: &self.assessment,
+            checked: &self.checked,
+            verdict: &self.verdict,
+            condition: &self.condition,
+            figures: &self.figures,
+            inputs: &self.inputs,
+            findings: &self.findings,
+            appendix: &self.appendix,
+        }
+    }
+
+    /// The report as one self-contained page.
+    pub fn html(&self) -> String {
+        report::html(&self.material())
+    }
+
+    /// The answer for scripts.
+    pub fn object(&self) -> AssessObject {
+        AssessObject::new(&self.assessment, &self.checked, &self.verdict, &self.condition)
+    }
+
+    /// The checks as a table (CSV).
+    pub fn table(&self) -> String {
+        wire::checks_table(&self.checked)
+    }
+
+    /// Warnings of its stages, each once: code and words.
+    pub fn warnings(&self) -> Vec<[String; 2]> {
+        let a = &self.assessment;
+        let lists = [
+            a.update.made().map(|facts| &facts.warnings),
+            a.service.made().map(|facts| &facts.warnings),
+            a.ultimate.made().map(|facts| &facts.warnings),
+            a.vehicles.made().map(|facts| &facts.warnings),
+            a.movement.made().map(|facts| &facts.warnings),
+        ];
+        let mut all: Vec<[String; 2]> = Vec::new();
+        for warning in lists.into_iter().flatten().flatten() {
+            if !all.contains(warning) {
+                all.push(warning.clone());
+            }
+        }
+        all
+    }
+}

@@ -1,0 +1,286 @@
+//! The stages of one bridge in their order: update, built, service, collapse, support movement, checks, sensitivities. Each is
+//! kept as soon as it is finished; one that fails leaves the rest standing.
+
+use super::kept::{self, Finished};
+use super::{StageName, pictures};
+use crate::means::Means;
+use crate::project::Project;
+use crate::refusal::Refusal;
+use crate::update;
+use crate::watch::{Looking, Progress, Remembering, Seeking, Watch, Wish};
+use assess::analysis;
+use assess::analysis::update::{Task, Threads, UpdateStatus};
+use assess::assessment::{Assessment, Stage};
+use assess::chain;
+use assess::checks::{self, Checked};
+use assess::wire::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
+use bridge::Bridge;
+use bridge::edit::Document;
+use report::{Figure, StageLine};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
+
+/// What the stages of one bridge are made from.
+pub struct Stages<'a> {
+    /// The file.
+    pub project: &'a Project,
+    /// Stages to leave out.
+    pub skip: &'a [StageName],
+    /// Shelf and clock.
+    pub means: &'a Means<'a>,
+    /// Who looks on.
+    pub watch: Remembering<'a>,
+    /// Drawings as they come.
+    pub figures: Vec<Figure>,
+    /// Lines of the appendix as they come.
+    pub lines: Vec<StageLine>,
+}
+
+/// What became of a stage's run.
+enum Ran<T> {
+    /// Facts and drawings.
+    Made(T, Vec<Figure>),
+    /// Why it came to no end.
+    Failed(String),
+    /// Somebody asked to stop.
+    Cancelled,
+}
+
+/// Why there is no assessment.
+pub enum Halt {
+    /// Somebody asked to stop.
+    Stopped,
+    /// The file cannot be used.
+    Refused(Refusal),
+}
+
+impl From<Refusal> for Halt {
+    fn from(refusal: Refusal) -> Halt {
+        Halt::Refused(refusal)
+    }
+}
+
+impl Stages<'_> {
+    /// Every stage in its order.
+    pub fn run(&mut self) -> Result<(Assessment, Vec<Checked>), Halt> {
+        let own = self.project.bridge()?.clone();
+        let asked = self.project.meaning().assess.clone().unwrap_or_default();
+        let (update, bridge, document) = self.updated(&own)?;
+        let _: Stage<()> = self.stage("built", &bridge, |_| match analysis::as_built(&bridge) {
+            Ok(picture) => Ran::Made((), pictures::built(&picture)),
+            Err(error) => Ran::Failed(error.to_string()),
+        })?;
+        let service = self.service(&bridge, &asked)?;
+        let ultimate = self.ultimate(&bridge)?;
+        let vehicles = self.vehicles(&bridge)?;
+        let movement = self.movement(&bridge)?;
+        let sensitivity = Stage::NotAsked("made last".to_owned());
+        let mut assessment = Assessment { bridge, asked, update, service, ultimate, vehicles, movement, sensitivity };
+        let checked = checks::run(&assessment);
+        assessment.sensitivity = self.sensitivity(&document, &assessment, &checked)?;
+        Ok((assessment, checked))
+    }
+
+    /// Takes a finished stage up, or runs it and keeps what it gave.
+    fn stage<T: Serialize + DeserializeOwned>(
+        &mut self,
+        name: &str,
+        input: &impl Debug,
+        run: impl FnOnce(&mut Remembering<'_>) -> Ran<T>,
+    ) -> Result<Stage<T>, Halt> {
+        let key = self.means.key(name, input);
+        if let Some(finished) = kept::get::<T>(self.means, name, &key) {
+            self.note(name, "taken from an earlier run".to_owned(), Some(finished.seconds), &key);
+            self.figures.extend(finished.figures);
+            return Ok(Stage::Made(finished.facts));
+        }
+        let part = format!("{}: stage {name}", self.project.name());
+        self.watch.begin(&part);
+        if self.watch.look(&Progress { stage: part, fraction: None, steps: 0 }) == Wish::Stop {
+            return Err(Halt::Stopped);
+        }
+        let begun = self.means.clock.seconds();
+        let ran = run(&mut self.watch);
+        let seconds = self.means.clock.seconds() - begun;
+        match ran {
+            // What was cut short is no fact.
+            _ if self.watch.stopped => Err(Halt::Stopped),
+            Ran::Cancelled => Err(Halt::Stopped),
+            Ran::Made(facts, figures) => {
+                let finished = Finished { facts, figures, seconds };
+                kept::put(self.means, name, &key, &finished);
+                self.note(name, "made".to_owned(), Some(seconds), &key);
+                self.figures.extend(finished.figures);
+                Ok(Stage::Made(finished.facts))
+            }
+            Ran::Failed(why) => {
+                self.note(name, format!("failed: {why}"), Some(seconds), &key);
+                Ok(Stage::Failed(why))
+            }
+        }
+    }
+
+    /// A line of the appendix.
+    fn note(&mut self, name: &str, state: String, seconds: Option<f64>, key: &str) {
+        let seconds = seconds.map_or("–".to_owned(), |seconds| format!("{seconds:.1} s"));
+        self.lines.push(StageLine { name: name.to_owned(), state, seconds, key: key.to_owned() });
+    }
+
+    /// A stage that the file does not ask for.
+    fn not_asked<T>(&mut self, name: &str, why: &str) -> Stage<T> {
+        self.note(name, format!("not asked for: {why}"), None, "–");
+        Stage::NotAsked(why.to_owned())
+    }
+
+    fn skipped(&self, stage: StageName) -> bool {
+        self.skip.contains(&stage)
+    }
+
+    /// The update where records are given: its facts, and bridge and text with what it found.
+    fn updated(&mut self, own: &Bridge) -> Result<(Stage<UpdateFacts>, Bridge, Document), Halt> {
+        let whole = self.project.document(&[])?;
+        let named = self.project.meaning().update.clone();
+        let Some(asked) = named.clone().filter(|_| !self.skipped(StageName::Update)) else {
+            let why = match named {
+                Some(_) => "left out by --skip update; the file's own values count",
+                None => "the file names no [records]",
+            };
+            return Ok((self.not_asked("update", why), own.clone(), whole));
+        };
+        let document = update::document(self.project)?;
+        let project = self.project;
+        let files = match project.records() {
+            Ok(files) => files,
+            Err(refusal) => {
+                self.note("update", format!("failed: {}", refusal.message), None, "–");
+                return Ok((Stage::Failed(refusal.message), own.clone(), whole));
+            }
+        };
+        let task = Task { bridge: own, document: &document, asked: &asked, files };
+        let input = (own, &asked, files.iter().map(|file| blake3::hash(&file.bytes)).collect::<Vec<_>>());
+        let means = self.means;
+        let stage = self.stage("update", &input, |watch| sought(&task, means, watch))?;
+        let edited = stage.made().and_then(|facts| chain::with_parameters(&whole, &asked.parameters, facts));
+        let bridge = edited.as_ref().and_then(|edited| project.read_again(edited.text().as_bytes()).bridge);
+        Ok(match (edited, bridge) {
+            (Some(edited), Some(bridge)) => (stage, bridge, edited),
+            _ => (stage, own.clone(), whole),
+        })
+    }
+
+    fn service(&mut self, bridge: &Bridge, asked: &bridge::assess::Assess) -> Result<Stage<ServiceFacts>, Halt> {
+        if self.skipped(StageName::Service) {
+            return Ok(self.not_asked("service", "left out by --skip service"));
+        }
+        if bridge.passage.is_none() {
+            return Ok(self.not_asked("service", "the file has no [train] that crosses"));
+        }
+        let limits = &asked.limits;
+        let input = (bridge, &asked.service_loads, &limits.rule, limits.loaded_length, limits.cushion);
+        self.stage("service", &input, |watch| {
+            let found = chain::service(bridge, asked, chain::Wanted::Everything, &mut Looking(watch));
+            let (facts, passages) = match found {
+                Err(error) => return Ran::Failed(error.to_string()),
+                Ok((facts, _)) if facts.loads.iter().any(|load| load.status == "cancelled") => return Ran::Cancelled,
+                Ok(found) => found,
+            };
+            if let Some(load) = facts.loads.iter().find(|load| load.status != "completed") {
+                let reason = passages.iter().find_map(|passage| passage.reason.clone()).unwrap_or_default();
+                return Ran::Failed(format!("the passage of {} ended with {}: {reason}", load.name, load.status));
+            }
+            let names: Vec<String> = facts.loads.iter().map(|load| load.name.clone()).collect();
+            let figures = pictures::service(&passages, &names);
+            Ran::Made(facts, figures)
+        })
+    }
+
+    fn ultimate(&mut self, bridge: &Bridge) -> Result<Stage<UltimateFacts>, Halt> {
+        if self.skipped(StageName::Collapse) {
+            return Ok(self.not_asked("collapse", "left out by --skip collapse"));
+        }
+        if bridge.loads.is_empty() {
+            return Ok(self.not_asked("collapse", "the file describes no [[load]]"));
+        }
+        self.stage("collapse", bridge, |watch| match chain::ultimate(bridge, &mut Looking(watch)) {
+            Err(error) => Ran::Failed(error.to_string()),
+            Ok(None) => Ran::Cancelled,
+            Ok(Some(found)) => {
+                let figures = pictures::ultimate(&found, &bridge.name);
+                Ran::Made(found.facts, figures)
+            }
+        })
+    }
+
+    fn vehicles(&mut self, bridge: &Bridge) -> Result<Stage<VehicleFacts>, Halt> {
+        if self.skipped(StageName::Vehicles) {
+            return Ok(self.not_asked("vehicles", "left out by --skip vehicles"));
+        }
+        if bridge.sweep.is_none() {
+            return Ok(self.not_asked("vehicles", "the file has no [sweep] of vehicles"));
+        }
+        self.stage("vehicles", bridge, |watch| match chain::vehicles(bridge, &mut Looking(watch)) {
+            Err(error) => Ran::Failed(error.to_string()),
+            Ok((facts, found)) => Ran::Made(facts, pictures::vehicles(&found)),
+        })
+    }
+
+    fn movement(&mut self, bridge: &Bridge) -> Result<Stage<MovementFacts>, Halt> {
+        const NAME: &str = "support-movement";
+        if self.skipped(StageName::SupportMovement) {
+            return Ok(self.not_asked(NAME, "left out by --skip support-movement"));
+        }
+        if bridge.plan.support_movement.is_none() {
+            return Ok(self.not_asked(NAME, "the file describes no [support_movement]"));
+        }
+        self.stage(NAME, bridge, |watch| match chain::movement(bridge, &mut Looking(watch)) {
+            Err(error) => Ran::Failed(error.to_string()),
+            Ok(found) if found.status == analysis::Status::Cancelled => Ran::Cancelled,
+            Ok(found) => Ran::Made(chain::movement_facts(bridge, &found), pictures::movement(&found.picture)),
+        })
+    }
+
+    fn sensitivity(
+        &mut self,
+        document: &Document,
+        assessment: &Assessment,
+        checked: &[Checked],
+    ) -> Result<Stage<SensitivityFacts>, Halt> {
+        const NAME: &str = "sensitivity";
+        if self.skipped(StageName::Sensitivity) {
+            return Ok(self.not_asked(NAME, "left out by --skip sensitivity"));
+        }
+        let Some((governing, _)) = checks::governing(checked) else {
+            return Ok(self.not_asked(NAME, "no check could be made, so that none governs"));
+        };
+        if checked[governing].card.code == "C401" {
+            let why = "every value takes a whole analysis of the support movement: make them with extrados vary";
+            return Ok(self.not_asked(NAME, why));
+        }
+        let input = (document.text(), &assessment.bridge, &assessment.asked, checks::governing(checked));
+        self.stage(NAME, &input, |watch| match chain::sensitivity(document, assessment, checked, &mut Looking(watch)) {
+            Err(error) => Ran::Failed(error.to_string()),
+            Ok(None) => Ran::Cancelled,
+            Ok(Some(facts)) => Ran::Made(facts, Vec::new()),
+        })
+    }
+}
+
+/// The update of a stage.
+fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ran<UpdateFacts> {
+    let known = match means.shelf.evaluations(&task.identity()) {
+        Ok(known) => known,
+        Err(refusal) => return Ran::Failed(refusal.message),
+    };
+    let mut watch = Seeking { watch, shelf: means.shelf };
+    let clock = || means.clock.seconds();
+    let lent = analysis::update::Means { map: &Threads, watch: &mut watch, clock: &clock };
+    match analysis::update::update(task, known, lent) {
+        Ok(found) if found.status == UpdateStatus::Cancelled => Ran::Cancelled,
+        Ok(found) if found.found().is_none() => {
+            Ran::Failed(found.reason.clone().unwrap_or_else(|| "no search came to an end".to_owned()))
+        }
+        Ok(found) => Ran::Made(chain::update_facts(&found), pictures::update(&found)),
+        Err(error) => Ran::Failed(error.to_string()),
+    }
+}

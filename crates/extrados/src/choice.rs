@@ -1,0 +1,41 @@
+//! What a caller says in place of a file's plan.
+
+use bridge::{Analysis, ContactLength, ContactPoints, Damping, Friction, Method, Plan};
+
+/// Entries of `[analysis]` that take the place of the file's; what is none stays as the file has it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Choice {
+    /// What is sought.
+    pub analysis: Option<Analysis>,
+    /// By which method.
+    pub method: Option<Method>,
+    /// How sharp a collapse load is wanted by discrete elements, per metre of width [N/m].
+    pub resolution: Option<f64>,
+    /// Damping of discrete elements.
+    pub damping: Option<Damping>,
+    /// Length of contacts in discrete elements.
+    pub contact_length: Option<ContactLength>,
+    /// Friction rule of limit analysis.
+    pub friction: Option<Friction>,
+    /// Where contact points lie.
+    pub contact_points: Option<ContactPoints>,
+    /// Residual at which blocks are at rest.
+    pub tolerance: Option<f64>,
+    /// Most steps of discrete elements for one load.
+    pub step_limit: Option<u64>,
+}
+
+impl Choice {
+    /// Puts what was chosen into a plan.
+    pub fn apply(&self, plan: &mut Plan) {
+        plan.analysis = self.analysis.unwrap_or(plan.analysis);
+        plan.method = self.method.unwrap_or(plan.method);
+        plan.resolution = self.resolution.or(plan.resolution);
+        plan.damping = self.damping.unwrap_or(plan.damping);
+        plan.contact_length = self.contact_length.unwrap_or(plan.contact_length);
+        plan.friction = self.friction.unwrap_or(plan.friction);
+        plan.contact_points = self.contact_points.unwrap_or(plan.contact_points);
+        plan.tolerance = self.tolerance.unwrap_or(plan.tolerance);
+        plan.step_limit = self.step_limit.unwrap_or(plan.step_limit);
+    }
+}

@@ -1,0 +1,126 @@
+//! Files that a bridge file names: packings, trains, vehicles and rules, records. Their paths are relative to the bridge file.
+
+use crate::files::Files;
+use crate::refusal::Refusal;
+use assess::analysis::update::RecordFile;
+use assess::packing_file;
+use bridge::{Particles, Read, Severity, SweepPlan, train};
+use std::path::{Path, PathBuf};
+
+/// Reads what the bridge of a file takes from other files.
+pub fn take(read: &mut Read, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
+    let Some(bridge) = read.bridge.as_mut() else { return Ok(()) };
+    if let Some(particles) = &mut bridge.particles {
+        packing(particles, path, files)?;
+    }
+    if let Some(sweep) = &mut bridge.sweep {
+        vehicles(sweep, path, files)?;
+    }
+    if let Some(passage) = &mut bridge.passage {
+        take_train(&mut passage.train, path, files)?;
+    }
+    Ok(())
+}
+
+/// Every file that is read beside a bridge file, and every record that is going to be.
+pub fn inputs(read: &Read, path: &Path, files: &dyn Files) -> Vec<PathBuf> {
+    let Some(bridge) = &read.bridge else { return Vec::new() };
+    let mut names: Vec<&str> = Vec::new();
+    names.extend(bridge.particles.as_ref().and_then(|particles| particles.file.as_deref()));
+    names.extend(bridge.passage.as_ref().and_then(|passage| passage.train.file.as_deref()));
+    names.extend(
+        bridge.sweep.iter().flat_map(|sweep| sweep.rule_file.iter().chain(&sweep.vehicle_files)).map(String::as_str),
+    );
+    let mut all: Vec<PathBuf> = names.into_iter().map(|name| beside(path, name)).collect();
+    // A folder of records is every file in it.
+    if let Some(place) = read.update.as_ref().map(|update| beside(path, &update.records.place)) {
+        all.extend(files.list(&place).ok().flatten().unwrap_or_default());
+        all.push(place);
+    }
+    all
+}
+
+/// The tables of measurements that the file names: one, or all of a folder in the order of their names.
+pub fn records(path: &Path, place: &str, files: &dyn Files) -> Result<Vec<RecordFile>, Refusal> {
+    let place = beside(path, place);
+    let listed = files.list(&place).map_err(|error| Refusal::unreadable(&place, &error))?;
+    let paths = match listed {
+        Some(mut paths) => {
+            paths.retain(|path| is_table(path));
+            paths
+        }
+        None => vec![place.clone()],
+    };
+    if paths.is_empty() {
+        let message = format!("the folder {} holds no table", place.display());
+        return Err(Refusal::new("F130", message, "put one table (.csv) for each run into it"));
+    }
+    let file = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        Ok(RecordFile { name, bytes: bytes(path, files)? })
+    };
+    paths.iter().map(file).collect()
+}
+
+fn is_table(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    ending.is_some_and(|ending| ["csv", "txt", "tsv", "parquet"].contains(&ending.as_str()))
+}
+
+/// The bytes of a text file, in UTF-8 where it was UTF-16.
+pub fn text(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
+    bytes(path, files).map(bridge::as_utf8)
+}
+
+fn bytes(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Refusal> {
+    files.read(path).map_err(|error| Refusal::unreadable(path, &error))
+}
+
+fn beside(path: &Path, name: &str) -> PathBuf {
+    path.parent().unwrap_or(Path::new("")).join(name)
+}
+
+fn packing(particles: &mut Particles, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
+    let Some(name) = &particles.file else { return Ok(()) };
+    let path = beside(path, name);
+    particles.grains = packing_file::read(&bytes(&path, files)?).map_err(|error| {
+        let message = format!("cannot use the packing {}: {error}", path.display());
+        Refusal::new("F120", message, "take packing.csv of an earlier run, or remove `file` from [particles]")
+    })?;
+    Ok(())
+}
+
+fn take_train(train: &mut train::Train, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
+    let Some(name) = &train.file else { return Ok(()) };
+    let path = beside(path, name);
+    let text = bytes(&path, files)?;
+    let unusable = |why: String| {
+        let message = format!("cannot use the train {}: {why}", path.display());
+        Refusal::new("F121", message, "write [[vehicle]] tables (.toml), or axle_load_t,distance_m (.csv)")
+    };
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
+        let vehicles = train::read_csv(&String::from_utf8_lossy(&text));
+        train.vehicles = vehicles.map_err(|wrong| unusable(wrong.join("; ")))?;
+        return Ok(());
+    }
+    let read = train::read_toml(&text);
+    let errors = read.diagnostics.iter().filter(|finding| finding.severity == Severity::Error);
+    let said: Vec<String> = errors
+        .map(|finding| {
+            let line = bridge::text::position(&text, finding.range.start).line;
+            let help = finding.help.as_ref().map_or(String::new(), |help| format!(": {help}"));
+            format!("line {line}: {} ({}){help}", finding.message, finding.code)
+        })
+        .collect();
+    train.vehicles = read.vehicles.ok_or_else(|| unusable(said.join("; ")))?;
+    Ok(())
+}
+
+fn vehicles(sweep: &mut SweepPlan, path: &Path, files: &dyn Files) -> Result<(), Refusal> {
+    for name in sweep.rule_file.iter().chain(&sweep.vehicle_files) {
+        let path = beside(path, name);
+        let text = String::from_utf8_lossy(&text(&path, files)?).into_owned();
+        sweep.texts.push((path.display().to_string(), text));
+    }
+    Ok(())
+}

@@ -1,0 +1,64 @@
+//! Masonry arch bridges from one bridge file: collapse, service response, updating, assessment.
+//!
+//! This crate is the one door to all of it, for the command, for pages in a browser and for other programs. A [`Project`] is a
+//! bridge file with what it takes from other files; every analysis takes one, its options and someone who looks on, and gives
+//! typed results. Nothing here reads a file or a clock but through [`files::Files`] and [`means::Clock`].
+//!
+//! ```
+//! use extrados::{CollapseOptions, Memory, Project, Unwatched, collapse};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let files = Memory::default().with("bridge.toml", include_str!("../../../examples/tiny/bridge.toml"));
+//! let project = Project::read("bridge.toml", &files)?;
+//! let found = collapse(&project, &CollapseOptions::default(), &mut Unwatched)?;
+//! println!("carried: {:.1} kN/m", found.headline().load.unwrap_or_default() / 1e3);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! | Function | Answer |
+//! |---|---|
+//! | [`collapse`] | the load, the thickness or the support movement that makes a mechanism |
+//! | [`sweep`] | the same for loads or vehicles at every position |
+//! | [`respond`] | displacements, strains and stresses as a train passes |
+//! | [`update`], [`judge`] | parameters from records of a passage; the records alone |
+//! | [`vary`] | an analysis over ranges of the file's quantities |
+//! | [`assess`] | the bridge against the limits of its file, with a report |
+//!
+//! Collapse and non-convergence are answers with names. Errors are [`Refusal`]s: what is wrong, where, and what to write instead.
+
+mod assess;
+mod choice;
+mod collapse;
+mod companions;
+pub mod files;
+pub mod means;
+mod names;
+mod project;
+mod refusal;
+mod respond;
+pub mod shelf;
+mod sweep;
+mod update;
+mod vary;
+mod watch;
+
+pub use crate::assess::{AssessOptions, Assessed, StageName, assess};
+pub use crate::choice::Choice;
+pub use crate::collapse::{CollapseOptions, collapse, planned};
+pub use crate::files::{Disk, Files, Memory};
+pub use crate::means::Means;
+pub use crate::project::Project;
+pub use crate::refusal::{Refusal, reason};
+pub use crate::respond::{RespondOptions, respond};
+pub use crate::sweep::{SweepOptions, Swept, sweep};
+pub use crate::update::{UpdateOptions, can_update, judge, update};
+pub use crate::vary::{Studied, VaryOptions, VaryPlan, settings, vary};
+pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};
+
+/// Results, their objects for scripts and their tables.
+pub use ::assess as results;
+/// The bridge as its file describes it.
+pub use bridge;
+/// Drawings, pictures and ParaView files of results.
+pub use figures;

@@ -1,0 +1,69 @@
+//! Why work cannot begin: what is wrong, and what to do about it.
+
+use std::error::Error;
+use std::fmt;
+use std::io;
+use std::path::Path;
+
+/// A file or a request that cannot be used. Answers such as collapse and non-convergence are none of these.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// Stable code; `extrados explain CODE` tells more.
+    pub code: &'static str,
+    /// What is wrong, with its place.
+    pub message: String,
+    /// What to write or do instead.
+    pub help: String,
+}
+
+impl Refusal {
+    /// A refusal in these words.
+    pub fn new(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Refusal {
+        Refusal { code, message: message.into(), help: help.into() }
+    }
+
+    /// A file that cannot be read.
+    pub fn unreadable(path: &Path, error: &io::Error) -> Refusal {
+        let help = match error.kind() {
+            io::ErrorKind::NotFound => "check the path; `extrados new DIR` writes an example to start from",
+            io::ErrorKind::IsADirectory => "name a file in that folder",
+            io::ErrorKind::PermissionDenied => "make the file readable for you",
+            _ => "check the path and the disk",
+        };
+        Refusal::new("F101", format!("cannot read {}: {}", path.display(), reason(error)), help)
+    }
+
+    /// An analysis that cannot be set up.
+    pub fn not_set_up(error: &impl fmt::Display) -> Refusal {
+        Refusal::new("F108", error.to_string(), "extrados explain F108 tells what each analysis needs")
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({}); {}", self.message, self.code, self.help)
+    }
+}
+
+impl Error for Refusal {}
+
+/// The system's words without its number.
+pub fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    match text.find(" (os error") {
+        Some(end) => text[..end].to_lowercase(),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_file_is_named_with_a_remedy() {
+        let refusal = Refusal::unreadable(Path::new("a.toml"), &io::Error::from_raw_os_error(2));
+        assert_eq!(refusal.message, "cannot read a.toml: no such file or directory");
+        assert!(refusal.help.contains("extrados new"));
+    }
+}

@@ -1,0 +1,48 @@
+//! Loads or vehicles at every position on the bridge.
+
+use crate::choice::Choice;
+use crate::collapse::planned;
+use crate::project::Project;
+use crate::refusal::Refusal;
+use crate::watch::{Looking, Watch};
+use assess::analysis::{self, Places, Sweep, VehicleSweep};
+use assess::discretise::bridge_length;
+
+/// How a sweep is made.
+#[derive(Debug, Clone, Default)]
+pub struct SweepOptions {
+    /// What takes the place of the file's plan.
+    pub choice: Choice,
+    /// Distance between positions [m]; none for the file's, or a hundredth of the bridge.
+    pub step: Option<f64>,
+}
+
+/// What was moved over the bridge.
+#[derive(Debug, Clone)]
+pub enum Swept {
+    /// The loads of the file.
+    Loads(Sweep),
+    /// The vehicles of its `[sweep]`.
+    Vehicles(VehicleSweep),
+}
+
+/// Moves the vehicles of the file's `[sweep]` over the bridge, or its loads where it has none. An interrupted sweep keeps what is
+/// done and says so.
+///
+/// # Errors
+/// A file that cannot be used, or a sweep that cannot be set up for its bridge (F108).
+pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -> Result<Swept, Refusal> {
+    let mut bridge = planned(project, &options.choice)?;
+    let watch = &mut Looking(watch);
+    let found = match &mut bridge.sweep {
+        Some(plan) => {
+            plan.step = options.step.or(plan.step);
+            analysis::vehicle_sweep(&bridge, watch).map(Swept::Vehicles)
+        }
+        None => {
+            let step = options.step.unwrap_or_else(|| bridge_length(&bridge) / 100.0);
+            analysis::sweep(&bridge, Places::Every(step), true, watch).map(Swept::Loads)
+        }
+    };
+    found.map_err(|error| Refusal::not_set_up(&error))
+}

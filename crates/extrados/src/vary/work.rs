@@ -1,0 +1,98 @@
+//! Makes the runs, several at once, and keeps each as soon as it is finished.
+
+use super::runs::{Job, Runs};
+use crate::means::Means;
+use crate::refusal::Refusal;
+use crate::watch::{Crowd, Watch};
+use assess::vary::{Analysis, Outcome};
+use assess::wire;
+use rayon::prelude::*;
+use std::io;
+
+/// What every run is made with.
+pub struct Work<'a> {
+    /// The analysis.
+    pub analysis: &'a Analysis,
+    /// The shelf and the clock.
+    pub means: &'a Means<'a>,
+}
+
+/// A finished run.
+#[derive(Debug, Clone)]
+pub struct Finished {
+    /// What it gave.
+    pub outcome: Outcome,
+    /// How long it took when it was computed [s].
+    pub seconds: f64,
+    /// Whether it was there already.
+    pub cached: bool,
+}
+
+/// What came of the runs.
+pub struct Found {
+    /// For each run, what it gave; nothing where the work was stopped.
+    pub rows: Option<Vec<Finished>>,
+    /// Runs that are finished.
+    pub finished: usize,
+    /// Runs there are.
+    pub runs: usize,
+    /// What kept a finished run from being kept.
+    pub trouble: Option<io::Error>,
+}
+
+impl Work<'_> {
+    /// All jobs, in any order; their answers in the order of the runs.
+    pub fn all(&self, runs: &Runs, watch: &mut dyn Watch) -> Result<Found, Refusal> {
+        let crowd = Crowd::new(watch, runs.jobs.len());
+        let made: Vec<Option<(Finished, io::Result<()>)>> =
+            runs.jobs.par_iter().with_max_len(1).map(|job| self.one(job, &crowd)).collect();
+        let mut trouble = None;
+        let made: Vec<Option<Finished>> = made
+            .into_iter()
+            .map(|one| {
+                let (finished, kept) = one?;
+                trouble = trouble.take().or(kept.err());
+                Some(finished)
+            })
+            .collect();
+        let finished = runs.job_of.iter().filter(|job| made[**job].is_some()).count();
+        let all: Option<Vec<Finished>> = made.into_iter().collect();
+        // The file's own bridge must be one that the analysis can be made of; there is nothing to compare with otherwise.
+        if let Some(message) = all.as_ref().and_then(|all| all[runs.job_of[0]].outcome.message.as_ref()) {
+            return Err(Refusal::not_set_up(message));
+        }
+        let rows = all.map(|all| runs.job_of.iter().map(|job| all[*job].clone()).collect());
+        Ok(Found { rows, finished, runs: runs.list.len(), trouble })
+    }
+
+    /// One job, from the shelf or computed; nothing where the work was stopped.
+    fn one(&self, job: &Job, crowd: &Crowd<'_>) -> Option<(Finished, io::Result<()>)> {
+        let mut member = crowd.member();
+        let kept = self.means.shelf.find(&job.key).and_then(|bytes| wire::run_from_record(&bytes));
+        if let Some((outcome, seconds)) = kept {
+            member.finish();
+            return Some((Finished { outcome, seconds, cached: true }, Ok(())));
+        }
+        if crowd.stopped() {
+            return None;
+        }
+        let begun = self.means.clock.seconds();
+        let seconds = || self.means.clock.seconds() - begun;
+        let outcome = match (self.analysis.run)(&job.bridge, &mut member) {
+            Ok(outcome) => outcome,
+            Err(error) => {
+                let (status, message) = ("unusable-input".to_owned(), Some(error.to_string()));
+                member.finish();
+                let outcome = Outcome { status, message, ..Outcome::default() };
+                return Some((Finished { outcome, seconds: seconds(), cached: false }, Ok(())));
+            }
+        };
+        if outcome.status == "cancelled" {
+            return None;
+        }
+        member.finish();
+        let seconds = seconds();
+        let kept = self.means.shelf.put(&job.key, wire::run_record(&outcome, seconds).as_bytes());
+        Some((Finished { outcome, seconds, cached: false }, kept))
+    }
+}
