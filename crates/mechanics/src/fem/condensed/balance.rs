@@ -60,7 +60,7 @@ impl Condensed<'_> {
     /// Breaks the springs that are most beyond their strength; `false` where none is.
     fn lets_go(&mut self, trial: &Trial, track: &mut Track) -> bool {
         let parts = &self.parts;
-        let moving = self.hot.parts.iter().filter(|index| !parts[**index].still);
+        let moving = self.hot.parts.iter().filter(|index| !parts[**index].linear);
         let breaking = weakest(moving.map(|&index| (index, parts[index].overstress(self.model))));
         if breaking.is_empty() {
             return false;
@@ -85,7 +85,7 @@ impl Condensed<'_> {
         self.clock += 1;
         for &index in &self.active {
             let part = &mut self.parts[index];
-            if !part.still {
+            if !part.linear {
                 self.moved_at[index] = self.clock;
             }
             before.extend(part.keep().map(|remembered| (index, remembered)));

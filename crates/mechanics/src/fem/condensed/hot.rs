@@ -65,8 +65,8 @@ impl Hot {
             self.is_hot.clear();
             self.place.fill(NOWHERE);
             // Those that move side by side: the tangent reads `G` between them.
-            let (moving, calm): (Vec<usize>, Vec<usize>) = hot.partition(|&part| !parts[part].still);
-            self.add(moving.into_iter().chain(calm), parts, rows);
+            let (nonlinear, linear): (Vec<usize>, Vec<usize>) = hot.partition(|&part| !parts[part].linear);
+            self.add(nonlinear.into_iter().chain(linear), parts, rows);
             self.settle_tangent();
             return;
         }
@@ -151,7 +151,7 @@ impl Hot {
         self.foretells = true;
         if anew || !self.has_tangent || !self.put_right(parts) {
             self.slopes.clear();
-            let sloped = self.parts.iter().filter(|part| !parts[**part].still);
+            let sloped = self.parts.iter().filter(|part| !parts[**part].linear);
             self.slopes.extend(sloped.map(|&part| Sloped { part, rows: parts[part].rows, by: parts[part].slope }));
             self.changed.clear();
             self.factorise();
@@ -166,10 +166,10 @@ impl Hot {
         for &index in &self.parts {
             let part = &parts[index];
             let known = self.slopes.get(self.slope_of[index] as usize);
-            if part.still && known.is_none() {
+            if part.linear && known.is_none() {
                 continue;
             }
-            let (now, then) = (if part.still { &FLAT } else { &part.slope }, known.map_or(&FLAT, |known| &known.by));
+            let (now, then) = (if part.linear { &FLAT } else { &part.slope }, known.map_or(&FLAT, |known| &known.by));
             let by: [[f64; ROWS]; ROWS] = std::array::from_fn(|i| std::array::from_fn(|j| now[i][j] - then[i][j]));
             let least = CHANGED * part.stiffest;
             let changed = by.iter().flatten().fold(0, |changed, change| changed | u32::from(change.abs() > least));

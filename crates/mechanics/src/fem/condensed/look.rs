@@ -35,9 +35,9 @@ impl Condensed<'_> {
     /// Looks at all parts that do not take part, in each of the solutions found last, which is of a position or of none.
     fn look(&mut self, of: &[Option<usize>], found: &mut (Vec<usize>, Vec<bool>)) -> Result<(), CondensedError> {
         let (joining, stands) = found;
-        for index in self.glances.doubtful(self.model, &self.block, of.len(), &self.is_active) {
+        for index in self.screening.unproven(self.model, &self.block, of.len(), &self.is_active) {
             let part = &mut self.parts[index];
-            if part.surely_still(self.model, &self.block, of.len()) {
+            if part.proves_linear(self.model, &self.block, of.len()) {
                 continue;
             }
             let mut joins = false;

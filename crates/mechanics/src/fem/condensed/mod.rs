@@ -12,9 +12,7 @@
 //! looked at in every position. The equations are those of the whole mesh: nothing is approximated.
 
 mod balance;
-mod closed;
 mod dense;
-mod glance;
 mod hot;
 mod hourglass;
 mod look;
@@ -22,9 +20,11 @@ mod nearby;
 mod newton;
 mod parts;
 mod passage;
-mod quiet;
+mod quad_check;
 mod rows;
+mod screening;
 mod slopes;
+mod spring_check;
 mod tangent;
 
 use super::dofs::HELD;
@@ -37,10 +37,10 @@ use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
-use glance::Glances;
 use hot::Hot;
 use parts::{Kind, Part, Remembered, components};
 use rows::{Row, Rows};
+use screening::Screening;
 
 pub use passage::{Passage, Visited};
 pub use rows::{Functional, LoadPattern};
@@ -106,8 +106,8 @@ pub struct Condensed<'a> {
     observed: Vec<Row>,
     /// All that may answer otherwise than linearly.
     parts: Vec<Part>,
-    /// What there is to know of them, as they were when the run began.
-    glances: Glances,
+    /// The batched test of all parts, with the memory that they had when the run began.
+    screening: Screening,
     /// Parts whose excess differs or differed from that of the start, in the order in which they joined.
     active: Vec<usize>,
     is_active: Vec<bool>,
@@ -174,7 +174,7 @@ impl<'a> Condensed<'a> {
             is_active: vec![false; parts.len()],
             moved_at: vec![0; parts.len()],
             clock: passage::COOLS + 1,
-            glances: Glances::new(model, &parts),
+            screening: Screening::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
             row_of: vec![None; model.dofs().count()],

@@ -113,12 +113,12 @@ impl Condensed<'_> {
         self.foreseen.clear();
         for &index in self.active.iter().filter(|&&index| !self.hot.is_hot(index)) {
             let part = &mut self.parts[index];
-            if part.surely_rests(self.model, |row| [values[row], ahead.map_or(values[row], |ahead| ahead[row])]) {
+            if part.proves_linear_at(self.model, |row| [values[row], ahead.map_or(values[row], |ahead| ahead[row])]) {
                 continue;
             }
-            let goes_on = ahead.is_none_or(|ahead| part.holds_at(self.model, |row| ahead[row]));
+            let goes_on = ahead.is_none_or(|ahead| part.is_linear_at(self.model, |row| ahead[row]));
             part.answer(self.model, |row| values[row])?;
-            if !part.still {
+            if !part.linear {
                 moving.push(index);
             } else if !goes_on {
                 self.foreseen.push(index);
@@ -176,17 +176,17 @@ impl Condensed<'_> {
     }
 
     /// Excess on the hot rows: what it was in the last position and how that of the hot parts has changed, which is nothing where all of them
-    /// are still.
+    /// are linear.
     fn find_excess(&mut self, trial: &mut Trial) -> Option<()> {
         trial.excess.clone_from(&trial.before);
         for &index in &self.hot.parts {
             let (part, hot, values) = (&mut self.parts[index], &self.hot, &trial.values);
             let value = |row: usize| hot.place(row).map_or(0.0, |place| values[place]);
-            if part.surely_rests(self.model, |row| [value(row); 2]) {
+            if part.proves_linear_at(self.model, |row| [value(row); 2]) {
                 continue;
             }
             part.answer(self.model, value)?;
-            if part.still {
+            if part.linear {
                 continue;
             }
             for (row, change) in part.rows.iter().zip(part.change()) {

@@ -1,9 +1,9 @@
 //! The parts that are not linear: springs of interfaces and quadrilaterals that may yield. Each answers what it carries less than the
 //! linear system lets it carry.
 
-use super::closed::Closed;
-use super::quiet::Quiet;
+use super::quad_check::QuadCheck;
 use super::rows::widest;
+use super::spring_check::SpringCheck;
 use crate::fem::assemble::moved;
 use crate::fem::dofs::{HELD, dof};
 use crate::fem::element::{self, Kept, Sample, sample};
@@ -50,10 +50,10 @@ pub(super) struct Part {
     pub excess: [f64; ROWS],
     /// Derivatives of `excess` by the rows, while the part is not still.
     pub slope: [[f64; ROWS]; ROWS],
-    /// Whether it answers linearly from what it remembers: its excess is then the one that was kept, to the bit.
-    pub still: bool,
-    /// Whether it did so when it was last kept.
-    was_still: bool,
+    /// Whether the part is linear at the values given last: its excess force is then the committed one, to the bit.
+    pub linear: bool,
+    /// Whether it was linear when it was last committed.
+    committed_linear: bool,
 }
 
 /// Components of a quadrilateral's corners.
@@ -73,7 +73,7 @@ fn free(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
 pub(super) struct Remembered {
     old: Kept4,
     kept: [f64; ROWS],
-    was_still: bool,
+    committed_linear: bool,
 }
 
 /// What a part remembers.
@@ -136,8 +136,8 @@ impl Part {
             kept: [0.0; ROWS],
             excess: [0.0; ROWS],
             slope: [[0.0; ROWS]; ROWS],
-            still: true,
-            was_still: true,
+            linear: true,
+            committed_linear: true,
         }
     }
 
@@ -160,14 +160,14 @@ impl Part {
     }
 
     /// Whether it would answer linearly at these values of the rows. What it answered last is no longer at hand.
-    pub fn holds_at(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> bool {
+    pub fn is_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> bool {
         let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
-        self.is_still(model, &at)
+        self.is_linear_from(model, &at)
     }
 
     fn answer_at(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
-        self.still = self.is_still(model, at);
-        if self.still {
+        self.linear = self.is_linear_from(model, at);
+        if self.linear {
             self.excess = self.kept;
             return Some(());
         }
@@ -187,11 +187,12 @@ impl Part {
     }
 
     /// Looks whether the part remembers nothing new and resists as the linear system does; keeps stress and traction if so.
-    fn is_still(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
+    fn is_linear_from(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
         match (self.kind, &self.samples) {
             (Kind::Quad(id), Some(samples)) => {
                 let solid = &model.section(id).solid;
-                !model.incompatible(id) && element::still(solid, samples, at, &self.old.points, &mut self.new.points)
+                !model.incompatible(id)
+                    && element::is_linear(solid, samples, at, &self.old.points, &mut self.new.points)
             }
             (Kind::Spring(index), _) => {
                 let tangent = self.pull(model, index, [at[0], at[1]]);
@@ -205,14 +206,14 @@ impl Part {
     fn answer_in_full(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
         let (force, tangent) = self.carries(model, at)?;
         for i in 0..ROWS {
-            let mut linear = 0.0;
+            let mut linear_force = 0.0;
             for j in 0..ROWS {
-                linear += self.stiffness[i][j] * at[j];
+                linear_force += self.stiffness[i][j] * at[j];
                 self.slope[i][j] = self.stiffness[i][j] - tangent[i][j];
             }
-            self.excess[i] = linear - force[i] - self.start[i];
+            self.excess[i] = linear_force - force[i] - self.start[i];
         }
-        self.still = false;
+        self.linear = false;
         Some(())
     }
 
@@ -284,7 +285,7 @@ impl Part {
     /// Whether it answers otherwise than it did when the run began, would remember something new, or is beyond its strength.
     pub fn changes(&self, model: &Model) -> bool {
         let points = self.new.points.iter().zip(&self.old.points);
-        !self.still
+        !self.linear
             && (self.differs()
                 || self.overstress(model) > 1.0
                 || self.new.bond.memory != self.old.bond.memory
@@ -294,7 +295,7 @@ impl Part {
     /// Remembers what the state remembers in which the run began.
     pub fn restart(&mut self, state: &State) {
         self.kept = [0.0; ROWS];
-        self.was_still = true;
+        self.committed_linear = true;
         match self.kind {
             Kind::Spring(index) => self.old.bond = state.bonds[index],
             Kind::Quad(id) => {
@@ -307,13 +308,13 @@ impl Part {
 
     /// Keeps what it answered last; gives what it was, where that is something else.
     pub fn keep(&mut self) -> Option<Remembered> {
-        if self.still && self.was_still {
+        if self.linear && self.committed_linear {
             return None;
         }
         let before = self.remembered();
         self.old = self.new;
         self.kept = self.excess;
-        self.was_still = self.still;
+        self.committed_linear = self.linear;
         Some(before)
     }
 
@@ -322,16 +323,17 @@ impl Part {
         std::array::from_fn(|i| self.excess[i] - self.kept[i])
     }
 
-    /// As a quadrilateral that may be quiet.
-    pub fn quiet<'a>(&'a self, model: &'a Model) -> Option<Quiet<'a>> {
+    /// Gives the pointwise test of a quadrilateral without incompatible modes.
+    pub fn quad_check<'a>(&'a self, model: &'a Model) -> Option<QuadCheck<'a>> {
         let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return None };
         let (solid, points) = (&model.section(id).solid, &self.old.points);
-        let quad = Quiet { solid, samples, points, base: &self.base, equations: &self.equations };
+        let quad = QuadCheck { solid, samples, points, base: &self.base, equations: &self.equations };
         (!model.incompatible(id)).then_some(quad)
     }
 
-    /// As a spring that answers linearly while it is closed, and the kind of its law.
-    pub fn closed<'a>(&'a self, model: &'a Model) -> Option<(usize, Closed<'a>)> {
+    /// Gives the test of a spring whose stiffness in the linear system is that of its law while closed, and the number of that
+    /// law.
+    pub fn spring_check<'a>(&'a self, model: &'a Model) -> Option<(usize, SpringCheck<'a>)> {
         let Kind::Spring(index) = self.kind else { return None };
         let (kind, area) = (model.springs()[index].kind, model.springs()[index].area);
         let law = &model.joints[kind];
@@ -339,58 +341,60 @@ impl Part {
         let closed = [[normal, 0.0], [0.0, tangential]];
         let linear = (0..2).all(|i| (0..2).all(|j| self.stiffness[i][j] == closed[i][j]));
         let openings = [self.openings[0].as_slice(), self.openings[1].as_slice()];
-        let spring = Closed { law, area, memory: &self.old.bond.memory, base: [self.base[0], self.base[1]], openings };
+        let spring =
+            SpringCheck { law, area, memory: &self.old.bond.memory, base: [self.base[0], self.base[1]], openings };
         linear.then_some((kind, spring))
     }
 
-    /// Whether it surely answers linearly in all of the first solutions, from what it remembers now; where it may not, it has to be asked.
-    pub fn surely_still(&self, model: &Model, block: &Block, lanes: usize) -> bool {
+    /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
+    /// nothing: the law has to be evaluated.
+    pub fn proves_linear(&self, model: &Model, block: &Block, lanes: usize) -> bool {
         struct Wide<'a>(&'a Part, &'a Model, &'a Block, usize);
         impl pulp::NullaryFnOnce for Wide<'_> {
             type Output = bool;
             #[inline(always)]
             fn call(self) -> bool {
                 let Wide(part, model, block, lanes) = self;
-                if let Some(quad) = part.quiet(model) {
-                    return quad.holds(block, lanes);
+                if let Some(quad) = part.quad_check(model) {
+                    return quad.proves_linear(block, lanes);
                 }
-                part.closed(model).is_some_and(|(_, spring)| spring.holds(block, lanes))
+                part.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, lanes))
             }
         }
         widest(Wide(self, model, block, lanes))
     }
 
-    /// Whether it surely answers linearly from what it remembers, and did so when it was last kept, at both of these values of its rows. It need not
-    /// be asked there.
+    /// Whether the part is provably linear at both row values that `value` gives for a row, and was linear when last committed.
+    /// Its excess force is then the committed one. `false` proves nothing: the law has to be evaluated.
     #[inline]
-    pub fn surely_rests(&mut self, model: &Model, value: impl Fn(usize) -> [f64; 2]) -> bool {
+    pub fn proves_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> [f64; 2]) -> bool {
         let at = std::array::from_fn(|i| self.rows[i].map_or([self.base[i]; 2], &value));
-        let rests = self.was_still
-            && match self.quiet(model) {
-                Some(quad) => quad.holds_at(&at),
+        let linear = self.committed_linear
+            && match self.quad_check(model) {
+                Some(quad) => quad.proves_linear_at(&at),
                 None => self
-                    .closed(model)
-                    .is_some_and(|(_, spring)| spring.law.surely_holds(&[at[0], at[1]], spring.area, spring.memory)),
+                    .spring_check(model)
+                    .is_some_and(|(_, spring)| spring.law.provably_linear(&[at[0], at[1]], spring.area, spring.memory)),
             };
-        if rests {
-            (self.still, self.excess) = (true, self.kept);
+        if linear {
+            (self.linear, self.excess) = (true, self.kept);
         }
-        rests
+        linear
     }
 
     /// What it would take to come back.
     pub fn remembered(&self) -> Remembered {
-        Remembered { old: self.old, kept: self.kept, was_still: self.was_still }
+        Remembered { old: self.old, kept: self.kept, committed_linear: self.committed_linear }
     }
 
     /// Comes back.
     pub fn recall(&mut self, remembered: &Remembered) {
-        (self.old, self.kept, self.was_still) = (remembered.old, remembered.kept, remembered.was_still);
+        (self.old, self.kept, self.committed_linear) = (remembered.old, remembered.kept, remembered.committed_linear);
     }
 
     /// Writes into a state what it answered last, or what was kept of it where it does not answer linearly.
     pub fn write(&self, state: &mut State) {
-        let now = if self.still { &self.new } else { &self.old };
+        let now = if self.linear { &self.new } else { &self.old };
         match self.kind {
             Kind::Spring(index) => state.bonds[index] = now.bond,
             Kind::Quad(id) => {

@@ -209,7 +209,7 @@ impl Walk<'_> {
         let mut slopes: Vec<Slope> = Vec::new();
         for part in own.iter_mut() {
             part.answer(models[0], |row| led.values[row])?;
-            if !part.still {
+            if !part.linear {
                 part.slopes(|p, q, s| slopes.push((p, q, s)));
             }
         }

@@ -44,9 +44,9 @@ pub(in crate::fem) struct Kept<'a> {
     pub misses: &'a mut u8,
 }
 
-/// Whether an element without modes, displaced by `u`, flows nowhere and remembers nothing new, so that it answers linearly from
-/// what it remembers; its points are written if so.
-pub(in crate::fem) fn still(
+/// Whether an element without modes, displaced by `u` [m], is linear: no point yields and no memory changes. Its points are
+/// written to `new` if so.
+pub(in crate::fem) fn is_linear(
     solid: &Solid,
     samples: &[Sample; 4],
     u: &[f64; 8],

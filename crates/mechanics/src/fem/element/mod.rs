@@ -4,7 +4,7 @@ mod integrate;
 mod shape;
 mod turn;
 
-pub(super) use integrate::{Answer, Kept, held, respond, still};
+pub(super) use integrate::{Answer, Kept, held, is_linear, respond};
 pub(super) use shape::{Sample, centre, corner_values, mass, sample, weights};
 pub(super) use turn::{Angle, turned};
 

@@ -35,9 +35,10 @@ impl Contact {
         }
     }
 
-    /// Whether all of many openings leave it closed, with the shear below its strength by more than rounding where that is a root.
+    /// Whether all `L` openings [m] leave the contact closed and its shear below its strength; where the strength is a root, by
+    /// more than rounding.
     #[inline(always)]
-    pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], old: &PairMemory) -> bool {
+    pub(super) fn provably_linear<const L: usize>(&self, opening: &[[f64; L]; 2], old: &PairMemory) -> bool {
         const ROUNDING: f64 = 1e-14;
         let most = if self.separation { 0.0 } else { f64::INFINITY };
         let rounds = !self.separation && self.rounding > 0.0;

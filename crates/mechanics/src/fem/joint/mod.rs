@@ -100,14 +100,14 @@ impl JointLaw {
         }
     }
 
-    /// Whether a pair surely is closed and remembers nothing new at all of many openings, so that it answers with the stiffness of
-    /// [`JointLaw::stiffness`]; where it may not, it has to be asked.
+    /// Whether a closed pair provably stays closed and keeps its memory at all `L` openings [m], so that it answers with the
+    /// stiffness of [`JointLaw::stiffness`]. `false` proves nothing: the law has to be evaluated.
     #[inline(always)]
-    pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
+    pub(super) fn provably_linear<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
         let holds = match self {
             JointLaw::Elastic(_) => true,
-            JointLaw::Mortar(law) => law.surely_holds(opening, area, old),
-            JointLaw::Contact(law) => law.surely_holds(opening, old),
+            JointLaw::Mortar(law) => law.provably_linear(opening, area, old),
+            JointLaw::Contact(law) => law.provably_linear(opening, old),
         };
         holds & (old.state == PairState::Closed) & (old.slip.is_finite() & old.crush.is_finite())
     }

@@ -148,9 +148,9 @@ impl Mortar {
         (shear, [way * slope * across, 0.0], opening - shear / self.tangential, true)
     }
 
-    /// Whether all of many openings are within its strengths.
+    /// Whether all `L` openings [m] keep the stresses within the strengths of the joint.
     #[inline(always)]
-    pub(super) fn surely_holds<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
+    pub(super) fn provably_linear<const L: usize>(&self, opening: &[[f64; L]; 2], area: f64, old: &PairMemory) -> bool {
         let tension = self.tensile_strength(area, old);
         let crushed = self.compressive_strength.map_or(f64::NEG_INFINITY, |strength| -strength);
         let mut holds = true;

@@ -82,10 +82,10 @@ impl DruckerPrager {
 }
 
 impl DruckerPrager {
-    /// Whether none of many strains of a point reaches the cone, by a billionth of its strength at least; strains without a stress do, and so
-    /// does everything where tension is cut off.
+    /// Whether all `L` strains stay inside the cone by at least a billionth of its strength. The test fails at zero stress where
+    /// the strength is zero, and everywhere where tension is cut off.
     #[inline(always)]
-    pub(super) fn surely_holds<const L: usize>(&self, strain: &[[f64; L]; 4], old: &Memory) -> bool {
+    pub(super) fn provably_linear<const L: usize>(&self, strain: &[[f64; L]; 4], old: &Memory) -> bool {
         const MARGIN: f64 = 1e-9;
         let (bulk, shear) = (self.elastic.bulk(), self.elastic.shear());
         let mut inside = self.tension_cutoff.is_none();

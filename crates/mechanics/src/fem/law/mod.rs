@@ -131,11 +131,11 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// Whether a point surely answers linearly to all of many strains; where it may not, its law has to be asked.
+    /// Whether a point provably stays elastic at all `L` strains. `false` proves nothing: the law has to be evaluated.
     #[inline(always)]
-    pub(super) fn surely_holds<const L: usize>(&self, strain: &[[f64; L]; 4], old: &Memory) -> bool {
+    pub(super) fn provably_linear<const L: usize>(&self, strain: &[[f64; L]; 4], old: &Memory) -> bool {
         match (&self.material, self.plane) {
-            (Material::DruckerPrager(law), Plane::Strain) => law.surely_holds(strain, old),
+            (Material::DruckerPrager(law), Plane::Strain) => law.provably_linear(strain, old),
             _ => false,
         }
     }

@@ -1,4 +1,5 @@
-//! What is called still, at a glance or at a look at the points, against the laws, on both sides of the limit and as near to it as numbers are.
+//! Parts that screening or the recheck proves linear are linear by their laws, on both sides of the limit and as near to it as
+//! floating-point numbers are.
 
 use super::*;
 use crate::fem::joint::{Contact, ElasticJoint, JointLaw, LiftOff, Mortar, PairState, Shear};
@@ -72,11 +73,11 @@ fn model(cohesion: f64) -> Model {
     Model::new(mesh, sections, joints, &held, Kinematics::Small).unwrap()
 }
 
-/// Parts of a state, untouched or with a past, and their glances.
+/// Parts of a state, untouched or with a past, and their screening.
 struct Case {
     model: Model,
     parts: Vec<Part>,
-    glances: Glances,
+    screening: Screening,
 }
 
 impl Case {
@@ -99,60 +100,65 @@ impl Case {
         let quads = model.mesh.quads.pairs().map(|(id, _)| Part::quad(&model, &state, id).unwrap());
         let mut parts: Vec<Part> = springs.chain(quads).collect();
         parts.iter_mut().for_each(|part| part.begin(&model).unwrap());
-        let glances = Glances::new(&model, &parts);
-        Case { model, parts, glances }
+        let screening = Screening::new(&model, &parts);
+        Case { model, parts, screening }
     }
 
-    /// Displaced along a way in one lane, which is among the first seven or nineteen.
-    fn block(&self, way: &[f64], share: f64, lane: usize, width: usize) -> Block {
-        let mut lanes = vec![0.0; width * way.len()];
-        lanes.chunks_exact_mut(width).zip(way).for_each(|(lanes, way)| lanes[lane] = share * way);
-        Block::with(width, lanes)
+    /// Solutions that are zero but for one lane, which holds `share` times the displacements `direction` [m].
+    fn block(&self, direction: &[f64], share: f64, lane: usize, width: usize) -> Block {
+        let mut values = vec![0.0; width * direction.len()];
+        values
+            .chunks_exact_mut(width)
+            .zip(direction)
+            .for_each(|(solutions, direction)| solutions[lane] = share * direction);
+        Block::with(width, values)
     }
 
-    /// Whether a part is still as its law has it.
-    fn is_still(&mut self, index: usize, way: &[f64], share: f64) -> bool {
-        let block = self.block(way, share, 0, WIDTHS[0]);
+    /// Whether a part is linear by its law.
+    fn is_linear(&mut self, index: usize, direction: &[f64], share: f64) -> bool {
+        let block = self.block(direction, share, 0, WIDTHS[0]);
         self.parts[index].answer_in(&self.model, &block, 0).unwrap();
-        self.parts[index].still
+        self.parts[index].linear
     }
 
-    /// Whether it surely is, at a glance and at a look at what it remembers; the lanes beyond those that are asked for do not count.
-    fn surely(&self, index: usize, way: &[f64], share: f64, lane: usize) -> [bool; 2] {
-        let skipped: Vec<bool> = (0..self.parts.len()).map(|other| other != index).collect();
-        let narrow = self.block(way, share, lane % 7, WIDTHS[0]);
-        let wide = self.block(way, share, lane, WIDEST);
-        let glance =
-            |block: &Block, lanes: usize| self.glances.doubtful(&self.model, block, lanes, &skipped).is_empty();
-        let plain = |block, lanes| All { glances: &self.glances, model: &self.model, block, lanes, skipped: &skipped };
-        let found = [glance(&narrow, 7), self.parts[index].surely_still(&self.model, &narrow, 7)];
-        assert_eq!(found, [glance(&wide, 19), self.parts[index].surely_still(&self.model, &wide, 19)]);
-        assert!(glance(&wide, 0));
-        // Processors that do not fuse may differ by rounding, never beyond the limit.
-        [found[0] | plain(&narrow, 7).doubtful::<false>().is_empty(), found[1]]
+    /// Whether the part is proven linear by screening and by the recheck. Solutions beyond those asked for do not count.
+    fn proves_linear(&self, index: usize, direction: &[f64], share: f64, lane: usize) -> [bool; 2] {
+        let skip: Vec<bool> = (0..self.parts.len()).map(|other| other != index).collect();
+        let narrow = self.block(direction, share, lane % 7, WIDTHS[0]);
+        let wide = self.block(direction, share, lane, WIDEST);
+        let screened =
+            |block: &Block, solutions: usize| self.screening.unproven(&self.model, block, solutions, &skip).is_empty();
+        let plain =
+            |block, solutions| Screen { screening: &self.screening, model: &self.model, block, solutions, skip: &skip };
+        let found = [screened(&narrow, 7), self.parts[index].proves_linear(&self.model, &narrow, 7)];
+        assert_eq!(found, [screened(&wide, 19), self.parts[index].proves_linear(&self.model, &wide, 19)]);
+        assert!(screened(&wide, 0));
+        // Processors without fused multiply-add may differ by rounding, never beyond the limit.
+        [found[0] | plain(&narrow, 7).unproven::<false>().is_empty(), found[1]]
     }
 }
 
-/// How near to the limit a part is looked at, over the way there.
+/// Distances to the limit at which a part is tested, over the limit.
 const NEAR: [f64; 12] = [0.0, 3e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-8, 1e-5, 1e-2, 0.5];
 
-/// What was seen of the ways of one part.
+/// Counts over the tested directions of one part.
 #[derive(Default)]
 struct Seen {
     limits: usize,
-    /// Ways on which it was called still one part in ten thousand before its limit, at a glance and at a look.
+    /// Directions in which it was proven linear at one ten-thousandth below its limit, by screening and by the recheck.
     close: [usize; 2],
-    /// The same at three tenths of the way.
+    /// The same at three tenths of the limit.
     far: [usize; 2],
 }
 
-fn go(case: &mut Case, index: usize, way: &[f64], dice: &mut Dice, seen: &mut Seen) {
-    if !case.is_still(index, way, 0.0) {
-        assert_eq!(case.surely(index, way, 0.0, 3), [false; 2], "part {index} at rest");
+/// Finds the limit of a part along a direction by bisection, and holds the tests to the law on both sides of it.
+fn test_direction(case: &mut Case, index: usize, direction: &[f64], dice: &mut Dice, seen: &mut Seen) {
+    if !case.is_linear(index, direction, 0.0) {
+        assert_eq!(case.proves_linear(index, direction, 0.0, 3), [false; 2], "part {index} at rest");
         return;
     }
     let mut high = 1e-9;
-    while case.is_still(index, way, high) {
+    while case.is_linear(index, direction, high) {
         high *= 2.0;
         if high > 1.0 {
             return;
@@ -163,14 +169,17 @@ fn go(case: &mut Case, index: usize, way: &[f64], dice: &mut Dice, seen: &mut Se
         && middle > low
         && middle < high
     {
-        *(if case.is_still(index, way, middle) { &mut low } else { &mut high }) = middle;
+        *(if case.is_linear(index, direction, middle) { &mut low } else { &mut high }) = middle;
     }
     for near in NEAR {
         for share in [low * (1.0 - near), high * (1.0 + near)] {
             let lane = (9.0 + 9.0 * dice.roll()) as usize;
-            let surely = case.surely(index, way, share, lane);
-            if surely.contains(&true) {
-                assert!(case.is_still(index, way, share), "part {index}: {surely:?} at {share:e}, limit {low:e}");
+            let proven = case.proves_linear(index, direction, share, lane);
+            if proven.contains(&true) {
+                assert!(
+                    case.is_linear(index, direction, share),
+                    "part {index}: {proven:?} at {share:e}, limit {low:e}"
+                );
             }
         }
     }
@@ -180,13 +189,13 @@ fn go(case: &mut Case, index: usize, way: &[f64], dice: &mut Dice, seen: &mut Se
     }
     seen.limits += 1;
     for (share, count) in [(1.0 - 1e-4, &mut seen.close), (0.3, &mut seen.far)] {
-        let surely = case.surely(index, way, share * low, 5);
-        count.iter_mut().zip(surely).for_each(|(count, surely)| *count += usize::from(surely));
+        let proven = case.proves_linear(index, direction, share * low, 5);
+        count.iter_mut().zip(proven).for_each(|(count, proven)| *count += usize::from(proven));
     }
 }
 
-/// A way of all equations: of each node its own, or the same strain everywhere, or hourglasses along an axis.
-fn way(model: &Model, sort: usize, dice: &mut Dice) -> Vec<f64> {
+/// Displacements of all equations: random, of one strain everywhere, or hourglasses along an axis.
+fn direction(model: &Model, sort: usize, dice: &mut Dice) -> Vec<f64> {
     let [a, b, c, d] = [0; 4].map(|_| dice.roll());
     let of = |component: &u32| {
         let (node, axis) = (*component as usize / 2, *component as usize % 2);
@@ -203,18 +212,18 @@ fn way(model: &Model, sort: usize, dice: &mut Dice) -> Vec<f64> {
 }
 
 #[test]
-fn springs_that_are_surely_still_are_still() {
+fn springs_proven_linear_are_linear() {
     let mut dice = Dice(1);
     for past in [false, true] {
         let mut case = Case::new(1e3, past, &mut dice);
         let mut all = Seen::default();
         for index in 0..case.model.springs().len() {
             for _ in 0..40 {
-                let way = way(&case.model, 0, &mut dice);
-                go(&mut case, index, &way, &mut dice, &mut all);
+                let direction = direction(&case.model, 0, &mut dice);
+                test_direction(&mut case, index, &direction, &mut dice, &mut all);
             }
         }
-        // What springs are told by is their law itself, so that next to nothing is left to be asked.
+        // The test of a spring is its law itself, so that it leaves next to nothing to be evaluated.
         assert!(all.limits > 500, "{}", all.limits);
         assert!(all.close.iter().all(|close| 100 * close >= 99 * all.limits), "{:?} of {}", all.close, all.limits);
         assert_eq!(all.far, [all.limits; 2]);
@@ -222,7 +231,7 @@ fn springs_that_are_surely_still_are_still() {
 }
 
 #[test]
-fn quadrilaterals_that_are_surely_still_are_still() {
+fn quadrilaterals_proven_linear_are_linear() {
     let mut dice = Dice(2);
     for (cohesion, past) in [(1e3, false), (1e3, true), (1.0, false), (0.0, false)] {
         let mut case = Case::new(cohesion, past, &mut dice);
@@ -230,15 +239,16 @@ fn quadrilaterals_that_are_surely_still_are_still() {
             let mut all = Seen::default();
             for index in case.model.springs().len()..case.parts.len() {
                 for _ in 0..60 {
-                    let way = way(&case.model, sort, &mut dice);
-                    go(&mut case, index, &way, &mut dice, &mut all);
+                    let direction = direction(&case.model, sort, &mut dice);
+                    test_direction(&mut case, index, &direction, &mut dice, &mut all);
                 }
             }
             if cohesion < 1e3 || past {
                 continue;
             }
             assert!(all.limits >= 60, "sort {sort}: {}", all.limits);
-            // A look at the points knows the limit itself, a glance where one point is worst for all that there is: the held corner adds an hourglass.
+            // The recheck at the points knows the limit itself; screening where one point is worst for all terms: the held corner
+            // adds an hourglass.
             assert_eq!([all.close[1], all.far[1]], [all.limits; 2], "sort {sort}");
             assert!(10 * all.far[0] >= 8 * all.limits, "sort {sort}: {} of {}", all.far[0], all.limits);
             assert!(sort == 0 || 2 * all.close[0] >= all.limits, "sort {sort}: {} of {}", all.close[0], all.limits);
