@@ -37,7 +37,7 @@ impl Condensed<'_> {
         let foreseen = std::mem::take(&mut self.foreseen);
         self.hot.add(foreseen.into_iter(), &self.parts, &self.rows);
         let more: Vec<f64> = to.iter().zip(&self.at.amplitudes).map(|(to, from)| to - from).collect();
-        let mut trial = self.guess(self.rows.moved(&more));
+        let mut trial = self.guess(self.rows.load_changes(&more));
         (trial.to, trial.limit) = (to, self.iterations);
         while self.iterate(&mut trial, &mut position) {
             let values = self.values_of_all(&trial);

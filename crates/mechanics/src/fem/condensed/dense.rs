@@ -1,4 +1,4 @@
-//! Small dense systems, factorised again and again.
+//! Small dense systems, factorised again and again in the same memory.
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
@@ -7,95 +7,99 @@ use faer::traits::RealField;
 use faer::{Conj, MatMut, MatRef, Par};
 use std::ops::{Add, Mul, SubAssign};
 
-/// Numbers with which a system is kept.
-pub(super) trait Digits:
+/// The floating-point type in which a system and its factors are stored.
+pub(super) trait Precision:
     RealField + Copy + Default + Add<Output = Self> + Mul<Output = Self> + SubAssign
 {
-    /// As near to the number as it comes.
-    fn of(value: f64) -> Self;
-    fn whole(self) -> f64;
+    /// Rounds to the precision of the type.
+    fn round(value: f64) -> Self;
+    /// Converts back to double precision, exactly.
+    fn widen(self) -> f64;
 }
 
-impl Digits for f32 {
+impl Precision for f32 {
     #[inline(always)]
-    fn of(value: f64) -> f32 {
+    fn round(value: f64) -> f32 {
         value as f32
     }
 
     #[inline(always)]
-    fn whole(self) -> f64 {
+    fn widen(self) -> f64 {
         f64::from(self)
     }
 }
 
-impl Digits for f64 {
+impl Precision for f64 {
     #[inline(always)]
-    fn of(value: f64) -> f64 {
+    fn round(value: f64) -> f64 {
         value
     }
 
     #[inline(always)]
-    fn whole(self) -> f64 {
+    fn widen(self) -> f64 {
         self
     }
 }
 
-/// A square system and its factors (`P A = L U`), which take its place.
+/// A square matrix `A` and then, in its place, its factors: `P A = L U`.
 #[derive(Default)]
 pub(super) struct Dense<D> {
     size: usize,
-    /// The transpose of the system by columns, that is the system by rows.
+    /// The transpose of `A` by columns, that is `A` by rows.
     values: Vec<D>,
-    forward: Vec<usize>,
-    backward: Vec<usize>,
-    right: Vec<D>,
+    /// The permutation `P`, and its inverse.
+    row_order: Vec<usize>,
+    inverse_order: Vec<usize>,
+    /// Right-hand sides in the precision of the factors.
+    scratch: Vec<D>,
     memory: Option<MemBuffer>,
 }
 
-impl<D: Digits> Dense<D> {
-    /// Begins with one on the diagonal and nothing elsewhere; gives the entries by rows.
-    pub fn unit(&mut self, size: usize) -> &mut [D] {
+impl<D: Precision> Dense<D> {
+    /// Sets `A` to the identity of a given size; gives its entries by rows for the caller to add to.
+    pub fn set_identity(&mut self, size: usize) -> &mut [D] {
         self.size = size;
         self.values.clear();
         self.values.resize(size * size, D::default());
-        (0..size).for_each(|i| self.values[i * size + i] = D::of(1.0));
+        (0..size).for_each(|i| self.values[i * size + i] = D::round(1.0));
         &mut self.values
     }
 
+    /// Factorises `A` in place, with partial pivoting.
     pub fn factorise(&mut self) {
         let size = self.size;
-        self.forward.resize(size, 0);
-        self.backward.resize(size, 0);
-        let need = factor::lu_in_place_scratch::<usize, D>(size, size, Par::Seq, Default::default());
-        let stack = stack(&mut self.memory, need);
-        let (forward, backward) = (&mut self.forward[..], &mut self.backward[..]);
+        self.row_order.resize(size, 0);
+        self.inverse_order.resize(size, 0);
+        let requirement = factor::lu_in_place_scratch::<usize, D>(size, size, Par::Seq, Default::default());
+        let stack = reserve(&mut self.memory, requirement);
+        let (row_order, inverse_order) = (&mut self.row_order[..], &mut self.inverse_order[..]);
         let values = MatMut::from_column_major_slice_mut(&mut self.values, size, size);
-        factor::lu_in_place(values, forward, backward, Par::Seq, stack, Default::default());
+        factor::lu_in_place(values, row_order, inverse_order, Par::Seq, stack, Default::default());
     }
 
-    /// Solves in place for right-hand sides one after the other.
+    /// Solves `A x = right` in place, for one or more right-hand sides that follow one another.
     pub fn solve(&mut self, right: &mut [f64]) {
         let size = self.size;
         if size == 0 {
             return;
         }
         let count = right.len() / size;
-        self.right.clear();
-        self.right.extend(right.iter().map(|x| D::of(*x)));
-        let need = solve::solve_transpose_in_place_scratch::<usize, D>(size, count, Par::Seq);
-        let stack = stack(&mut self.memory, need);
+        self.scratch.clear();
+        self.scratch.extend(right.iter().map(|x| D::round(*x)));
+        let requirement = solve::solve_transpose_in_place_scratch::<usize, D>(size, count, Par::Seq);
+        let stack = reserve(&mut self.memory, requirement);
         let factors = MatRef::from_column_major_slice(&self.values, size, size);
-        let sides = MatMut::from_column_major_slice_mut(&mut self.right, size, count);
-        let order = PermRef::new_checked(&self.forward, &self.backward, size);
+        let sides = MatMut::from_column_major_slice_mut(&mut self.scratch, size, count);
+        let order = PermRef::new_checked(&self.row_order, &self.inverse_order, size);
         solve::solve_transpose_in_place_with_conj(factors, factors, order, Conj::No, sides, Par::Seq, stack);
-        right.iter_mut().zip(&self.right).for_each(|(x, solved)| *x = solved.whole());
+        right.iter_mut().zip(&self.scratch).for_each(|(x, solved)| *x = solved.widen());
     }
 }
 
-/// Memory for so much, which stays for the next time.
-fn stack(memory: &mut Option<MemBuffer>, need: StackReq) -> &mut MemStack {
-    if memory.as_ref().is_none_or(|memory| memory.len() < need.unaligned_bytes_required()) {
+/// Gives scratch memory of the required size, which is kept for the next call.
+fn reserve(memory: &mut Option<MemBuffer>, requirement: StackReq) -> &mut MemStack {
+    if memory.as_ref().is_none_or(|memory| memory.len() < requirement.unaligned_bytes_required()) {
         *memory = None;
     }
-    MemStack::new(memory.get_or_insert_with(|| MemBuffer::new(need)))
+    MemStack::new(memory.get_or_insert_with(|| MemBuffer::new(requirement)))
 }

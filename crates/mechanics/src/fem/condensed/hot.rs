@@ -1,10 +1,10 @@
 //! The parts that move now and those that moved lately: all that takes part in the iterations of a position, and the tangent on the
 //! forces of their rows.
 
-use super::nearby::Nearby;
+use super::low_rank::LowRankUpdate;
 use super::parts::{Kind, Part, ROWS};
 use super::rows::{Rows, add_multiples};
-use super::tangent::{Slope, Tangent};
+use super::tangent::{StiffnessEntry, Tangent};
 
 /// No place.
 const NOWHERE: u32 = u32::MAX;
@@ -27,7 +27,7 @@ pub(super) struct Hot {
     /// The tangent that is factorised, and how the last one differs from it.
     tangent: Tangent<f32>,
     changed: Vec<Sloped>,
-    nearby: Nearby,
+    low_rank: LowRankUpdate,
     /// Whether there is a tangent, and whether it foretells where forces go.
     has_tangent: bool,
     foretells: bool,
@@ -87,9 +87,9 @@ impl Hot {
         // Rows that may be steep side by side: of a spring that slides, only the second is.
         let fresh = self.parts[known..].iter().map(|&index| &parts[index]);
         let flat = |part: &Part| usize::from(matches!(part.kind, Kind::Spring(_)));
-        let steep = fresh.clone().flat_map(|part| &part.rows[flat(part)..]);
+        let sliding = fresh.clone().flat_map(|part| &part.rows[flat(part)..]);
         let rest = fresh.flat_map(|part| &part.rows[..flat(part)]);
-        for row in steep.chain(rest).flatten() {
+        for row in sliding.chain(rest).flatten() {
             if self.place[*row] == NOWHERE {
                 self.place[*row] = self.rows.len() as u32;
                 self.rows.push(*row);
@@ -99,7 +99,7 @@ impl Hot {
             self.answers.resize_with(self.rows.len(), Vec::new);
         }
         for (place, row) in self.rows.iter().enumerate().filter(|_| self.rows.len() > before) {
-            let (answers, own) = (rows.answers(*row), &mut self.answers[place]);
+            let (answers, own) = (rows.flexibility_row(*row), &mut self.answers[place]);
             let from = if place < before { before } else { 0 };
             own.truncate(from);
             own.reserve_exact(self.rows.len() - from);
@@ -178,9 +178,9 @@ impl Hot {
             }
         }
         let changes = self.placed(&self.changed);
-        let most = MOST_CHANGED * self.tangent.steep.len() as f64;
+        let most = MOST_CHANGED * self.tangent.nonlinear_rows.len() as f64;
         let answers = &self.answers[..self.rows.len()];
-        self.nearby.find(&changes, most as usize, &mut self.tangent, answers)
+        self.low_rank.build(&changes, most as usize, &mut self.tangent, answers)
     }
 
     /// Takes the last tangent for the rows that are hot now.
@@ -206,13 +206,13 @@ impl Hot {
         self.slope_of.resize(last.max(self.slope_of.len()), NOWHERE);
         self.slopes.iter().enumerate().for_each(|(k, sloped)| self.slope_of[sloped.part] = k as u32);
         let slopes = self.placed(&self.slopes);
-        self.tangent.find(&slopes, &self.answers[..self.rows.len()]);
-        self.nearby.clear();
+        self.tangent.factorise_for(&slopes, &self.answers[..self.rows.len()]);
+        self.low_rank.reset();
         self.has_tangent = true;
     }
 
     /// Slopes by places of rows.
-    fn placed(&self, sloped: &[Sloped]) -> Vec<Slope> {
+    fn placed(&self, sloped: &[Sloped]) -> Vec<StiffnessEntry> {
         let mut slopes = Vec::new();
         for Sloped { rows, by, .. } in sloped {
             let places = rows.map(|row| row.and_then(|row| self.place(row)));
@@ -228,10 +228,10 @@ impl Hot {
     /// Solves `(1 - S G) step = right` with the tangent that was found last; the step, and how it moves the rows.
     pub fn solve(&mut self, right: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut given = right.to_vec();
-        self.tangent.steep.iter().for_each(|&p| given[p] = 0.0);
+        self.tangent.nonlinear_rows.iter().for_each(|&p| given[p] = 0.0);
         let mut way = self.moves(&given);
         let mut step = self.tangent.solve(right, &way);
-        self.nearby.correct(&mut step, &self.answers[..self.rows.len()]);
+        self.low_rank.correct_step(&mut step, &self.answers[..self.rows.len()]);
         let more = step.iter().zip(given).map(|(step, given)| step - given);
         add_multiples(&mut way, self.answers.iter().map(Vec::as_slice).zip(more));
         (step, way)

@@ -16,7 +16,7 @@ mod dense;
 mod hot;
 mod hourglass;
 mod look;
-mod nearby;
+mod low_rank;
 mod newton;
 mod parts;
 mod passage;
@@ -214,7 +214,7 @@ impl<'a> Condensed<'a> {
         self.at.forces.resize(self.rows.len(), 0.0);
         if known < self.rows.len() {
             let fresh = self.rows.list()[known..].iter().enumerate();
-            let moved = |row| self.rows.value(row, &self.at.amplitudes, &self.at.forces);
+            let moved = |row| self.rows.row_change(row, &self.at.amplitudes, &self.at.forces);
             self.at.values.extend(fresh.map(|(k, row)| row.start + moved(known + k)));
         }
     }
@@ -272,7 +272,7 @@ impl<'a> Condensed<'a> {
         for &index in joining {
             self.is_active[index] = true;
         }
-        self.rows.join(fresh, &self.patterns, &mut self.work, &mut self.block);
+        self.rows.append(fresh, &self.patterns, &mut self.work, &mut self.block);
         self.complete();
     }
 
@@ -298,7 +298,7 @@ impl<'a> Condensed<'a> {
 
     /// Values of the observed functionals in one of the solutions found last.
     fn observed_in(&self, lane: usize) -> Vec<f64> {
-        self.observed.iter().map(|row| row.start + row.of(&self.block, lane)).collect()
+        self.observed.iter().map(|row| row.start + row.change_in(&self.block, lane)).collect()
     }
 
     /// Load patterns.

@@ -103,7 +103,7 @@ impl Condensed<'_> {
     pub(super) fn values_of_all(&self, trial: &Trial) -> Vec<f64> {
         let mut values: Vec<f64> = self.at.values.iter().zip(&trial.led).map(|(value, led)| value + led).collect();
         let since = self.hot.rows.iter().zip(trial.forces.iter().zip(&trial.before));
-        self.rows.add_moves(&mut values, since.map(|(row, (now, before))| (*row, now - before)));
+        self.rows.add_row_changes(&mut values, since.map(|(row, (now, before))| (*row, now - before)));
         values
     }
 

@@ -21,13 +21,13 @@ pub struct LoadPattern(
 );
 
 impl LoadPattern {
-    /// Of forces on all components.
+    /// Makes a pattern of forces on all components [N/m], without the zeros.
     #[must_use]
     pub fn of_all(forces: &[f64]) -> LoadPattern {
         LoadPattern(forces.iter().copied().enumerate().filter(|(_, force)| *force != 0.0).collect())
     }
 
-    /// Its forces on the equations, in ascending order.
+    /// Gives the pattern's forces by equations, in ascending order.
     pub(super) fn on_equations(&self, model: &Model) -> Vec<(u32, f64)> {
         let equation = |&(component, force): &(usize, f64)| (model.dofs().equation(component), force);
         let mut forces: Vec<(u32, f64)> = self.0.iter().map(equation).collect();
@@ -37,16 +37,17 @@ impl LoadPattern {
     }
 }
 
-/// A functional on the free components.
+/// A functional by the equations of its free components.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
     /// Equations and weights.
     terms: Vec<(u32, f64)>,
-    /// Value when the run began, held components included.
+    /// Value when the run began, held components included [m].
     pub start: f64,
 }
 
 impl Row {
+    /// Makes the row of a functional; `displacements` are those of all components when the run began [m].
     pub fn new(model: &Model, functional: &Functional, displacements: &[f64]) -> Row {
         let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
         Row {
@@ -55,163 +56,172 @@ impl Row {
         }
     }
 
-    /// Equations and weights.
+    /// Gives the equations of the row and their weights.
     pub fn terms(&self) -> &[(u32, f64)] {
         &self.terms
     }
 
-    /// Its change in a solution.
+    /// Gives the change of the row's value in one solution of a block [m].
     #[inline]
-    pub fn of(&self, block: &Block, lane: usize) -> f64 {
+    pub fn change_in(&self, block: &Block, lane: usize) -> f64 {
         self.terms.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum()
     }
 
-    /// Its changes in the first solutions.
-    fn read(&self, block: &Block, changes: &mut [f64]) {
+    /// Gives the changes of the row's value in the first solutions of a block [m].
+    fn changes_in(&self, block: &Block, changes: &mut [f64]) {
         changes.fill(0.0);
         for &(equation, weight) in &self.terms {
             changes.iter_mut().zip(block.of(equation)).for_each(|(change, value)| *change += weight * value);
         }
     }
 
-    /// Its change in one solution.
-    fn among(&self, solution: &[f64]) -> f64 {
+    /// Gives the change of the row's value in one solution, by equations [m].
+    fn change_in_vector(&self, solution: &[f64]) -> f64 {
         self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
     }
 
-    /// Adds a force on it to a right-hand side.
-    pub fn push(&self, right: &mut Vec<(u32, f64)>, force: f64) {
+    /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
+    /// give the entries of `G` and `H` between new and old rows, and patterns.
+    pub fn append_force(&self, right: &mut Vec<(u32, f64)>, force: f64) {
         right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
     }
 }
 
-/// The active rows.
+/// The retained rows.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
     list: Vec<Row>,
-    /// `G`: for each row what a unit force on it does to all of them.
-    answers: Vec<Vec<f64>>,
-    /// `H`: for each pattern what it does to all of them.
-    moved: Vec<Vec<f64>>,
-    /// Solutions for the patterns that load more than [`FEW`] equations.
-    broad: Vec<Option<Vec<f64>>>,
-    /// Equations that rows read, and those that other patterns load.
-    asked: Asked,
+    /// `G`, by rows: row values for a unit force on another row [m²/N].
+    flexibility: Vec<Vec<f64>>,
+    /// `H`, by patterns: row values for a pattern of amplitude one [m].
+    influence: Vec<Vec<f64>>,
+    /// Solutions for the patterns that load more than [`WIDE`] equations; `None` for the others.
+    wide_solutions: Vec<Option<Vec<f64>>>,
+    /// Equations at which solutions are needed: those that rows read, and those that the other patterns load.
+    needed: Asked,
 }
 
-/// Equations that a pattern may load for its `H` to be read from the solutions of the rows, which then have to be found there.
-const FEW: usize = 100;
+/// Equations that a pattern may load for its `H` to be read from the solutions of the rows, which are then found there, too. A
+/// pattern that loads more is solved for by itself.
+const WIDE: usize = 100;
 
 impl Rows {
+    /// Makes an empty set of rows for a number of patterns.
     pub fn new(patterns: usize) -> Rows {
-        Rows { moved: vec![Vec::new(); patterns], ..Rows::default() }
+        Rows { influence: vec![Vec::new(); patterns], ..Rows::default() }
     }
 
+    /// Gives the number of rows.
     pub fn len(&self) -> usize {
         self.list.len()
     }
 
+    /// Gives the rows in the order in which they were retained.
     pub fn list(&self) -> &[Row] {
         &self.list
     }
 
-    /// What a unit force on a row does to all of them.
+    /// Gives one row of `G` [m²/N]; `G` is symmetric.
     #[inline]
-    pub fn answers(&self, row: usize) -> &[f64] {
-        &self.answers[row]
+    pub fn flexibility_row(&self, row: usize) -> &[f64] {
+        &self.flexibility[row]
     }
 
-    /// `G` by rows.
-    pub fn all(&self) -> &[Vec<f64>] {
-        &self.answers
+    /// Gives `G` by rows [m²/N].
+    pub fn flexibility_rows(&self) -> &[Vec<f64>] {
+        &self.flexibility
     }
 
     /// More rows take part: one solution for each. What patterns do to them, and what forces on the others do, needs no other, for the linear system
     /// is symmetric.
-    pub fn join(&mut self, fresh: Vec<Row>, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
+    pub fn append(&mut self, fresh: Vec<Row>, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
         let first = self.list.len();
         self.list.extend(fresh);
         let all = self.list.len();
-        self.answers.resize_with(all, || vec![0.0; all]);
-        self.answers[..first].iter_mut().for_each(|answers| answers.resize(all, 0.0));
-        self.moved.iter_mut().for_each(|moved| moved.resize(all, 0.0));
+        self.flexibility.resize_with(all, || vec![0.0; all]);
+        self.flexibility[..first].iter_mut().for_each(|flexibility| flexibility.resize(all, 0.0));
+        self.influence.iter_mut().for_each(|influence| influence.resize(all, 0.0));
         if first == all {
             return;
         }
-        self.solve_broad(patterns, work, block);
+        self.solve_wide_patterns(patterns, work, block);
         let read = self.list[first..].iter().flat_map(|row| &row.terms);
-        let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= FEW).flatten();
-        work.ask(&mut self.asked, read.chain(loaded).map(|(equation, _)| *equation));
+        let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= WIDE).flatten();
+        work.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDEST) {
             let lanes = start..(start + WIDEST).min(all);
             let unit = |row: usize| {
                 let mut right = Vec::new();
-                self.list[row].push(&mut right, 1.0);
+                self.list[row].append_force(&mut right, 1.0);
                 right
             };
-            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &self.asked, block);
-            for (row, answers) in self.list.iter().zip(&mut self.answers) {
-                row.read(block, &mut answers[lanes.clone()]);
+            work.solve_block_at(&lanes.clone().map(unit).collect::<Vec<_>>(), &self.needed, block);
+            for (row, flexibility) in self.list.iter().zip(&mut self.flexibility) {
+                row.changes_in(block, &mut flexibility[lanes.clone()]);
             }
-            for ((moved, pattern), broad) in self.moved.iter_mut().zip(patterns).zip(&self.broad) {
-                let moved = &mut moved[lanes.clone()];
-                if let Some(solution) = broad {
-                    let rows = moved.iter_mut().zip(&self.list[lanes.clone()]);
-                    rows.for_each(|(moved, row)| *moved = row.among(solution));
+            for ((influence, pattern), wide) in self.influence.iter_mut().zip(patterns).zip(&self.wide_solutions) {
+                let influence = &mut influence[lanes.clone()];
+                if let Some(solution) = wide {
+                    let rows = influence.iter_mut().zip(&self.list[lanes.clone()]);
+                    rows.for_each(|(influence, row)| *influence = row.change_in_vector(solution));
                     continue;
                 }
                 for &(equation, force) in pattern {
-                    moved.iter_mut().zip(block.of(equation)).for_each(|(moved, value)| *moved += force * value);
+                    influence
+                        .iter_mut()
+                        .zip(block.of(equation))
+                        .for_each(|(influence, value)| *influence += force * value);
                 }
             }
         }
-        let (known, fresh) = self.answers.split_at_mut(first);
+        let (known, fresh) = self.flexibility.split_at_mut(first);
         for (other, known) in known.iter().enumerate() {
-            fresh.iter_mut().zip(&known[first..]).for_each(|(answers, answer)| answers[other] = *answer);
+            fresh.iter_mut().zip(&known[first..]).for_each(|(flexibility, entry)| flexibility[other] = *entry);
         }
     }
 
     /// Solves for the patterns that load many equations, once.
-    fn solve_broad(&mut self, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
-        if !self.broad.is_empty() {
+    fn solve_wide_patterns(&mut self, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
+        if !self.wide_solutions.is_empty() {
             return;
         }
-        self.broad = patterns.iter().map(|_| None).collect();
-        let broad: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > FEW).collect();
-        for some in broad.chunks(WIDEST) {
+        self.wide_solutions = patterns.iter().map(|_| None).collect();
+        let wide: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > WIDE).collect();
+        for some in wide.chunks(WIDEST) {
             work.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), block);
             for (lane, &k) in some.iter().enumerate() {
-                self.broad[k] = Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
+                self.wide_solutions[k] =
+                    Some((0..block.equations()).map(|equation| block.of(equation)[lane]).collect());
             }
         }
     }
 
-    /// How far loads and forces on all rows move one.
-    pub fn value(&self, row: usize, amplitudes: &[f64], forces: &[f64]) -> f64 {
-        let loads = self.moved.iter().zip(amplitudes).map(|(moved, amplitude)| amplitude * moved[row]);
-        loads.sum::<f64>() + dot(&self.answers[row], forces)
+    /// Gives the change of one row's value [m] under loads of given `amplitudes` and `forces` on all rows [N/m].
+    pub fn row_change(&self, row: usize, amplitudes: &[f64], forces: &[f64]) -> f64 {
+        let loads = self.influence.iter().zip(amplitudes).map(|(influence, amplitude)| amplitude * influence[row]);
+        loads.sum::<f64>() + dot(&self.flexibility[row], forces)
     }
 
-    /// How far loads alone move each row.
-    pub fn moved(&self, amplitudes: &[f64]) -> Vec<f64> {
+    /// Gives the changes of all row values under loads alone, `H a` [m].
+    pub fn load_changes(&self, amplitudes: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.list.len()];
-        add_multiples(&mut sums, self.moved.iter().map(Vec::as_slice).zip(amplitudes.iter().copied()));
+        add_multiples(&mut sums, self.influence.iter().map(Vec::as_slice).zip(amplitudes.iter().copied()));
         sums
     }
 
-    /// Adds to `values` what forces on rows do to all of them.
-    pub fn add_moves(&self, values: &mut [f64], forces: impl Iterator<Item = (usize, f64)>) {
-        add_multiples(values, forces.map(|(row, force)| (self.answers[row].as_slice(), force)));
+    /// Adds to `values` the changes of all row values under forces on some rows, `G f` [m].
+    pub fn add_row_changes(&self, values: &mut [f64], forces: impl Iterator<Item = (usize, f64)>) {
+        add_multiples(values, forces.map(|(row, force)| (self.flexibility[row].as_slice(), force)));
     }
 }
 
-/// Adds multiples of columns, eight at a time: what they are added to is read and written once for eight. Columns of which nothing is added are not
-/// read. As wide as the processor's registers are, with the same bits for any of them.
+/// Adds multiples of columns to `sums`, eight columns at a time, so that `sums` is read and written once for eight. Columns with
+/// a factor of zero are not read. The code is as wide as the processor's registers, with the same bits for any width.
 pub(super) fn add_multiples<'c>(sums: &mut [f64], columns: impl Iterator<Item = (&'c [f64], f64)>) {
     widest(Multiples { sums, columns });
 }
 
-/// Does work with the widest registers of the processor.
+/// Runs `work` compiled for the widest registers of the processor.
 pub(super) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {
@@ -266,8 +276,8 @@ impl<'c, I: Iterator<Item = (&'c [f64], f64)>> pulp::NullaryFnOnce for Multiples
     }
 }
 
-/// Products of a vector with others, each as far as it goes, on top of what `found` has already. As wide as the processor's registers are, with the same
-/// bits for any of them.
+/// Appends to `found` the dot products of a vector with others, each over the shorter of the two lengths. The code is as wide as
+/// the processor's registers, with the same bits for any width.
 pub(super) fn dots<'c>(with: &[f64], others: impl Iterator<Item = &'c [f64]>, found: &mut Vec<f64>) {
     widest(Dots { with, others, found });
 }
@@ -300,7 +310,7 @@ impl<'c, I: Iterator<Item = &'c [f64]>> pulp::NullaryFnOnce for Dots<'_, I> {
     }
 }
 
-/// Eight running sums, in a fixed order: as fast as memory gives the numbers.
+/// Gives a dot product by eight running sums in a fixed order: as fast as memory gives the numbers.
 #[inline]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];

@@ -8,7 +8,7 @@
 use super::parts::{Kind, Part, Remembered};
 use super::passage::Visited;
 use super::rows::{LoadPattern, Row, Rows, dot};
-use super::tangent::{Slope, Tangent};
+use super::tangent::{StiffnessEntry, Tangent};
 use super::{Condensed, CondensedError, Place};
 use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
@@ -102,7 +102,7 @@ impl<'a> Condensed<'a> {
             self.displace(&places.iter().collect::<Vec<_>>());
             let mut right = Vec::with_capacity(places.len() * neighbours.len());
             for (lane, place) in places.iter().enumerate() {
-                let values = self.rows.list().iter().map(|row| row.start + row.of(&self.block, lane)).collect();
+                let values = self.rows.list().iter().map(|row| row.start + row.change_in(&self.block, lane)).collect();
                 let broken =
                     place.broken.iter().filter_map(|part| self.active.iter().position(|active| active == part));
                 all.push(Led { values, rows: Vec::new(), observed: Vec::new(), broken: broken.collect() });
@@ -124,7 +124,7 @@ impl<'a> Condensed<'a> {
                 self.work.solve_block(right, &mut self.block);
                 for lane in 0..right.len() {
                     let led = &mut all[first + (chunk * WIDEST + lane) / neighbours.len()];
-                    let of = |rows: &[Row]| rows.iter().map(|row| row.of(&self.block, lane)).collect();
+                    let of = |rows: &[Row]| rows.iter().map(|row| row.change_in(&self.block, lane)).collect();
                     led.rows.push(of(self.rows.list()));
                     led.observed.push(of(&self.observed));
                 }
@@ -159,12 +159,12 @@ impl<'a> Condensed<'a> {
         for some in self.observed.chunks(WIDEST) {
             let unit = |row: &Row| {
                 let mut right = Vec::new();
-                row.push(&mut right, 1.0);
+                row.append_force(&mut right, 1.0);
                 right
             };
             self.work.solve_block(&some.iter().map(unit).collect::<Vec<_>>(), &mut self.block);
             for lane in 0..some.len() {
-                all.push(self.rows.list().iter().map(|row| row.of(&self.block, lane)).collect());
+                all.push(self.rows.list().iter().map(|row| row.change_in(&self.block, lane)).collect());
             }
         }
         all
@@ -206,14 +206,14 @@ impl Walk<'_> {
             led.broken.iter().for_each(|&part| parts[part].let_go());
         }
         let (own, others) = parts.split_first_mut()?;
-        let mut slopes: Vec<Slope> = Vec::new();
+        let mut slopes: Vec<StiffnessEntry> = Vec::new();
         for part in own.iter_mut() {
             part.answer(models[0], |row| led.values[row])?;
             if !part.linear {
                 part.slopes(|p, q, s| slopes.push((p, q, s)));
             }
         }
-        tangent.find(&slopes, rows.all());
+        tangent.factorise_for(&slopes, rows.flexibility_rows());
         let mut found = Vec::with_capacity(others.len());
         for (k, parts) in others.iter_mut().enumerate() {
             let model = models[1 + k];
@@ -228,11 +228,11 @@ impl Walk<'_> {
                 }
             }
             let mut given = right.clone();
-            tangent.steep.iter().for_each(|&row| given[row] = 0.0);
+            tangent.nonlinear_rows.iter().for_each(|&row| given[row] = 0.0);
             let mut values = led.rows[k].clone();
-            rows.add_moves(&mut values, given.into_iter().enumerate());
+            rows.add_row_changes(&mut values, given.into_iter().enumerate());
             let step = tangent.solve(&right, &values);
-            rows.add_moves(&mut values, tangent.steep.iter().map(|&row| (row, step[row])));
+            rows.add_row_changes(&mut values, tangent.nonlinear_rows.iter().map(|&row| (row, step[row])));
             found.push(led.observed[k].iter().zip(observed).map(|(led, row)| led + dot(row, &step)).collect());
             for part in parts {
                 part.answer(model, |row| led.values[row] + by[k] * values[row])?;

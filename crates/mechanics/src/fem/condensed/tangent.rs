@@ -1,132 +1,143 @@
-//! The tangent on the forces of some rows, `1 - S G`, with `S` the slopes of the parts' excess.
+//! The system matrix of Newton's method on the forces of some rows, `1 - S G`.
+//!
+//! `S` is the excess stiffness, the derivatives of the excess forces by the row values [N/m²]; `G` is the flexibility between the
+//! rows [m²/N].
 
-use super::dense::{Dense, Digits};
+use super::dense::{Dense, Precision};
 use super::rows::widest;
 use std::ops::Range;
 
-/// One entry of `S`: row, column, derivative, by places among the rows at hand.
-pub(super) type Slope = (usize, usize, f64);
+/// One entry of `S`: row, column, derivative [N/m²]; rows and columns are counted within the system at hand.
+pub(super) type StiffnessEntry = (usize, usize, f64);
 
-/// Factorised on the rows whose row of `S` is not empty, a few hundred; the step of the others is what is given.
+/// `1 - S G`, factorised on the rows whose row of `S` is not empty, a few hundred. On the other rows the matrix is the identity,
+/// and the step is the right-hand side.
 #[derive(Default)]
 pub(super) struct Tangent<D> {
-    /// Those rows in ascending order.
-    pub steep: Vec<usize>,
-    /// `S`.
-    slopes: Vec<Slope>,
-    /// Place of a row among the steep ones.
-    among: Vec<usize>,
+    /// The rows whose row of `S` is not empty, in ascending order.
+    pub nonlinear_rows: Vec<usize>,
+    /// `S` by entries.
+    stiffness: Vec<StiffnessEntry>,
+    /// Index of a row among the nonlinear ones.
+    index_of: Vec<usize>,
     factors: Dense<D>,
-    looked: Looked<D>,
+    gathered: Gathered<D>,
 }
 
-impl<D: Digits> Tangent<D> {
-    /// Builds and factorises it for `answers`, `G` by rows.
-    pub fn find(&mut self, slopes: &[Slope], answers: &[Vec<f64>]) {
-        self.steep.clear();
-        self.steep.extend(slopes.iter().map(|(p, _, _)| *p));
-        self.steep.sort_unstable();
-        self.steep.dedup();
-        self.among.clear();
-        self.among.resize(answers.len(), 0);
-        self.steep.iter().enumerate().for_each(|(i, &p)| self.among[p] = i);
-        self.slopes.clear();
-        self.slopes.extend_from_slice(slopes);
-        let Tangent { steep, slopes, among, factors, looked } = self;
-        widest(Less { slopes, answers, steep, among, factors: factors.unit(steep.len()), looked });
+impl<D: Precision> Tangent<D> {
+    /// Builds and factorises `1 - S G` for the entries `stiffness` of `S` and the rows `flexibility` of `G`.
+    pub fn factorise_for(&mut self, stiffness: &[StiffnessEntry], flexibility: &[Vec<f64>]) {
+        self.nonlinear_rows.clear();
+        self.nonlinear_rows.extend(stiffness.iter().map(|(p, _, _)| *p));
+        self.nonlinear_rows.sort_unstable();
+        self.nonlinear_rows.dedup();
+        self.index_of.clear();
+        self.index_of.resize(flexibility.len(), 0);
+        self.nonlinear_rows.iter().enumerate().for_each(|(i, &p)| self.index_of[p] = i);
+        self.stiffness.clear();
+        self.stiffness.extend_from_slice(stiffness);
+        let Tangent { nonlinear_rows, stiffness, index_of, factors, gathered } = self;
+        widest(SubtractProduct {
+            stiffness,
+            flexibility,
+            nonlinear_rows,
+            index_of,
+            factors: factors.set_identity(nonlinear_rows.len()),
+            gathered,
+        });
         self.factors.factorise();
     }
 
-    /// Solves `(1 - S G) step = right`, where `given` is what the given part of the step, that of the rows with an empty row of `S`, does to all
-    /// rows, with whatever else moves them.
-    pub fn solve(&mut self, right: &[f64], given: &[f64]) -> Vec<f64> {
-        let mut rest: Vec<f64> = self.steep.iter().map(|&p| right[p]).collect();
-        for &(p, q, s) in &self.slopes {
-            rest[self.among[p]] += s * given[q];
+    /// Solves `(1 - S G) step = right` for the change `step` of the forces [N/m]. `row_changes` are the changes of all row values
+    /// [m] by the part of the step on rows with an empty row of `S`, which is known, and by whatever else changes them.
+    pub fn solve(&mut self, right: &[f64], row_changes: &[f64]) -> Vec<f64> {
+        let mut rest: Vec<f64> = self.nonlinear_rows.iter().map(|&p| right[p]).collect();
+        for &(p, q, s) in &self.stiffness {
+            rest[self.index_of[p]] += s * row_changes[q];
         }
         self.factors.solve(&mut rest);
         let mut step = right.to_vec();
-        self.steep.iter().zip(rest).for_each(|(&p, x)| step[p] = x);
+        self.nonlinear_rows.iter().zip(rest).for_each(|(&p, x)| step[p] = x);
         step
     }
 
-    /// Steps for a one on each of some rows in turn.
-    pub fn columns(&mut self, of: &[usize], answers: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let size = self.steep.len();
-        let mut right = vec![0.0; size * of.len()];
-        let is_steep = |row: usize| self.steep.binary_search(&row).is_ok();
-        for (k, &row) in of.iter().enumerate() {
+    /// Solves `(1 - S G) step = e_r` for each row `r` of `rows` in turn.
+    pub fn unit_steps(&mut self, rows: &[usize], flexibility: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let size = self.nonlinear_rows.len();
+        let mut right = vec![0.0; size * rows.len()];
+        let is_nonlinear = |row: usize| self.nonlinear_rows.binary_search(&row).is_ok();
+        for (k, &row) in rows.iter().enumerate() {
             let right = &mut right[k * size..(k + 1) * size];
-            if is_steep(row) {
-                right[self.among[row]] = 1.0;
+            if is_nonlinear(row) {
+                right[self.index_of[row]] = 1.0;
             } else {
-                self.slopes.iter().for_each(|&(p, q, s)| right[self.among[p]] += s * answers[row][q]);
+                self.stiffness.iter().for_each(|&(p, q, s)| right[self.index_of[p]] += s * flexibility[row][q]);
             }
         }
         self.factors.solve(&mut right);
         let column = |(k, &row): (usize, &usize)| {
-            let mut step = vec![0.0; answers.len()];
+            let mut step = vec![0.0; flexibility.len()];
             step[row] = 1.0;
-            self.steep.iter().zip(&right[k * size..]).for_each(|(&p, x)| step[p] = *x);
+            self.nonlinear_rows.iter().zip(&right[k * size..]).for_each(|(&p, x)| step[p] = *x);
             step
         };
-        of.iter().enumerate().map(column).collect()
+        rows.iter().enumerate().map(column).collect()
     }
 }
 
-/// Takes `S G` off the tangent.
-struct Less<'t, D> {
-    slopes: &'t [Slope],
-    answers: &'t [Vec<f64>],
-    steep: &'t [usize],
-    among: &'t [usize],
+/// Subtracts `S G` from the identity.
+struct SubtractProduct<'t, D> {
+    stiffness: &'t [StiffnessEntry],
+    flexibility: &'t [Vec<f64>],
+    nonlinear_rows: &'t [usize],
+    index_of: &'t [usize],
     factors: &'t mut [D],
-    looked: &'t mut Looked<D>,
+    gathered: &'t mut Gathered<D>,
 }
 
-/// Rows of `G` at the steep ones.
+/// The rows of `G` that the columns of `S` need, at the nonlinear rows alone.
 #[derive(Default)]
-struct Looked<D> {
+struct Gathered<D> {
     rows: Vec<D>,
-    /// Place of a row among them.
-    place: Vec<u32>,
-    /// The steep rows, by stretches of neighbouring ones.
+    /// Position of a row among them.
+    position: Vec<u32>,
+    /// The nonlinear rows, as ranges of consecutive numbers.
     runs: Vec<Range<usize>>,
 }
 
-impl<D: Digits> pulp::NullaryFnOnce for Less<'_, D> {
+impl<D: Precision> pulp::NullaryFnOnce for SubtractProduct<'_, D> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let (size, Looked { rows, place, runs }) = (self.steep.len(), self.looked);
+        let (size, Gathered { rows, position, runs }) = (self.nonlinear_rows.len(), self.gathered);
         rows.clear();
-        place.clear();
-        place.resize(self.answers.len(), u32::MAX);
+        position.clear();
+        position.resize(self.flexibility.len(), u32::MAX);
         runs.clear();
-        for &p in self.steep {
+        for &p in self.nonlinear_rows {
             match runs.last_mut().filter(|run| run.end == p) {
                 Some(run) => run.end += 1,
                 None => runs.push(p..p + 1),
             }
         }
         let mut count = 0;
-        for &(_, q, _) in self.slopes {
-            if place[q] != u32::MAX {
+        for &(_, q, _) in self.stiffness {
+            if position[q] != u32::MAX {
                 continue;
             }
-            place[q] = count;
+            position[q] = count;
             count += 1;
             for run in runs.iter() {
-                rows.extend(self.answers[q][run.clone()].iter().map(|answer| D::of(*answer)));
+                rows.extend(self.flexibility[q][run.clone()].iter().map(|g| D::round(*g)));
             }
         }
-        // Entries of one row one after the other, four at a time: what they are taken off is read and written once for four.
-        for slopes in self.slopes.chunk_by(|one, other| one.0 == other.0) {
-            let to = self.among[slopes[0].0] * size;
+        // Entries of one row four at a time: the row of the system is read and written once for four.
+        for stiffness in self.stiffness.chunk_by(|one, other| one.0 == other.0) {
+            let to = self.index_of[stiffness[0].0] * size;
             let to = &mut self.factors[to..to + size];
-            let from = |&(_, q, s): &Slope| (&rows[place[q] as usize * size..][..size], D::of(s));
-            for some in slopes.chunks(4) {
+            let from = |&(_, q, s): &StiffnessEntry| (&rows[position[q] as usize * size..][..size], D::round(s));
+            for some in stiffness.chunks(4) {
                 if let [a, b, c, d] = some {
                     let [(a, fa), (b, fb), (c, fc), (d, fd)] = [a, b, c, d].map(from);
                     for ((((entry, a), b), c), d) in to.iter_mut().zip(a).zip(b).zip(c).zip(d) {
@@ -134,7 +145,7 @@ impl<D: Digits> pulp::NullaryFnOnce for Less<'_, D> {
                     }
                 } else {
                     for (from, s) in some.iter().map(from) {
-                        to.iter_mut().zip(from).for_each(|(entry, answer)| *entry -= s * *answer);
+                        to.iter_mut().zip(from).for_each(|(entry, g)| *entry -= s * *g);
                     }
                 }
             }
@@ -148,30 +159,30 @@ mod tests {
 
     #[test]
     fn the_step_solves_the_system() {
-        let answers: Vec<Vec<f64>> =
+        let flexibility: Vec<Vec<f64>> =
             (0..5).map(|i| (0..5).map(|j| 1.0 / (1.0 + i as f64 + j as f64)).collect()).collect();
-        // Of one row five entries, more than are taken at a time.
+        // Five entries in one row, more than are taken at a time.
         let full = [0.3, -0.7, 0.05, -0.1, 0.02].into_iter().enumerate().map(|(q, s)| (1, q, s));
-        let slopes: Vec<Slope> = full.chain([(3, 2, 0.4), (3, 1, 0.9), (4, 3, -0.2)]).collect();
+        let stiffness: Vec<StiffnessEntry> = full.chain([(3, 2, 0.4), (3, 1, 0.9), (4, 3, -0.2)]).collect();
         let right = [1.0, -2.0, 0.5, 3.0, 0.25];
         let mut tangent = Tangent::<f64>::default();
-        tangent.find(&slopes, &answers);
-        assert_eq!(tangent.steep, [1, 3, 4]);
+        tangent.factorise_for(&stiffness, &flexibility);
+        assert_eq!(tangent.nonlinear_rows, [1, 3, 4]);
         let moved = |step: &[f64]| -> Vec<f64> {
-            answers.iter().map(|row| row.iter().zip(step).map(|(a, s)| a * s).sum()).collect()
+            flexibility.iter().map(|row| row.iter().zip(step).map(|(a, s)| a * s).sum()).collect()
         };
         let left = |step: &[f64], right: &[f64]| {
             let values = moved(step);
             let mut left: Vec<f64> = step.iter().zip(right).map(|(step, right)| step - right).collect();
-            slopes.iter().for_each(|&(p, q, s)| left[p] -= s * values[q]);
+            stiffness.iter().for_each(|&(p, q, s)| left[p] -= s * values[q]);
             left.iter().fold(0.0_f64, |most, left| most.max(left.abs()))
         };
-        let mut given = right.to_vec();
-        tangent.steep.iter().for_each(|&p| given[p] = 0.0);
-        let step = tangent.solve(&right, &moved(&given));
+        let mut row_changes = right.to_vec();
+        tangent.nonlinear_rows.iter().for_each(|&p| row_changes[p] = 0.0);
+        let step = tangent.solve(&right, &moved(&row_changes));
         assert!(left(&step, &right) < 1e-14);
-        // A one on a row that is steep, and on one that is not.
-        for (row, step) in [3, 2].into_iter().zip(tangent.columns(&[3, 2], &answers)) {
+        // A unit right-hand side on a nonlinear row, and on another one.
+        for (row, step) in [3, 2].into_iter().zip(tangent.unit_steps(&[3, 2], &flexibility)) {
             let mut right = [0.0; 5];
             right[row] = 1.0;
             assert!(left(&step, &right) < 1e-14, "row {row}");
