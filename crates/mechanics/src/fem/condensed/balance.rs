@@ -1,7 +1,7 @@
 //! Balance in one position: iterations, parts that get hot, pairs that break.
 
 use super::newton::Trial;
-use super::parts::Remembered;
+use super::parts::Committed;
 use super::{Condensed, Place, Position, Reached};
 use crate::fem::joint::weakest;
 
@@ -12,7 +12,7 @@ const FORESEEN: f64 = 2.0;
 #[derive(Debug, Default)]
 pub(super) struct Track {
     /// What parts remembered before, in the order in which that changed.
-    pub before: Vec<(usize, Remembered)>,
+    pub before: Vec<(usize, Committed)>,
     /// Balanced places in which something was beyond its strength and broke: other parts are looked at there, too, for they may have to break first.
     pub breaks: Vec<Place>,
 }
@@ -26,7 +26,7 @@ impl Condensed<'_> {
         if position.reached != Reached::Balanced {
             self.at.broken.truncate(whole);
             track.breaks.truncate(breaks);
-            track.before.drain(known..).rev().for_each(|(part, remembered)| self.parts[part].recall(&remembered));
+            track.before.drain(known..).rev().for_each(|(part, remembered)| self.parts[part].restore(&remembered));
         }
         position
     }
@@ -69,14 +69,14 @@ impl Condensed<'_> {
         self.hot.rows.iter().zip(&trial.forces).for_each(|(&row, force)| place.forces[row] = *force);
         track.breaks.push(place);
         for &index in &breaking {
-            track.before.push((index, self.parts[index].remembered()));
-            self.parts[index].let_go();
+            track.before.push((index, self.parts[index].committed()));
+            self.parts[index].break_spring();
         }
         self.at.broken.extend(&breaking);
         true
     }
 
-    fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Remembered)>) {
+    fn keep(&mut self, trial: &Trial, values: Vec<f64>, before: &mut Vec<(usize, Committed)>) {
         self.at.amplitudes.clone_from(&trial.to);
         self.at.values = values;
         for (&row, force) in self.hot.rows.iter().zip(&trial.forces) {
@@ -88,7 +88,7 @@ impl Condensed<'_> {
             if !part.linear {
                 self.moved_at[index] = self.clock;
             }
-            before.extend(part.keep().map(|remembered| (index, remembered)));
+            before.extend(part.commit().map(|remembered| (index, remembered)));
         }
     }
 }

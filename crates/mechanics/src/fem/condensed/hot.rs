@@ -152,7 +152,11 @@ impl Hot {
         if anew || !self.has_tangent || !self.put_right(parts) {
             self.slopes.clear();
             let sloped = self.parts.iter().filter(|part| !parts[**part].linear);
-            self.slopes.extend(sloped.map(|&part| Sloped { part, rows: parts[part].rows, by: parts[part].slope }));
+            self.slopes.extend(sloped.map(|&part| Sloped {
+                part,
+                rows: parts[part].rows,
+                by: parts[part].excess_stiffness,
+            }));
             self.changed.clear();
             self.factorise();
         }
@@ -169,9 +173,10 @@ impl Hot {
             if part.linear && known.is_none() {
                 continue;
             }
-            let (now, then) = (if part.linear { &FLAT } else { &part.slope }, known.map_or(&FLAT, |known| &known.by));
+            let (now, then) =
+                (if part.linear { &FLAT } else { &part.excess_stiffness }, known.map_or(&FLAT, |known| &known.by));
             let by: [[f64; ROWS]; ROWS] = std::array::from_fn(|i| std::array::from_fn(|j| now[i][j] - then[i][j]));
-            let least = CHANGED * part.stiffest;
+            let least = CHANGED * part.largest_stiffness;
             let changed = by.iter().flatten().fold(0, |changed, change| changed | u32::from(change.abs() > least));
             if changed != 0 {
                 self.changed.push(Sloped { part: index, rows: part.rows, by });

@@ -42,8 +42,8 @@ impl Condensed<'_> {
             }
             let mut joins = false;
             for (lane, position) in of.iter().enumerate() {
-                part.answer_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
-                if part.changes(self.model) {
+                part.evaluate_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
+                if part.needs_retaining(self.model) {
                     joins = true;
                     position.iter().for_each(|&position| stands[position] = false);
                 }

@@ -38,7 +38,7 @@ use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
 use hot::Hot;
-use parts::{Kind, Part, Remembered, components};
+use parts::{Committed, Kind, Part, quad_components};
 use rows::{Row, Rows};
 use screening::Screening;
 
@@ -164,7 +164,7 @@ impl<'a> Condensed<'a> {
         let solids = solids.filter(|id| !model.section(*id).solid.material.linear());
         let parts = springs.chain(solids.map(|id| Part::quad(model, &start, id)));
         let mut parts: Vec<Part> = parts.collect::<Option<_>>().ok_or(CondensedError::Broken)?;
-        parts.iter_mut().try_for_each(|part| part.begin(model)).ok_or(CondensedError::Broken)?;
+        parts.iter_mut().try_for_each(|part| part.set_initial_excess(model)).ok_or(CondensedError::Broken)?;
         let observed: Vec<Row> = observed.iter().map(|f| Row::new(model, f, &start.displacements)).collect();
         Ok(Condensed {
             work,
@@ -260,7 +260,7 @@ impl<'a> Condensed<'a> {
                     }
                 }
                 Kind::Quad(id) => {
-                    for (row, component) in part.rows.iter_mut().zip(components(self.model, id)) {
+                    for (row, component) in part.rows.iter_mut().zip(quad_components(self.model, id)) {
                         if self.model.dofs().equation(component) != HELD {
                             let known = &mut self.row_of[component];
                             *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
@@ -318,10 +318,10 @@ impl<'a> Condensed<'a> {
         let mut counts = Counts { active_rows: self.rows.len(), ..Counts::default() };
         for part in self.active.iter().map(|&index| &self.parts[index]) {
             match part.kind {
-                Kind::Spring(index) => bonds[index] = part.bond(),
+                Kind::Spring(index) => bonds[index] = part.committed_bond(),
                 Kind::Quad(_) => counts.active_quads += 1,
             }
-            counts.yielding += part.yielding();
+            counts.yielding += part.yielding_points();
             counts.locking += usize::from(part.locks(self.model));
         }
         (counts.open, counts.sliding) = count(bonds.iter().flatten().map(|bond| bond.state));
@@ -346,8 +346,8 @@ impl<'a> Condensed<'a> {
             element::respond(solid, modes, &samples, &u, &old, kept).ok_or(CondensedError::Broken)?;
         }
         for part in &mut self.parts {
-            part.answer_in(self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
-            part.write(&mut state);
+            part.evaluate_in(self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
+            part.write_to(&mut state);
         }
         Ok(state)
     }
@@ -355,7 +355,7 @@ impl<'a> Condensed<'a> {
     /// What has to be kept to come back to the last position.
     #[must_use]
     pub fn mark(&self) -> Mark {
-        let parts = self.active.iter().map(|&index| (index, self.parts[index].remembered())).collect();
+        let parts = self.active.iter().map(|&index| (index, self.parts[index].committed())).collect();
         Mark { at: self.at.clone(), parts }
     }
 
@@ -366,10 +366,10 @@ impl<'a> Condensed<'a> {
         self.complete();
         self.hot.forget();
         for &index in &self.active {
-            self.parts[index].restart(&self.start);
+            self.parts[index].revert_to_start(&self.start);
         }
         for (index, remembered) in &mark.parts {
-            self.parts[*index].recall(remembered);
+            self.parts[*index].restore(remembered);
         }
     }
 
@@ -384,7 +384,7 @@ impl<'a> Condensed<'a> {
         self.complete();
         self.hot.forget();
         for &index in &self.active {
-            self.parts[index].restart(&self.start);
+            self.parts[index].revert_to_start(&self.start);
         }
     }
 
@@ -419,7 +419,7 @@ fn open_among<'b>(model: &Model, bonds: impl Iterator<Item = Option<&'b Bond>>) 
 pub struct Mark {
     at: Place,
     /// Active parts.
-    parts: Vec<(usize, Remembered)>,
+    parts: Vec<(usize, Committed)>,
 }
 
 /// Why there is no condensed system.

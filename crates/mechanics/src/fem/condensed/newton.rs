@@ -117,7 +117,7 @@ impl Condensed<'_> {
                 continue;
             }
             let goes_on = ahead.is_none_or(|ahead| part.is_linear_at(self.model, |row| ahead[row]));
-            part.answer(self.model, |row| values[row])?;
+            part.evaluate(self.model, |row| values[row])?;
             if !part.linear {
                 moving.push(index);
             } else if !goes_on {
@@ -185,11 +185,11 @@ impl Condensed<'_> {
             if part.proves_linear_at(self.model, |row| [value(row); 2]) {
                 continue;
             }
-            part.answer(self.model, value)?;
+            part.evaluate(self.model, value)?;
             if part.linear {
                 continue;
             }
-            for (row, change) in part.rows.iter().zip(part.change()) {
+            for (row, change) in part.rows.iter().zip(part.excess_change()) {
                 if let Some(place) = row.and_then(|row| hot.place(row)) {
                     trial.excess[place] += change;
                 }

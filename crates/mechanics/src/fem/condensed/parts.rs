@@ -1,5 +1,5 @@
-//! The parts that are not linear: springs of interfaces and quadrilaterals that may yield. Each answers what it carries less than the
-//! linear system lets it carry.
+//! The parts that may be nonlinear: springs of interfaces and quadrilaterals that may yield. Each evaluates its excess force, by
+//! which it carries less than the linear system assumes.
 
 use super::quad_check::QuadCheck;
 use super::rows::widest;
@@ -13,10 +13,10 @@ use crate::fem::model::Model;
 use crate::fem::state::{Bond, Point, State};
 use crate::ids::{Id, QuadId};
 
-/// Most rows of a part: the components of a quadrilateral.
+/// Largest number of rows of a part: the displacement components of a quadrilateral.
 pub(super) const ROWS: usize = 8;
 
-/// Which part of the model it is.
+/// The element that a part stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A spring of [`Model::springs`]: its rows are normal and tangential opening.
@@ -25,88 +25,90 @@ pub(super) enum Kind {
     Quad(QuadId),
 }
 
-/// A part, what it remembers, and what it answers now.
+/// A part with its committed and its trial state.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     pub kind: Kind,
-    /// Rows by number, `None` where a component is held and while the part is not active.
+    /// Numbers of its retained rows, `None` where a component is held and while the part is eliminated.
     pub rows: [Option<usize>; ROWS],
-    /// Equations that the openings of a spring read, with their weights.
+    /// Equations and weights of a spring's normal and tangential opening.
     openings: [Vec<(u32, f64)>; 2],
     /// Equations of a quadrilateral's components.
     equations: [u32; ROWS],
-    /// Stiffness with which it stands in the linear system.
+    /// Stiffness in the linear system [N/m²].
     stiffness: [[f64; ROWS]; ROWS],
-    /// Largest entry of that.
-    pub stiffest: f64,
-    /// Values of its rows when the run began: those of held components do not change.
+    /// Largest entry of `stiffness` by size [N/m²].
+    pub largest_stiffness: f64,
+    /// Row values when the run began [m]; those of held components do not change.
     base: [f64; ROWS],
     samples: Option<[Sample; 4]>,
-    old: Kept4,
-    new: Kept4,
-    /// What the linear system carried too much when the run began, when the part was last kept, and what it does now [N/m].
-    start: [f64; ROWS],
-    kept: [f64; ROWS],
+    /// State at the end of the last balanced position.
+    committed: Committed,
+    /// History by the last evaluation.
+    trial: History,
+    /// Force that the linear system carried beyond the part when the run began [N/m].
+    initial_excess: [f64; ROWS],
+    /// Excess force by the last evaluation, counted from `initial_excess` [N/m].
     pub excess: [f64; ROWS],
-    /// Derivatives of `excess` by the rows, while the part is not still.
-    pub slope: [[f64; ROWS]; ROWS],
-    /// Whether the part is linear at the values given last: its excess force is then the committed one, to the bit.
+    /// Derivatives of `excess` by the row values [N/m²], valid while the part is not linear.
+    pub excess_stiffness: [[f64; ROWS]; ROWS],
+    /// Whether the part is linear at the row values evaluated last: `excess` is then the committed one, to the bit.
     pub linear: bool,
-    /// Whether it was linear when it was last committed.
-    committed_linear: bool,
 }
 
-/// Components of a quadrilateral's corners.
-pub(super) fn components(model: &Model, id: QuadId) -> [usize; ROWS] {
+/// Gives the displacement components of a quadrilateral's corners.
+pub(super) fn quad_components(model: &Model, id: QuadId) -> [usize; ROWS] {
     let nodes = model.mesh.quads[id].nodes;
     std::array::from_fn(|i| dof(nodes[i / 2], i % 2))
 }
 
-/// A sum of components on the equations: those that are held have none.
-fn free(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
+/// Gives a sum of components by equations, without those that are held.
+fn free_terms(model: &Model, terms: &[(usize, f64)]) -> Vec<(u32, f64)> {
     let equation = |&(component, weight): &(usize, f64)| (model.dofs().equation(component), weight);
     terms.iter().map(equation).filter(|(equation, _)| *equation != HELD).collect()
 }
 
-/// What a part was when it was last kept.
+/// State of a part at the end of a balanced position.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Remembered {
-    old: Kept4,
-    kept: [f64; ROWS],
-    committed_linear: bool,
+pub(super) struct Committed {
+    history: History,
+    /// Excess force [N/m].
+    excess: [f64; ROWS],
+    /// Whether the part was linear.
+    linear: bool,
 }
 
-/// What a part remembers.
+/// History variables of a part, with stress or traction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Kept4 {
+struct History {
     points: [Point; 4],
     modes: [f64; 4],
     bond: Bond,
 }
 
 impl Part {
-    /// A spring as it stands in `state`.
+    /// Makes the part of a spring as it stands in `state`.
     pub fn spring(model: &Model, state: &State, index: usize) -> Part {
         let spring = &model.springs()[index];
         let virgin = model.joints[spring.kind].respond([0.0; 2], spring.area, &PairMemory::default());
-        let mut part = Part::blank(Kind::Spring(index));
+        let mut part = Part::at_rest(Kind::Spring(index));
         for (i, opening) in spring.openings().into_iter().enumerate() {
             part.base[i] = opening.iter().map(|&(component, weight)| weight * state.displacements[component]).sum();
-            part.openings[i] = free(model, &opening);
+            part.openings[i] = free_terms(model, &opening);
             for j in 0..2 {
                 part.stiffness[i][j] = spring.area * virgin.tangent[i][j];
             }
         }
-        part.old.bond = state.bonds[index];
+        part.committed.history.bond = state.bonds[index];
         part
     }
 
-    /// A quadrilateral as it stands in `state`; `None` where it has no linear stiffness.
+    /// Makes the part of a quadrilateral as it stands in `state`; `None` where it has no linear stiffness.
     pub fn quad(model: &Model, state: &State, id: QuadId) -> Option<Part> {
-        let mut part = Part::blank(Kind::Quad(id));
-        part.equations = components(model, id).map(|component| model.dofs().equation(component));
+        let mut part = Part::at_rest(Kind::Quad(id));
+        part.equations = quad_components(model, id).map(|component| model.dofs().equation(component));
         let samples = sample(&model.corners(id));
-        let mut scratch = Kept4::default();
+        let mut scratch = History::default();
         let from = scratch.modes;
         let kept = Kept { points: &mut scratch.points, modes: &mut scratch.modes, from, misses: &mut 0 };
         let virgin = [Point::default(); 4];
@@ -114,68 +116,70 @@ impl Part {
         part.stiffness = element::respond(solid, modes, &samples, &[0.0; 8], &virgin, kept)?.tangent;
         part.base = moved(&state.displacements, &model.mesh.quads[id].nodes);
         let first = 4 * id.index();
-        part.old.points.copy_from_slice(&state.points[first..first + 4]);
-        part.old.modes = state.modes[id.index()];
+        part.committed.history.points.copy_from_slice(&state.points[first..first + 4]);
+        part.committed.history.modes = state.modes[id.index()];
         part.samples = Some(samples);
         Some(part)
     }
 
-    fn blank(kind: Kind) -> Part {
+    /// Makes a part without stiffness, displacement or history.
+    fn at_rest(kind: Kind) -> Part {
         Part {
             kind,
             rows: [None; ROWS],
             openings: Default::default(),
             equations: [HELD; ROWS],
             stiffness: [[0.0; ROWS]; ROWS],
-            stiffest: 0.0,
+            largest_stiffness: 0.0,
             base: [0.0; ROWS],
             samples: None,
-            old: Kept4::default(),
-            new: Kept4::default(),
-            start: [0.0; ROWS],
-            kept: [0.0; ROWS],
+            committed: Committed { history: History::default(), excess: [0.0; ROWS], linear: true },
+            trial: History::default(),
+            initial_excess: [0.0; ROWS],
             excess: [0.0; ROWS],
-            slope: [[0.0; ROWS]; ROWS],
+            excess_stiffness: [[0.0; ROWS]; ROWS],
             linear: true,
-            committed_linear: true,
         }
     }
 
-    /// Takes what it answers in the state in which the run begins as what was there then.
-    pub fn begin(&mut self, model: &Model) -> Option<()> {
+    /// Evaluates the part in the state in which the run begins, from which its excess force is counted. `None` where the law has
+    /// no answer.
+    pub fn set_initial_excess(&mut self, model: &Model) -> Option<()> {
         let at = self.base;
-        self.start = [0.0; ROWS];
-        self.answer_in_full(model, &at)?;
-        self.start = self.excess;
-        self.stiffest = self.stiffness.iter().flatten().fold(0.0, |most, entry| most.max(entry.abs()));
+        self.initial_excess = [0.0; ROWS];
+        self.evaluate_law(model, &at)?;
+        self.initial_excess = self.excess;
+        self.largest_stiffness = self.stiffness.iter().flatten().fold(0.0, |most, entry| most.max(entry.abs()));
         self.excess = [0.0; ROWS];
         Some(())
     }
 
-    /// What the linear system carries too much at these values of the rows, beyond what it did when the run began.
+    /// Evaluates excess force and excess stiffness at the values [m] that `value` gives for retained rows. `None` where the law
+    /// has no answer.
     #[inline]
-    pub fn answer(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
+    pub fn evaluate(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> Option<()> {
         let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
-        self.answer_at(model, &at)
+        self.evaluate_at(model, &at)
     }
 
-    /// Whether it would answer linearly at these values of the rows. What it answered last is no longer at hand.
+    /// Whether the part would be linear at these values of its rows [m]. The trial history is overwritten.
     pub fn is_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> f64) -> bool {
         let at = std::array::from_fn(|i| self.rows[i].map_or(self.base[i], &value));
-        self.is_linear_from(model, &at)
+        self.check_linear(model, &at)
     }
 
-    fn answer_at(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
-        self.linear = self.is_linear_from(model, at);
+    /// Evaluates the part at given row values [m]; the law itself only where the part is not linear.
+    fn evaluate_at(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
+        self.linear = self.check_linear(model, at);
         if self.linear {
-            self.excess = self.kept;
+            self.excess = self.committed.excess;
             return Some(());
         }
-        self.answer_in_full(model, at)
+        self.evaluate_law(model, at)
     }
 
-    /// The same for one of many solutions of the linear system, whether the part is active or not.
-    pub fn answer_in(&mut self, model: &Model, block: &Block, lane: usize) -> Option<()> {
+    /// Evaluates the part, retained or eliminated, in one solution of the linear system.
+    pub fn evaluate_in(&mut self, model: &Model, block: &Block, lane: usize) -> Option<()> {
         let mut at = self.base;
         for (at, opening) in at.iter_mut().zip(&self.openings) {
             *at += opening.iter().map(|&(equation, weight)| weight * block.of(equation)[lane]).sum::<f64>();
@@ -183,76 +187,83 @@ impl Part {
         for (at, &equation) in at.iter_mut().zip(&self.equations).filter(|(_, equation)| **equation != HELD) {
             *at += block.of(equation)[lane];
         }
-        self.answer_at(model, &at)
+        self.evaluate_at(model, &at)
     }
 
-    /// Looks whether the part remembers nothing new and resists as the linear system does; keeps stress and traction if so.
-    fn is_linear_from(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
+    /// Whether the part is linear at given row values [m]: its history does not change and its stiffness is that of the linear
+    /// system. Stress and traction are written to the trial history.
+    fn check_linear(&mut self, model: &Model, at: &[f64; ROWS]) -> bool {
         match (self.kind, &self.samples) {
             (Kind::Quad(id), Some(samples)) => {
                 let solid = &model.section(id).solid;
                 !model.incompatible(id)
-                    && element::is_linear(solid, samples, at, &self.old.points, &mut self.new.points)
+                    && element::is_linear(solid, samples, at, &self.committed.history.points, &mut self.trial.points)
             }
             (Kind::Spring(index), _) => {
-                let tangent = self.pull(model, index, [at[0], at[1]]);
+                let tangent = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let linear = (0..2).all(|i| (0..2).all(|j| tangent[i][j] == self.stiffness[i][j]));
-                linear && self.new.bond.memory == self.old.bond.memory && self.overstress(model) <= 1.0
+                linear && self.trial.bond.memory == self.committed.history.bond.memory && self.overstress(model) <= 1.0
             }
             (Kind::Quad(_), None) => false,
         }
     }
 
-    fn answer_in_full(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
-        let (force, tangent) = self.carries(model, at)?;
+    /// Evaluates the law of the part: trial history, excess force and excess stiffness.
+    fn evaluate_law(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<()> {
+        let (force, tangent) = self.force_and_tangent(model, at)?;
         for i in 0..ROWS {
             let mut linear_force = 0.0;
             for j in 0..ROWS {
                 linear_force += self.stiffness[i][j] * at[j];
-                self.slope[i][j] = self.stiffness[i][j] - tangent[i][j];
+                self.excess_stiffness[i][j] = self.stiffness[i][j] - tangent[i][j];
             }
-            self.excess[i] = linear_force - force[i] - self.start[i];
+            self.excess[i] = linear_force - force[i] - self.initial_excess[i];
         }
         self.linear = false;
         Some(())
     }
 
-    /// Opens a spring; gives its tangent.
-    fn pull(&mut self, model: &Model, index: usize, opening: [f64; 2]) -> [[f64; 2]; 2] {
+    /// Evaluates the law of a spring at an opening [m]; gives its tangent stiffness [N/m²].
+    fn evaluate_spring(&mut self, model: &Model, index: usize, opening: [f64; 2]) -> [[f64; 2]; 2] {
         let spring = &model.springs()[index];
-        let answer = model.joints[spring.kind].respond(opening, spring.area, &self.old.bond.memory);
-        self.new.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
+        let answer = model.joints[spring.kind].respond(opening, spring.area, &self.committed.history.bond.memory);
+        self.trial.bond = Bond { memory: answer.memory, traction: answer.traction, opening, state: answer.state };
         answer.tangent.map(|row| row.map(|entry| spring.area * entry))
     }
 
-    /// Tension of a spring that is whole over its strength, as it answered last.
+    /// Gives the tension of an unbroken spring by the last evaluation, over its strength; 0 for quadrilaterals.
     pub fn overstress(&self, model: &Model) -> f64 {
         let Kind::Spring(index) = self.kind else { return 0.0 };
         let spring = &model.springs()[index];
-        model.joints[spring.kind].overstress(self.new.bond.traction[0], spring.area, &self.old.bond.memory)
+        model.joints[spring.kind].overstress(
+            self.trial.bond.traction[0],
+            spring.area,
+            &self.committed.history.bond.memory,
+        )
     }
 
-    /// The spring is whole no longer.
-    pub fn let_go(&mut self) {
-        self.old.bond.memory.broken = true;
+    /// Marks the spring as broken in the committed history.
+    pub fn break_spring(&mut self) {
+        self.committed.history.bond.memory.broken = true;
     }
 
-    fn carries(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<([f64; ROWS], [[f64; ROWS]; ROWS])> {
+    /// Gives the force of the part [N/m] and its tangent stiffness [N/m²] at given row values [m].
+    fn force_and_tangent(&mut self, model: &Model, at: &[f64; ROWS]) -> Option<([f64; ROWS], [[f64; ROWS]; ROWS])> {
         match (self.kind, &self.samples) {
             (Kind::Quad(id), Some(samples)) => {
-                self.new.modes = self.old.modes;
-                let from = self.old.modes;
-                let kept = Kept { points: &mut self.new.points, modes: &mut self.new.modes, from, misses: &mut 0 };
+                self.trial.modes = self.committed.history.modes;
+                let from = self.committed.history.modes;
+                let kept = Kept { points: &mut self.trial.points, modes: &mut self.trial.modes, from, misses: &mut 0 };
                 let (solid, modes) = (&model.section(id).solid, model.incompatible(id));
-                let answer = element::respond(solid, modes, samples, at, &self.old.points, kept)?;
+                let answer = element::respond(solid, modes, samples, at, &self.committed.history.points, kept)?;
                 Some((answer.force, answer.tangent))
             }
             (Kind::Spring(index), _) => {
-                let pulled = self.pull(model, index, [at[0], at[1]]);
+                let stiffness = self.evaluate_spring(model, index, [at[0], at[1]]);
                 let (mut force, mut tangent) = ([0.0; ROWS], [[0.0; ROWS]; ROWS]);
                 for i in 0..2 {
-                    force[i] = model.springs()[index].area * self.new.bond.traction[i];
-                    tangent[i][..2].copy_from_slice(&pulled[i]);
+                    force[i] = model.springs()[index].area * self.trial.bond.traction[i];
+                    tangent[i][..2].copy_from_slice(&stiffness[i]);
                 }
                 Some((force, tangent))
             }
@@ -260,20 +271,20 @@ impl Part {
         }
     }
 
-    /// Entries of its slope between active rows: row, column, derivative.
-    pub fn slopes(&self, mut push: impl FnMut(usize, usize, f64)) {
+    /// Calls `push` with each entry of the excess stiffness between retained rows: row, column, derivative [N/m²].
+    pub fn for_each_stiffness_entry(&self, mut push: impl FnMut(usize, usize, f64)) {
         for i in 0..ROWS {
             for j in 0..ROWS {
-                if let (Some(p), Some(q), true) = (self.rows[i], self.rows[j], self.slope[i][j] != 0.0) {
-                    push(p, q, self.slope[i][j]);
+                if let (Some(p), Some(q), true) = (self.rows[i], self.rows[j], self.excess_stiffness[i][j] != 0.0) {
+                    push(p, q, self.excess_stiffness[i][j]);
                 }
             }
         }
     }
 
-    /// Whether it carries anything else than the linear system lets it carry.
-    pub fn differs(&self) -> bool {
-        // What rounding leaves of a difference of two equal forces.
+    /// Whether the excess force is larger than rounding.
+    pub fn has_excess(&self) -> bool {
+        // Rounding of the difference of two equal forces.
         const ROUNDING: f64 = 1e-13;
         let size = |i: usize| self.stiffness[i][i].abs();
         let scale = (0..ROWS).map(size).fold(0.0, f64::max);
@@ -282,51 +293,50 @@ impl Part {
         most > ROUNDING * scale * displaced
     }
 
-    /// Whether it answers otherwise than it did when the run began, would remember something new, or is beyond its strength.
-    pub fn changes(&self, model: &Model) -> bool {
-        let points = self.new.points.iter().zip(&self.old.points);
+    /// Whether the linear system is wrong for this part by the last evaluation: it has an excess force, its history changes, or
+    /// it is beyond its strength.
+    pub fn needs_retaining(&self, model: &Model) -> bool {
+        let points = self.trial.points.iter().zip(&self.committed.history.points);
         !self.linear
-            && (self.differs()
+            && (self.has_excess()
                 || self.overstress(model) > 1.0
-                || self.new.bond.memory != self.old.bond.memory
+                || self.trial.bond.memory != self.committed.history.bond.memory
                 || points.into_iter().any(|(new, old)| new.memory != old.memory))
     }
 
-    /// Remembers what the state remembers in which the run began.
-    pub fn restart(&mut self, state: &State) {
-        self.kept = [0.0; ROWS];
-        self.committed_linear = true;
+    /// Restores the state in which the run began.
+    pub fn revert_to_start(&mut self, state: &State) {
+        self.committed.excess = [0.0; ROWS];
+        self.committed.linear = true;
         match self.kind {
-            Kind::Spring(index) => self.old.bond = state.bonds[index],
+            Kind::Spring(index) => self.committed.history.bond = state.bonds[index],
             Kind::Quad(id) => {
                 let first = 4 * id.index();
-                self.old.points.copy_from_slice(&state.points[first..first + 4]);
-                self.old.modes = state.modes[id.index()];
+                self.committed.history.points.copy_from_slice(&state.points[first..first + 4]);
+                self.committed.history.modes = state.modes[id.index()];
             }
         }
     }
 
-    /// Keeps what it answered last; gives what it was, where that is something else.
-    pub fn keep(&mut self) -> Option<Remembered> {
-        if self.linear && self.committed_linear {
+    /// Commits the last evaluation; gives the state before, where it was another one.
+    pub fn commit(&mut self) -> Option<Committed> {
+        if self.linear && self.committed.linear {
             return None;
         }
-        let before = self.remembered();
-        self.old = self.new;
-        self.kept = self.excess;
-        self.committed_linear = self.linear;
+        let before = self.committed;
+        self.committed = Committed { history: self.trial, excess: self.excess, linear: self.linear };
         Some(before)
     }
 
-    /// How its excess has changed since it was last kept.
-    pub fn change(&self) -> [f64; ROWS] {
-        std::array::from_fn(|i| self.excess[i] - self.kept[i])
+    /// Gives the change of the excess force since it was last committed [N/m].
+    pub fn excess_change(&self) -> [f64; ROWS] {
+        std::array::from_fn(|i| self.excess[i] - self.committed.excess[i])
     }
 
     /// Gives the pointwise test of a quadrilateral without incompatible modes.
     pub fn quad_check<'a>(&'a self, model: &'a Model) -> Option<QuadCheck<'a>> {
         let (Kind::Quad(id), Some(samples)) = (self.kind, &self.samples) else { return None };
-        let (solid, points) = (&model.section(id).solid, &self.old.points);
+        let (solid, points) = (&model.section(id).solid, &self.committed.history.points);
         let quad = QuadCheck { solid, samples, points, base: &self.base, equations: &self.equations };
         (!model.incompatible(id)).then_some(quad)
     }
@@ -341,27 +351,32 @@ impl Part {
         let closed = [[normal, 0.0], [0.0, tangential]];
         let linear = (0..2).all(|i| (0..2).all(|j| self.stiffness[i][j] == closed[i][j]));
         let openings = [self.openings[0].as_slice(), self.openings[1].as_slice()];
-        let spring =
-            SpringCheck { law, area, memory: &self.old.bond.memory, base: [self.base[0], self.base[1]], openings };
+        let spring = SpringCheck {
+            law,
+            area,
+            memory: &self.committed.history.bond.memory,
+            base: [self.base[0], self.base[1]],
+            openings,
+        };
         linear.then_some((kind, spring))
     }
 
     /// Whether the part is provably linear in all of the first solutions of `block`, with the memory it has now. `false` proves
     /// nothing: the law has to be evaluated.
-    pub fn proves_linear(&self, model: &Model, block: &Block, lanes: usize) -> bool {
+    pub fn proves_linear(&self, model: &Model, block: &Block, solutions: usize) -> bool {
         struct Wide<'a>(&'a Part, &'a Model, &'a Block, usize);
         impl pulp::NullaryFnOnce for Wide<'_> {
             type Output = bool;
             #[inline(always)]
             fn call(self) -> bool {
-                let Wide(part, model, block, lanes) = self;
+                let Wide(part, model, block, solutions) = self;
                 if let Some(quad) = part.quad_check(model) {
-                    return quad.proves_linear(block, lanes);
+                    return quad.proves_linear(block, solutions);
                 }
-                part.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, lanes))
+                part.spring_check(model).is_some_and(|(_, spring)| spring.proves_linear(block, solutions))
             }
         }
-        widest(Wide(self, model, block, lanes))
+        widest(Wide(self, model, block, solutions))
     }
 
     /// Whether the part is provably linear at both row values that `value` gives for a row, and was linear when last committed.
@@ -369,7 +384,7 @@ impl Part {
     #[inline]
     pub fn proves_linear_at(&mut self, model: &Model, value: impl Fn(usize) -> [f64; 2]) -> bool {
         let at = std::array::from_fn(|i| self.rows[i].map_or([self.base[i]; 2], &value));
-        let linear = self.committed_linear
+        let linear = self.committed.linear
             && match self.quad_check(model) {
                 Some(quad) => quad.proves_linear_at(&at),
                 None => self
@@ -377,24 +392,24 @@ impl Part {
                     .is_some_and(|(_, spring)| spring.law.provably_linear(&[at[0], at[1]], spring.area, spring.memory)),
             };
         if linear {
-            (self.linear, self.excess) = (true, self.kept);
+            (self.linear, self.excess) = (true, self.committed.excess);
         }
         linear
     }
 
-    /// What it would take to come back.
-    pub fn remembered(&self) -> Remembered {
-        Remembered { old: self.old, kept: self.kept, committed_linear: self.committed_linear }
+    /// Gives the committed state.
+    pub fn committed(&self) -> Committed {
+        self.committed
     }
 
-    /// Comes back.
-    pub fn recall(&mut self, remembered: &Remembered) {
-        (self.old, self.kept, self.committed_linear) = (remembered.old, remembered.kept, remembered.committed_linear);
+    /// Restores a committed state.
+    pub fn restore(&mut self, committed: &Committed) {
+        self.committed = *committed;
     }
 
-    /// Writes into a state what it answered last, or what was kept of it where it does not answer linearly.
-    pub fn write(&self, state: &mut State) {
-        let now = if self.linear { &self.new } else { &self.old };
+    /// Writes the part to a state: the trial history where the part is linear, the committed one where it is not.
+    pub fn write_to(&self, state: &mut State) {
+        let now = if self.linear { &self.trial } else { &self.committed.history };
         match self.kind {
             Kind::Spring(index) => state.bonds[index] = now.bond,
             Kind::Quad(id) => {
@@ -404,21 +419,22 @@ impl Part {
         }
     }
 
-    /// The pair of a spring, as it was kept.
-    pub fn bond(&self) -> Option<&Bond> {
-        matches!(self.kind, Kind::Spring(_)).then_some(&self.old.bond)
+    /// Gives the committed pair of a spring; `None` for a quadrilateral.
+    pub fn committed_bond(&self) -> Option<&Bond> {
+        matches!(self.kind, Kind::Spring(_)).then_some(&self.committed.history.bond)
     }
 
-    /// Points that flow, as they were kept.
-    pub fn yielding(&self) -> usize {
+    /// Counts the points that yield in the committed state.
+    pub fn yielding_points(&self) -> usize {
         match self.kind {
-            Kind::Quad(_) => self.old.points.iter().filter(|point| point.yields).count(),
+            Kind::Quad(_) => self.committed.history.points.iter().filter(|point| point.yields).count(),
             Kind::Spring(_) => 0,
         }
     }
 
-    /// Whether it is a plain quadrilateral all of whose points flow.
+    /// Whether the part is a plain quadrilateral all of whose points yield.
     pub fn locks(&self, model: &Model) -> bool {
-        matches!(self.kind, Kind::Quad(id) if model.may_lock(id)) && self.old.points.iter().all(|point| point.yields)
+        matches!(self.kind, Kind::Quad(id) if model.may_lock(id))
+            && self.committed.history.points.iter().all(|point| point.yields)
     }
 }

@@ -179,7 +179,7 @@ impl Condensed<'_> {
         self.complete();
         self.hot.forget();
         for (part, before) in step.track.before.iter().rev() {
-            self.parts[*part].recall(before);
+            self.parts[*part].restore(before);
         }
     }
 

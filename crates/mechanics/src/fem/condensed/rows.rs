@@ -80,8 +80,7 @@ impl Row {
         self.terms.iter().map(|&(equation, weight)| weight * solution[equation as usize]).sum()
     }
 
-    /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
-    /// give the entries of `G` and `H` between new and old rows, and patterns.
+    /// Appends a force on the row [N/m] to a right-hand side.
     pub fn append_force(&self, right: &mut Vec<(u32, f64)>, force: f64) {
         right.extend(self.terms.iter().map(|&(equation, weight)| (equation, weight * force)));
     }
@@ -95,15 +94,15 @@ pub(super) struct Rows {
     flexibility: Vec<Vec<f64>>,
     /// `H`, by patterns: row values for a pattern of amplitude one [m].
     influence: Vec<Vec<f64>>,
-    /// Solutions for the patterns that load more than [`WIDE`] equations; `None` for the others.
+    /// Solutions for the patterns that load more than [`WIDE_PATTERN`] equations; `None` for the others.
     wide_solutions: Vec<Option<Vec<f64>>>,
     /// Equations at which solutions are needed: those that rows read, and those that the other patterns load.
     needed: Asked,
 }
 
-/// Equations that a pattern may load for its `H` to be read from the solutions of the rows, which are then found there, too. A
-/// pattern that loads more is solved for by itself.
-const WIDE: usize = 100;
+/// A pattern that loads more equations than this is solved for by itself. The `H` of the others is read from the solutions of the
+/// rows, which are found at the equations that they load, too.
+const WIDE_PATTERN: usize = 100;
 
 impl Rows {
     /// Makes an empty set of rows for a number of patterns.
@@ -132,8 +131,8 @@ impl Rows {
         &self.flexibility
     }
 
-    /// More rows take part: one solution for each. What patterns do to them, and what forces on the others do, needs no other, for the linear system
-    /// is symmetric.
+    /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
+    /// give the entries of `G` and `H` between new and old rows, and patterns.
     pub fn append(&mut self, fresh: Vec<Row>, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
         let first = self.list.len();
         self.list.extend(fresh);
@@ -146,7 +145,7 @@ impl Rows {
         }
         self.solve_wide_patterns(patterns, work, block);
         let read = self.list[first..].iter().flat_map(|row| &row.terms);
-        let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= WIDE).flatten();
+        let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= WIDE_PATTERN).flatten();
         work.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDEST) {
             let lanes = start..(start + WIDEST).min(all);
@@ -186,7 +185,7 @@ impl Rows {
             return;
         }
         self.wide_solutions = patterns.iter().map(|_| None).collect();
-        let wide: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > WIDE).collect();
+        let wide: Vec<usize> = (0..patterns.len()).filter(|&k| patterns[k].len() > WIDE_PATTERN).collect();
         for some in wide.chunks(WIDEST) {
             work.solve_block(&some.iter().map(|&k| patterns[k].clone()).collect::<Vec<_>>(), block);
             for (lane, &k) in some.iter().enumerate() {

@@ -5,7 +5,7 @@
 //! order, and with it what its parts remember from then on (direct differentiation; docs/theory/condensed.md, equation 6). Of each position and
 //! quantity that takes one right-hand side of the linear system and one of the tangent on the rows, no iteration.
 
-use super::parts::{Kind, Part, Remembered};
+use super::parts::{Committed, Kind, Part};
 use super::passage::Visited;
 use super::rows::{LoadPattern, Row, Rows, dot};
 use super::tangent::{StiffnessEntry, Tangent};
@@ -78,7 +78,7 @@ impl<'a> Condensed<'a> {
         }
         let at_rest = walk.remembered();
         for led in &led[path.len()..] {
-            walk.recall(&at_rest);
+            walk.restore(&at_rest);
             let branch = walk.to(&self.rows, led, &observed_rows).ok_or(CondensedError::Broken)?;
             found.branches.push(branch);
         }
@@ -177,7 +177,7 @@ impl<'a> Condensed<'a> {
     {
         let own: Vec<Part> = self.active.iter().map(|&index| self.parts[index].clone()).collect();
         let mut parts = vec![own];
-        parts[0].iter_mut().for_each(|part| part.restart(&self.start));
+        parts[0].iter_mut().for_each(|part| part.revert_to_start(&self.start));
         for neighbour in neighbours {
             let start = State::new(neighbour.model);
             let there = |own: &Part| {
@@ -185,7 +185,7 @@ impl<'a> Condensed<'a> {
                     Kind::Spring(index) => Part::spring(neighbour.model, &start, index),
                     Kind::Quad(id) => Part::quad(neighbour.model, &start, id)?,
                 };
-                part.begin(neighbour.model)?;
+                part.set_initial_excess(neighbour.model)?;
                 part.rows = own.rows;
                 Some(part)
             };
@@ -203,14 +203,14 @@ impl Walk<'_> {
     fn to(&mut self, rows: &Rows, led: &Led, observed: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
         let Walk { models, by, parts, tangent } = self;
         for parts in parts.iter_mut() {
-            led.broken.iter().for_each(|&part| parts[part].let_go());
+            led.broken.iter().for_each(|&part| parts[part].break_spring());
         }
         let (own, others) = parts.split_first_mut()?;
         let mut slopes: Vec<StiffnessEntry> = Vec::new();
         for part in own.iter_mut() {
-            part.answer(models[0], |row| led.values[row])?;
+            part.evaluate(models[0], |row| led.values[row])?;
             if !part.linear {
-                part.slopes(|p, q, s| slopes.push((p, q, s)));
+                part.for_each_stiffness_entry(|p, q, s| slopes.push((p, q, s)));
             }
         }
         tangent.factorise_for(&slopes, rows.flexibility_rows());
@@ -220,7 +220,7 @@ impl Walk<'_> {
             // What the neighbour's parts answer otherwise at the same displacements, with what they remember.
             let mut right = vec![0.0; rows.len()];
             for (own, other) in own.iter().zip(parts.iter_mut()) {
-                other.answer(model, |row| led.values[row])?;
+                other.evaluate(model, |row| led.values[row])?;
                 for (i, row) in own.rows.iter().enumerate() {
                     if let Some(row) = row {
                         right[*row] += (other.excess[i] - own.excess[i]) / by[k];
@@ -235,23 +235,23 @@ impl Walk<'_> {
             rows.add_row_changes(&mut values, tangent.nonlinear_rows.iter().map(|&row| (row, step[row])));
             found.push(led.observed[k].iter().zip(observed).map(|(led, row)| led + dot(row, &step)).collect());
             for part in parts {
-                part.answer(model, |row| led.values[row] + by[k] * values[row])?;
-                part.keep();
+                part.evaluate(model, |row| led.values[row] + by[k] * values[row])?;
+                part.commit();
             }
         }
         for part in own {
-            part.keep();
+            part.commit();
         }
         Some(found)
     }
 
-    fn remembered(&self) -> Vec<Vec<Remembered>> {
-        self.parts.iter().map(|parts| parts.iter().map(Part::remembered).collect()).collect()
+    fn remembered(&self) -> Vec<Vec<Committed>> {
+        self.parts.iter().map(|parts| parts.iter().map(Part::committed).collect()).collect()
     }
 
-    fn recall(&mut self, remembered: &[Vec<Remembered>]) {
+    fn restore(&mut self, remembered: &[Vec<Committed>]) {
         for (part, remembered) in self.parts.iter_mut().flatten().zip(remembered.iter().flatten()) {
-            part.recall(remembered);
+            part.restore(remembered);
         }
     }
 }

@@ -99,7 +99,7 @@ impl Case {
         let springs = (0..model.springs().len()).map(|index| Part::spring(&model, &state, index));
         let quads = model.mesh.quads.pairs().map(|(id, _)| Part::quad(&model, &state, id).unwrap());
         let mut parts: Vec<Part> = springs.chain(quads).collect();
-        parts.iter_mut().for_each(|part| part.begin(&model).unwrap());
+        parts.iter_mut().for_each(|part| part.set_initial_excess(&model).unwrap());
         let screening = Screening::new(&model, &parts);
         Case { model, parts, screening }
     }
@@ -117,7 +117,7 @@ impl Case {
     /// Whether a part is linear by its law.
     fn is_linear(&mut self, index: usize, direction: &[f64], share: f64) -> bool {
         let block = self.block(direction, share, 0, WIDTHS[0]);
-        self.parts[index].answer_in(&self.model, &block, 0).unwrap();
+        self.parts[index].evaluate_in(&self.model, &block, 0).unwrap();
         self.parts[index].linear
     }
 
