@@ -1,6 +1,6 @@
 //! Many positions of a load: the condensed path against the whole system, position by position.
 
-use mechanics::fem::condensed::{Condensed, Derivatives, Functional, LoadPattern, Neighbour, Reached};
+use mechanics::fem::condensed::{Condensed, Derivatives, Functional, LoadPattern, PerturbedModel, Reached};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, Plane, Solid};
 use mechanics::fem::{
@@ -179,7 +179,7 @@ fn compare_in(vault: &Vault, force: f64) -> (f64, [usize; 4]) {
         .collect();
     let mut condensed = Condensed::new(model, state.clone(), &patterns, &observed).unwrap();
     let count = 50;
-    let passage = condensed.pass(count, &|i| amplitudes(vault, i, force), &mut Unwatched).unwrap();
+    let passage = condensed.solve_positions(count, &|i| amplitudes(vault, i, force), &mut Unwatched).unwrap();
     assert_eq!((passage.visited.len(), passage.stopped_at), (count, None));
     let (mut worst, mut size) = (0.0_f64, 0.0_f64);
     let (mut open, mut sliding, mut yielding) = (0, 0, 0);
@@ -238,17 +238,17 @@ fn joints_that_rub_give_the_plain_path_to_1e_8() {
 fn stretches_leave_no_trace() {
     let vault = vault(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), Kinematics::Small);
     let model = &vault.model;
-    let mut patterns = vec![LoadPattern::of_all(&model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![LoadPattern::from_forces(&model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let observed = [Functional(vec![(2 * vault.crown.index() + 1, 1.0)])];
     let under = |index: usize| [vec![1.0], amplitudes(&vault, index, 60e3)].concat();
     let begin = || Condensed::new(model, State::new(model), &patterns, &observed).unwrap();
     let (mut together, mut single) = (begin(), begin());
-    let passage = together.pass(50, &under, &mut Unwatched).unwrap();
+    let passage = together.solve_positions(50, &under, &mut Unwatched).unwrap();
     assert!(passage.repeated > 0, "no part joined on the way: going back was not tried");
     let size = passage.visited.iter().fold(0.0_f64, |most, visited| most.max(visited.observed[0].abs()));
     for (index, visited) in passage.visited.iter().enumerate() {
-        assert_eq!(single.settle(&under(index)).unwrap().reached, Reached::Balanced);
+        assert_eq!(single.solve_position(&under(index)).unwrap().reached, Reached::Balanced);
         let (one, other) = (visited.observed[0], single.observed()[0]);
         assert!((one - other).abs() <= 1e-8 * size, "position {index}: {one:e} {other:e}");
     }
@@ -279,7 +279,7 @@ fn going_back_leaves_no_trace() {
     let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, 30f64.to_radians(), 0.0);
     let vault = vault(Material::DruckerPrager(fill), Kinematics::Small);
     let model = &vault.model;
-    let mut patterns = vec![LoadPattern::of_all(&model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![LoadPattern::from_forces(&model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let observed = [
         Functional(vec![(2 * vault.crown.index() + 1, 1.0)]),
@@ -288,21 +288,21 @@ fn going_back_leaves_no_trace() {
     let under = |index: usize, force: f64| [vec![1.0], amplitudes(&vault, index, force)].concat();
     let begin = || {
         let mut condensed = Condensed::new(model, State::new(model), &patterns, &observed).unwrap();
-        assert_eq!(condensed.settle(&under(0, 0.0)).unwrap().reached, Reached::Balanced);
+        assert_eq!(condensed.solve_position(&under(0, 0.0)).unwrap().reached, Reached::Balanced);
         condensed
     };
     let mut straight = begin();
-    assert_eq!(straight.settle(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
+    assert_eq!(straight.solve_position(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
     let mut detour = begin();
-    let (at_rest, rest) = (detour.mark(), detour.observed());
-    assert_eq!(detour.settle(&under(20, 30e3)).unwrap().reached, Reached::Balanced);
+    let (at_rest, rest) = (detour.snapshot(), detour.observed());
+    assert_eq!(detour.solve_position(&under(20, 30e3)).unwrap().reached, Reached::Balanced);
     let size = detour.observed().iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     // Unloading by itself does not go back: fill has flowed.
-    detour.settle(&under(0, 0.0)).unwrap();
+    detour.solve_position(&under(0, 0.0)).unwrap();
     let left = detour.observed().iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     assert!(left > 1e-3 * size, "{left:e} of {size:e} left: nothing to undo");
-    detour.back_to(&at_rest);
-    assert_eq!(detour.settle(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
+    detour.restore(&at_rest);
+    assert_eq!(detour.solve_position(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
     for (a, b) in detour.observed().iter().zip(straight.observed()) {
         assert!((a - b).abs() <= 1e-8 * size, "{a:e} {b:e}, of {size:e}");
     }
@@ -321,7 +321,7 @@ fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadP
     let soil = Elastic { modulus: soil, ratio: 0.19 };
     let fill = DruckerPrager::matching(soil, Cone::Compression, cohesion, 30f64.to_radians(), 0.0);
     let vault = vault_of(Material::DruckerPrager(fill), stones, friction, PANEL, Kinematics::Small);
-    let mut patterns = vec![LoadPattern::of_all(&vault.model.weight(vec2(0.0, -9.81)))];
+    let mut patterns = vec![LoadPattern::from_forces(&vault.model.weight(vec2(0.0, -9.81)))];
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let of = |node: NodeId, axis: usize| Functional(vec![(2 * node.index() + axis, 1.0)]);
     let observed = [of(vault.crown, 0), of(vault.crown, 1), of(vault.surface[9], 1)];
@@ -332,12 +332,12 @@ fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadP
 fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [usize; 3], Derivatives) {
     let (vault, patterns, observed) = quantified(quantities);
     let condensed = Condensed::new(&vault.model, State::new(&vault.model), &patterns, &observed).unwrap();
-    let mut condensed = condensed.with_places();
+    let mut condensed = condensed.with_equilibria();
     let weight = |step: usize| [vec![0.25 * (step + 1) as f64], vec![0.0; vault.surface.len()]].concat();
-    let path = condensed.pass(4, &weight, &mut Unwatched).unwrap().visited;
-    let at_rest = condensed.mark();
+    let path = condensed.solve_positions(4, &weight, &mut Unwatched).unwrap().visited;
+    let at_rest = condensed.snapshot();
     let under: Vec<Vec<f64>> = [12, 20, 21].map(|k| [vec![1.0], amplitudes(&vault, k, 30e3)].concat()).to_vec();
-    let visited = condensed.branch(&at_rest, &under).unwrap();
+    let visited = condensed.solve_branches(&at_rest, &under).unwrap();
     assert!(path.len() == 4 && visited.iter().all(|visited| visited.position.reached == Reached::Balanced));
     let most = |count: fn(&mechanics::fem::condensed::Counts) -> usize| {
         visited.iter().map(|visited| count(&visited.counts)).max().unwrap()
@@ -353,10 +353,10 @@ fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [us
                 quantified(other)
             })
             .collect();
-        let neighbours: Vec<Neighbour<'_>> = others
+        let neighbours: Vec<PerturbedModel<'_>> = others
             .iter()
             .zip(by)
-            .map(|((vault, patterns, _), by)| Neighbour { model: &vault.model, patterns, by })
+            .map(|((vault, patterns, _), by)| PerturbedModel { model: &vault.model, patterns, by })
             .collect();
         derivatives = condensed.derivatives(&neighbours, &path, &visited).unwrap();
     }
@@ -403,25 +403,25 @@ fn branches_are_positions_reached_one_by_one() {
     let mut one = begin();
     for step in 1..=4 {
         let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
-        assert_eq!(one.settle(&weight).unwrap().reached, Reached::Balanced);
+        assert_eq!(one.solve_position(&weight).unwrap().reached, Reached::Balanced);
     }
-    let (at_rest, rest) = (one.mark(), one.observed());
+    let (at_rest, rest) = (one.snapshot(), one.observed());
     for (k, values) in [12, 20, 21].into_iter().zip(&values[1..]) {
-        one.back_to(&at_rest);
-        one.settle(&[vec![1.0], amplitudes(&vault, k, 30e3)].concat()).unwrap();
+        one.restore(&at_rest);
+        one.solve_position(&[vec![1.0], amplitudes(&vault, k, 30e3)].concat()).unwrap();
         let size = values.iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         for (a, b) in one.observed().iter().zip(values) {
             assert!((a - b).abs() <= 1e-8 * size, "place {k}: {a:e} {b:e}, of {size:e}");
         }
     }
-    let took_part = one.taking_part();
+    let took_part = one.retained_parts();
     let mut expecting = begin();
-    expecting.expect(&took_part);
+    expecting.retain_parts(&took_part);
     for step in 1..=4 {
         let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
-        expecting.settle(&weight).unwrap();
+        expecting.solve_position(&weight).unwrap();
     }
-    assert_eq!(expecting.taking_part(), took_part);
+    assert_eq!(expecting.retained_parts(), took_part);
     for (a, b) in expecting.observed().iter().zip(&rest) {
         assert!((a - b).abs() <= 1e-9 * rest.iter().fold(0.0_f64, |most, r| most.max(r.abs())));
     }

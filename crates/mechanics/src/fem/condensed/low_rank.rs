@@ -12,8 +12,8 @@ use super::dense::Dense;
 use super::rows::{add_multiples, dots};
 use super::tangent::{StiffnessEntry, Tangent};
 
-/// Marks a row without a position.
-const NOWHERE: u32 = u32::MAX;
+/// Marks a row without an index.
+const NO_INDEX: u32 = u32::MAX;
 
 /// The change `D` of the excess stiffness since the tangent was factorised, and what its solution needs.
 #[derive(Default)]
@@ -22,16 +22,16 @@ pub(super) struct LowRankUpdate {
     rows: Vec<usize>,
     columns: Vec<Vec<f64>>,
     column_of: Vec<u32>,
-    /// Rows at which `G Z` is read, their positions, and `G Z` there: for each of them by columns.
+    /// Rows at which `G Z` is read, their indices, and `G Z` there: for each of them by columns.
     reads: Vec<usize>,
     read_of: Vec<u32>,
     read_values: Vec<Vec<f64>>,
-    /// `D`: row by its position among the columns in use, column by its position among the reads.
+    /// `D`: row by its index among the columns in use, column by its index among the reads.
     changes: Vec<StiffnessEntry>,
     columns_in_use: Vec<usize>,
-    /// The reads in use, and the position of each among them.
+    /// The reads in use, and the index of each among them.
     reads_in_use: Vec<usize>,
-    position_in_use: Vec<u32>,
+    index_in_use: Vec<u32>,
     /// `1 - D G Z`.
     capacitance: Dense<f64>,
 }
@@ -64,24 +64,24 @@ impl LowRankUpdate {
             return false;
         }
         self.solve_new_columns(changes, tangent, flexibility);
-        let mut position_of = vec![NOWHERE; self.columns.len()];
+        let mut index_of = vec![NO_INDEX; self.columns.len()];
         self.columns_in_use.clear();
         self.changes.clear();
         self.reads_in_use.clear();
-        self.position_in_use.clear();
-        self.position_in_use.resize(self.reads.len(), NOWHERE);
+        self.index_in_use.clear();
+        self.index_in_use.resize(self.reads.len(), NO_INDEX);
         for &(p, q, s) in changes {
             let column = self.column_of[p] as usize;
-            if position_of[column] == NOWHERE {
-                position_of[column] = self.columns_in_use.len() as u32;
+            if index_of[column] == NO_INDEX {
+                index_of[column] = self.columns_in_use.len() as u32;
                 self.columns_in_use.push(column);
             }
             let read = self.read_of[q] as usize;
-            if self.position_in_use[read] == NOWHERE {
-                self.position_in_use[read] = self.reads_in_use.len() as u32;
+            if self.index_in_use[read] == NO_INDEX {
+                self.index_in_use[read] = self.reads_in_use.len() as u32;
                 self.reads_in_use.push(read);
             }
-            self.changes.push((position_of[column] as usize, read, s));
+            self.changes.push((index_of[column] as usize, read, s));
         }
         let size = self.columns_in_use.len();
         let entries = self.capacitance.set_identity(size);
@@ -95,15 +95,15 @@ impl LowRankUpdate {
 
     /// Solves for the columns of `Z` that are not known yet, and reads `G Z` where it was not read.
     fn solve_new_columns(&mut self, changes: &[StiffnessEntry], tangent: &mut Tangent<f32>, flexibility: &[Vec<f64>]) {
-        self.column_of.resize(flexibility.len(), NOWHERE);
-        self.read_of.resize(flexibility.len(), NOWHERE);
+        self.column_of.resize(flexibility.len(), NO_INDEX);
+        self.read_of.resize(flexibility.len(), NO_INDEX);
         let (columns, reads) = (self.columns.len(), self.reads.len());
         for &(p, q, _) in changes {
-            if self.column_of[p] == NOWHERE {
+            if self.column_of[p] == NO_INDEX {
                 self.column_of[p] = self.rows.len() as u32;
                 self.rows.push(p);
             }
-            if self.read_of[q] == NOWHERE {
+            if self.read_of[q] == NO_INDEX {
                 self.read_of[q] = self.reads.len() as u32;
                 self.reads.push(q);
             }
@@ -124,7 +124,7 @@ impl LowRankUpdate {
         let mut row_changes = Vec::with_capacity(self.reads_in_use.len());
         dots(step, self.reads_in_use.iter().map(|&read| flexibility[self.reads[read]].as_slice()), &mut row_changes);
         let mut right = vec![0.0; self.columns_in_use.len()];
-        self.changes.iter().for_each(|&(i, read, s)| right[i] += s * row_changes[self.position_in_use[read] as usize]);
+        self.changes.iter().for_each(|&(i, read, s)| right[i] += s * row_changes[self.index_in_use[read] as usize]);
         self.capacitance.solve(&mut right);
         add_multiples(step, self.columns_in_use.iter().map(|&column| self.columns[column].as_slice()).zip(right));
     }

@@ -1,29 +1,35 @@
-//! Many load positions on one bridge: everything linear is solved once, and only what is not linear iterates.
+//! Many load positions on one bridge: the linear system is solved once, and only the forces of the nonlinear parts iterate.
 //!
-//! Write the stiffness of the untouched model, joints closed and solids elastic, as `K`. Whatever springs and solids carry less than
-//! `K` lets them carry is an *excess*, a force that depends on few displacements, the *rows* `n_r`: openings of springs, corners of
-//! quadrilaterals. Balance is then (docs/theory/condensed.md, equation 2)
+//! Let `K` be the stiffness of the untouched model, with joints closed and solids elastic. A *part* is a spring of an interface
+//! or a quadrilateral that may yield. The force by which it carries less than `K` assumes is its *excess force*, which depends on
+//! the values of a few *rows* `n_r`: openings of a spring, displacement components of the corners of a quadrilateral. Equilibrium
+//! is then (docs/theory/condensed.md, equation 2)
 //!
 //! ```text
 //! u = K^-1 (f + sum_r n_r g_r(u)),   so that on the rows   v_r = v_r0 + sum_l H_rl a_l + sum_s G_rs g_s(v),   G_rs = n_r K^-1 n_s
 //! ```
 //!
-//! with load patterns `l` of amplitude `a_l`. A row whose excess ever changes costs one solution, found when it is first needed. All parts are
-//! looked at in every position. The equations are those of the whole mesh: nothing is approximated.
+//! with load patterns `l` of amplitude `a_l` and the flexibility `G`. The equations are those of the whole mesh, without
+//! approximation.
+//!
+//! A part is in one of three states. *Eliminated* parts have been linear so far and are condensed into `K`; they are rechecked in
+//! all positions. *Retained* parts have their rows in `G`, at the cost of one solution of the linear system for each row. Of
+//! these, *active* parts iterate, and *dormant* parts have been linear for some positions and are rechecked when a position is
+//! balanced.
 
-mod balance;
+mod active_set;
 mod dense;
-mod hot;
 mod hourglass;
-mod look;
+mod increment;
 mod low_rank;
 mod newton;
 mod parts;
 mod passage;
 mod quad_check;
+mod recheck;
 mod rows;
 mod screening;
-mod slopes;
+mod sensitivity;
 mod spring_check;
 mod tangent;
 
@@ -37,14 +43,14 @@ use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
-use hot::Hot;
+use active_set::ActiveSet;
 use parts::{Committed, Kind, Part, quad_components};
 use rows::{Row, Rows};
 use screening::Screening;
 
 pub use passage::{Passage, Visited};
 pub use rows::{Functional, LoadPattern};
-pub use slopes::{Derivatives, Neighbour};
+pub use sensitivity::{Derivatives, PerturbedModel};
 
 /// How one position ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,18 +61,18 @@ pub enum Reached {
     NotConverged,
 }
 
-/// What one position took.
+/// How the solution of one position ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position {
     /// How it ended.
     pub reached: Reached,
     /// Iterations of Newton's method.
     pub iterations: u32,
-    /// Largest change that is left in a row over the largest value of a row.
-    pub left: f64,
+    /// Largest change of a row value that is left, over the largest row value.
+    pub residual: f64,
 }
 
-/// Counts of what is not linear now.
+/// Numbers of nonlinear parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Springs that are open.
@@ -75,24 +81,25 @@ pub struct Counts {
     pub open_interfaces: usize,
     /// Springs that slide.
     pub sliding: usize,
-    /// Points that flow.
+    /// Points that yield.
     pub yielding: usize,
-    /// Plain quadrilaterals all of whose points flow: those that may lock ([`crate::fem::Step::locking`]).
+    /// Plain quadrilaterals all of whose points yield: those that may lock ([`crate::fem::Step::locking`]).
     pub locking: usize,
-    /// Rows on which forces act that the linear system does not know.
-    pub active_rows: usize,
-    /// Quadrilaterals that flow or have flowed in some position.
-    pub active_quads: usize,
+    /// Retained rows: those on which excess forces act.
+    pub retained_rows: usize,
+    /// Retained quadrilaterals: those that yield or have yielded in some position.
+    pub retained_quads: usize,
 }
 
-/// Largest change left in a row, over the largest value of a row, at which a position counts as balanced. Over the 2,717 positions of a passage records are then
-/// within 1.2e-9 of a channel's largest value of those found with 1e-12, and take seven iterations where these take ten.
+/// Largest change left in a row value, over the largest row value, at which a position counts as balanced. Over the 2,717
+/// positions of a passage the records are then within 1.2e-9 of a channel's largest value of those with 1e-12, and take seven
+/// iterations where those take ten.
 pub const TOLERANCE: f64 = 1e-9;
 
-/// Iterations allowed in one position where nobody says how many.
+/// Default limit of iterations in one position.
 const ITERATIONS: u32 = 60;
 
-/// A model around one state, ready for many load positions.
+/// A model condensed around one state, ready for many load positions.
 #[derive(Debug)]
 pub struct Condensed<'a> {
     model: &'a Model,
@@ -101,41 +108,41 @@ pub struct Condensed<'a> {
     block: Block,
     /// The state in which the run began.
     start: State,
-    /// Forces of the patterns on the equations.
+    /// Forces of the patterns by equations.
     patterns: Vec<Vec<(u32, f64)>>,
     observed: Vec<Row>,
-    /// All that may answer otherwise than linearly.
+    /// All parts that may be nonlinear.
     parts: Vec<Part>,
     /// The batched test of all parts, with the memory that they had when the run began.
     screening: Screening,
-    /// Parts whose excess differs or differed from that of the start, in the order in which they joined.
-    active: Vec<usize>,
-    is_active: Vec<bool>,
-    /// When a part has last not answered linearly, by the clock, which counts positions.
-    moved_at: Vec<u64>,
-    clock: u64,
+    /// Retained parts, in the order in which they were retained.
+    retained: Vec<usize>,
+    is_retained: Vec<bool>,
+    /// Position at which the part was last nonlinear, by parts, and the number of positions so far.
+    last_nonlinear: Vec<u64>,
+    position_count: u64,
     rows: Rows,
-    /// Row of a component, where it is active.
+    /// Retained row of a displacement component, if it has one.
     row_of: Vec<Option<usize>>,
-    hot: Hot,
-    /// The last position.
-    at: Place,
-    /// Active parts that do not move yet, but would if the rows went on as they did: they iterate from the beginning of the next position. A position whose
-    /// parts get hot when it has already been balanced without them is balanced twice.
-    foreseen: Vec<usize>,
-    /// Most that loads have moved a row of the linear system from one position to the next [m].
-    most_moved: f64,
-    /// Iterations allowed in one position.
+    active_set: ActiveSet,
+    /// The last equilibrium.
+    current: Equilibrium,
+    /// Dormant parts that would become nonlinear if the rows went on as they did: they are activated at the beginning of the next
+    /// position. If a part is found nonlinear only when a position is balanced, the position has to be balanced twice.
+    predicted_active: Vec<usize>,
+    /// Largest change of a row value by the loads from one position to the next [m].
+    largest_load_change: f64,
+    /// Limit of iterations in one position.
     iterations: u32,
-    /// Whether places that were visited are kept.
-    keeps_places: bool,
+    /// Whether the equilibria of solved positions are kept.
+    keeps_equilibria: bool,
 }
 
-/// A position in balance.
+/// A position in equilibrium.
 #[derive(Debug, Clone, Default, PartialEq)]
-struct Place {
+struct Equilibrium {
     amplitudes: Vec<f64>,
-    /// Forces on the active rows, and their values.
+    /// Forces on the retained rows [N/m], and values of these [m].
     forces: Vec<f64>,
     values: Vec<f64>,
     /// Values of the observed functionals.
@@ -145,8 +152,8 @@ struct Place {
 }
 
 impl<'a> Condensed<'a> {
-    /// Factorises the linear system of a model at small displacements. Loads, amplitudes of the patterns, come on
-    /// top of those that `start` carries, which must be balanced.
+    /// Factorises the linear system of a model at small displacements. Loads are added by amplitudes of `patterns` to those that
+    /// `start` carries, which must be in equilibrium.
     pub fn new(
         model: &'a Model,
         start: State,
@@ -170,83 +177,84 @@ impl<'a> Condensed<'a> {
             work,
             block: Block::default(),
             patterns: patterns.iter().map(|pattern| pattern.on_equations(model)).collect(),
-            active: Vec::new(),
-            is_active: vec![false; parts.len()],
-            moved_at: vec![0; parts.len()],
-            clock: passage::COOLS + 1,
+            retained: Vec::new(),
+            is_retained: vec![false; parts.len()],
+            last_nonlinear: vec![0; parts.len()],
+            position_count: passage::DEACTIVATION_DELAY + 1,
             screening: Screening::new(model, &parts),
             parts,
             rows: Rows::new(patterns.len()),
             row_of: vec![None; model.dofs().count()],
-            hot: Hot::default(),
-            at: Place {
+            active_set: ActiveSet::default(),
+            current: Equilibrium {
                 amplitudes: vec![0.0; patterns.len()],
                 observed: observed.iter().map(|row| row.start).collect(),
-                ..Place::default()
+                ..Equilibrium::default()
             },
             observed,
-            foreseen: Vec::new(),
-            most_moved: 0.0,
+            predicted_active: Vec::new(),
+            largest_load_change: 0.0,
             iterations: ITERATIONS,
-            keeps_places: false,
+            keeps_equilibria: false,
             model,
             start,
         })
     }
 
-    /// Allows so many iterations in one position.
+    /// Sets the limit of iterations in one position.
     #[must_use]
     pub fn with_iterations(mut self, iterations: u32) -> Condensed<'a> {
         self.iterations = iterations;
         self
     }
 
-    /// Keeps the forces in every position that is visited: [`Condensed::derivatives`] goes along them.
+    /// Keeps the equilibria of all solved positions, for [`Condensed::derivatives`].
     #[must_use]
-    pub fn with_places(mut self) -> Condensed<'a> {
-        self.keeps_places = true;
+    pub fn with_equilibria(mut self) -> Condensed<'a> {
+        self.keeps_equilibria = true;
         self
     }
 
-    /// Rows that joined since carry nothing here.
-    fn complete(&mut self) {
-        let known = self.at.forces.len();
-        self.at.forces.resize(self.rows.len(), 0.0);
+    /// Extends the current equilibrium to rows that were retained since, which carry no force in it.
+    fn extend_to_new_rows(&mut self) {
+        let known = self.current.forces.len();
+        self.current.forces.resize(self.rows.len(), 0.0);
         if known < self.rows.len() {
-            let fresh = self.rows.list()[known..].iter().enumerate();
-            let moved = |row| self.rows.row_change(row, &self.at.amplitudes, &self.at.forces);
-            self.at.values.extend(fresh.map(|(k, row)| row.start + moved(known + k)));
+            let new_rows = self.rows.list()[known..].iter().enumerate();
+            let change = |row| self.rows.row_change(row, &self.current.amplitudes, &self.current.forces);
+            self.current.values.extend(new_rows.map(|(k, row)| row.start + change(known + k)));
         }
     }
 
-    /// Parts that take part, by number in ascending order: what [`Condensed::expect`] of a model with other moduli wants to hear.
+    /// Gives the retained parts, by number in ascending order: a good guess for [`Condensed::retain_parts`] of a model with other
+    /// moduli.
     #[must_use]
-    pub fn taking_part(&self) -> Vec<usize> {
-        let mut parts = self.active.clone();
+    pub fn retained_parts(&self) -> Vec<usize> {
+        let mut parts = self.retained.clone();
         parts.sort_unstable();
         parts
     }
 
-    /// These parts will take part sooner or later: the solutions for their rows are found side by side, before any is asked for. What
-    /// is expected in vain costs its solutions and changes nothing.
-    pub fn expect(&mut self, parts: &[usize]) {
+    /// Retains parts that are likely to become nonlinear: the solutions for their rows are found together. A part retained in
+    /// vain costs its solutions and changes no result.
+    pub fn retain_parts(&mut self, parts: &[usize]) {
         let known: Vec<usize> = parts.iter().copied().filter(|&index| index < self.parts.len()).collect();
-        self.join(&known);
+        self.retain(&known);
     }
 
-    /// These parts take part from now on, and iterate at once.
-    fn activate(&mut self, joining: &[usize]) {
-        self.join(joining);
-        for &index in joining {
-            self.moved_at[index] = self.clock;
+    /// Retains parts that were found nonlinear in the current position, so that they are active in the next.
+    fn retain_nonlinear(&mut self, indices: &[usize]) {
+        self.retain(indices);
+        for &index in indices {
+            self.last_nonlinear[index] = self.position_count;
         }
     }
 
-    /// These parts take part from now on: one solution for each of their rows.
-    fn join(&mut self, joining: &[usize]) {
+    /// Retains parts, with one solution of the linear system for each of their rows.
+    fn retain(&mut self, indices: &[usize]) {
         let mut fresh = Vec::new();
-        for &index in joining.iter().filter(|&&index| !self.is_active[index]) {
-            self.active.push(index);
+        for &index in indices.iter().filter(|&&index| !self.is_retained[index]) {
+            self.retained.push(index);
             let first = self.rows.len();
             let mut push = |functional: Functional| {
                 fresh.push(Row::new(self.model, &functional, &self.start.displacements));
@@ -269,57 +277,57 @@ impl<'a> Condensed<'a> {
                 }
             }
         }
-        for &index in joining {
-            self.is_active[index] = true;
+        for &index in indices {
+            self.is_retained[index] = true;
         }
         self.rows.append(fresh, &self.patterns, &mut self.work, &mut self.block);
-        self.complete();
+        self.extend_to_new_rows();
     }
 
-    /// Solves the whole linear system under the loads and forces of some positions, [`Condensed::block`].
-    fn displace(&mut self, places: &[&Place]) {
+    /// Solves the whole linear system under the loads and forces of some equilibria; the solutions are written to `self.block`.
+    fn solve_full_system(&mut self, equilibria: &[&Equilibrium]) {
         let Condensed { work, block, patterns, rows, .. } = self;
-        work.solve_loaded(places.len(), block, |block| {
-            let mut multiples = vec![0.0; places.len()];
-            let mut add = |terms: &[(u32, f64)], of: &dyn Fn(&Place) -> f64| {
-                multiples.iter_mut().zip(places).for_each(|(multiple, place)| *multiple = of(place));
+        work.solve_loaded(equilibria.len(), block, |block| {
+            let mut multiples = vec![0.0; equilibria.len()];
+            let mut add = |terms: &[(u32, f64)], of: &dyn Fn(&Equilibrium) -> f64| {
+                multiples.iter_mut().zip(equilibria).for_each(|(multiple, equilibrium)| *multiple = of(equilibrium));
                 if multiples.iter().any(|multiple| *multiple != 0.0) {
                     terms.iter().for_each(|&(equation, force)| block.add(equation, force, &multiples));
                 }
             };
             for (k, pattern) in patterns.iter().enumerate() {
-                add(pattern, &|place| place.amplitudes[k]);
+                add(pattern, &|equilibrium| equilibrium.amplitudes[k]);
             }
             for (k, row) in rows.list().iter().enumerate() {
-                add(row.terms(), &|place| place.forces.get(k).copied().unwrap_or(0.0));
+                add(row.terms(), &|equilibrium| equilibrium.forces.get(k).copied().unwrap_or(0.0));
             }
         });
     }
 
-    /// Values of the observed functionals in one of the solutions found last.
-    fn observed_in(&self, lane: usize) -> Vec<f64> {
+    /// Gives the values of the observed functionals in one of the solutions found last.
+    fn observed_values(&self, lane: usize) -> Vec<f64> {
         self.observed.iter().map(|row| row.start + row.change_in(&self.block, lane)).collect()
     }
 
-    /// Load patterns.
+    /// Gives the number of load patterns.
     #[must_use]
-    pub fn patterns(&self) -> usize {
+    pub fn pattern_count(&self) -> usize {
         self.patterns.len()
     }
 
-    /// What the observed functionals are in the last position.
+    /// Gives the values of the observed functionals in the last position.
     pub fn observed(&self) -> Vec<f64> {
-        self.at.observed.clone()
+        self.current.observed.clone()
     }
 
-    /// Counts of the last position.
+    /// Counts the nonlinear parts of the last position.
     pub fn counts(&self) -> Counts {
         let mut bonds = vec![None; self.model.springs().len()];
-        let mut counts = Counts { active_rows: self.rows.len(), ..Counts::default() };
-        for part in self.active.iter().map(|&index| &self.parts[index]) {
+        let mut counts = Counts { retained_rows: self.rows.len(), ..Counts::default() };
+        for part in self.retained.iter().map(|&index| &self.parts[index]) {
             match part.kind {
                 Kind::Spring(index) => bonds[index] = part.committed_bond(),
-                Kind::Quad(_) => counts.active_quads += 1,
+                Kind::Quad(_) => counts.retained_quads += 1,
             }
             counts.yielding += part.yielding_points();
             counts.locking += usize::from(part.locks(self.model));
@@ -329,7 +337,7 @@ impl<'a> Condensed<'a> {
         counts
     }
 
-    /// The whole state in the last position.
+    /// Finds the whole state in the last position.
     pub fn state(&mut self) -> Result<State, CondensedError> {
         let mut state = self.start.clone();
         state.displacements = self.displacements();
@@ -352,47 +360,47 @@ impl<'a> Condensed<'a> {
         Ok(state)
     }
 
-    /// What has to be kept to come back to the last position.
+    /// Takes a snapshot of the last position, for [`Condensed::restore`].
     #[must_use]
-    pub fn mark(&self) -> Mark {
-        let parts = self.active.iter().map(|&index| (index, self.parts[index].committed())).collect();
-        Mark { at: self.at.clone(), parts }
+    pub fn snapshot(&self) -> Snapshot {
+        let parts = self.retained.iter().map(|&index| (index, self.parts[index].committed())).collect();
+        Snapshot { current: self.current.clone(), parts }
     }
 
-    /// Goes back to a mark. Parts and rows that came later stay; they carried nothing there.
-    pub fn back_to(&mut self, mark: &Mark) {
-        self.at = mark.at.clone();
-        self.foreseen.clear();
-        self.complete();
-        self.hot.forget();
-        for &index in &self.active {
+    /// Restores a snapshot. Parts and rows that were retained later stay; they carried no excess force then.
+    pub fn restore(&mut self, snapshot: &Snapshot) {
+        self.current = snapshot.current.clone();
+        self.predicted_active.clear();
+        self.extend_to_new_rows();
+        self.active_set.discard_tangent();
+        for &index in &self.retained {
             self.parts[index].revert_to_start(&self.start);
         }
-        for (index, remembered) in &mark.parts {
-            self.parts[*index].restore(remembered);
+        for (index, committed) in &snapshot.parts {
+            self.parts[*index].restore(committed);
         }
     }
 
-    /// Goes back to the state in which the run began; what was found of the system stays.
+    /// Restores the state in which the run began; retained rows and their solutions stay.
     pub fn restart(&mut self) {
-        self.at = Place {
+        self.current = Equilibrium {
             amplitudes: vec![0.0; self.patterns.len()],
             observed: self.observed.iter().map(|row| row.start).collect(),
-            ..Place::default()
+            ..Equilibrium::default()
         };
-        self.foreseen.clear();
-        self.complete();
-        self.hot.forget();
-        for &index in &self.active {
+        self.predicted_active.clear();
+        self.extend_to_new_rows();
+        self.active_set.discard_tangent();
+        for &index in &self.retained {
             self.parts[index].revert_to_start(&self.start);
         }
     }
 
-    /// Displacements of all components [m] in the last position: one solution of the whole system.
+    /// Finds the displacements of all components in the last position [m], with one solution of the whole system.
     pub fn displacements(&mut self) -> Vec<f64> {
-        let here = std::mem::take(&mut self.at);
-        self.displace(&[&here]);
-        self.at = here;
+        let here = std::mem::take(&mut self.current);
+        self.solve_full_system(&[&here]);
+        self.current = here;
         let mut all = self.start.displacements.clone();
         for (equation, component) in self.model.dofs().free().iter().enumerate() {
             all[*component as usize] += self.block.of(equation as u32)[0];
@@ -401,11 +409,12 @@ impl<'a> Condensed<'a> {
     }
 }
 
-/// Interfaces with an open spring; bonds in the order of [`Model::springs`].
+/// Counts the interfaces with an open spring; `bonds` are in the order of [`Model::springs`].
 pub fn open_interfaces<'b>(model: &Model, bonds: impl Iterator<Item = &'b Bond>) -> usize {
     open_among(model, bonds.map(Some))
 }
 
+/// Counts the interfaces with an open spring, where some springs have no bond.
 fn open_among<'b>(model: &Model, bonds: impl Iterator<Item = Option<&'b Bond>>) -> usize {
     let mut open = vec![false; model.mesh.interfaces.len()];
     for (spring, bond) in model.springs().iter().zip(bonds) {
@@ -414,27 +423,27 @@ fn open_among<'b>(model: &Model, bonds: impl Iterator<Item = Option<&'b Bond>>) 
     open.into_iter().filter(|open| *open).count()
 }
 
-/// Where a run stood.
+/// An equilibrium with the states of the retained parts.
 #[derive(Debug, Clone)]
-pub struct Mark {
-    at: Place,
-    /// Active parts.
+pub struct Snapshot {
+    current: Equilibrium,
+    /// Retained parts with their states.
     parts: Vec<(usize, Committed)>,
 }
 
-/// Why there is no condensed system.
+/// Why a model cannot be condensed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum CondensedError {
-    /// The model turns and moves by itself.
+    /// The model is computed at large displacements.
     #[error("large displacements cannot be condensed: the linear parts turn with them")]
     LargeDisplacements,
     /// The linear system has no inverse.
     #[error(transparent)]
     Factor(#[from] FactorError),
-    /// A law or an element had no answer.
+    /// A law or an element has no answer.
     #[error("an element or a spring has no answer to its displacements")]
     Broken,
-    /// Derivatives of a run whose places were not kept, or that did not begin at rest and without loads.
-    #[error("derivatives need a run from the untouched model on, whose places were kept")]
-    NoPlaces,
+    /// Derivatives were asked of a run that did not keep its equilibria, or that did not begin at rest and without loads.
+    #[error("derivatives need a run from the untouched model on, whose equilibria were kept")]
+    NoEquilibria,
 }

@@ -23,7 +23,7 @@ pub struct LoadPattern(
 impl LoadPattern {
     /// Makes a pattern of forces on all components [N/m], without the zeros.
     #[must_use]
-    pub fn of_all(forces: &[f64]) -> LoadPattern {
+    pub fn from_forces(forces: &[f64]) -> LoadPattern {
         LoadPattern(forces.iter().copied().enumerate().filter(|(_, force)| *force != 0.0).collect())
     }
 

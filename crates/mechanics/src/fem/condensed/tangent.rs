@@ -99,8 +99,8 @@ struct SubtractProduct<'t, D> {
 #[derive(Default)]
 struct Gathered<D> {
     rows: Vec<D>,
-    /// Position of a row among them.
-    position: Vec<u32>,
+    /// Index of a row among them.
+    index: Vec<u32>,
     /// The nonlinear rows, as ranges of consecutive numbers.
     runs: Vec<Range<usize>>,
 }
@@ -110,10 +110,10 @@ impl<D: Precision> pulp::NullaryFnOnce for SubtractProduct<'_, D> {
 
     #[inline(always)]
     fn call(self) {
-        let (size, Gathered { rows, position, runs }) = (self.nonlinear_rows.len(), self.gathered);
+        let (size, Gathered { rows, index, runs }) = (self.nonlinear_rows.len(), self.gathered);
         rows.clear();
-        position.clear();
-        position.resize(self.flexibility.len(), u32::MAX);
+        index.clear();
+        index.resize(self.flexibility.len(), u32::MAX);
         runs.clear();
         for &p in self.nonlinear_rows {
             match runs.last_mut().filter(|run| run.end == p) {
@@ -123,10 +123,10 @@ impl<D: Precision> pulp::NullaryFnOnce for SubtractProduct<'_, D> {
         }
         let mut count = 0;
         for &(_, q, _) in self.stiffness {
-            if position[q] != u32::MAX {
+            if index[q] != u32::MAX {
                 continue;
             }
-            position[q] = count;
+            index[q] = count;
             count += 1;
             for run in runs.iter() {
                 rows.extend(self.flexibility[q][run.clone()].iter().map(|g| D::round(*g)));
@@ -136,7 +136,7 @@ impl<D: Precision> pulp::NullaryFnOnce for SubtractProduct<'_, D> {
         for stiffness in self.stiffness.chunk_by(|one, other| one.0 == other.0) {
             let to = self.index_of[stiffness[0].0] * size;
             let to = &mut self.factors[to..to + size];
-            let from = |&(_, q, s): &StiffnessEntry| (&rows[position[q] as usize * size..][..size], D::round(s));
+            let from = |&(_, q, s): &StiffnessEntry| (&rows[index[q] as usize * size..][..size], D::round(s));
             for some in stiffness.chunks(4) {
                 if let [a, b, c, d] = some {
                     let [(a, fa), (b, fb), (c, fc), (d, fd)] = [a, b, c, d].map(from);

@@ -6,7 +6,7 @@ use crate::analysis::AnalysisError;
 use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
-use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Mark, Reached, Visited};
+use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Reached, Snapshot, Visited};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch, Wish};
 
@@ -15,7 +15,7 @@ pub fn loads(rest: &AtRest<'_>) -> Vec<LoadPattern> {
     let surface = &rest.setup.meshed.sets.surface;
     let down = |&(node, share): &(usize, f64)| (2 * surface[node].index() + 1, -share);
     let sleepers = rest.setup.loads.patterns.iter().map(|pattern| LoadPattern(pattern.iter().map(down).collect()));
-    std::iter::once(LoadPattern::of_all(rest.weight)).chain(sleepers).collect()
+    std::iter::once(LoadPattern::from_forces(rest.weight)).chain(sleepers).collect()
 }
 
 /// Self-weight and passage. The weight is the first pattern, brought on in the load steps of the file and then held.
@@ -32,7 +32,7 @@ pub fn pass(
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
     let condensed = Condensed::new(rest.model, State::new(rest.model), &loads, &observed).map_err(failed)?;
     let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
-    condensed.expect(expected);
+    condensed.retain_parts(expected);
     if stand(&mut condensed, setup, &mut solution.log, watch).map_err(failed)?.is_none() {
         end_of_weight(solution);
         return Ok(());
@@ -42,9 +42,9 @@ pub fn pass(
         let state = condensed.state().map_err(failed)?;
         solution.moments.push(moment(setup, rest.model, &state, "self-weight", None));
     }
-    let at_rest = condensed.mark();
+    let at_rest = condensed.snapshot();
     let under = |k: usize| with_weight(setup.loads.reactions(setup.positions[k]));
-    let passage = condensed.pass(setup.positions.len(), &under, watch).map_err(failed)?;
+    let passage = condensed.solve_positions(setup.positions.len(), &under, watch).map_err(failed)?;
     for (k, visited) in passage.visited.iter().enumerate() {
         for ((values, value), own) in solution.values.iter_mut().zip(&visited.observed).zip(&solution.self_weight) {
             values.push(value - own);
@@ -54,7 +54,7 @@ pub fn pass(
             time: setup.times[k],
             position: setup.positions[k],
             iterations: visited.position.iterations as usize,
-            unbalanced: visited.position.left,
+            unbalanced: visited.position.residual,
             cuts: 0,
             plastic_points: visited.counts.yielding,
             locking_elements: visited.counts.locking,
@@ -63,8 +63,8 @@ pub fn pass(
         });
     }
     let counts = condensed.counts();
-    solution.condensed_degrees_of_freedom = Some(counts.active_rows);
-    solution.taking_part = condensed.taking_part();
+    solution.condensed_degrees_of_freedom = Some(counts.retained_rows);
+    solution.taking_part = condensed.retained_parts();
     if passage.cancelled {
         solution.status = PassageStatus::Cancelled;
         return Ok(());
@@ -100,19 +100,19 @@ pub fn stand(
 ) -> Result<Option<Vec<Visited>>, CondensedError> {
     let steps = setup.plan.load_steps.max(1);
     let share = |step: usize| (step + 1) as f64 / steps as f64;
-    let patterns = condensed.patterns();
+    let patterns = condensed.pattern_count();
     let under = |step: usize| {
         let mut amplitudes = vec![0.0; patterns];
         amplitudes[0] = share(step);
         amplitudes
     };
-    let stood = condensed.pass(steps, &under, &mut Named { watch, stage: "self-weight" })?;
+    let stood = condensed.solve_positions(steps, &under, &mut Named { watch, stage: "self-weight" })?;
     for (step, visited) in stood.visited.iter().enumerate() {
         log.push(StepLog {
             stage: "self-weight".into(),
             time: share(step),
             iterations: visited.position.iterations as usize,
-            unbalanced: visited.position.left,
+            unbalanced: visited.position.residual,
             plastic_points: visited.counts.yielding,
             locking_elements: visited.counts.locking,
             open_joints: visited.counts.open_interfaces,
@@ -142,14 +142,14 @@ fn end_of_weight(solution: &mut Solution) {
 /// Goes through the positions once more and keeps the bridge at those that are to be shown.
 fn moments(
     condensed: &mut Condensed<'_>,
-    at_rest: &Mark,
+    at_rest: &Snapshot,
     rest: &AtRest<'_>,
     solution: &mut Solution,
     watch: &mut dyn Watch,
 ) -> Result<(), CondensedError> {
     let setup = rest.setup;
     let wanted = places(setup, solution);
-    condensed.back_to(at_rest);
+    condensed.restore(at_rest);
     let last = wanted.iter().map(|(k, _)| *k).max().unwrap_or(0);
     for k in 0..=last {
         if asked_to_stop(watch, "pictures", k, last) {
@@ -157,7 +157,8 @@ fn moments(
             return Ok(());
         }
         if wanted.is_empty()
-            || condensed.settle(&with_weight(setup.loads.reactions(setup.positions[k])))?.reached != Reached::Balanced
+            || condensed.solve_position(&with_weight(setup.loads.reactions(setup.positions[k])))?.reached
+                != Reached::Balanced
         {
             break;
         }
@@ -201,7 +202,7 @@ const INFLUENCE_STEP: f64 = 0.25;
 /// What the heaviest axle of the train does when it crosses alone; nothing where a position finds no balance.
 fn influence(
     condensed: &mut Condensed<'_>,
-    at_rest: &Mark,
+    at_rest: &Snapshot,
     setup: &Setup,
     solution: &mut Solution,
     watch: &mut dyn Watch,
@@ -215,14 +216,14 @@ fn influence(
     let count = ((last - first) / INFLUENCE_STEP) as usize;
     let own = &solution.self_weight;
     let mut influence = Influence { force, positions: Vec::new(), values: vec![Vec::new(); own.len()] };
-    condensed.back_to(at_rest);
+    condensed.restore(at_rest);
     for k in 0..=count {
         if asked_to_stop(watch, "influence lines", k, count) {
             solution.status = PassageStatus::Cancelled;
             return Ok(());
         }
         let x = first + INFLUENCE_STEP * k as f64;
-        if condensed.settle(&with_weight(loads.reactions(x)))?.reached != Reached::Balanced {
+        if condensed.solve_position(&with_weight(loads.reactions(x)))?.reached != Reached::Balanced {
             return Ok(());
         }
         influence.positions.push(x);

@@ -9,7 +9,7 @@ use crate::analysis::AnalysisError;
 use crate::analysis::passage::model::model;
 use crate::analysis::passage::{PassageError, PassageStatus, Setup};
 use bridge::Bridge;
-use mechanics::fem::condensed::{Condensed, Functional, Neighbour, Reached, Visited};
+use mechanics::fem::condensed::{Condensed, Functional, PerturbedModel, Reached, Visited};
 use mechanics::fem::{Kinematics, State};
 use mechanics::watch::{Progress, Watch, Wish};
 
@@ -61,7 +61,7 @@ pub fn slices(
     let condensed = Condensed::new(&model, State::new(&model), &loads, &observed).map_err(failed)?;
     let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
     if !wanted.neighbours.is_empty() {
-        condensed = condensed.with_places();
+        condensed = condensed.with_equilibria();
     }
     let mut found = Slices {
         status: PassageStatus::Completed,
@@ -72,7 +72,7 @@ pub fn slices(
         iterations: 0,
         taking_part: Vec::new(),
     };
-    condensed.expect(wanted.expected);
+    condensed.retain_parts(wanted.expected);
     let mut log = Vec::new();
     let stood = stand(&mut condensed, setup, &mut log, watch).map_err(failed)?;
     let Some(path) = stood else {
@@ -82,14 +82,14 @@ pub fn slices(
     };
     found.iterations = log.iter().map(|step| step.iterations as u32).sum();
     found.self_weight = condensed.observed();
-    let at_rest = condensed.mark();
+    let at_rest = condensed.snapshot();
     if watch.look(&Progress { stage: "slices".into(), fraction: None, steps: 0 }) == Wish::Stop {
         found.status = PassageStatus::Cancelled;
         return Ok(found);
     }
     let under = wanted.positions.iter().map(|&position| with_weight(setup.loads.reactions(position)));
-    let visited = condensed.branch(&at_rest, &under.collect::<Vec<_>>()).map_err(failed)?;
-    found.taking_part = condensed.taking_part();
+    let visited = condensed.solve_branches(&at_rest, &under.collect::<Vec<_>>()).map_err(failed)?;
+    found.taking_part = condensed.retained_parts();
     for (visited, place) in visited.iter().zip(wanted.positions) {
         found.iterations += visited.position.iterations;
         if visited.position.reached != Reached::Balanced {
@@ -120,8 +120,8 @@ fn derivatives(
         let loads = loads(&AtRest { setup, model: &model, weight: &weight });
         models.push((model, loads, *by));
     }
-    let neighbours: Vec<Neighbour<'_>> =
-        models.iter().map(|(model, patterns, by)| Neighbour { model, patterns, by: *by }).collect();
+    let neighbours: Vec<PerturbedModel<'_>> =
+        models.iter().map(|(model, patterns, by)| PerturbedModel { model, patterns, by: *by }).collect();
     let found = condensed.derivatives(&neighbours, path, branches).map_err(PassageError::Condensed)?;
     let by_neighbour = |(k, at_rest): (usize, &Vec<f64>)| {
         let of = |(sensor, own): (usize, &f64)| found.branches.iter().map(|branch| branch[k][sensor] - own).collect();
