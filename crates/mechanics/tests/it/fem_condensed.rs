@@ -153,7 +153,7 @@ fn amplitudes(vault: &Vault, index: usize, force: f64) -> Vec<f64> {
 }
 
 /// Largest difference of the observed values between the two paths over the largest value, over all positions; most springs that
-/// were open and that slid, most points that flowed, and looks after which positions were gone through again.
+/// were open and that slid, most points that yielded, and batches of which positions were solved again.
 fn compare(fill: Material, force: f64) -> (f64, [usize; 4]) {
     compare_in(&vault(fill, Kinematics::Small), force)
 }
@@ -233,9 +233,10 @@ fn joints_that_rub_give_the_plain_path_to_1e_8() {
     }
 }
 
-/// Looked over in stretches or each by itself, positions break the same pairs of mortar: steps back, guesses and what is looked at early do not matter.
+/// Solved in batches or one by one, positions break the same springs of mortar: roll-backs, predictions and early retention do
+/// not matter.
 #[test]
-fn stretches_leave_no_trace() {
+fn batches_break_the_springs_of_single_positions() {
     let vault = vault(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), Kinematics::Small);
     let model = &vault.model;
     let mut patterns = vec![LoadPattern::from_forces(&model.weight(vec2(0.0, -9.81)))];
@@ -245,7 +246,7 @@ fn stretches_leave_no_trace() {
     let begin = || Condensed::new(model, State::new(model), &patterns, &observed).unwrap();
     let (mut together, mut single) = (begin(), begin());
     let passage = together.solve_positions(50, &under, &mut Unwatched).unwrap();
-    assert!(passage.repeated > 0, "no part joined on the way: going back was not tried");
+    assert!(passage.repeated > 0, "no part was retained on the way: rolling back was not tried");
     let size = passage.visited.iter().fold(0.0_f64, |most, visited| most.max(visited.observed[0].abs()));
     for (index, visited) in passage.visited.iter().enumerate() {
         assert_eq!(single.solve_position(&under(index)).unwrap().reached, Reached::Balanced);
@@ -267,14 +268,14 @@ fn fill_that_flows_gives_the_plain_path_to_1e_6() {
     let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, angle, 0.0);
     let (worst, [_, _, yielding, repeated]) = compare(Material::DruckerPrager(fill), 30e3);
     assert!(yielding > 20, "{yielding} points flow: nothing to compare");
-    assert!(repeated > 0, "no part joined on the way: going back was not tried");
+    assert!(repeated > 0, "no part was retained on the way: rolling back was not tried");
     assert!(worst <= 1e-6, "{worst:e}");
 }
 
-/// What happened after a mark leaves no trace once one has gone back to it: not in parts that were watched before, nor in those that came
-/// later and flowed meanwhile.
+/// What happened after a snapshot leaves no trace once it is restored: neither in parts that were retained before, nor in those
+/// that were retained later and yielded meanwhile.
 #[test]
-fn going_back_leaves_no_trace() {
+fn a_restored_snapshot_leaves_no_trace() {
     let soil = Elastic { modulus: 110e6, ratio: 0.19 };
     let fill = DruckerPrager::matching(soil, Cone::Compression, 10e3, 30f64.to_radians(), 0.0);
     let vault = vault(Material::DruckerPrager(fill), Kinematics::Small);
@@ -353,12 +354,12 @@ fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [us
                 quantified(other)
             })
             .collect();
-        let neighbours: Vec<PerturbedModel<'_>> = others
+        let perturbed: Vec<PerturbedModel<'_>> = others
             .iter()
             .zip(by)
             .map(|((vault, patterns, _), by)| PerturbedModel { model: &vault.model, patterns, by })
             .collect();
-        derivatives = condensed.derivatives(&neighbours, &path, &visited).unwrap();
+        derivatives = condensed.derivatives(&perturbed, &path, &visited).unwrap();
     }
     let values = path.last().into_iter().chain(&visited).map(|visited| visited.observed.clone()).collect();
     (values, counts, derivatives)
@@ -394,9 +395,10 @@ fn derivatives_are_those_of_runs_with_other_quantities() {
     }
 }
 
-/// Positions that were reached from one mark, side by side, are those that were reached one by one, and what is expected beforehand changes nothing.
+/// Positions that were solved from one snapshot, side by side, are those that were solved one by one, and parts that are retained
+/// beforehand change nothing.
 #[test]
-fn branches_are_positions_reached_one_by_one() {
+fn branches_are_positions_solved_one_by_one() {
     let (values, ..) = branches(QUANTITIES, false);
     let (vault, patterns, observed) = quantified(QUANTITIES);
     let begin = || Condensed::new(&vault.model, State::new(&vault.model), &patterns, &observed).unwrap();
@@ -414,15 +416,15 @@ fn branches_are_positions_reached_one_by_one() {
             assert!((a - b).abs() <= 1e-8 * size, "place {k}: {a:e} {b:e}, of {size:e}");
         }
     }
-    let took_part = one.retained_parts();
-    let mut expecting = begin();
-    expecting.retain_parts(&took_part);
+    let retained = one.retained_parts();
+    let mut prepared = begin();
+    prepared.retain_parts(&retained);
     for step in 1..=4 {
         let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
-        expecting.solve_position(&weight).unwrap();
+        prepared.solve_position(&weight).unwrap();
     }
-    assert_eq!(expecting.retained_parts(), took_part);
-    for (a, b) in expecting.observed().iter().zip(&rest) {
+    assert_eq!(prepared.retained_parts(), retained);
+    for (a, b) in prepared.observed().iter().zip(&rest) {
         assert!((a - b).abs() <= 1e-9 * rest.iter().fold(0.0_f64, |most, r| most.max(r.abs())));
     }
 }

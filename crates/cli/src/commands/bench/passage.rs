@@ -53,7 +53,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let (positions, iterations) = (found.values.first().map_or(0, Vec::len), iterations(&found));
     let plastic = found.log.iter().map(|step| step.plastic_points).max().unwrap_or(0);
     let opened = found.log.iter().map(|step| step.open_joints).max().unwrap_or(0);
-    let active = found.condensed_degrees_of_freedom;
+    let retained = found.condensed_degrees_of_freedom;
     Ok(Report::new(status)
         .with("name", "passage")
         .with("size", found.degrees_of_freedom)
@@ -65,7 +65,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         .with("seconds_positions", seconds - mesh - rest)
         .with("load_positions", positions)
         .with("degrees_of_freedom", found.degrees_of_freedom)
-        .with("condensed_degrees_of_freedom", active)
+        .with("condensed_degrees_of_freedom", retained)
         .with("ring_nodes", bridge.service.mesh.ring_nodes)
         .with("iterations_total", iterations)
         .with("plastic_points", plastic)
@@ -76,7 +76,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         .with("seconds_plain_per_position", compared.seconds)
         .saying(format!(
             "passage: {seconds:.2} s (median {middle:.2} s of {}) for {positions} positions of {} over {} spans, {} degrees of freedom, one \
-             core\nmesh {mesh:.2} s, self-weight and condensing {rest:.2} s, positions {:.2} s; {iterations} iterations on {} active rows, at \
+             core\nmesh {mesh:.2} s, self-weight and condensing {rest:.2} s, positions {:.2} s; {iterations} iterations on {} retained rows, at \
              most {plastic} points flow and {opened} joints are open\nplain path {} at {} positions: {:.2} s each; records differ by at most \
              {:.1e} of a channel's largest value\n",
             runs.len(),
@@ -84,7 +84,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
             bridge.spans.len(),
             found.degrees_of_freedom,
             seconds - mesh - rest,
-            active.unwrap_or(0),
+            retained.unwrap_or(0),
             compared.ended,
             compared.positions,
             compared.seconds,

@@ -55,9 +55,9 @@ pub use sensitivity::{Derivatives, PerturbedModel};
 /// How one position ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reached {
-    /// Balanced.
+    /// The position is in equilibrium to the tolerance.
     Balanced,
-    /// No balance was found.
+    /// No equilibrium was found.
     NotConverged,
 }
 
@@ -110,6 +110,7 @@ pub struct Condensed<'a> {
     start: State,
     /// Forces of the patterns by equations.
     patterns: Vec<Vec<(u32, f64)>>,
+    /// Functionals whose values are wanted in every position.
     observed: Vec<Row>,
     /// All parts that may be nonlinear.
     parts: Vec<Part>,
@@ -121,9 +122,11 @@ pub struct Condensed<'a> {
     /// Position at which the part was last nonlinear, by parts, and the number of positions so far.
     last_nonlinear: Vec<u64>,
     position_count: u64,
+    /// The retained rows.
     rows: Rows,
     /// Retained row of a displacement component, if it has one.
     row_of: Vec<Option<usize>>,
+    /// The parts that iterate.
     active_set: ActiveSet,
     /// The last equilibrium.
     current: Equilibrium,
@@ -141,6 +144,7 @@ pub struct Condensed<'a> {
 /// A position in equilibrium.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Equilibrium {
+    /// Amplitudes of the load patterns.
     amplitudes: Vec<f64>,
     /// Forces on the retained rows [N/m], and values of these [m].
     forces: Vec<f64>,
@@ -378,21 +382,6 @@ impl<'a> Condensed<'a> {
         }
         for (index, committed) in &snapshot.parts {
             self.parts[*index].restore(committed);
-        }
-    }
-
-    /// Restores the state in which the run began; retained rows and their solutions stay.
-    pub fn restart(&mut self) {
-        self.current = Equilibrium {
-            amplitudes: vec![0.0; self.patterns.len()],
-            observed: self.observed.iter().map(|row| row.start).collect(),
-            ..Equilibrium::default()
-        };
-        self.predicted_active.clear();
-        self.extend_to_new_rows();
-        self.active_set.discard_tangent();
-        for &index in &self.retained {
-            self.parts[index].revert_to_start(&self.start);
         }
     }
 

@@ -28,6 +28,7 @@ pub(super) enum Kind {
 /// A part with its committed and its trial state.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
+    /// Its element.
     pub kind: Kind,
     /// Numbers of its retained rows, `None` where a component is held and while the part is eliminated.
     pub rows: [Option<usize>; ROWS],
@@ -41,6 +42,7 @@ pub(super) struct Part {
     pub largest_stiffness: f64,
     /// Row values when the run began [m]; those of held components do not change.
     base: [f64; ROWS],
+    /// Integration points of a quadrilateral.
     samples: Option<[Sample; 4]>,
     /// State at the end of the last balanced position.
     committed: Committed,

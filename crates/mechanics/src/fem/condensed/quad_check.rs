@@ -22,8 +22,11 @@ pub(super) fn equation_values(block: &Block, equation: u32) -> &[[f64; LANES]] {
 
 /// A quadrilateral without incompatible modes, with the memory of its points.
 pub(super) struct QuadCheck<'a> {
+    /// Law of its points.
     pub solid: &'a Solid,
+    /// Its integration points: gradients and areas.
     pub samples: &'a [Sample; 4],
+    /// State of these points, with the memory that the law starts from.
     pub points: &'a [Point; 4],
     /// Displacements of its corners when the run began [m].
     pub base: &'a [f64; 8],

@@ -1,4 +1,5 @@
-//! Active rows: sums of displacement components on which forces stand for excess, and what loads and forces on the others do to each.
+//! Retained rows: sums of displacement components on which excess forces act, with the flexibility `G` between them and the
+//! influence `H` of the load patterns on them.
 
 use crate::fem::dofs::HELD;
 use crate::fem::factor::{Asked, Block};
@@ -6,14 +7,15 @@ use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
 
-/// A sum of displacement components.
+/// A weighted sum of displacement components.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Functional(
     /// Component (`2 node` for x, `2 node + 1` for y) and its weight.
     pub Vec<(usize, f64)>,
 );
 
-/// Forces of a load pattern on displacement components, numbered as those of a [`Functional`] [N/m]; no component more than once.
+/// Forces of a load pattern on displacement components, which are numbered as those of a [`Functional`] [N/m]. No component
+/// occurs twice.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LoadPattern(
     /// Component and force.

@@ -6,9 +6,11 @@ use crate::fem::joint::{JointLaw, PairMemory};
 
 /// A spring whose stiffness in the linear system is that of its law while closed, with its memory.
 pub(super) struct SpringCheck<'a> {
+    /// Its law.
     pub law: &'a JointLaw,
     /// Area that the spring stands for, per metre of width [m].
     pub area: f64,
+    /// Memory that the law starts from.
     pub memory: &'a PairMemory,
     /// Normal and tangential opening when the run began [m].
     pub base: [f64; 2],
