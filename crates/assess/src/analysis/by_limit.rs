@@ -113,23 +113,7 @@ pub fn solve(d: &Discretised, settings: &limit::Settings) -> Result<limit::Outco
         return Ok(outcome);
     }
     let limit::Outcome { interfaces, iterations, friction, .. } = outcome;
-    Ok(limit::Outcome {
-        status: limit::Status::Locks,
-        factor: None,
-        lower_bound: None,
-        upper_bound: None,
-        equilibrium_residual: 0.0,
-        yield_violation: 0.0,
-        flow_violation: 0.0,
-        interfaces,
-        forces: Vec::new(),
-        resultants: Vec::new(),
-        mechanism: None,
-        friction,
-        associated_factor: None,
-        spread: None,
-        iterations,
-    })
+    Ok(limit::Outcome::without_numbers(limit::Status::Locks, friction, interfaces, iterations))
 }
 
 /// The word for a flow rule.

@@ -140,18 +140,7 @@ pub(super) fn largest_factor_of_carried(
     if stands.carried == Some(false) {
         return Found { status: Status::NoEquilibrium, solution: stands.solution.clone(), iterations: 0 };
     }
-    let program = Program {
-        equilibrium,
-        joints,
-        strengths,
-        drive: &equilibrium.variable,
-        rest: &equilibrium.permanent,
-        cap: None,
-        reward: Vec::new(),
-        price: 0.0,
-        role: Role::Factor,
-    };
-    let solution = program.solve(TOLERANCE);
+    let solution = Program::of_the_factor(equilibrium, joints, strengths).solve(TOLERANCE);
     let iterations = solution.iterations;
     if solution.ending == Ending::Solved && stands.carried == Some(true) {
         return Found { status: Status::Solved, solution, iterations };
@@ -244,23 +233,7 @@ pub(super) fn report(
     found: &Found,
 ) -> Outcome {
     let solution = &found.solution;
-    let mut outcome = Outcome {
-        status: found.status,
-        factor: None,
-        lower_bound: None,
-        upper_bound: None,
-        equilibrium_residual: 0.0,
-        yield_violation: 0.0,
-        flow_violation: 0.0,
-        interfaces,
-        forces: Vec::new(),
-        resultants: Vec::new(),
-        mechanism: None,
-        friction: Friction::Associated,
-        associated_factor: None,
-        spread: None,
-        iterations: found.iterations,
-    };
+    let mut outcome = Outcome::without_numbers(found.status, Friction::Associated, interfaces, found.iterations);
     if matches!(found.status, Status::Solved | Status::NoEquilibrium) {
         outcome.mechanism = mechanism(model, equilibrium, joints, &solution.velocities);
     }

@@ -129,3 +129,27 @@ pub struct Outcome {
     /// Iterations of the solver in all.
     pub iterations: u32,
 }
+
+impl Outcome {
+    /// An outcome without numbers, forces and mechanism: how the analysis ended, with which flow rule, and its joints.
+    #[must_use]
+    pub fn without_numbers(status: Status, friction: Friction, interfaces: Vec<Interface>, iterations: u32) -> Outcome {
+        Outcome {
+            status,
+            factor: None,
+            lower_bound: None,
+            upper_bound: None,
+            equilibrium_residual: 0.0,
+            yield_violation: 0.0,
+            flow_violation: 0.0,
+            interfaces,
+            forces: Vec::new(),
+            resultants: Vec::new(),
+            mechanism: None,
+            friction,
+            associated_factor: None,
+            spread: None,
+            iterations,
+        }
+    }
+}

@@ -72,7 +72,22 @@ pub(super) struct Solution {
     pub iterations: u32,
 }
 
-impl Program<'_> {
+impl<'a> Program<'a> {
+    /// The program of the largest factor of the variable loads, beside the permanent ones.
+    pub fn of_the_factor(equilibrium: &'a Equilibrium, joints: &'a [Joint], strengths: &'a [Strength]) -> Program<'a> {
+        Program {
+            equilibrium,
+            joints,
+            strengths,
+            drive: &equilibrium.variable,
+            rest: &equilibrium.permanent,
+            cap: None,
+            reward: Vec::new(),
+            price: 0.0,
+            role: Role::Factor,
+        }
+    }
+
     /// Solves to a relative gap and residual of `tolerance`.
     pub fn solve(&self, tolerance: f64) -> Solution {
         let forces = self.equilibrium.columns.len();

@@ -135,18 +135,7 @@ mod tests {
         let equilibrium = Equilibrium::new(&model, &loading, &joints);
         let strengths: Vec<Strength> = joints.iter().map(|joint| joint.strength).collect();
         let roomy = roomy(&equilibrium, &joints, &strengths).expect("the block stands with room");
-        let program = Program {
-            equilibrium: &equilibrium,
-            joints: &joints,
-            strengths: &strengths,
-            drive: &equilibrium.variable,
-            rest: &equilibrium.permanent,
-            cap: None,
-            reward: Vec::new(),
-            price: 0.0,
-            role: Role::Factor,
-        };
-        let exact = program.solve(TOLERANCE);
+        let exact = Program::of_the_factor(&equilibrium, &joints, &strengths).solve(TOLERANCE);
         let scale = equilibrium.factor_scale;
         assert!((exact.factor * scale / CARRIED - 1.0).abs() < 1e-6, "{}", exact.factor * scale);
         // Forces and load beyond what can be carried, as a solver leaves them: the proof stays below, by about what was added.
