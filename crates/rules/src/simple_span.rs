@@ -53,12 +53,7 @@ pub fn greatest_bending_at(pattern: &Pattern, span: f64, share: f64) -> Greatest
     let x = share * span;
     for (mirrored, pattern) in [(false, pattern.clone()), (true, pattern.reversed())] {
         let load = Load { pattern: &pattern, span };
-        let mut breaks: Vec<f64> = load.edges().flat_map(|place| [place, x + place, span + place]).collect();
-        breaks.push(0.0);
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
-        let reach = breaks.last().copied().unwrap_or(0.0) + span;
-        breaks.push(reach);
+        let breaks = load.breaks_of_passage(&[0.0, x, span]);
         for pair in breaks.windows(2) {
             for s in peaks(pair[0], pair[1], |s| load.moment(x, s, None)) {
                 let first_axle = if mirrored { s - pattern.length() } else { s };
@@ -74,12 +69,7 @@ pub fn greatest_shear(pattern: &Pattern, span: f64) -> Greatest {
     let mut best = NOTHING;
     for (right, pattern) in [(false, pattern.clone()), (true, pattern.reversed())] {
         let load = Load { pattern: &pattern, span };
-        let mut breaks: Vec<f64> = load.edges().flat_map(|place| [place, span + place]).collect();
-        breaks.push(0.0);
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
-        let reach = breaks.last().copied().unwrap_or(0.0) + span;
-        breaks.push(reach);
+        let breaks = load.breaks_of_passage(&[0.0, span]);
         for pair in breaks.windows(2) {
             for s in peaks(pair[0], pair[1], |s| load.reaction(s)) {
                 let section = if right { span } else { 0.0 };
@@ -113,6 +103,18 @@ impl Load<'_> {
         let axles = self.pattern.axles.iter().map(|a| a.offset);
         let stretches = self.pattern.stretches.iter().flat_map(|s| [s.from, s.to]).filter(|e| e.is_finite());
         axles.chain(stretches)
+    }
+
+    /// Places of the first axle [m] between which the effect of the pattern is smooth while it drives over the span: at each an
+    /// edge crosses one of `sections`. They begin at 0 at the latest and end one span after the last edge has left.
+    fn breaks_of_passage(&self, sections: &[f64]) -> Vec<f64> {
+        let mut breaks: Vec<f64> = self.edges().flat_map(|edge| sections.iter().map(move |x| x + edge)).collect();
+        breaks.push(0.0);
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        let reach = breaks.last().copied().unwrap_or(0.0) + self.span;
+        breaks.push(reach);
+        breaks
     }
 
     /// Moment at section `x` with the first axle at `s`; axle `there` stands at the section whatever round-off says.
