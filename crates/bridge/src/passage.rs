@@ -172,6 +172,9 @@ pub enum Face {
     Extrados,
 }
 
+/// Most positions of one passage: an hour's record at the default time step.
+pub const MOST_POSITIONS: usize = 720_000;
+
 /// Gauge length of the railway paper's strain gauges [m], section 3.2.
 pub const GAUGE_LENGTH: f64 = 0.120;
 

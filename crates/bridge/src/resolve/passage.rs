@@ -5,11 +5,8 @@ use super::materials::maybe;
 use super::structure::{PlacedSpan, need};
 use super::{sensors, train};
 use crate::findings::Findings;
-use crate::passage::{Passage, PassageAnalysis, PassageKinematics, PassagePath, PassagePlan, Rayleigh};
+use crate::passage::{MOST_POSITIONS, Passage, PassageAnalysis, PassageKinematics, PassagePath, PassagePlan, Rayleigh};
 use crate::tree::Table;
-
-/// Most positions of one passage: an hour's record at the default time step.
-const MOST_POSITIONS: f64 = 720_000.0;
 
 /// The passage; `None` inside where no train crosses.
 pub(super) fn passage(
@@ -102,7 +99,7 @@ fn damping(table: &Table<'_>, ratio: Option<Option<f64>>, findings: &mut Finding
 /// Whether the range of positions is one.
 fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool {
     let step = plan.speed * plan.time_step;
-    let most = MOST_POSITIONS * step;
+    let most = MOST_POSITIONS as f64 * step;
     if let (Some(from), Some(to)) = (plan.from, plan.to) {
         if from >= to {
             findings.error(

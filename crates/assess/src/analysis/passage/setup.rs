@@ -7,7 +7,7 @@ use super::sensors::{Placed, RingNodes, place};
 use crate::analysis::AnalysisError;
 use crate::discretise::mesh::{Meshed, SpanSets, mesh};
 use bridge::Bridge;
-use bridge::passage::{Passage, PassagePlan, default_sensors};
+use bridge::passage::{MOST_POSITIONS, Passage, PassagePlan, default_sensors};
 use mechanics::fem::Mesh;
 use mechanics::ids::{Id, NodeId};
 
@@ -36,9 +36,6 @@ pub struct Setup {
     /// What was assumed, in words.
     pub assumptions: Vec<String>,
 }
-
-/// Most positions of a passage; the reader's own limit where the file says from where to where.
-pub const MOST_POSITIONS: usize = 720_000;
 
 /// Mesh, loads, sensors and positions of the passage that the file describes.
 pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
