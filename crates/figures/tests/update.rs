@@ -99,15 +99,3 @@ fn without_material_nothing_is_drawn_and_nothing_fails() {
     assert!(figures::update_drawings(&update).is_empty());
     assert!(figures::update(&update).expect("nothing fails").is_empty());
 }
-
-#[test]
-fn pictures_for_the_eye() {
-    let Some(folder) = std::env::var_os("EXTRADOS_WRITE_FIGURES") else { return };
-    for (name, update) in [("twin", twin()), ("hard", hard())] {
-        let folder = std::path::Path::new(&folder).join(name);
-        std::fs::create_dir_all(&folder).expect("a folder");
-        for file in figures::update(&update).expect("drawn") {
-            std::fs::write(folder.join(&file.name), &file.bytes).expect("written");
-        }
-    }
-}

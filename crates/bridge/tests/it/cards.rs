@@ -75,14 +75,3 @@ fn every_finding_says_where_and_what_to_do() {
         }
     }
 }
-
-/// Prints what every card's example gives; for reading: `cargo test -p bridge show_every_message -- --ignored --nocapture`.
-#[test]
-#[ignore = "prints for reading, checks nothing"]
-#[allow(clippy::print_stdout)]
-fn show_every_message() {
-    for card in cards() {
-        let good = GOOD.iter().find(|good| good.contains(card.right)).unwrap_or(&GOOD[0]);
-        println!("=== {} {}\n{}", card.code, card.title, show_all(&good.replacen(card.right, card.wrong, 1)));
-    }
-}
