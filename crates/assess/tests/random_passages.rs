@@ -236,9 +236,10 @@ fn all_end(seeds: std::ops::Range<u64>) {
         }
     }
     assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n----\n"));
-    let completed = endings.get("completed").copied().unwrap_or(0) as u64;
-    // The others are stopped or refused, more of them on slow machines.
-    assert!(3 * completed >= count, "only {completed} of {count} passages completed: {endings:?}");
+    let ended = |word: &str| endings.get(word).copied().unwrap_or(0) as u64;
+    let (completed, stopped) = (ended("completed"), ended("cancelled"));
+    // Slow machines stop more passages, which therefore do not count.
+    assert!(3 * completed >= count - stopped, "only {completed} of {count} passages completed: {endings:?}");
 }
 
 #[test]

@@ -69,18 +69,11 @@ fn bridgemill_under_a_point_load() {
 }
 
 #[test]
-fn the_program_is_solved_in_milliseconds() {
-    // Building the ring, its joints and the program, solving, both bounds: 1.95 ms on one core of a busy machine, of which
-    // Clarabel 1.65 ms (setting up 0.3, ten iterations 1.35) and finding the joints 0.07. The limit here only catches a
-    // return to tens of milliseconds: machines that run tests are slower than machines that are measured.
+fn the_program_is_solved_in_a_few_iterations() {
+    // Ten iterations of Clarabel, 1.65 ms of 1.95 ms on one core of a busy machine with ring, joints and both bounds.
     let ring = Ring::bridgemill();
-    let all = || {
-        let start = std::time::Instant::now();
-        std::hint::black_box(solved(&ring, &ring.quarter_knife(), ContactPoints::FullRing));
-        start.elapsed()
-    };
-    let least = (0..50).map(|_| all()).min().unwrap();
-    assert!(least.as_millis() < 20 || cfg!(debug_assertions), "{least:?}");
+    let iterations = solved(&ring, &ring.quarter_knife(), ContactPoints::FullRing).iterations;
+    assert!((1..=15).contains(&iterations), "{iterations}");
 }
 
 #[test]
