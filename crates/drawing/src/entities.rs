@@ -1,11 +1,11 @@
-//! From the entities of the crate `dxf` to strands of points and circles in metres, with block references expanded.
+//! From the entities of a file to strands of points and circles in metres, with block references expanded.
 
 use crate::Point;
 use crate::curve::{self, Spline};
+use crate::entity::{Block, Content, Entity, Insert, Shape, Space, Vertex};
 use crate::finding::{Findings, Place};
 use crate::read::{Options, is_ignored};
 use crate::transform::Transform;
-use dxf::entities::{Entity, EntityType, Insert};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -46,7 +46,7 @@ pub(crate) struct Strands {
 
 pub(crate) struct Expansion<'a> {
     pub(crate) options: &'a Options,
-    pub(crate) blocks: BTreeMap<String, &'a dxf::Block>,
+    pub(crate) blocks: &'a BTreeMap<String, Block>,
     pub(crate) out: Strands,
     pub(crate) findings: &'a mut Findings,
     expanded: usize,
@@ -64,12 +64,11 @@ struct Context {
 }
 
 /// Expands all entities of a drawing.
-pub(crate) fn expand(drawing: &dxf::Drawing, metres: f64, options: &Options, findings: &mut Findings) -> Strands {
-    let blocks = drawing.blocks().map(|block| (block.name.to_uppercase(), block)).collect();
-    let out = Strands::default();
+pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings: &mut Findings) -> Strands {
+    let (blocks, out) = (&content.blocks, Strands::default());
     let mut expansion = Expansion { options, blocks, out, findings, expanded: 0, points: 0, full: false };
     let context = Context { map: Transform::scale(metres), layer: None, through: String::new(), depth: 0 };
-    for entity in drawing.entities() {
+    for entity in &content.entities {
         expansion.entity(entity, &context);
     }
     expansion.out
@@ -77,87 +76,76 @@ pub(crate) fn expand(drawing: &dxf::Drawing, metres: f64, options: &Options, fin
 
 impl Expansion<'_> {
     fn entity(&mut self, entity: &Entity, context: &Context) {
-        if self.full || entity.common.is_in_paper_space {
+        if self.full || entity.in_paper_space {
             return;
         }
         let place = place(entity, context);
         if self.is_full(&place) {
             return;
         }
-        if let EntityType::Insert(insert) = &entity.specific {
+        if let Shape::Insert(insert) = &entity.shape {
             return self.insert(insert, &place, context);
         }
         if is_ignored(self.options, &place.layer) {
             return;
         }
-        match &entity.specific {
-            EntityType::Line(line) => {
-                let ends = [&line.p1, &line.p2];
-                if self.is_flat(&place, context, ends.iter().map(|p| p.z)) {
-                    let points = ends.iter().map(|p| context.map.point([p.x, p.y])).collect();
+        match &entity.shape {
+            Shape::Line(ends) => {
+                if self.is_flat(&place, context, ends.iter().map(|p| p[2])) {
+                    let points = ends.iter().map(|p| context.map.point([p[0], p[1]])).collect();
                     self.strand(place, points, false, false);
                 }
             }
-            EntityType::LwPolyline(line) => {
-                let Some(map) = self.plane(&place, context, &line.extrusion_direction) else { return };
-                if self.is_flat(&place, context, [entity.common.elevation].into_iter()) {
-                    let vertices: Vec<_> = line.vertices.iter().map(|v| ([v.x, v.y], v.bulge)).collect();
-                    self.polyline(place, &vertices, line.is_closed(), &map);
+            Shape::Polyline { mesh: true, .. } => {
+                let help = "explode it and draw the outlines of the blocks";
+                self.findings.error("D105", place, "a mesh in space is no outline", help);
+            }
+            Shape::Polyline { vertices, height, closed, normal, mesh: false } => {
+                let Some(map) = self.plane(&place, context, normal) else { return };
+                if self.is_flat(&place, context, vertices.iter().map(|v| v.height).chain([*height])) {
+                    self.polyline(place, vertices, *closed, &map);
                 }
             }
-            EntityType::Polyline(line) => {
-                // 16 and 64: meshes in space. 8 is a line in space, which may lie in the plane.
-                if line.flags & (16 | 64) != 0 {
-                    let help = "explode it and draw the outlines of the blocks";
-                    return self.findings.error("D105", place, "a mesh in space is no outline", help);
-                }
-                let Some(map) = self.plane(&place, context, &line.normal) else { return };
-                // 16: control points of a fitted curve, which the fitted vertices follow.
-                let vertices: Vec<_> = line.vertices().filter(|v| v.flags & 16 == 0).collect();
-                let heights = vertices.iter().map(|v| v.location.z).chain([line.location.z]);
-                if self.is_flat(&place, context, heights.collect::<Vec<_>>().into_iter()) {
-                    let vertices: Vec<_> = vertices.iter().map(|v| ([v.location.x, v.location.y], v.bulge)).collect();
-                    self.polyline(place, &vertices, line.is_closed(), &map);
-                }
-            }
-            EntityType::Arc(arc) => {
-                let Some(map) = self.plane(&place, context, &arc.normal) else { return };
-                let from = arc.start_angle.to_radians();
-                let sweep = curve::sweep(from, arc.end_angle.to_radians());
-                let round = [arc.center.x, arc.center.y];
-                if self.is_flat(&place, context, [arc.center.z].into_iter()) && self.has_size(&place, arc.radius) {
-                    let points = curve::arc(round, arc.radius, from, sweep, self.tolerance(&map));
+            Shape::Arc { centre: [x, y, z], radius, from, to, normal } => {
+                let Some(map) = self.plane(&place, context, normal) else { return };
+                let from = from.to_radians();
+                let sweep = curve::sweep(from, to.to_radians());
+                if self.is_flat(&place, context, [*z].into_iter()) && self.has_size(&place, *radius) {
+                    let points = curve::arc([*x, *y], *radius, from, sweep, self.tolerance(&map));
                     let points = points.into_iter().map(|p| map.point(p)).collect();
                     self.strand(place, points, false, true);
                 }
             }
-            EntityType::Circle(circle) => {
-                let Some(map) = self.plane(&place, context, &circle.normal) else { return };
-                let centre = [circle.center.x, circle.center.y];
-                if self.is_flat(&place, context, [circle.center.z].into_iter()) && self.has_size(&place, circle.radius)
-                {
-                    self.circle(place, centre, circle.radius, &map);
+            Shape::Circle { centre: [x, y, z], radius, normal } => {
+                let Some(map) = self.plane(&place, context, normal) else { return };
+                if self.is_flat(&place, context, [*z].into_iter()) && self.has_size(&place, *radius) {
+                    self.circle(place, [*x, *y], *radius, &map);
                 }
             }
-            EntityType::Ellipse(ellipse) => self.ellipse(place, ellipse, context),
-            EntityType::Spline(spline) => self.spline(place, spline, context),
-            _ => {}
+            Shape::Ellipse { .. } => self.ellipse(place, &entity.shape, context),
+            Shape::Spline { degree, knots, weights, points } => {
+                if self.is_flat(&place, context, points.iter().map(|p| p[2])) {
+                    let points: Vec<Point> = points.iter().map(|p| [p[0], p[1]]).collect();
+                    self.spline(place, &Spline { degree: *degree, knots, points: &points, weights }, context);
+                }
+            }
+            // Expanded above, on ignored layers too.
+            Shape::Insert(_) => {}
         }
     }
 
-    fn polyline(&mut self, place: Place, vertices: &[(Point, f64)], closed: bool, map: &Transform) {
+    fn polyline(&mut self, place: Place, vertices: &[Vertex], closed: bool, map: &Transform) {
         let tolerance = self.tolerance(map);
-        let Some(&(first, _)) = vertices.first() else { return };
-        let mut points = vec![first];
+        let (Some(first), Some(last)) = (vertices.first(), vertices.last()) else { return };
+        let mut points = vec![first.at];
         let mut flattened = false;
         for pair in vertices.windows(2) {
-            flattened |= pair[0].1 != 0.0;
-            points.extend(curve::bulge(pair[0].0, pair[1].0, pair[0].1, tolerance));
+            flattened |= pair[0].bulge != 0.0;
+            points.extend(curve::bulge(pair[0].at, pair[1].at, pair[0].bulge, tolerance));
         }
-        let (last, bulge) = vertices[vertices.len() - 1];
-        if closed && bulge != 0.0 {
+        if closed && last.bulge != 0.0 {
             flattened = true;
-            points.extend(curve::bulge(last, first, bulge, tolerance));
+            points.extend(curve::bulge(last.at, first.at, last.bulge, tolerance));
             points.pop();
         }
         let points = points.into_iter().map(|p| map.point(p)).collect();
@@ -182,23 +170,22 @@ impl Expansion<'_> {
         }
     }
 
-    fn ellipse(&mut self, place: Place, ellipse: &dxf::entities::Ellipse, context: &Context) {
+    fn ellipse(&mut self, place: Place, shape: &Shape, context: &Context) {
+        let Shape::Ellipse { centre, major: long, share, from, to, normal } = shape else { return };
         // Centre and axes are in the drawing's own coordinates; the normal only decides which way round.
-        let Some(_) = self.plane(&place, context, &ellipse.normal) else { return };
-        let turn = if ellipse.normal.z < 0.0 { -1.0 } else { 1.0 };
-        let (major, share) = ([ellipse.major_axis.x, ellipse.major_axis.y], ellipse.minor_axis_ratio);
-        let heights = [ellipse.center.z, ellipse.major_axis.z];
-        if !self.is_flat(&place, context, heights.into_iter())
+        let Some(_) = self.plane(&place, context, normal) else { return };
+        let turn = if normal[2] < 0.0 { -1.0 } else { 1.0 };
+        let major = [long[0], long[1]];
+        if !self.is_flat(&place, context, [centre[2], long[2]].into_iter())
             || !self.has_size(&place, share * major[0].hypot(major[1]))
         {
             return;
         }
         let minor = [-turn * share * major[1], turn * share * major[0]];
-        let (from, to) = (ellipse.start_parameter, ellipse.end_parameter);
         let whole = (to - from).abs() >= TAU - 1e-9;
-        let sweep = if whole { TAU } else { curve::sweep(from, to) };
-        let centre = [ellipse.center.x, ellipse.center.y];
-        let mut points = curve::ellipse(centre, major, minor, from, sweep, self.tolerance(&context.map));
+        let sweep = if whole { TAU } else { curve::sweep(*from, *to) };
+        let centre = [centre[0], centre[1]];
+        let mut points = curve::ellipse(centre, major, minor, *from, sweep, self.tolerance(&context.map));
         let closed = sweep >= TAU - 1e-9;
         if closed {
             points.pop();
@@ -206,17 +193,7 @@ impl Expansion<'_> {
         self.strand(place, points.into_iter().map(|p| context.map.point(p)).collect(), closed, true);
     }
 
-    fn spline(&mut self, place: Place, spline: &dxf::entities::Spline, context: &Context) {
-        let points: Vec<Point> = spline.control_points.iter().map(|p| [p.x, p.y]).collect();
-        if !self.is_flat(&place, context, spline.control_points.iter().map(|p| p.z)) {
-            return;
-        }
-        let curve = Spline {
-            degree: usize::try_from(spline.degree_of_curve).unwrap_or(0),
-            knots: &spline.knot_values,
-            points: &points,
-            weights: &spline.weight_values,
-        };
+    fn spline(&mut self, place: Place, curve: &Spline<'_>, context: &Context) {
         if let Some(defect) = curve.defect() {
             let message = format!("the spline cannot be drawn: it has {defect}");
             return self.findings.error("D103", place, message, "convert it to a polyline");
@@ -226,7 +203,7 @@ impl Expansion<'_> {
     }
 
     fn insert(&mut self, insert: &Insert, place: &Place, context: &Context) {
-        let Some(&block) = self.blocks.get(&insert.name.to_uppercase()) else {
+        let Some(block) = self.blocks.get(&insert.name.to_uppercase()) else {
             let message = format!("the block {} is not in the file", insert.name);
             let help = "bind external references before the export, or take this one out";
             return self.findings.error("D107", place.clone(), message, help);
@@ -235,30 +212,29 @@ impl Expansion<'_> {
             let message = format!("block references lie more than {DEEPEST} deep inside one another");
             return self.findings.error("D107", place.clone(), message, "explode the references");
         }
-        let Some(map) = self.plane(place, context, &insert.extrusion_direction) else { return };
-        let scales = [insert.x_scale_factor, insert.y_scale_factor];
+        let Some(map) = self.plane(place, context, &insert.normal) else { return };
+        let (scales, [across, up]) = (insert.scales, insert.spacings);
         if scales.contains(&0.0) {
             let message = format!("the block {} is inserted with a scale of zero", insert.name);
             return self.findings.error("D107", place.clone(), message, "take it out");
         }
-        if !self.is_flat(place, context, [insert.location.z].into_iter()) {
+        if !self.is_flat(place, context, [insert.at[2]].into_iter()) {
             return;
         }
         let (s, c) = insert.rotation.to_radians().sin_cos();
-        let base = [block.base_point.x, block.base_point.y];
-        for row in 0..insert.row_count.max(1) {
-            for column in 0..insert.column_count.max(1) {
+        for row in 0..insert.rows.max(1) {
+            for column in 0..insert.columns.max(1) {
                 // Every repetition counts, even of an empty block.
                 if self.is_full(place) {
                     return;
                 }
-                let (dx, dy) = (f64::from(column) * insert.column_spacing, f64::from(row) * insert.row_spacing);
+                let (dx, dy) = (f64::from(column) * across, f64::from(row) * up);
                 let mut own = Transform {
                     x: [scales[0] * c, scales[0] * s],
                     y: [-scales[1] * s, scales[1] * c],
-                    origin: [insert.location.x + c * dx - s * dy, insert.location.y + s * dx + c * dy],
+                    origin: [insert.at[0] + c * dx - s * dy, insert.at[1] + s * dx + c * dy],
                 };
-                let moved = own.vector(base);
+                let moved = own.vector(block.base);
                 own.origin = [own.origin[0] - moved[0], own.origin[1] - moved[1]];
                 let inner = Context {
                     map: map.after(&own),
@@ -298,16 +274,16 @@ impl Expansion<'_> {
     }
 
     /// The map of an entity drawn in its own plane: seen from above, or from below as a mirror image.
-    fn plane(&mut self, place: &Place, context: &Context, normal: &dxf::Vector) -> Option<Transform> {
-        let size = (normal.x * normal.x + normal.y * normal.y + normal.z * normal.z).sqrt();
+    fn plane(&mut self, place: &Place, context: &Context, &[x, y, z]: &Space) -> Option<Transform> {
+        let size = (x * x + y * y + z * z).sqrt();
         // Round-off of a turned coordinate system.
-        let upright = normal.x.hypot(normal.y) <= 1e-9 * size && size > 0.0;
+        let upright = x.hypot(y) <= 1e-9 * size && size > 0.0;
         if !upright {
-            let message = format!("the entity lies in a plane with normal ({}, {}, {})", normal.x, normal.y, normal.z);
+            let message = format!("the entity lies in a plane with normal ({x}, {y}, {z})");
             self.findings.error("D105", place.clone(), message, "draw it in the plane z = 0");
             return None;
         }
-        Some(if normal.z < 0.0 { context.map.after(&Transform::mirrored()) } else { context.map })
+        Some(if z < 0.0 { context.map.after(&Transform::mirrored()) } else { context.map })
     }
 
     /// Whether all heights are zero, to the gap tolerance.
@@ -344,23 +320,11 @@ impl Expansion<'_> {
 
 /// Where an entity stands. What a block draws on layer 0 lies on the layer of its reference.
 fn place(entity: &Entity, context: &Context) -> Place {
-    let kind = match &entity.specific {
-        EntityType::Line(_) => "LINE",
-        EntityType::LwPolyline(_) => "LWPOLYLINE",
-        EntityType::Polyline(_) => "POLYLINE",
-        EntityType::Arc(_) => "ARC",
-        EntityType::Circle(_) => "CIRCLE",
-        EntityType::Ellipse(_) => "ELLIPSE",
-        EntityType::Spline(_) => "SPLINE",
-        EntityType::Insert(_) => "INSERT",
-        _ => "entity",
-    };
-    let handle = entity.common.handle.as_string();
-    let own = if handle == "0" { kind.to_owned() } else { format!("{kind} {handle}") };
+    let own = format!("{} {}", entity.kind, entity.handle).trim_end().to_owned();
     let inside = |outer: &String| if outer.is_empty() { own.clone() } else { format!("{own} in {outer}") };
     let layer = match &context.layer {
-        Some(outer) if entity.common.layer == "0" => outer.clone(),
-        _ => entity.common.layer.clone(),
+        Some(outer) if entity.layer == "0" => outer.clone(),
+        _ => entity.layer.clone(),
     };
     Place { layer, entity: inside(&context.through), at: None }
 }

@@ -2,7 +2,7 @@
 //!
 //! Reading never fails, whatever the bytes are: it gives what it understood and every finding, each with the layer, the
 //! handle and the coordinates of its place. [`read()`] goes through four steps: the sieve keeps the parts of
-//! the file that describe geometry, the crate `dxf` reads them, curves become chords and block references are expanded,
+//! the file that describe geometry, its groups become entities, curves become chords and block references are expanded,
 //! and what comes out is chained, repaired and checked until only convex outlines are left.
 //!
 //! Lengths are in metres, x to the right, y up.
@@ -12,6 +12,7 @@ mod chain;
 mod curve;
 mod cut;
 mod entities;
+mod entity;
 mod finding;
 mod outline;
 mod overlap;

@@ -3,7 +3,7 @@
 use crate::Point;
 use crate::finding::{Finding, Findings, Place, Severity};
 use crate::units::numbered;
-use crate::{chain, entities, outline, overlap, sieve};
+use crate::{chain, entities, entity, outline, overlap, sieve};
 use std::collections::BTreeSet;
 
 /// What to do with an outline that is not convex.
@@ -119,14 +119,8 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         );
         findings.warning("D104", place, message, "draw what is meant to be a block as a closed polyline");
     }
-    let loaded = match dxf::Drawing::load(&mut sieved.text.as_bytes()) {
-        Ok(loaded) => loaded,
-        Err(error) => {
-            findings.error("D101", Place::default(), format!("the file cannot be read: {error}"), "export it again");
-            return None;
-        }
-    };
-    let drawn = entities::expand(&loaded, unit, options, findings);
+    let content = entity::content(sieved.records);
+    let drawn = entities::expand(&content, unit, options, findings);
     let layers = layers(&drawn);
     let closed = chain::close(drawn.strands, options, findings);
     let outlines: Vec<Outline> =

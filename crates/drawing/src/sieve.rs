@@ -1,10 +1,10 @@
 //! The parts of a DXF file that describe geometry, checked pair by pair before anything is made of them.
 //!
-//! The crate `dxf` passes over entities it does not know and breaks off at the first value it cannot read. Both must be
-//! said, so the file is taken apart here into its pairs of a group code and a value. Only the header's unit, the blocks
-//! and the entities that become outlines go on, with only those of their groups that are needed; the rest is counted.
-//! Group codes after Autodesk, DXF Reference (2018).
+//! What is not understood and what cannot be read must both be said, so the file is taken apart here into its pairs of a
+//! group code and a value. Only the header's unit, the blocks and the entities that become outlines go on, with only those
+//! of their groups that are needed; the rest is counted. Group codes after Autodesk, DXF Reference (2018).
 
+use crate::entity::Record;
 use crate::finding::{Findings, Place};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,14 +13,14 @@ const LONGEST: usize = 64 << 20;
 /// Entities read in one go; more is no drawing of a bridge, but something else.
 const MOST_ENTITIES: usize = 200_000;
 
-/// Layers that entities lie on, likewise: the reader looks through all of them for each.
+/// Layers that entities lie on, likewise.
 const MOST_LAYERS: usize = 5_000;
 
-/// What goes on to the crate `dxf`, and what the file says of itself.
+/// What describes geometry, and what the file says of itself.
 #[derive(Debug, Default)]
 pub(crate) struct Sieved {
-    /// A small DXF file: blocks and entities alone.
-    pub(crate) text: String,
+    /// Blocks and entities, in the order of the file.
+    pub(crate) records: Vec<Record>,
     /// `$INSUNITS`, where the header has it.
     pub(crate) unit: Option<i16>,
     /// Entities that do not become outlines: layer, kind, how many.
@@ -34,24 +34,21 @@ struct Group<'a> {
     line: usize,
 }
 
-/// What an entity keeps besides handle, layer and paper space.
-fn kept(kind: &str) -> Option<&'static [i32]> {
-    Some(match kind {
-        "LINE" => &[10, 20, 30, 11, 21, 31],
-        "LWPOLYLINE" => &[10, 20, 42, 38, 70, 210, 220, 230],
-        "POLYLINE" => &[10, 20, 30, 70, 210, 220, 230],
-        "VERTEX" => &[10, 20, 30, 42, 70],
-        "SEQEND" => &[],
-        "ARC" => &[10, 20, 30, 40, 50, 51, 210, 220, 230],
-        "CIRCLE" => &[10, 20, 30, 40, 210, 220, 230],
-        "ELLIPSE" => &[10, 20, 30, 11, 21, 31, 40, 41, 42, 210, 220, 230],
-        "SPLINE" => &[10, 20, 30, 40, 41, 70, 71],
-        "INSERT" => &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71, 210, 220, 230],
-        "BLOCK" => &[2, 10, 20, 30, 70],
-        "ENDBLK" => &[],
-        _ => return None,
-    })
-}
+/// The kinds of entities that are kept, each with its groups besides handle, layer and paper space.
+const KEPT: [(&str, &[i32]); 12] = [
+    ("LINE", &[10, 20, 30, 11, 21, 31]),
+    ("LWPOLYLINE", &[10, 20, 42, 38, 70, 210, 220, 230]),
+    ("POLYLINE", &[10, 20, 30, 70, 210, 220, 230]),
+    ("VERTEX", &[10, 20, 30, 42, 70]),
+    ("SEQEND", &[]),
+    ("ARC", &[10, 20, 30, 40, 50, 51, 210, 220, 230]),
+    ("CIRCLE", &[10, 20, 30, 40, 210, 220, 230]),
+    ("ELLIPSE", &[10, 20, 30, 11, 21, 31, 40, 41, 42, 210, 220, 230]),
+    ("SPLINE", &[10, 20, 30, 40, 41, 70, 71]),
+    ("INSERT", &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71, 210, 220, 230]),
+    ("BLOCK", &[2, 10, 20, 30, 70]),
+    ("ENDBLK", &[]),
+];
 
 /// Takes a file apart.
 pub(crate) fn sieve(bytes: &[u8], findings: &mut Findings) -> Option<Sieved> {
@@ -79,12 +76,11 @@ pub(crate) fn sieve(bytes: &[u8], findings: &mut Findings) -> Option<Sieved> {
             return None;
         }
     };
-    let mut sieved = sections(&groups, findings);
+    let sieved = sections(&groups, findings);
     if !groups.last().is_some_and(|g| g.code == 0 && g.value == "EOF") {
         let line = groups.last().map_or(0, |g| g.line);
         findings.error("D101", whole(), format!("the file breaks off after line {line}"), "export the drawing again");
     }
-    sieved.text.push_str("0\nENDSEC\n0\nEOF\n");
     Some(sieved)
 }
 
@@ -120,9 +116,7 @@ fn groups(text: &str) -> Result<Vec<Group<'_>>, usize> {
 
 fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
     let mut out = Sieved::default();
-    // The version says that the text below is UTF-8.
-    out.text.push_str("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1024\n");
-    let (mut section, mut opened, mut entities, mut in_polyline) = ("", "", 0, false);
+    let (mut section, mut entities, mut in_polyline) = ("", 0, false);
     let mut layers: BTreeSet<&str> = BTreeSet::new();
     let mut at = 0;
     while at < groups.len() {
@@ -149,10 +143,6 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
             _ if section != "BLOCKS" && section != "ENTITIES" => continue,
             _ => {}
         }
-        if opened != section {
-            let _ = std::fmt::Write::write_fmt(&mut out.text, format_args!("0\nENDSEC\n0\nSECTION\n2\n{section}\n"));
-            opened = section;
-        }
         entities += 1;
         layers.extend(body.iter().find(|g| g.code == 8).map(|g| g.value));
         if entities > MOST_ENTITIES || layers.len() > MOST_LAYERS {
@@ -168,8 +158,11 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
             "SEQEND" if !in_polyline => continue,
             _ => in_polyline = false,
         }
-        match kept(kind) {
-            Some(codes) => entity(kind, codes, group.line, body, &mut out.text, findings),
+        match KEPT.iter().find(|(known, _)| *known == kind) {
+            Some(&(kind, codes)) => {
+                let record = entity(kind, codes, group.line, body, findings);
+                out.records.extend(record.map(|record| Record { in_blocks: section == "BLOCKS", ..record }));
+            }
             None if kind == "ATTRIB" || kind == "ATTDEF" => {}
             None => *out.left_out.entry((layer(body), shorten(kind))).or_insert(0) += 1,
         }
@@ -187,14 +180,17 @@ fn layer(body: &[Group<'_>]) -> String {
     body.iter().find(|g| g.code == 8).map_or_else(|| "0".to_owned(), |g| unescape(g.value))
 }
 
-/// Writes an entity, or says which of its values cannot be read.
-fn entity(kind: &str, codes: &[i32], line: usize, body: &[Group<'_>], out: &mut String, findings: &mut Findings) {
+/// An entity's groups, or a finding that says which of its values cannot be read.
+fn entity(
+    kind: &'static str,
+    codes: &[i32],
+    line: usize,
+    body: &[Group<'_>],
+    findings: &mut Findings,
+) -> Option<Record> {
     let handle = body.iter().find(|g| g.code == 5).map_or("", |g| g.value);
     let place = || Place { layer: layer(body), entity: format!("{kind} {}", shorten(handle)).trim().into(), at: None };
-    let mut text = format!("0\n{kind}\n");
-    let mut put = |code: i32, value: &str| {
-        let _ = std::fmt::Write::write_fmt(&mut text, format_args!("{code}\n{value}\n"));
-    };
+    let mut record = Record { kind, layer: "0".to_owned(), ..Record::default() };
     let mut coordinates = [0usize; 2];
     for group in body {
         let known = matches!(group.code, 5 | 8 | 67) || codes.contains(&group.code);
@@ -202,15 +198,19 @@ fn entity(kind: &str, codes: &[i32], line: usize, body: &[Group<'_>], out: &mut 
             continue;
         }
         match group.code {
-            5 => {
-                if u64::from_str_radix(group.value, 16).is_ok() {
-                    put(5, group.value);
-                }
-            }
-            2 | 8 => put(group.code, &unescape(group.value)),
-            60..=79 => match group.value.parse::<f64>() {
-                Ok(number) if number.is_finite() => put(group.code, &format!("{}", number as i16)),
-                _ => return unreadable(place(), group, findings),
+            5 => match u64::from_str_radix(group.value, 16) {
+                Ok(0) | Err(_) => {}
+                Ok(handle) => record.handle = format!("{handle:X}"),
+            },
+            2 => record.name = unescape(group.value),
+            8 => record.layer = Some(unescape(group.value)).filter(|name| !name.is_empty()).unwrap_or("0".to_owned()),
+            67 => match whole(group.value) {
+                Some(number) => record.in_paper_space = number != 0.0,
+                None => return unreadable(place(), group, findings),
+            },
+            60..=79 => match whole(group.value) {
+                Some(number) => record.numbers.push((group.code, number)),
+                None => return unreadable(place(), group, findings),
             },
             _ => match group.value.parse::<f64>() {
                 Ok(number) if number.is_finite() => {
@@ -222,7 +222,7 @@ fn entity(kind: &str, codes: &[i32], line: usize, body: &[Group<'_>], out: &mut 
                         _ => {}
                     }
                     if !early {
-                        put(group.code, group.value);
+                        record.numbers.push((group.code, number));
                     }
                 }
                 _ => return unreadable(place(), group, findings),
@@ -233,25 +233,25 @@ fn entity(kind: &str, codes: &[i32], line: usize, body: &[Group<'_>], out: &mut 
     if coordinates[0] != coordinates[1] || (needed && coordinates[0] == 0) {
         let message = format!("the entity that starts in line {line} lacks coordinates");
         findings.error("D103", place(), message, "draw it again, or take it out");
-        return;
+        return None;
     }
-    // Splines with points in space have a third coordinate each; without, it is zero.
     let heights = body.iter().filter(|g| g.code == 30).count();
-    if kind == "SPLINE" {
-        for _ in heights..coordinates[0] {
-            put(30, "0.0");
-        }
-        if heights > coordinates[0] {
-            findings.error("D103", place(), "a spline has more heights than points", "draw it again, or take it out");
-            return;
-        }
+    if kind == "SPLINE" && heights > coordinates[0] {
+        findings.error("D103", place(), "a spline has more heights than points", "draw it again, or take it out");
+        return None;
     }
-    out.push_str(&text);
+    Some(record)
 }
 
-fn unreadable(place: Place, group: &Group<'_>, findings: &mut Findings) {
+/// A whole number as DXF keeps it, in 16 bits; some programs write it with decimals.
+fn whole(value: &str) -> Option<f64> {
+    value.parse::<f64>().ok().filter(|number| number.is_finite()).map(|number| f64::from(number as i16))
+}
+
+fn unreadable(place: Place, group: &Group<'_>, findings: &mut Findings) -> Option<Record> {
     let message = format!("line {}: \"{}\" is no number (group code {})", group.line, shorten(group.value), group.code);
     findings.error("D103", place, message, "draw the entity again, or take it out");
+    None
 }
 
 /// Characters that old versions write as \U+00C5.

@@ -68,6 +68,24 @@ fn the_same_sheet_gives_the_same_bytes_in_metres() {
 }
 
 #[test]
+fn every_handle_is_given_once_and_every_owner_is_there() {
+    let text = String::from_utf8(sheet(&[vec![[0.0, 0.0], [1.0, 0.0], [0.5, 1.0]]]).dxf()).unwrap();
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    let pairs: Vec<(&str, &str)> = lines.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
+    let after_header = pairs.iter().position(|pair| pair.1 == "TABLES").unwrap();
+    let values = |codes: &[&str]| -> Vec<u32> {
+        let known = pairs[after_header..].iter().filter(|(code, _)| codes.contains(code));
+        known.map(|(_, value)| u32::from_str_radix(value, 16).unwrap()).collect()
+    };
+    let mut handles = values(&["5", "105"]);
+    handles.sort_unstable();
+    assert_eq!(handles, (1..=handles.len() as u32).collect::<Vec<_>>());
+    assert!(values(&["330", "350"]).iter().all(|owner| *owner == 0 || handles.contains(owner)));
+    let seed = pairs.iter().position(|pair| pair.1 == "$HANDSEED").unwrap();
+    assert_eq!(u32::from_str_radix(pairs[seed + 1].1, 16).unwrap(), handles.len() as u32 + 1);
+}
+
+#[test]
 fn names_of_layers_are_made_legal() {
     assert_eq!(layer_name(" 0.5/1.0 MPa, <high>\n"), "0.5-1.0 MPa- -high-");
     assert_eq!(layer_name("\t"), "0");
