@@ -1,13 +1,9 @@
-//! A run's state in a file, from which it resumes to the same bits.
+//! A run's state as bytes, from which it resumes to the same bits.
 //!
 //! Layout, little-endian: 8 bytes magic, format version (u64), fingerprint of the input (u64), number of words (u64), the
-//! words (u64 each), checksum of everything before (u64). Written to a temporary file, synchronised and renamed, so that
-//! a checkpoint is whole or absent.
+//! words (u64 each), checksum of everything before (u64).
 
 use std::fmt::Debug;
-use std::fs::{self, File};
-use std::io::{self, Read, Write};
-use std::path::Path;
 use thiserror::Error;
 
 const MAGIC: [u8; 8] = *b"EXTRADOS";
@@ -15,13 +11,12 @@ const MAGIC: [u8; 8] = *b"EXTRADOS";
 const VERSION: u64 = 1;
 /// More words than this are no state of a block model but damage: 8 GiB.
 const MOST_WORDS: u64 = 1 << 30;
+/// No checkpoint is longer [bytes].
+pub const LONGEST: u64 = 8 * (MOST_WORDS + 5);
 
 /// Why a checkpoint cannot be taken up.
 #[derive(Debug, Error)]
 pub enum CheckpointError {
-    /// The file cannot be read or written.
-    #[error("the checkpoint cannot be read or written: {0}")]
-    Io(#[from] io::Error),
     /// Not a checkpoint.
     #[error("this is no checkpoint")]
     Foreign,
@@ -53,39 +48,19 @@ fn checksum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// Writes a state.
-pub fn write(path: &Path, fingerprint: u64, words: &[u64]) -> Result<(), CheckpointError> {
+/// A state as bytes.
+pub fn bytes(fingerprint: u64, words: &[u64]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(8 * (words.len() + 5));
     bytes.extend(MAGIC);
     for word in [VERSION, fingerprint, words.len() as u64].iter().chain(words) {
         bytes.extend(word.to_le_bytes());
     }
     bytes.extend(checksum(&bytes).to_le_bytes());
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(".part");
-    let part = path.with_file_name(name);
-    let mut file = File::create(&part)?;
-    file.write_all(&bytes)?;
-    file.sync_all()?;
-    drop(file);
-    fs::rename(&part, path)?;
-    // The new name must survive a power cut too; where a folder cannot be synchronised, the system does it in time.
-    if let Some(folder) = path.parent()
-        && let Ok(folder) = File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
-    {
-        let _ = folder.sync_all();
-    }
-    Ok(())
+    bytes
 }
 
-/// Reads a state that was written for the same input.
-pub fn read(path: &Path, fingerprint: u64) -> Result<Vec<u64>, CheckpointError> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(8 * (MOST_WORDS + 5)).read_to_end(&mut bytes)?;
-    parse(&bytes, fingerprint)
-}
-
-fn parse(bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, CheckpointError> {
+/// The state in bytes that were made for the same input.
+pub fn words(bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, CheckpointError> {
     if bytes.len() < 8 || bytes[..8] != MAGIC {
         return Err(CheckpointError::Foreign);
     }
@@ -98,7 +73,7 @@ fn parse(bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, CheckpointError> {
         return Err(CheckpointError::Version { found: words[1] });
     }
     let (body, trailer) = bytes.split_at(bytes.len() - 8);
-    if words[3] > MOST_WORDS || words[3] as usize != words.len() - 5 {
+    if words[3] > MOST_WORDS || words[3] != words.len() as u64 - 5 {
         return Err(CheckpointError::Damaged("it is cut short or something was appended"));
     }
     if checksum(body).to_le_bytes() != trailer {
@@ -117,33 +92,23 @@ mod tests {
 
     #[test]
     fn a_state_comes_back_word_for_word_and_only_for_its_input() {
-        let folder = std::env::temp_dir().join(format!("extrados-checkpoint-{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        let path = folder.join("run.checkpoint");
-        let words: Vec<u64> = (0..1000u64).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).collect();
+        let state: Vec<u64> = (0..1000u64).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).collect();
         let (mine, other) = (fingerprint(&bridgemill()), fingerprint(&case_two()));
         assert_ne!(mine, other);
-        write(&path, mine, &words).unwrap();
-        assert_eq!(read(&path, mine).unwrap(), words);
-        assert!(matches!(read(&path, other), Err(CheckpointError::OtherInput { found }) if found == mine));
-        assert!(!folder.join("run.checkpoint.part").exists());
-        fs::remove_dir_all(folder).unwrap();
+        let kept = bytes(mine, &state);
+        assert_eq!(words(&kept, mine).unwrap(), state);
+        assert!(matches!(words(&kept, other), Err(CheckpointError::OtherInput { found }) if found == mine));
     }
 
     #[test]
     fn every_changed_byte_and_every_cut_is_noticed() {
-        let folder = std::env::temp_dir().join(format!("extrados-damage-{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        let path = folder.join("run.checkpoint");
-        write(&path, 7, &[1, 2, 3]).unwrap();
-        let whole = fs::read(&path).unwrap();
+        let whole = bytes(7, &[1, 2, 3]);
         for k in 0..whole.len() {
             let mut changed = whole.clone();
             changed[k] ^= 0x10;
-            assert!(parse(&changed, 7).is_err(), "byte {k}");
-            assert!(parse(&whole[..k], 7).is_err(), "cut at {k}");
+            assert!(words(&changed, 7).is_err(), "byte {k}");
+            assert!(words(&whole[..k], 7).is_err(), "cut at {k}");
         }
-        assert!(matches!(parse(b"<svg></svg>", 7), Err(CheckpointError::Foreign)));
-        fs::remove_dir_all(folder).unwrap();
+        assert!(matches!(words(b"<svg></svg>", 7), Err(CheckpointError::Foreign)));
     }
 }

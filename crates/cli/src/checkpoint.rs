@@ -1,10 +1,12 @@
-//! The checkpoint of a run, in its folder of results.
+//! The checkpoint of a run, in its folder of results. It is written to a file beside it, synchronised and renamed, so that it is
+//! whole or absent.
 
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use assess::checkpoint::{self, CheckpointError};
-use std::fmt::Debug;
-use std::io;
+use std::fmt::{self, Debug, Display};
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Name of the file.
@@ -36,26 +38,24 @@ impl Checkpoint {
     /// Keeps a state, whole or not at all.
     pub fn keep(&self, words: &[u64]) -> Result<(), Failure> {
         let _busy = crate::signs::busy();
-        checkpoint::write(&self.path, self.fingerprint, words).map_err(|error| match error {
-            CheckpointError::Io(error) => Failure::not_written(&self.path, &error),
-            other => self.unusable(&other),
-        })
+        write(&self.path, &checkpoint::bytes(self.fingerprint, words))
+            .map_err(|error| Failure::not_written(&self.path, &error))
     }
 
     /// The state that was kept, where there is one.
     pub fn take_up(&self) -> Result<Option<Vec<u64>>, Failure> {
-        match checkpoint::read(&self.path, self.fingerprint) {
+        match read(&self.path, self.fingerprint) {
             Ok(words) => Ok(Some(words)),
-            Err(CheckpointError::Io(error)) if error.kind() == io::ErrorKind::NotFound => {
-                Ok(checkpoint::read(&self.set_aside(self.fingerprint), self.fingerprint).ok())
+            Err(Unusable::Unread(error)) if error.kind() == io::ErrorKind::NotFound => {
+                Ok(read(&self.set_aside(self.fingerprint), self.fingerprint).ok())
             }
-            Err(CheckpointError::OtherInput { .. }) if self.set_aside(self.fingerprint).exists() => {
-                match checkpoint::read(&self.set_aside(self.fingerprint), self.fingerprint) {
+            Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) if self.set_aside(self.fingerprint).exists() => {
+                match read(&self.set_aside(self.fingerprint), self.fingerprint) {
                     Ok(words) => Ok(Some(words)),
                     Err(error) => Err(self.unusable(&error)),
                 }
             }
-            Err(CheckpointError::OtherInput { .. }) => {
+            Err(Unusable::Wrong(CheckpointError::OtherInput { .. })) => {
                 let message = format!("{} belongs to another bridge or another plan", self.path.display());
                 Err(Failure::input("F106", message, "repeat the command that was interrupted, or run without --resume"))
             }
@@ -67,18 +67,18 @@ impl Checkpoint {
     /// is refused. Says what a reader should know.
     pub fn make_way(&self) -> Result<Option<String>, Failure> {
         let shown = self.path.display();
-        match checkpoint::read(&self.path, self.fingerprint) {
+        match read(&self.path, self.fingerprint) {
             Ok(_) => {
                 Ok(Some(format!("{shown} holds this run as it was interrupted: it starts anew; --resume would go on")))
             }
-            Err(CheckpointError::OtherInput { found }) => {
+            Err(Unusable::Wrong(CheckpointError::OtherInput { found })) => {
                 let aside = self.set_aside(found);
-                std::fs::rename(&self.path, &aside).map_err(|error| Failure::not_written(&aside, &error))?;
+                fs::rename(&self.path, &aside).map_err(|error| Failure::not_written(&aside, &error))?;
                 let what =
                     format!("{shown} belongs to another run that was interrupted: it is kept as {}", aside.display());
                 Ok(Some(format!("{what}, where --resume of that run finds it")))
             }
-            Err(CheckpointError::Foreign) => {
+            Err(Unusable::Wrong(CheckpointError::Foreign)) => {
                 let folder = self.path.parent().unwrap_or(Path::new(""));
                 Err(Failure::replaces_foreign(folder, &[(false, NAME.to_owned())]))
             }
@@ -97,8 +97,48 @@ impl Checkpoint {
         let _ = folder::remove(&self.set_aside(self.fingerprint));
     }
 
-    fn unusable(&self, error: &CheckpointError) -> Failure {
+    fn unusable(&self, error: &Unusable) -> Failure {
         let message = format!("cannot use {}: {error}", self.path.display());
         Failure::input("F110", message, "run without --resume to start anew")
     }
+}
+
+/// Why a file cannot be taken up.
+enum Unusable {
+    Unread(io::Error),
+    Wrong(CheckpointError),
+}
+
+impl Display for Unusable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unusable::Unread(error) => write!(f, "the checkpoint cannot be read: {error}"),
+            Unusable::Wrong(error) => Display::fmt(error, f),
+        }
+    }
+}
+
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut name = path.file_name().unwrap_or_default().to_os_string();
+    name.push(".part");
+    let part = path.with_file_name(name);
+    let mut file = File::create(&part)?;
+    file.write_all(bytes)?;
+    file.sync_all()?;
+    drop(file);
+    fs::rename(&part, path)?;
+    // The new name must survive a power cut too; where a folder cannot be synchronised, the system does it in time.
+    if let Some(folder) = path.parent()
+        && let Ok(folder) = File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
+    {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
+
+fn read(path: &Path, fingerprint: u64) -> Result<Vec<u64>, Unusable> {
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(Unusable::Unread)?;
+    file.take(checkpoint::LONGEST).read_to_end(&mut bytes).map_err(Unusable::Unread)?;
+    checkpoint::words(&bytes, fingerprint).map_err(Unusable::Wrong)
 }
