@@ -14,6 +14,8 @@ pub mod outcome;
 pub mod packing_file;
 pub mod vary;
 pub mod vehicles;
+// It reads files and a clock.
+#[cfg(not(target_family = "wasm"))]
 pub mod verify;
 pub mod warning;
 pub mod wire;

@@ -2,7 +2,7 @@
 
 use mechanics::watch::{Progress, Watch, Wish};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, TryRecvError, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::Duration;
 
 /// How long the onlooker waits between two looks at most.
@@ -53,7 +53,6 @@ pub fn each<J: Sync, T: Send>(
 ) -> (Vec<Option<T>>, bool) {
     let pace = Pace::default();
     let mut found: Vec<Option<T>> = jobs.iter().map(|_| None).collect();
-    let (tell, heard) = channel();
     let mut look = || {
         let done = pace.done.load(Ordering::Relaxed);
         let share = (done as f64 / stage.steps.max(1) as f64).clamp(0.0, 1.0);
@@ -65,36 +64,54 @@ pub fn each<J: Sync, T: Send>(
         }
     };
     look();
-    rayon::in_place_scope(|scope| {
-        for (k, job) in jobs.iter().enumerate() {
-            let (tell, work, pace) = (tell.clone(), &work, &pace);
-            scope.spawn(move |_| {
-                if pace.goes_on() {
-                    // Nobody listens only where this function itself is gone.
-                    let _ = tell.send((k, work(job, pace)));
-                }
-            });
+    let mut hear = |said: Option<(usize, T)>| {
+        if let Some((k, answer)) = said {
+            found[k] = Some(answer);
         }
-        drop(tell);
-        loop {
-            // On a thread of the pool it works with the others as long as there is work: waiting there could starve the jobs.
-            let next = match rayon::yield_now() {
-                Some(rayon::Yield::Executed) => heard.try_recv(),
-                _ => heard.recv_timeout(LOOK).map_err(|error| match error {
-                    RecvTimeoutError::Timeout => TryRecvError::Empty,
-                    RecvTimeoutError::Disconnected => TryRecvError::Disconnected,
-                }),
-            };
-            match next {
-                Ok((k, answer)) => found[k] = Some(answer),
-                Err(TryRecvError::Empty) => {}
-                Err(TryRecvError::Disconnected) => break,
-            }
-            look();
+        look();
+    };
+    told(jobs, &mut hear, |k, job, tell| {
+        if pace.goes_on() {
+            // Nobody listens only where this function itself is gone.
+            let _ = tell.send((k, work(job, &pace)));
         }
     });
     let all = pace.goes_on();
     (found, all)
+}
+
+/// Does `work` on every job, on all threads; `hear` gets on this one what the jobs tell, and nothing from time to time. Where
+/// no threads can be started, as in WebAssembly, the pool is this thread, and it does one job after the other.
+pub fn told<J: Sync, M: Send>(
+    jobs: &[J],
+    hear: &mut dyn FnMut(Option<M>),
+    work: impl Fn(usize, &J, &Sender<M>) + Sync,
+) {
+    let (tell, heard) = channel();
+    rayon::in_place_scope(|scope| {
+        for (k, job) in jobs.iter().enumerate() {
+            let (tell, work) = (tell.clone(), &work);
+            scope.spawn(move |_| work(k, job, &tell));
+        }
+        drop(tell);
+        loop {
+            // On a thread of the pool it works with the others as long as there is work: waiting there could starve the jobs.
+            let worked = rayon::yield_now() == Some(rayon::Yield::Executed);
+            let next = match heard.try_recv() {
+                // Waiting reads a clock, which not every platform has: only where others work.
+                Err(TryRecvError::Empty) if !worked => heard.recv_timeout(LOOK).map_err(|error| match error {
+                    RecvTimeoutError::Timeout => TryRecvError::Empty,
+                    RecvTimeoutError::Disconnected => TryRecvError::Disconnected,
+                }),
+                next => next,
+            };
+            match next {
+                Ok(said) => hear(Some(said)),
+                Err(TryRecvError::Empty) => hear(None),
+                Err(TryRecvError::Disconnected) => break,
+            }
+        }
+    });
 }
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 //! Many pieces of work side by side, one onlooker. Results come in the order of the work, whoever did it.
 
+use crate::analysis::pieces;
 use mechanics::watch::{Progress, Watch, Wish};
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Sender, channel};
-use std::thread;
+use std::sync::mpsc::Sender;
 
 /// The onlooker, and how much of the work is done.
 pub struct Crowd<'a> {
@@ -15,11 +14,11 @@ pub struct Crowd<'a> {
 }
 
 /// What a worker tells.
-enum Said {
+enum Said<R> {
     /// It took so many steps more.
     Going { steps: u64 },
-    /// A piece is finished.
-    Finished,
+    /// A piece is finished: its number, and what came out.
+    Finished(usize, R),
 }
 
 impl<'a> Crowd<'a> {
@@ -42,53 +41,46 @@ impl<'a> Crowd<'a> {
         work: impl Fn(&T, &mut dyn Watch) -> R + Sync,
     ) -> Option<Vec<R>> {
         let stop = AtomicBool::new(false);
-        let (tell, heard) = channel::<Said>();
-        let one = |tell: &mut Sender<Said>, item: &T| {
-            if stop.load(Ordering::Relaxed) {
-                return None;
+        let mut found: Vec<Option<R>> = items.iter().map(|_| None).collect();
+        let mut finished = 0;
+        let mut hear = |said: Option<Said<R>>| {
+            match said {
+                Some(Said::Going { steps }) => self.steps += steps,
+                Some(Said::Finished(k, result)) => {
+                    found[k] = Some(result);
+                    finished += 1;
+                    self.done += weight;
+                }
+                None => {}
             }
-            let done = work(item, &mut Member { tell, stop: &stop, told: 0 });
-            // Nobody listens only where the crowd itself is gone.
-            let _ = tell.send(Said::Finished);
-            Some(done)
+            let progress = Progress {
+                stage: format!("{stage} {finished} of {}", items.len()),
+                fraction: Some((self.done / self.all).clamp(0.0, 1.0)),
+                steps: self.steps,
+            };
+            if self.watch.look(&progress) == Wish::Stop {
+                stop.store(true, Ordering::Relaxed);
+            }
         };
-        let found: Option<Vec<Option<R>>> = thread::scope(|scope| {
-            let workers = scope.spawn(|| items.par_iter().map_with(tell, one).collect());
-            let mut finished = 0;
-            for said in heard {
-                match said {
-                    Said::Going { steps } => self.steps += steps,
-                    Said::Finished => {
-                        finished += 1;
-                        self.done += weight;
-                    }
-                }
-                let progress = Progress {
-                    stage: format!("{stage} {finished} of {}", items.len()),
-                    fraction: Some((self.done / self.all).clamp(0.0, 1.0)),
-                    steps: self.steps,
-                };
-                if self.watch.look(&progress) == Wish::Stop {
-                    stop.store(true, Ordering::Relaxed);
-                }
-            }
-            match workers.join() {
-                Ok(found) => Some(found),
-                Err(panic) => std::panic::resume_unwind(panic),
+        pieces::told(items, &mut hear, |k, item, tell| {
+            if !stop.load(Ordering::Relaxed) {
+                let result = work(item, &mut Member { tell, stop: &stop, told: 0 });
+                // Nobody listens only where the crowd itself is gone.
+                let _ = tell.send(Said::Finished(k, result));
             }
         });
-        if stop.load(Ordering::Relaxed) { None } else { found?.into_iter().collect() }
+        if stop.load(Ordering::Relaxed) { None } else { found.into_iter().collect() }
     }
 }
 
 /// The onlooker as one worker sees it.
-struct Member<'a> {
-    tell: &'a Sender<Said>,
+struct Member<'a, R> {
+    tell: &'a Sender<Said<R>>,
     stop: &'a AtomicBool,
     told: u64,
 }
 
-impl Watch for Member<'_> {
+impl<R> Watch for Member<'_, R> {
     fn look(&mut self, progress: &Progress) -> Wish {
         // A new stage may count from the beginning.
         let steps = progress.steps.checked_sub(self.told).unwrap_or(progress.steps);

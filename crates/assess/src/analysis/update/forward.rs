@@ -12,7 +12,9 @@ use mechanics::watch::Unwatched;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::io;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::thread::{Builder, ScopedJoinHandle};
 
 /// A bridge whose quantities are sought.
 #[derive(Debug)]
@@ -142,14 +144,20 @@ impl<'a> Model<'a> {
                 ends.push(point);
             }
         }
-        // Threads of their own: one of the pool's that waits here might be given an evaluation that waits for this list.
+        // Threads of their own: one of the pool's that waits here might be given an evaluation that waits for this list. Where
+        // none can be started, as in WebAssembly, the work is done here.
         let share = ends.len().div_ceil(rayon::current_num_threads()).max(1);
-        let of_some = |points: &[Vec<f64>]| -> Vec<usize> {
+        let of_some = &|points: &[Vec<f64>]| -> Vec<usize> {
             points.iter().flat_map(|point| of(point, &first).unwrap_or_default()).collect()
         };
         let mut all: Vec<usize> = std::thread::scope(|scope| {
-            let running: Vec<_> = ends.chunks(share).map(|points| scope.spawn(|| of_some(points))).collect();
-            running.into_iter().flat_map(|thread| thread.join().unwrap_or_default()).collect()
+            let start = |points| (points, Builder::new().spawn_scoped(scope, move || of_some(points)));
+            let running: Vec<_> = ends.chunks(share).map(start).collect();
+            let end = |(points, thread): (_, io::Result<ScopedJoinHandle<'_, Vec<usize>>>)| match thread {
+                Ok(thread) => thread.join().unwrap_or_default(),
+                Err(_) => of_some(points),
+            };
+            running.into_iter().flat_map(end).collect()
         });
         all.extend(first);
         all.sort_unstable();
