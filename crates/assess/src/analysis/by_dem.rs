@@ -55,12 +55,18 @@ pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
     Ok(())
 }
 
-/// Raises the loads of the file in steps until the blocks collapse.
-pub fn collapse_by_dem(
-    bridge: &Bridge,
-    resume: Option<&[u64]>,
-    watch: &mut dyn Watch,
-) -> Result<Collapse, AnalysisError> {
+/// The blocks of a bridge and a run of them in the hands of the caller: what [`collapse_by_dem`] computes, some steps at a time.
+/// `Discretised::load` turns its factor into a load, and the blocks of its frames are those of `Discretised::model`.
+pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), AnalysisError> {
+    let (d, rigid) = increased(bridge)?;
+    let bound = rigid.factor.or(rigid.associated_factor);
+    let (program, _) = program(&bridge.plan, &d, bound, &mut Vec::new())?;
+    let run = dem::Stepping::new(&d.model, &d.loading, &program, &settings(bridge))?;
+    Ok((d, run))
+}
+
+/// The blocks with the loads that are increased, and limit analysis of the same blocks.
+fn increased(bridge: &Bridge) -> Result<(Discretised, limit::Outcome), AnalysisError> {
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
@@ -71,6 +77,16 @@ pub fn collapse_by_dem(
     // limit analysis lets a joint crush under its edge.
     let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, &d) };
     let rigid = by_limit::solve(&d, &uncrushed)?;
+    Ok((d, rigid))
+}
+
+/// Raises the loads of the file in steps until the blocks collapse.
+pub fn collapse_by_dem(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
+    let (d, rigid) = increased(bridge)?;
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
     let mut chosen = Vec::new();

@@ -120,7 +120,7 @@ fn drive(
     };
     let mut work = Workspace::default();
     loop {
-        let settled = advance(model, &mut run, &mut work, settings);
+        let settled = advance(model, &mut run, &mut work, settings, CHUNK);
         if let Settled::Going = settled {
             watch.keep(&|| words::encode(&run, belongs));
             if watch.look(&progress(&run, program)) == Wish::Stop {
@@ -136,7 +136,7 @@ fn drive(
     }
 }
 
-fn start(model: &Model, state: State, settings: &Settings) -> Run {
+pub(super) fn start(model: &Model, state: State, settings: &Settings) -> Run {
     let critical = reported_critical_time_step(model, &state, settings);
     Run {
         stage: Stage::new(&state),
@@ -167,24 +167,24 @@ fn reported_critical_time_step(model: &Model, state: &State, settings: &Settings
     }
 }
 
-/// Runs the present stage for a while.
-fn advance(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings) -> Settled {
+/// Runs the present stage for so many steps at the most. The numbers do not depend on how many.
+pub(super) fn advance(model: &Model, run: &mut Run, work: &mut Workspace, settings: &Settings, most: u64) -> Settled {
     if model.moves_supports() && run.state.support_factor != run.state.factor {
-        return walk_supports(model, &mut run.state, work, settings);
+        return walk_supports(model, &mut run.state, work, settings, most);
     }
     let Run { state, stage, frames, .. } = run;
-    settle(model, state, stage, work, settings, CHUNK, &mut |s| frames.push(frame(model, s)))
+    settle(model, state, stage, work, settings, most, &mut |s| frames.push(frame(model, s)))
 }
 
 /// Walks moved supports some of the way to where the load factor wants them: evenly faster up to their speed, and
 /// evenly slower towards the end.
-fn walk_supports(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings) -> Settled {
+fn walk_supports(model: &Model, state: &mut State, work: &mut Workspace, settings: &Settings, most: u64) -> Settled {
     // Without gravity there is no speed of a fall: a thousandth of a block while the speed is reached.
     let without_weight = 1e-3 * model.block_size / (RAMP as f64 * state.time_step);
     let fall = model.fall_speed();
     let fastest = if fall > 0.0 { SUPPORT_SPEED * fall } else { without_weight } / model.farthest_movement();
     let faster = fastest / (RAMP as f64 * state.time_step);
-    for _ in 0..CHUNK {
+    for _ in 0..most {
         let left = state.factor - state.support_factor;
         let before = support_rate(model, state);
         let towards = before * left.signum() + faster * state.time_step;
@@ -250,7 +250,7 @@ fn support_power(model: &Model, state: &State) -> f64 {
 }
 
 /// Books the end of a stage.
-fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
+pub(super) fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
     let (block, point) = program.watched;
     let now = model.point_on(block, point, &run.state.poses);
     run.path.push(PathPoint {
@@ -280,7 +280,13 @@ fn record(model: &Model, run: &mut Run, settled: Settled, program: &Program) {
 }
 
 /// What comes next: the next factor, or the end.
-fn decide(model: &Model, run: &mut Run, settled: Settled, program: &Program, _settings: &Settings) -> Option<Status> {
+pub(super) fn decide(
+    model: &Model,
+    run: &mut Run,
+    settled: Settled,
+    program: &Program,
+    _settings: &Settings,
+) -> Option<Status> {
     match settled {
         Settled::AtRest => {
             run.low = Some(run.state.factor);
@@ -341,7 +347,7 @@ fn progress(run: &Run, program: &Program) -> Progress {
     }
 }
 
-fn finish(model: &Model, run: Run, status: Status) -> Outcome {
+pub(super) fn finish(model: &Model, run: Run, status: Status) -> Outcome {
     Outcome {
         status,
         last_stable_factor: run.low,
