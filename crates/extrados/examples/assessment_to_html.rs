@@ -14,6 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for missing in &done.verdict.strength.missing {
         println!("missing: {missing}");
     }
-    std::fs::write("report.html", done.html())?;
+    std::fs::create_dir_all("out")?;
+    std::fs::write("out/report.html", done.html())?;
     Ok(())
 }

@@ -11,8 +11,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let carried = found.headline().map_or(0.0, |headline| headline.load);
     println!("{}: {} at {:.2} kN/m", project.bridge()?.name, found.status.word(), carried / 1e3);
     if let Some(svg) = figures::mechanism(&found.picture) {
-        std::fs::write("mechanism.svg", svg)?;
-        println!("drawn in mechanism.svg");
+        std::fs::create_dir_all("out")?;
+        std::fs::write("out/mechanism.svg", svg)?;
+        println!("drawn in out/mechanism.svg");
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut run = Stepping::new(&Project::read(file, &Disk)?, &Choice::default())?;
     while run.advance(20_000).is_none() {
         let frame = run.frame();
-        let fastest = frame.velocities.iter().map(|(velocity, _)| velocity.length()).fold(0.0, f64::max);
+        let fastest = frame.velocities.iter().map(|(velocity, _)| velocity.norm()).fold(0.0, f64::max);
         println!(
             "{:>7} steps, {:>6.1} kN/m, {} contacts, fastest block {:.1e} m/s",
             frame.iterations,

@@ -1,0 +1,100 @@
+//! The door as programs use it.
+
+use extrados::results::analysis::Status;
+use extrados::shelf::Remembered;
+use extrados::{
+    Choice, CollapseOptions, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Wish, collapse,
+    settings, vary,
+};
+
+fn memory() -> Memory {
+    Memory::default()
+        .with("tiny.toml", include_str!("../../../../examples/tiny/bridge.toml"))
+        .with("case-1.toml", include_str!("../../../../examples/bridgemill/case-1.toml"))
+}
+
+fn project(name: &str) -> Project {
+    Project::read(name, &memory()).expect("a project")
+}
+
+fn load(project: &Project) -> f64 {
+    let found = collapse(project, &CollapseOptions::default(), &mut Unwatched).expect("an analysis");
+    found.headline().expect("a load").load
+}
+
+#[test]
+fn a_varied_project_is_the_file_with_other_values() {
+    let own = project("tiny.toml");
+    let heavier = own.with(&["masonry.density=x1.1"]).expect("a heavier bridge");
+    let told = own.with(&["masonry.density=x1.1"]).expect("the same");
+    assert_eq!(heavier.bridge(), told.bridge());
+    let density = |project: &Project| project.bridge().expect("a bridge").masonry.density;
+    assert!((density(&heavier) / density(&own) - 1.1).abs() < 1e-12);
+    assert!(load(&heavier) > load(&own));
+    // Every mistake at once, and none of them changes the project.
+    let wrong = own.with(&["masonry.colour=3", "joint.friction_angle=20deg,30deg"]).expect_err("two mistakes");
+    assert_eq!(wrong.len(), 2, "{wrong:?}");
+    assert!(own.with(&["joint.friction_angle=95deg"]).is_err());
+}
+
+#[test]
+fn a_file_that_is_missing_or_wrong_is_refused_in_words() {
+    assert_eq!(Project::read("none.toml", &memory()).expect_err("no file").code, "F101");
+    let files = Memory::default().with("a.toml", "[bridge]\nname = 3\n");
+    let project = Project::read("a.toml", &files).expect("a file with mistakes is read");
+    assert!(!project.findings().is_empty());
+    let refusal = collapse(&project, &CollapseOptions::default(), &mut Unwatched).expect_err("no bridge");
+    assert!(refusal.message.contains("line 2"), "{refusal}");
+}
+
+/// Moved on by odd numbers of steps, a run ends where the undisturbed one does.
+#[test]
+fn a_collapse_can_be_stepped() {
+    let project = project("case-1.toml");
+    let choice = Choice { method: Some(extrados::bridge::Method::Dem), ..Choice::default() };
+    let whole = collapse(&project, &CollapseOptions { choice, resume: None }, &mut Unwatched).expect("an analysis");
+    let mut run = Stepping::new(&project, &choice).expect("a run");
+    let mut looks = 0;
+    while run.advance(7_001).is_none() {
+        looks += 1;
+        assert_eq!(run.frame().poses.len(), run.blocks().model.blocks.len());
+    }
+    assert!(looks > 10, "{looks}");
+    let blocks = run.blocks().clone();
+    let found = run.finish();
+    let last = found.last_stable_factor.map(|factor| blocks.load(factor));
+    assert_eq!(last.map(f64::to_bits), whole.last_stable_load.map(f64::to_bits));
+    assert_eq!(whole.status, Status::Collapsed);
+}
+
+#[test]
+fn who_looks_on_can_stop_a_run_and_take_it_up() {
+    let project = project("case-1.toml");
+    let choice = Choice { method: Some(extrados::bridge::Method::Dem), ..Choice::default() };
+    let mut looks = 0;
+    let mut stop = |_: &Progress| {
+        looks += 1;
+        if looks == 3 { Wish::Stop } else { Wish::GoOn }
+    };
+    let found = collapse(&project, &CollapseOptions { choice, resume: None }, &mut stop).expect("an analysis");
+    assert_eq!(found.status, Status::Cancelled);
+}
+
+#[test]
+fn finished_runs_of_a_study_are_taken_from_the_shelf() {
+    let project = project("tiny.toml");
+    let ranges = settings(&project, &["joint.friction_angle=30deg..40deg:3"]).expect("a range");
+    let shelf = Remembered::default();
+    let means = Means { shelf: &shelf, ..Means::default() };
+    let study = || {
+        let found = vary(&project, &ranges, &VaryOptions::default(), &means, &mut Unwatched).expect("a study");
+        found.study.expect("nobody stopped it")
+    };
+    let (first, second) = (study(), study());
+    assert_eq!(first.rows.iter().filter(|row| row.cached).count(), 0);
+    assert_eq!(second.rows.iter().filter(|row| row.cached).count(), second.rows.len());
+    let numbers = |study: &extrados::results::vary::Study| -> Vec<Option<u64>> {
+        study.rows.iter().map(|row| study.number(row).map(f64::to_bits)).collect()
+    };
+    assert_eq!(numbers(&first), numbers(&second));
+}
