@@ -23,7 +23,7 @@ pub enum Swept {
     /// The loads of the file.
     Loads(Sweep),
     /// The vehicles of its `[sweep]`.
-    Vehicles(VehicleSweep),
+    Vehicles(Box<VehicleSweep>),
 }
 
 /// Moves the vehicles of the file's `[sweep]` over the bridge, or its loads where it has none. An interrupted sweep keeps what is
@@ -37,7 +37,7 @@ pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -
     let found = match &mut bridge.sweep {
         Some(plan) => {
             plan.step = options.step.or(plan.step);
-            analysis::vehicle_sweep(&bridge, watch).map(Swept::Vehicles)
+            analysis::vehicle_sweep(&bridge, watch).map(|found| Swept::Vehicles(Box::new(found)))
         }
         None => {
             let step = options.step.unwrap_or_else(|| bridge_length(&bridge) / 100.0);

@@ -98,3 +98,20 @@ fn finished_runs_of_a_study_are_taken_from_the_shelf() {
     };
     assert_eq!(numbers(&first), numbers(&second));
 }
+
+/// Every name that the crate gives away stands in its page.
+#[test]
+fn the_page_of_the_library_names_what_there_is() {
+    let (page, source) = (include_str!("../../../../docs/api.md"), include_str!("../../src/lib.rs"));
+    let given = source.lines().filter_map(|line| line.strip_prefix("pub use "));
+    let names = given.flat_map(|line| {
+        let last = line.trim_end_matches(';').rsplit("::").next().unwrap_or_default();
+        let last = last.rsplit(" as ").next().unwrap_or_default();
+        last.trim_matches(['{', '}']).split(", ").map(str::to_owned).collect::<Vec<_>>()
+    });
+    let names: Vec<String> = names.collect();
+    assert!(names.len() > 30, "{names:?}");
+    for name in names {
+        assert!(page.contains(&format!("`{name}`")), "docs/api.md does not name {name}");
+    }
+}
