@@ -4,7 +4,6 @@ use crate::chart::Axis;
 use crate::elevation::INK;
 use crate::envelope::{Quantity, Sweep, envelope};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
-use crate::words::four_digits;
 use assess::analysis::vehicles::{Direction, Swept, VehicleSweep};
 
 const ENOUGH: &str = "#1f5fa8";
@@ -102,7 +101,7 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
     // Numbers stand on the line where they meet it.
     for (k, (_, factor)) in bars.iter().enumerate() {
         let foot = area.top + 4.0 + ROW * (k as f64 + 0.5) + 4.4;
-        sheet.text([x(*factor) + 6.0, foot], &four_digits(*factor), Style { halo: true, ..small });
+        sheet.text([x(*factor) + 6.0, foot], &format!("{factor:.3}"), Style { halo: true, ..small });
     }
     sheet.line([area.left, area.top], [area.left, area.bottom], Pen::line(INK, 0.9));
     sheet.text(
