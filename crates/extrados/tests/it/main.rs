@@ -3,7 +3,7 @@
 use extrados::results::analysis::Status;
 use extrados::shelf::Remembered;
 use extrados::{
-    Choice, CollapseOptions, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Wish, collapse,
+    Choice, CollapseOptions, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Watch, Wish, collapse,
     settings, vary,
 };
 
@@ -67,17 +67,36 @@ fn a_collapse_can_be_stepped() {
     assert_eq!(whole.status, Status::Collapsed);
 }
 
+/// Stops a run at its third look, and keeps its state.
+#[derive(Default)]
+struct Stopper {
+    looks: usize,
+    state: Option<Vec<u64>>,
+}
+
+impl Watch for Stopper {
+    fn look(&mut self, _: &Progress) -> Wish {
+        self.looks += 1;
+        if self.looks == 3 { Wish::Stop } else { Wish::GoOn }
+    }
+
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {
+        self.state = Some(state());
+    }
+}
+
 #[test]
 fn who_looks_on_can_stop_a_run_and_take_it_up() {
     let project = project("case-1.toml");
     let choice = Choice { method: Some(extrados::bridge::Method::Dem), ..Choice::default() };
-    let mut looks = 0;
-    let mut stop = |_: &Progress| {
-        looks += 1;
-        if looks == 3 { Wish::Stop } else { Wish::GoOn }
+    let run = |resume, watch: &mut dyn Watch| {
+        collapse(&project, &CollapseOptions { choice, resume }, watch).expect("an analysis")
     };
-    let found = collapse(&project, &CollapseOptions { choice, resume: None }, &mut stop).expect("an analysis");
-    assert_eq!(found.status, Status::Cancelled);
+    let mut stopper = Stopper::default();
+    assert_eq!(run(None, &mut stopper).status, Status::Cancelled);
+    let (resumed, whole) = (run(stopper.state, &mut Unwatched), run(None, &mut Unwatched));
+    assert_eq!(resumed.status, Status::Collapsed);
+    assert_eq!(resumed.last_stable_load.map(f64::to_bits), whole.last_stable_load.map(f64::to_bits));
 }
 
 #[test]
