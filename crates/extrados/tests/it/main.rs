@@ -94,6 +94,7 @@ fn who_looks_on_can_stop_a_run_and_take_it_up() {
     };
     let mut stopper = Stopper::default();
     assert_eq!(run(None, &mut stopper).status, Status::Cancelled);
+    assert!(stopper.state.is_some(), "a state was offered");
     let (resumed, whole) = (run(stopper.state, &mut Unwatched), run(None, &mut Unwatched));
     assert_eq!(resumed.status, Status::Collapsed);
     assert_eq!(resumed.last_stable_load.map(f64::to_bits), whole.last_stable_load.map(f64::to_bits));
