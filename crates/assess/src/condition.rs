@@ -1,62 +1,14 @@
 //! Condition: what records say of the bridge's materials, in words that its owner understands.
 
-use crate::assessment::Assessment;
-use crate::wire::ParameterFacts;
+use crate::evidence::Evidence;
 use bridge::assess::Expected;
 use bridge::quantity;
-
-/// How an identified parameter stands to what is expected.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Standing {
-    /// Within the expected range.
-    AsExpected,
-    /// Below it.
-    Lower,
-    /// Above it.
-    Higher,
-    /// The records do not tell it, or it stands on a bound of the search.
-    Untold,
-    /// The file expects nothing of it.
-    NothingExpected,
-}
-
-impl Standing {
-    /// The word that scripts read.
-    pub fn word(self) -> &'static str {
-        match self {
-            Standing::AsExpected => "as-expected",
-            Standing::Lower => "lower-than-expected",
-            Standing::Higher => "higher-than-expected",
-            Standing::Untold => "not-told-by-the-records",
-            Standing::NothingExpected => "nothing-expected",
-        }
-    }
-}
-
-/// One parameter.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Condition {
-    /// Its name.
-    pub parameter: String,
-    /// Unit of the numbers.
-    pub unit: String,
-    /// Before the update.
-    pub before: f64,
-    /// After it.
-    pub after: Option<f64>,
-    /// The expected range, in the same unit.
-    pub expected: Option<[f64; 2]>,
-    /// Where that range is from.
-    pub source: Option<String>,
-    /// How it stands.
-    pub standing: Standing,
-    /// In words for an owner.
-    pub words: String,
-}
+use outcome::condition::{Condition, Standing};
+use outcome::facts::ParameterFacts;
 
 /// Every parameter of the update, in its order, then expectations that no parameter meets.
-pub fn condition(assessment: &Assessment) -> Vec<Condition> {
-    let Some(facts) = assessment.update.made() else { return Vec::new() };
+pub fn condition(assessment: &Evidence) -> Vec<Condition> {
+    let Some(facts) = assessment.facts.update.made() else { return Vec::new() };
     let expected = &assessment.asked.expected;
     let mut list: Vec<Condition> = facts.parameters.iter().map(|one| judged(one, expected)).collect();
     for lone in expected.iter().filter(|lone| facts.parameters.iter().all(|one| one.name != lone.parameter)) {

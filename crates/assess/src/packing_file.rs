@@ -3,7 +3,7 @@
 //! Numbers are written with the fewest digits that read back to the same bits, so that a run with a saved packing is
 //! the run that saved it.
 
-use crate::analysis::Collapse;
+use outcome::collapse::Collapse;
 use std::fmt::Write as _;
 use thiserror::Error;
 

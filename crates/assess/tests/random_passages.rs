@@ -3,8 +3,9 @@
 //! `cargo test --release -p assess --test random_passages` draws the first fifty bridges, `-- --ignored` a thousand. Ground that flows under
 //! its own weight takes Newton's method minutes; whoever looks on loses patience then, and being stopped is an ending with a name too.
 
-use assess::analysis::passage::{Passage, PassageStatus, passage};
+use assess::analysis::passage::passage;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::passage::{Part, Passage, PassageStatus};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -214,8 +215,8 @@ fn sound(found: &Passage) -> Result<(), String> {
     const ROUNDED: f64 = 1e-4;
     let mut last = BTreeMap::new();
     // A step of the self-weight that was cut was not kept.
-    for step in found.log.iter().filter(|step| step.stage != "self-weight" || step.cuts == 0) {
-        last.insert((step.stage.clone(), step.time.to_bits()), step.unbalanced);
+    for step in found.log.iter().filter(|step| step.stage != Part::SelfWeight || step.cuts == 0) {
+        last.insert((step.stage.word(), step.time.to_bits()), step.unbalanced);
     }
     match last.iter().find(|(_, unbalanced)| !(**unbalanced <= ROUNDED)) {
         Some(((stage, _), unbalanced)) => Err(format!("completed, but {stage} is out of balance by {unbalanced:e}")),

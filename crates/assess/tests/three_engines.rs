@@ -1,14 +1,15 @@
 //! One ring, three engines: limit analysis, discrete elements and finite elements on Bridgemill case 1
 //! (`docs/verification/three-engines.md`). With EXTRADOS_WRITE_DOCS=1 the numbers of that page are written beside it.
 
-use assess::analysis::{Collapse, Status, collapse_by_dem, collapse_by_fe, collapse_by_limit};
+use assess::analysis::{collapse_by_dem, collapse_by_fe, collapse_by_limit};
 use assess::discretise::{Discretised, discretise};
-use assess::outcome::HingeAt;
 use bridge::{Bridge, ContactPoints, JointStiffness};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{self, thrust_zone};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Unwatched;
+use outcome::collapse::{Collapse, Status};
+use outcome::picture::HingeAt;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

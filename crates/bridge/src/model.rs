@@ -2,6 +2,7 @@
 
 use crate::ring::Profile;
 use crate::service::Service;
+use serde::{Deserialize, Serialize};
 
 /// A bridge as its file describes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -270,7 +271,7 @@ pub enum Packing {
 
 /// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
 /// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Calibration {
     /// Modulus that the fill is to have [Pa].
     pub wanted_modulus: Option<f64>,
@@ -330,7 +331,7 @@ impl Default for Calibration {
 }
 
 /// A modulus of a stress-strain curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Modulus {
     /// Mean of the slopes of all load steps.
     Tangent,
@@ -578,7 +579,7 @@ pub struct Plan {
 }
 
 /// A method for collapse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Method {
     /// Discrete elements.
     Dem,
@@ -589,7 +590,7 @@ pub enum Method {
 }
 
 /// A strip of the bridge's width with what stands on its rings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Strip {
     /// Between the walls: rings and cover.
     Fill,
@@ -600,7 +601,7 @@ pub enum Strip {
 }
 
 /// What is made to collapse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Analysis {
     /// The load that makes a mechanism.
     Load,

@@ -1,6 +1,7 @@
 //! What a bridge file says of a train that crosses: the train, the track under it, the analysis, and what is measured.
 
 use crate::train::Train;
+use serde::{Deserialize, Serialize};
 
 /// A train that crosses.
 #[derive(Debug, Clone, PartialEq)]
@@ -164,9 +165,11 @@ pub enum Place {
 }
 
 /// A face of the ring.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Face {
     /// The lower one.
+    #[default]
     Intrados,
     /// The upper one.
     Extrados,

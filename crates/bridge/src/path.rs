@@ -1,16 +1,17 @@
 //! Paths of quantities in a bridge file: `span[1].ring[2].thickness`, counted from 1 as messages count.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// The path of a quantity.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Path {
     /// From the outermost section to the key; never empty.
     pub steps: Vec<Step>,
 }
 
 /// One part of a path, between dots.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Step {
     /// The key.
     pub key: String,

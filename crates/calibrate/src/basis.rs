@@ -5,9 +5,10 @@ use crate::forward::{Failure, Request, Response, Samples};
 use crate::misfit::{self, Compare, Fit, Held};
 use crate::problem::Problem;
 use crate::watch::Stopped;
+use serde::{Deserialize, Serialize};
 
 /// Why something ended before its time.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Halt {
     /// The onlooker wanted it.
     Stopped,
@@ -22,7 +23,7 @@ impl From<Stopped> for Halt {
 }
 
 /// Weights and places. Norms of different searches are comparable where they share it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Basis {
     /// Weights and shape correlation factors of the start model.
     pub held: Held,

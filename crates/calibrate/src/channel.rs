@@ -1,9 +1,10 @@
 //! What was measured: channels with a peak, a history, or both.
 
 use crate::posterior::diagnostics::effective_samples;
+use serde::{Deserialize, Serialize};
 
 /// One measured channel [in its own unit].
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Channel {
     /// Name, as in the records.
     pub name: String,

@@ -1,7 +1,9 @@
 //! The model, as a search sees it: parameters in, channels out, or a named failure.
 
+use serde::{Deserialize, Serialize};
+
 /// Which values of the channels are wanted.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Samples {
     /// The whole history of every channel: a full passage.
     All,
@@ -10,7 +12,7 @@ pub enum Samples {
 }
 
 /// One question to the model.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Request {
     /// Which values are wanted.
     pub samples: Samples,
@@ -26,7 +28,7 @@ impl Request {
 }
 
 /// The model's answer.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Response {
     /// Values by channel, in the order of the request.
     pub values: Vec<Vec<f64>>,
@@ -35,7 +37,7 @@ pub struct Response {
 }
 
 /// Why a point has no answer: a run that did not converge, locked or was refused.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Failure {
     /// Short name ("not-converged"), the same for all failures of a kind.
     pub code: String,
@@ -80,7 +82,7 @@ pub trait Map {
 }
 
 /// One after the other.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Serial;
 
 impl Map for Serial {

@@ -11,9 +11,10 @@ use crate::forward::Response;
 use crate::misfit::{residual_derivatives, residuals};
 use crate::parameter::shares;
 use crate::search::jacobian::{by_differences, by_shares};
+use serde::{Deserialize, Serialize};
 
 /// Parameters taken together with their collinearity.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Collinearity {
     /// The parameters.
     pub parameters: Vec<usize>,
@@ -23,7 +24,7 @@ pub struct Collinearity {
 }
 
 /// What the data can tell at a point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Identifiability {
     /// Derivatives of the residuals with respect to shares of the ranges, by parameter.
     pub sensitivities: Vec<Vec<f64>>,

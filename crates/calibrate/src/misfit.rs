@@ -4,9 +4,10 @@
 use crate::channel::shape_correlation;
 use crate::forward::Response;
 use crate::problem::Problem;
+use serde::{Deserialize, Serialize};
 
 /// What is compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Compare {
     /// Peaks, as the paper does.
     #[default]
@@ -16,7 +17,7 @@ pub enum Compare {
 }
 
 /// What a difference is divided by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Scaling {
     /// The measured peak, as eq. 3 does.
     #[default]
@@ -26,7 +27,7 @@ pub enum Scaling {
 }
 
 /// Where weights come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Weights {
     /// Squares of the shape correlation factors at the start model, held from then on.
     #[default]
@@ -38,7 +39,7 @@ pub enum Weights {
 }
 
 /// Which of the model's values is its peak.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Sense {
     /// The largest in the sense in which the measured channel peaks: it does not jump where two excursions of opposite
     /// sign are about equal.
@@ -49,7 +50,7 @@ pub enum Sense {
 }
 
 /// How misfit is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Misfit {
     /// What is compared.
     pub compare: Compare,
@@ -76,7 +77,7 @@ impl Default for Misfit {
 }
 
 /// What is found once, at the start model, and held.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Held {
     /// Weight by channel; zero for those left out.
     pub weights: Vec<f64>,
@@ -88,7 +89,7 @@ pub struct Held {
 }
 
 /// What one channel says of a model.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ChannelError {
     /// The model's signed peak [unit of the channel].
     pub peak: f64,
@@ -97,7 +98,7 @@ pub struct ChannelError {
 }
 
 /// What a model's response amounts to.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Fit {
     /// Weighted root mean square norm.
     pub norm: f64,

@@ -1,9 +1,10 @@
 //! What may change: parameters with their range and where the search begins.
 
 use crate::posterior::Prior;
+use serde::{Deserialize, Serialize};
 
 /// How a range is divided: evenly in the value or in its logarithm.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Scale {
     /// Evenly in the value, as the paper's sweeps.
     #[default]
@@ -13,7 +14,7 @@ pub enum Scale {
 }
 
 /// One parameter of the model [in its own unit].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Parameter {
     /// What it is called in reports.
     pub name: String,
@@ -90,7 +91,7 @@ impl Parameter {
 }
 
 /// Where a search begins.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub enum Start {
     /// At the start values of the parameters.
     #[default]
@@ -106,6 +107,17 @@ pub enum Start {
 }
 
 impl Start {
+    /// The word that files and scripts read.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Start::Stated => "stated",
+            Start::Means => "means",
+            Start::LowerBounds => "lower-bounds",
+            Start::UpperBounds => "upper-bounds",
+            Start::Values(_) => "values",
+        }
+    }
+
     /// The values it stands for.
     pub fn point(&self, parameters: &[Parameter]) -> Vec<f64> {
         let value = |(k, parameter): (usize, &Parameter)| match self {

@@ -4,9 +4,10 @@ use crate::channel::Channel;
 use crate::forward::Response;
 use crate::misfit::{Compare, Misfit, Scaling, Weights};
 use crate::parameter::{Parameter, Scale, Start};
+use serde::{Deserialize, Serialize};
 
 /// Something that keeps a problem from being posed: where, what, and what to write instead.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Finding {
     /// The parameter or channel.
     pub place: String,
@@ -17,7 +18,7 @@ pub struct Finding {
 }
 
 /// What is to be fitted to what. Fixed once built.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Problem {
     parameters: Vec<Parameter>,
     channels: Vec<Channel>,

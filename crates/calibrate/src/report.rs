@@ -4,9 +4,10 @@ use crate::basis::{Basis, Halt, full_passage, wandered};
 use crate::evaluator::Evaluator;
 use crate::misfit;
 use crate::parameter::Parameter;
+use serde::{Deserialize, Serialize};
 
 /// One parameter at the end of a search.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FoundParameter {
     /// Its name.
     pub name: String,
@@ -19,7 +20,7 @@ pub struct FoundParameter {
 }
 
 /// One channel at the end of a search.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FoundChannel {
     /// Its name.
     pub name: String,
@@ -38,7 +39,7 @@ pub struct FoundChannel {
 }
 
 /// Where a search ended, verified by a full passage.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Found {
     /// Parameters, in order.
     pub parameters: Vec<FoundParameter>,

@@ -93,7 +93,7 @@ impl Report {
     }
 
     /// Adds a warning with its place in a file of records and shows it.
-    pub fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &assess::records::Finding) {
+    pub fn warn_at(&mut self, screen: &mut Screen, file: &str, finding: &outcome::records::Finding) {
         let (place, words) = (&finding.place, finding.words());
         let message = if file.is_empty() { words } else { format!("{file}: {words}") };
         self.warn(screen, finding.code, &message);

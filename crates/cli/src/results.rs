@@ -94,7 +94,7 @@ pub fn tables<'a>(all: impl IntoIterator<Item = (&'a str, String)>) -> impl Iter
 }
 
 /// The status of an analysis as a status of the command.
-pub fn status(status: assess::analysis::Status) -> Status {
+pub fn status(status: outcome::collapse::Status) -> Status {
     Status::named(status.word()).unwrap_or(Status::NotConverged)
 }
 
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn every_status_of_an_analysis_is_one_of_the_command() {
-        for one in assess::analysis::Status::ALL {
+        for &one in outcome::collapse::Status::ALL {
             assert_eq!(status(one).name(), one.word());
             assert_eq!(status(one).exit_code(), one.exit_code());
         }

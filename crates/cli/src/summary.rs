@@ -14,9 +14,10 @@ pub use update::update;
 pub use vary::vary;
 pub use vehicles::vehicles;
 
-use ::assess::analysis::calibrate::{CalibrationReport, Measured, Spread};
-use ::assess::analysis::{Collapse, Combination, Sweep};
-use ::assess::outcome::{Hinge, HingeAt};
+use ::outcome::calibration::{CalibrationReport, Measured, Spread};
+use ::outcome::collapse::{Collapse, Combination};
+use ::outcome::picture::{Hinge, HingeAt};
+use ::outcome::sweep::Sweep;
 use bridge::{Analysis, Method};
 use std::fmt::Write;
 
@@ -26,7 +27,7 @@ const MOST_HINGES: usize = 10;
 /// What was found, what it rests on, where the rest is.
 pub fn collapse(found: &Collapse, out: &str) -> String {
     let mut page = format!("{}: {}\n\n", found.bridge, title(found));
-    match found.analysis {
+    match found.analysis() {
         Analysis::Load => loads(&mut page, found),
         Analysis::Thickness => thickness(&mut page, found),
         Analysis::SupportMovement => movement(&mut page, found),
@@ -126,7 +127,7 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
         );
     }
     if let Some(sheared) = &found.strength {
-        let strength = |s: &::assess::analysis::calibrate::Strength| {
+        let strength = |s: &::outcome::calibration::Strength| {
             format!(
                 "{:.1} ± {:.1} degrees, {:.1} ± {:.1} kPa",
                 s.friction_angle.mean.to_degrees(),
@@ -152,7 +153,7 @@ pub fn calibration(found: &CalibrationReport, out: &str) -> String {
 }
 
 fn title(found: &Collapse) -> String {
-    let method = match found.method {
+    let method = match found.method() {
         Method::Dem => "discrete elements",
         Method::Limit => "limit analysis",
         Method::Fe => "finite elements",
@@ -190,9 +191,9 @@ fn loads(page: &mut String, found: &Collapse) {
     line("collapse load", found.collapse_load);
     line("stalled at", found.stalled_load);
     line("load step", found.load_step);
-    line("limit load, rigid", found.limit_load.filter(|_| found.method != Method::Limit));
+    line("limit load, rigid", found.limit_load.filter(|_| found.method() != Method::Limit));
     line("limit load, crushing", found.crushing_limit_load);
-    if let Some(limit) = &found.limit {
+    if let Some(limit) = found.limit() {
         line("lower bound", limit.lower_bound);
         line("upper bound", limit.upper_bound);
         let own = |load: &f64| found.collapse_load != Some(*load);
@@ -253,7 +254,7 @@ fn combination(page: &mut String, both: &Combination) {
         let _ = writeln!(
             page,
             "  {:<6}  {:>9.2}   {:>14}   {:>12}   {:>18}   {:>15}   {}",
-            part.strip,
+            ::outcome::published::strip(part.strip),
             part.width,
             load(part.headline, 2),
             load(whole, 0),
@@ -276,7 +277,7 @@ fn combination(page: &mut String, both: &Combination) {
 }
 
 fn thickness(page: &mut String, found: &Collapse) {
-    let Some(least) = &found.thickness else { return };
+    let Some(least) = found.thickness() else { return };
     let _ = writeln!(page, "  least ring thickness    {:>9.4} m at the crown", least.crown_thickness);
     let _ = writeln!(page, "  share of the given one  {:>9.5}", least.factor[1]);
     if let Some(ratio) = least.over_mean_radius {
@@ -285,7 +286,7 @@ fn thickness(page: &mut String, found: &Collapse) {
 }
 
 fn movement(page: &mut String, found: &Collapse) {
-    let Some(support) = &found.support else { return };
+    let Some(support) = found.support() else { return };
     let mut line = |name: &str, movement: Option<f64>| {
         if let Some(movement) = movement {
             let _ = writeln!(page, "  {name:<22}  {:>9.1} mm", movement * 1e3);
@@ -345,7 +346,7 @@ fn packing(page: &mut String, found: &Collapse) {
 }
 
 fn effort(page: &mut String, found: &Collapse) {
-    if let Some(dem) = &found.dem {
+    if let Some(dem) = found.dem() {
         let _ = writeln!(
             page,
             "  {:<22}  {} of {:.2e} s (critical {:.2e} s), damping {}, tolerance {:.0e}",

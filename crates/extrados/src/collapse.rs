@@ -4,8 +4,9 @@ use crate::choice::Choice;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
-use assess::analysis::{self, Collapse};
+use assess::analysis;
 use bridge::Bridge;
+use outcome::collapse::Collapse;
 
 /// How a collapse is sought.
 #[derive(Debug, Clone, Default)]

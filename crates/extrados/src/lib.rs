@@ -60,8 +60,8 @@ pub use crate::update::{UpdateOptions, can_update, judge, update};
 pub use crate::vary::{Studied, VaryOptions, VaryPlan, settings, vary};
 pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};
 
-/// Results, their objects for scripts and their tables.
-pub use ::assess as results;
+/// Results as data, their objects for scripts and their tables.
+pub use ::outcome as results;
 /// The bridge as its file describes it.
 pub use bridge;
 /// Drawings, pictures and ParaView files of results.

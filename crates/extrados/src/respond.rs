@@ -3,8 +3,9 @@
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
-use assess::analysis::passage::{Passage, passage};
+use assess::analysis::passage::passage;
 use bridge::passage::{PassageAnalysis, PassagePath};
+use outcome::passage::Passage;
 
 /// How a train crosses.
 #[derive(Debug, Clone, Copy, Default)]

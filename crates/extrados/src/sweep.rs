@@ -5,8 +5,10 @@ use crate::collapse::planned;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
-use assess::analysis::{self, Places, Sweep, VehicleSweep};
+use assess::analysis::{self, Places};
 use assess::discretise::bridge_length;
+use outcome::sweep::Sweep;
+use outcome::vehicles::VehicleSweep;
 
 /// How a sweep is made.
 #[derive(Debug, Clone, Default)]

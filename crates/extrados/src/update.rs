@@ -4,7 +4,8 @@ use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Seeking, Watch};
-use assess::analysis::update::{self, Task, Threads, Update, UpdateError};
+use assess::analysis::update::{self, Task, Threads, UpdateError};
+use outcome::update::Update;
 
 /// How parameters are sought. Words are those of `[update]`.
 #[derive(Debug, Clone, Copy, Default)]

@@ -5,7 +5,7 @@ use crate::{
     animation, bridge_as_drawn, collapse_frames, displacement, fill_stress, force_chains, load_displacement, mechanism,
     packing, png, stress, thrust_line, vtk,
 };
-use assess::outcome::Picture;
+use outcome::picture::Picture;
 
 /// Width of PNG pictures [pixels]: 160 mm at 380 dots per inch.
 pub const PNG_WIDTH: u32 = 2400;

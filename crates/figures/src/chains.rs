@@ -7,7 +7,7 @@ use crate::geometry::{View, round_down};
 use crate::panels::{outline, shown};
 use crate::sheet::{HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, font};
 use crate::words;
-use assess::outcome::{ParticleForce, Partner, Picture, Point, Snapshot};
+use outcome::picture::{ParticleForce, Partner, Picture, Point, Snapshot};
 
 /// Contacts that carry more than the mean.
 const STRONG: &str = "#7a1020";

@@ -3,7 +3,7 @@
 use crate::elevation::INK;
 use crate::geometry::View;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH, font};
-use assess::outcome::Picture;
+use outcome::picture::Picture;
 
 /// Fill of a layer by its name.
 fn colour(name: &str) -> &'static str {

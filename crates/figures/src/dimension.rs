@@ -5,7 +5,7 @@ use crate::geometry::{Extent, View};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Spot, Style};
 use crate::words;
-use assess::outcome::{Dimension, Measure};
+use outcome::picture::{Dimension, Measure};
 
 const LINE: Pen = Pen::line(INK, HAIR).class("dimension");
 const EXTENSION: Pen = Pen::line("#777777", HAIR);

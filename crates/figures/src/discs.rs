@@ -3,7 +3,7 @@
 use crate::elevation::INK;
 use crate::geometry::View;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
-use assess::outcome::{Picture, Point, Snapshot};
+use outcome::picture::{Picture, Point, Snapshot};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -163,7 +163,7 @@ pub fn key(sheet: &mut Sheet, top: f64, picture: &Picture, banded: bool) -> f64 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assess::outcome::Disc;
+    use outcome::picture::Disc;
 
     #[test]
     fn too_many_particles_are_told_and_not_drawn() {

@@ -10,7 +10,7 @@ use crate::panels::{fits, load, outline, panel, shown};
 use crate::sheet::{MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
-use assess::outcome::{Picture, Point, Snapshot};
+use outcome::picture::{Picture, Point, Snapshot};
 
 /// Side of a square of the sheet that gets one arrow.
 const GRID: f64 = 27.0;

@@ -6,7 +6,7 @@ use crate::discs;
 use crate::elevation::{self as draw, Sign};
 use crate::geometry::View;
 use crate::sheet::{Sheet, place::Room};
-use assess::outcome::Picture;
+use outcome::picture::Picture;
 
 /// Elevation of the bridge as built: blocks, supports, road surface, loads, dimensions. An empty sheet with its
 /// title where there are no blocks.

@@ -5,8 +5,8 @@ use crate::geometry::{Turn, as_built, block_at, centroid, displacement, largest_
 use crate::stress::{exaggeration, most_compressive};
 use crate::ticks::Ticks;
 use crate::{File, words};
-use assess::outcome::{ContactForce, Motion, Picture, Point, Shape, Snapshot};
 use drawing::{Item, Sheet};
+use outcome::picture::{ContactForce, Motion, Picture, Point, Shape, Snapshot};
 
 /// The longest arrow or force line, as a share of the larger dimension of the model.
 const LONGEST: f64 = 0.05;

@@ -3,7 +3,7 @@
 use crate::geometry::{Extent, View, as_built, block_at, centroid, exaggerated};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, Sheet, Style, THIN, WIDTH};
 use crate::{geometry::Turn, words};
-use assess::outcome::{LoadArrow, Motion, Picture, Point, Shape};
+use outcome::picture::{LoadArrow, Motion, Picture, Point, Shape};
 
 /// Colour of lines.
 pub const INK: &str = "#1a1a1a";

@@ -10,7 +10,7 @@ use crate::sheet::{MARGIN, Pen, Sheet, WIDTH};
 use crate::stress::most_compressive;
 use crate::ticks::Ticks;
 use crate::words;
-use assess::outcome::{Picture, Point, Snapshot};
+use outcome::picture::{Picture, Point, Snapshot};
 use std::f64::consts::PI;
 
 /// Stresses of particles are averaged over neighbours within so many mean diameters.
@@ -109,7 +109,7 @@ fn averaged(picture: &Picture, state: &Snapshot, radius: f64, share: f64) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assess::outcome::{Disc, DiscState};
+    use outcome::picture::{Disc, DiscState};
 
     #[test]
     fn even_stress_stays_even_and_voids_share_it() {

@@ -5,7 +5,7 @@ use crate::elevation as draw;
 use crate::geometry::{Extent, Turn, View, as_built, largest_displacement, moved, round_down};
 use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH, font};
 use crate::words;
-use assess::outcome::{Motion, Picture};
+use outcome::picture::{Motion, Picture};
 
 /// Most panels on a sheet.
 const MOST: usize = 6;
@@ -159,7 +159,7 @@ fn words_for(picture: &Picture, panel: Option<usize>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assess::outcome::{Disc, Snapshot};
+    use outcome::picture::{Disc, Snapshot};
 
     #[test]
     fn panels_run_from_the_last_stable_state_to_the_end() {

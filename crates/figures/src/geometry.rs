@@ -1,7 +1,7 @@
 //! Plane geometry of drawings: how blocks have moved, how large they are, and how metres become places on the sheet.
 
 use crate::sheet::{Area, Spot};
-use assess::outcome::{Motion, Point, Shape};
+use outcome::picture::{Motion, Point, Shape};
 
 /// A rectangle in the bridge's own metres, y up.
 #[derive(Debug, Clone, Copy, PartialEq)]

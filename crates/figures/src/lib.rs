@@ -1,6 +1,6 @@
 //! Figures and ParaView files of an analysis, made from its results alone.
 //!
-//! Every function is pure: a [`Picture`](assess::outcome::Picture) goes in, text or bytes come out, and the same
+//! Every function is pure: a [`Picture`](outcome::picture::Picture) goes in, text or bytes come out, and the same
 //! bytes every time; the caller writes files. Drawings are SVG 160 mm wide; [`png`] turns them into pictures with a
 //! font of their own. What there is no material for is `None`.
 

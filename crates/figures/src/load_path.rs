@@ -6,7 +6,7 @@ use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
 use crate::ticks::Ticks;
 use crate::words;
-use assess::outcome::{Picture, Step};
+use outcome::picture::{Picture, Step};
 
 const CURVE: &str = "#0b5394";
 const HEIGHT: f64 = 360.0;

@@ -6,7 +6,7 @@ use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displaceme
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
 use crate::words;
-use assess::outcome::{Hinge, HingeAt, Picture, Point, Shape};
+use outcome::picture::{Hinge, HingeAt, Picture, Point, Shape};
 
 /// Share of the larger dimension of the bridge that the largest displacement is drawn with.
 const SHARE: f64 = 0.05;

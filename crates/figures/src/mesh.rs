@@ -3,19 +3,21 @@
 use crate::elevation::{self as draw, INK};
 use crate::geometry::{Extent, View};
 use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH};
-use assess::discretise::mesh::MeshPicture;
-use assess::outcome::Point;
+use outcome::mesh::{MadeOf, MeshPicture};
+use outcome::picture::Point;
 
 /// Colours of what zones are made of; all light, so that lines of elements show, and told apart in grey too.
-const COLOURS: [(&str, &str); 7] = [
-    ("voussoirs", "#f0c27b"),
-    ("pier", "#d9b8a0"),
-    ("abutment", "#c9a58e"),
-    ("fill", "#e9e4c9"),
-    ("haunch fill", "#b9cba6"),
-    ("backing", "#a9b4be"),
-    ("abutment fill", "#d3dbe2"),
-];
+fn colour(made_of: MadeOf) -> &'static str {
+    match made_of {
+        MadeOf::Voussoirs => "#f0c27b",
+        MadeOf::Pier => "#d9b8a0",
+        MadeOf::Abutment => "#c9a58e",
+        MadeOf::Fill => "#e9e4c9",
+        MadeOf::HaunchFill => "#b9cba6",
+        MadeOf::Backing => "#a9b4be",
+        MadeOf::AbutmentFill => "#d3dbe2",
+    }
+}
 
 /// Colours of joints and contacts, and how they are named in the key.
 const LINES: [(&str, &str, &str); 3] = [
@@ -27,15 +29,11 @@ const LINES: [(&str, &str, &str); 3] = [
 /// Elements narrower than this on the sheet are drawn without their sides.
 const LEAST: f64 = 0.9;
 
-fn colour(made_of: &str) -> &'static str {
-    COLOURS.iter().find(|(name, _)| *name == made_of).map_or("#eeeeee", |(_, colour)| colour)
-}
-
 /// The mesh of a bridge by zones, with its key; `title` names the bridge.
 pub fn mesh(title: &str, picture: &MeshPicture) -> String {
     let mut sheet = Sheet::new("mesh");
     let top = sheet.title(title, "Finite element mesh by zones");
-    let Some(whole) = Extent::of(picture.points.iter().copied()) else { return sheet.finish(top) };
+    let Some(whole) = Extent::of(picture.nodes.iter().copied()) else { return sheet.finish(top) };
     let whole = whole.grown(0.01 * whole.size()[0]);
     let frame = draw::frame(whole, top, 230.0);
     let view = View::fit(whole, frame);
@@ -72,7 +70,7 @@ fn elements(sheet: &mut Sheet, view: &View, picture: &MeshPicture, part: Extent)
     let inside = |p: Point| (0..2).all(|k| part.low[k] <= p[k] && p[k] <= part.high[k]);
     sheet.open("elements");
     for (quad, zone) in picture.quads.iter().zip(&picture.zone_of) {
-        let corners = quad.map(|n| picture.points[n]);
+        let corners = quad.map(|n| picture.nodes[n]);
         if !corners.iter().any(|p| inside(*p)) {
             continue;
         }
@@ -90,7 +88,7 @@ fn elements(sheet: &mut Sheet, view: &View, picture: &MeshPicture, part: Extent)
     sheet.close();
     sheet.open("interfaces");
     for (nodes, kind) in &picture.interfaces {
-        let points: Vec<Point> = nodes.iter().map(|n| picture.points[*n]).collect();
+        let points: Vec<Point> = nodes.iter().map(|n| picture.nodes[*n]).collect();
         if points.iter().any(|p| inside(*p)) {
             let stroke = LINES.iter().find(|(name, ..)| name == kind).map_or(INK, |(_, stroke, _)| stroke);
             let width = (0.02 * view.scale()).clamp(0.35, 1.6);
@@ -104,7 +102,7 @@ fn elements(sheet: &mut Sheet, view: &View, picture: &MeshPicture, part: Extent)
 fn base(sheet: &mut Sheet, view: &View, picture: &MeshPicture) {
     sheet.open("base");
     for node in &picture.base {
-        let [x, y] = view.spot(picture.points[*node]);
+        let [x, y] = view.spot(picture.nodes[*node]);
         sheet.line([x, y], [x - 3.0, y + 5.0], Pen::line(INK, HAIR));
     }
     sheet.close();
@@ -112,15 +110,15 @@ fn base(sheet: &mut Sheet, view: &View, picture: &MeshPicture) {
 
 /// A part of the bridge worth a closer look: the first half span and its springing, or that on the first pier.
 fn close_up(picture: &MeshPicture, whole: Extent) -> Option<Extent> {
-    let of = |made_of: &str, nth: usize| {
+    let of = |made_of: MadeOf, nth: usize| {
         let zone = picture.zones.iter().enumerate().filter(|(_, z)| z.made_of == made_of).nth(nth)?.0;
         let quads = picture.quads.iter().zip(&picture.zone_of).filter(|(_, z)| **z == zone);
-        Extent::of(quads.flat_map(|(quad, _)| quad.map(|n| picture.points[n])))
+        Extent::of(quads.flat_map(|(quad, _)| quad.map(|n| picture.nodes[n])))
     };
-    let span = of("voussoirs", 0)?;
-    let surface = picture.surface.first().map_or(whole.high[1], |n| picture.points[*n][1]);
+    let span = of(MadeOf::Voussoirs, 0)?;
+    let surface = picture.surface.first().map_or(whole.high[1], |point| point[1]);
     let reach = 0.62 * span.size()[0];
-    let middle = of("pier", 0).map_or(span.low[0] + 0.3 * reach, |pier| 0.5 * (pier.low[0] + pier.high[0]));
+    let middle = of(MadeOf::Pier, 0).map_or(span.low[0] + 0.3 * reach, |pier| 0.5 * (pier.low[0] + pier.high[0]));
     let low = span.low[1] - 0.25 * (surface - span.low[1]);
     let part = Extent { low: [middle - reach, low], high: [middle + reach, surface + 0.03 * reach] };
     Some(part.within(whole))
@@ -130,7 +128,8 @@ fn close_up(picture: &MeshPicture, whole: Extent) -> Option<Extent> {
 fn key(sheet: &mut Sheet, top: f64, picture: &MeshPicture) -> f64 {
     let style = Style { size: SMALL, ..Style::default() };
     let mut entries: Vec<(String, &str, bool)> = Vec::new();
-    for (made_of, fill) in COLOURS {
+    for &made_of in MadeOf::ALL {
+        let fill = colour(made_of);
         let zones = picture.zones.iter().filter(|zone| zone.made_of == made_of);
         let count: usize = zones.map(|zone| zone.quads).sum();
         if count > 0 {

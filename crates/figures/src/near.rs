@@ -1,6 +1,6 @@
 //! Means over what lies near: stresses of single particles are too uneven to be read.
 
-use assess::outcome::Point;
+use outcome::picture::Point;
 use std::collections::BTreeMap;
 
 /// A square cell of the plane.

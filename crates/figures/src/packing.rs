@@ -8,7 +8,7 @@ use crate::panels::{blocks, fits};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Style};
 use crate::words;
-use assess::outcome::{Dimension, Measure, Picture, Shape};
+use outcome::picture::{Dimension, Measure, Picture, Shape};
 
 /// Thickness of the lid in the drawing [m].
 const LID: f64 = 0.25;

@@ -4,7 +4,7 @@ use crate::elevation as draw;
 use crate::geometry::{Extent, View};
 use crate::sheet::{Area, HAIR, MARGIN, Pen, SMALL, Sheet, Style, WIDTH};
 use crate::words;
-use assess::outcome::{Picture, Snapshot};
+use outcome::picture::{Picture, Snapshot};
 
 /// Tallest of two elevations on a sheet.
 const TALLEST: f64 = 330.0;
@@ -34,7 +34,7 @@ pub fn blocks(sheet: &mut Sheet, view: &View, picture: &Picture, state: Option<&
 }
 
 /// Outline of a block where it is in a state, or as built [m].
-pub fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize) -> Vec<assess::outcome::Point> {
+pub fn outline(picture: &Picture, state: Option<&Snapshot>, block: usize) -> Vec<outcome::picture::Point> {
     use crate::geometry::{Turn, moved};
     let shape = &picture.shapes[block];
     state.and_then(|s| s.motions.get(block)).map_or(shape.outline.clone(), |&m| moved(shape, m, 1.0, Turn::Finite))

@@ -3,7 +3,7 @@
 use crate::elevation::SLIDING;
 use crate::geometry::{Extent, Turn, View, centroid, displacement, distance, exaggerated};
 use crate::sheet::{Area, Pen, Sheet};
-use assess::outcome::{Motion, Point, Shape};
+use outcome::picture::{Motion, Point, Shape};
 
 /// Blocks within this share of their own smaller dimension touch a point.
 const NEAR: f64 = 0.05;

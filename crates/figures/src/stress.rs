@@ -10,7 +10,7 @@ use crate::geometry::{
 use crate::sheet::{Area, MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
-use assess::outcome::{Picture, Point, Snapshot};
+use outcome::picture::{Picture, Point, Snapshot};
 
 /// Share of the larger dimension of the bridge that displacements are drawn with, at most.
 const SHARE: f64 = 0.012;

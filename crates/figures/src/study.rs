@@ -11,7 +11,7 @@ pub use tornado::tornado;
 
 use crate::all::{File, both};
 use crate::raster::RasterError;
-use assess::vary::{Design, Study};
+use outcome::study::{Design, Study};
 
 /// Every figure of a study that there is material for.
 pub fn study(study: &Study) -> Result<Vec<File>, RasterError> {
@@ -50,7 +50,7 @@ const UNITS: [(&str, &str); 7] =
 
 /// A number's name as people say it, and its unit: `collapse_load_kn_per_m` is the collapse load in kN/m.
 pub fn name_and_unit(name: &str) -> (String, &'static str) {
-    if name == assess::vary::CARRIED {
+    if name == outcome::study::CARRIED {
         return ("load carried".to_owned(), "kN/m");
     }
     let found = UNITS.iter().find_map(|(ending, unit)| Some((name.strip_suffix(ending)?, *unit)));
@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn names_say_their_unit() {
         assert_eq!(name_and_unit("collapse_load_kn_per_m"), ("collapse load".to_owned(), "kN/m"));
-        assert_eq!(name_and_unit(assess::vary::CARRIED), ("load carried".to_owned(), "kN/m"));
+        assert_eq!(name_and_unit(outcome::study::CARRIED), ("load carried".to_owned(), "kN/m"));
         assert_eq!(name_and_unit("minimum_thickness_m"), ("minimum thickness".to_owned(), "m"));
         assert_eq!(name_and_unit("hinges"), ("hinges".to_owned(), ""));
         assert_eq!(file_name("span[1].ring[2].thickness"), "span-1-ring-2-thickness");

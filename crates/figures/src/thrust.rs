@@ -7,7 +7,7 @@ use crate::mechanism::mark_hinges;
 use crate::sheet::place::Room;
 use crate::sheet::{Area, Pen, Sheet, Style, THICK};
 use crate::words;
-use assess::outcome::{Picture, Point, ThrustPoint};
+use outcome::picture::{Picture, Point, ThrustPoint};
 
 /// The ring with its line of thrust, hinges, loads, and the size of the thrust at springings and crown. None
 /// without a line of thrust.

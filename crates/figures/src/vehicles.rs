@@ -4,7 +4,7 @@ use crate::chart::Axis;
 use crate::elevation::INK;
 use crate::envelope::{Quantity, Sweep, envelope};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
-use assess::analysis::vehicles::{Direction, Swept, VehicleSweep};
+use outcome::vehicles::{Direction, Swept, VehicleSweep};
 
 const ENOUGH: &str = "#1f5fa8";
 const SHORT: &str = "#a02020";
@@ -120,8 +120,8 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assess::analysis::Status;
-    use assess::analysis::vehicles::{Across, EnvelopePoint};
+    use outcome::collapse::Status;
+    use outcome::vehicles::{Across, EnvelopePoint};
 
     fn swept(code: &str, adequacy: Option<f64>) -> Swept {
         let point = |k: usize, direction| EnvelopePoint {
@@ -133,7 +133,7 @@ mod tests {
             axles: Some([0, 0]),
             weights: None,
         };
-        let library = assess::rules::library().expect("library");
+        let library = outcome::rules::library().expect("library");
         let (rule, model) = (library.rule("cs-454").expect("rule"), library.model("cs-454").expect("model"));
         Swept {
             across: Across { abreast: 1, at_edge: false, axles: 3.0, uniform: Vec::new() },
@@ -163,7 +163,7 @@ mod tests {
     fn sweep(vehicles: Vec<Swept>, governing: Option<usize>) -> VehicleSweep {
         VehicleSweep {
             bridge: "Bridge".into(),
-            rule: assess::rules::library().expect("library").rules.remove(0),
+            rule: outcome::rules::library().expect("library").rules.remove(0),
             weights: Vec::new(),
             vehicles,
             governing,

@@ -2,7 +2,7 @@
 
 mod sample;
 
-use assess::outcome::{Hinge, HingeAt, Partner, Picture};
+use outcome::picture::{Hinge, HingeAt, Partner, Picture};
 use resvg::usvg;
 use roxmltree::{Document, Node};
 use std::sync::Arc;
@@ -132,7 +132,7 @@ fn dimension_lines_are_as_long_as_they_say() {
     let document = Document::parse(&svg).unwrap();
     let supports: Vec<_> = classed(&document, "polygon", "support").iter().map(points).collect();
     // Units per metre, from the distance between the outer edges of the supports.
-    let outer = |p: &[assess::outcome::Shape]| {
+    let outer = |p: &[outcome::picture::Shape]| {
         let x = p.iter().filter(|s| s.held).flat_map(|s| &s.outline).map(|p| p[0]);
         x.clone().fold(f64::MIN, f64::max) - x.fold(f64::MAX, f64::min)
     };
@@ -479,7 +479,7 @@ fn force_chains_are_as_wide_as_their_force_is_large() {
 fn twenty_thousand_particles_stay_within_some_megabytes() {
     let mut picture = sample::filled();
     let times = 20_000usize.div_ceil(picture.particles.len());
-    let grow = |list: &mut Vec<assess::outcome::DiscState>| *list = list.repeat(times);
+    let grow = |list: &mut Vec<outcome::picture::DiscState>| *list = list.repeat(times);
     picture.snapshots.iter_mut().for_each(|s| grow(&mut s.particles));
     picture.particles = std::iter::repeat_n(picture.particles.clone(), times).flatten().collect();
     picture.particles.iter_mut().for_each(|d| d.radius *= 0.2);

@@ -2,8 +2,8 @@
 
 mod sample;
 
-use assess::outcome::{Motion, Picture};
 use base64::{Engine, engine::general_purpose::STANDARD};
+use outcome::picture::{Motion, Picture};
 use roxmltree::Document;
 
 fn bytes(document: &Document, name: &str) -> Vec<u8> {
@@ -56,7 +56,7 @@ fn contacts_read_back_as_written() {
     let file = figures::vtk::contacts(&picture, 3).unwrap();
     let document = Document::parse(&file).unwrap();
     let list = &picture.snapshots[3].contacts;
-    let expected = |f: fn(&assess::outcome::ContactForce) -> f64| list.iter().map(f).collect::<Vec<f64>>();
+    let expected = |f: fn(&outcome::picture::ContactForce) -> f64| list.iter().map(f).collect::<Vec<f64>>();
     assert_eq!(reals(&document, "compression"), expected(|c| c.compression));
     assert_eq!(reals(&document, "shear"), expected(|c| c.shear));
     assert_eq!(reals(&document, "stress"), expected(|c| c.stress));
@@ -219,16 +219,17 @@ fn runs_without_particles_have_none_of_their_files() {
 
 #[test]
 fn a_mesh_reads_back_as_written() {
-    use assess::discretise::mesh::{MeshPicture, ZonePicture};
-    let zone = |name: &str, made_of| ZonePicture { name: name.into(), made_of, quads: 1 };
+    use outcome::mesh::{MadeOf, MeshPicture, Zone};
+    let zone = |name: &str, made_of| Zone { name: name.into(), made_of, quads: 1 };
     let mesh = MeshPicture {
-        points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [0.0, 0.5], [1.0, 1.0], [0.0, 1.0]],
+        nodes: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [0.0, 0.5], [1.0, 1.0], [0.0, 1.0]],
         quads: vec![[0, 1, 2, 3], [3, 2, 4, 5]],
         zone_of: vec![0, 1],
         scaled_jacobian: vec![1.0, 1.0],
-        zones: vec![zone("voussoirs span 1", "voussoirs"), zone("fill", "fill")],
+        zones: vec![zone("voussoirs span 1", MadeOf::Voussoirs), zone("fill", MadeOf::Fill)],
         interfaces: vec![(vec![0, 3], "mortar joint".into())],
-        surface: vec![5, 4],
+        surface: vec![[0.0, 1.0], [1.0, 1.0]],
+        springings: vec![],
         base: vec![0, 1],
         remark: "2 elements".into(),
     };
@@ -245,6 +246,6 @@ fn a_mesh_reads_back_as_written() {
         drawing.contains("voussoirs (1)") && drawing.contains("Small &amp; square") && drawing.contains("2 elements.")
     );
     let nothing =
-        MeshPicture { points: vec![], quads: vec![], zone_of: vec![], interfaces: vec![], base: vec![], ..mesh };
+        MeshPicture { nodes: vec![], quads: vec![], zone_of: vec![], interfaces: vec![], base: vec![], ..mesh };
     Document::parse(&figures::mesh("Nothing", &nothing)).unwrap();
 }

@@ -1,10 +1,11 @@
 //! Figures of a passage: the mesh, the sensors and the loads of the example, and fields that are made up but of the size
 //! of real ones. Nothing is solved here.
 
-use assess::analysis::passage::outcome::{Influence, Moment, Pair, PairState, Row, RowKind, StepLog};
-use assess::analysis::passage::{Passage, PassageStatus, Setup, Solution, report, setup};
+use assess::analysis::passage::{Setup, Solution, report, setup};
 use assess::discretise::mesh::Seam;
 use bridge::Bridge;
+use outcome::passage::{Part, Influence, Moment, Pair, PairState, Row, RowKind, StepLog};
+use outcome::passage::{Passage, PassageStatus};
 
 fn example() -> Bridge {
     let text = include_str!("../../../examples/railway-arch/passage.toml");
@@ -113,7 +114,7 @@ fn made_up(bridge: &Bridge) -> Passage {
     let positions: Vec<f64> = (0..=400).map(|k| -5.0 + 0.1 * f64::from(k)).collect();
     let line = |k: usize| positions.iter().map(|x| sizes[k] * effect(&[(*x, 201e3)], places[k])).collect();
     let influence = Influence { force: 201e3, values: (0..6).map(line).collect(), positions: positions.clone() };
-    let step = |time: f64| StepLog { stage: "passage".into(), time, iterations: 3, ..StepLog::default() };
+    let step = |time: f64| StepLog { stage: Part::Passage, time, iterations: 3, ..StepLog::default() };
     let solution = Solution {
         status: PassageStatus::Completed,
         reason: None,

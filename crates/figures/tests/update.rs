@@ -2,7 +2,7 @@
 
 mod sample;
 
-use assess::analysis::update::Update;
+use outcome::update::Update;
 use roxmltree::Document;
 use sample::updates::{hard, twin};
 

@@ -1,7 +1,10 @@
 //! What was found in records and what was done with them, as plain data.
 
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
+
 /// How bad it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Severity {
     /// Worth knowing; nothing was altered.
     Note,
@@ -23,7 +26,7 @@ impl Severity {
 }
 
 /// Where in a record.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Place {
     /// Run; empty where the finding is about all of them.
     pub run: String,
@@ -63,7 +66,7 @@ impl Place {
 }
 
 /// One finding.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// Stable code, `R…`; its card is in [`CARDS`](crate::CARDS).
     pub code: &'static str,
@@ -75,6 +78,25 @@ pub struct Finding {
     pub message: String,
     /// What to do; empty where nothing has to be done.
     pub help: String,
+}
+
+/// A finding as it is read back.
+#[derive(Deserialize)]
+struct Written {
+    code: String,
+    severity: Severity,
+    place: Place,
+    message: String,
+    help: String,
+}
+
+impl<'de> Deserialize<'de> for Finding {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Finding, D::Error> {
+        let Written { code, severity, place, message, help } = Written::deserialize(from)?;
+        let card = crate::CARDS.iter().find(|card| card.code == code);
+        let code = card.ok_or_else(|| D::Error::custom(format!("there is no finding {code}")))?.code;
+        Ok(Finding { code, severity, place, message, help })
+    }
 }
 
 impl Finding {
@@ -98,7 +120,7 @@ impl Finding {
 }
 
 /// One thing that was done to a record.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Done {
     /// Run it was done to.
     pub run: String,

@@ -3,9 +3,10 @@
 use crate::series::title;
 use crate::signal::least_count;
 use crate::{Series, Unit};
+use serde::{Deserialize, Serialize};
 
 /// The peak of a channel in a run: its value of largest size, with its sign.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     /// Run.
     pub run: String,
@@ -30,14 +31,14 @@ pub struct Peak {
 }
 
 /// Peaks of several runs.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PeakTable {
     /// In the order of the runs, then of their channels.
     pub peaks: Vec<Peak>,
 }
 
 /// Mean and spread of the peaks of one channel, over runs of one speed or over the runs of one line.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpeedGroup {
     /// Channel.
     pub name: String,

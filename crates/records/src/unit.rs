@@ -1,7 +1,10 @@
 //! Units of records: from the number in a cell to SI and back. Nowhere else is a unit converted.
 
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
+
 /// What a channel measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Quantity {
     /// Time [s].
     Time,
@@ -23,8 +26,9 @@ pub enum Quantity {
     Temperature,
 }
 
-/// A unit that cells may be written in.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A unit that cells may be written in; in files it is its symbol.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(into = "&'static str")]
 pub struct Unit {
     /// As written in headings.
     pub symbol: &'static str,
@@ -32,6 +36,20 @@ pub struct Unit {
     pub quantity: Quantity,
     /// How many of it one SI unit is; an integer wherever it can be, so that cells lose no digit.
     pub per_si: f64,
+}
+
+impl From<Unit> for &'static str {
+    fn from(unit: Unit) -> &'static str {
+        unit.symbol
+    }
+}
+
+impl<'de> Deserialize<'de> for Unit {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Unit, D::Error> {
+        let symbol = String::deserialize(from)?;
+        let known = UNITS.iter().find(|unit| unit.symbol == symbol);
+        known.copied().ok_or_else(|| D::Error::custom(format!("there is no unit {symbol}")))
+    }
 }
 
 const fn unit(symbol: &'static str, quantity: Quantity, per_si: f64) -> Unit {

@@ -4,22 +4,15 @@ use crate::figure::Figure;
 use crate::numbers::{digits, maybe};
 use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
-use assess::assessment::Assessment;
-use assess::checks::{self, Checked, Verdict};
-use assess::condition::Condition;
 use bridge::inputs::Input;
+use outcome::assessment::Assessment;
+use outcome::checked::governing;
 
 /// Everything that a report is made of.
 #[derive(Debug, Clone, Copy)]
 pub struct Material<'a> {
     /// The bridge and the facts of its stages.
     pub assessment: &'a Assessment,
-    /// Its checks.
-    pub checked: &'a [Checked],
-    /// The verdict.
-    pub verdict: &'a Verdict,
-    /// Its condition.
-    pub condition: &'a [Condition],
     /// Drawings of the stages.
     pub figures: &'a [Figure],
     /// The file, value by value.
@@ -143,28 +136,28 @@ pub fn html(material: &Material<'_>) -> String {
 pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
     let a = material.assessment;
     let (warnings, assumptions) = rows::said(a);
-    let update = a.update.made();
-    let sensitivity = a.sensitivity.made();
+    let update = a.facts.update.made();
+    let sensitivity = a.facts.sensitivity.made();
     Page {
         style: include_str!("../templates/style.css"),
-        bridge: &a.bridge.name,
-        status: material.verdict.status,
-        headline: material.verdict.headline,
+        bridge: &a.bridge,
+        status: a.verdict.status.word(),
+        headline: a.verdict.headline.word(),
         // A number and its sign of per cent stay on one line.
-        whole: material.verdict.words.replace(" %", "\u{a0}%"),
-        missing: &material.verdict.strength.missing,
-        qualifications: &material.verdict.strength.qualifications,
-        checks: rows::worst(material.checked),
-        every: rows::checks(material.checked),
-        open: rows::open(material.checked),
-        columns: rows::columns(material.checked),
+        whole: a.verdict.words.replace(" %", "\u{a0}%"),
+        missing: &a.verdict.strength.missing,
+        qualifications: &a.verdict.strength.qualifications,
+        checks: rows::worst(&a.checked),
+        every: rows::checks(&a.checked),
+        open: rows::open(&a.checked),
+        columns: rows::columns(&a.checked),
         augment: augment(a),
-        limits_source: a.asked.limits.source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
-        condition: rows::condition(material.condition, update),
-        no_update: a.update.why_not().unwrap_or("the stage has no result"),
-        no_service: a.service.why_not().unwrap_or("the stage has no result"),
-        no_collapse: a.ultimate.why_not().unwrap_or("the stage has no result"),
-        no_changes: a.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
+        limits_source: a.limits_source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
+        condition: rows::condition(&a.condition, update),
+        no_update: a.facts.update.why_not().unwrap_or("the stage has no result"),
+        no_service: a.facts.service.why_not().unwrap_or("the stage has no result"),
+        no_collapse: a.facts.ultimate.why_not().unwrap_or("the stage has no result"),
+        no_changes: a.facts.sensitivity.why_not().unwrap_or("no quantity of the file could be changed"),
         update_words: update.map(|facts| {
             let norm = format!(
                 "Misfit before the update {}, after it {} (weighted root mean square of relative errors of peaks).",
@@ -177,18 +170,18 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
             Some(_) => format!("{name}: SYNTHETIC, computed and not measured"),
             None => format!("{name}: measured"),
         }).collect()).unwrap_or_default(),
-        channels: a.service.made().map(rows::channels).unwrap_or_default(),
-        loads: a.service.made().map(|facts| facts.loads.iter().map(|load| [
+        channels: a.facts.service.made().map(rows::channels).unwrap_or_default(),
+        loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [
             load.name.clone(),
             format!("{} t", digits(load.heaviest_axle_t)),
-            load.status.clone(),
+            load.status.to_string(),
             load.source.clone().unwrap_or_else(|| "the file names no source".to_owned()),
         ]).collect()).unwrap_or_default(),
         collapse: collapse(a),
-        vehicles: a.vehicles.made().map(rows::vehicles).unwrap_or_default(),
-        rule: a.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
-        factors: a.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
-        discrete_elements: a.vehicles.made().and_then(|facts| facts.discrete_elements.clone()).unwrap_or_default(),
+        vehicles: a.facts.vehicles.made().map(rows::vehicles).unwrap_or_default(),
+        rule: a.facts.vehicles.made().map(|facts| facts.rule.clone()).unwrap_or_default(),
+        factors: a.facts.vehicles.made().map(|facts| facts.factors.clone()).unwrap_or_default(),
+        discrete_elements: a.facts.vehicles.made().and_then(|facts| facts.discrete_elements.clone()).unwrap_or_default(),
         movement: movement(a),
         changes: sensitivity.map(rows::changes).unwrap_or_default(),
         changes_words: sensitivity.map(|facts| format!(
@@ -196,8 +189,8 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
              analysis at the same positions; with the file's own values it gives {}, the check itself {}. Where the two differ, the check \
              {}: compare the rows with the first of the two.",
             facts.code, 100.0 * facts.share, 100.0 * facts.share, facts.how, crate::numbers::percent(facts.utilisation),
-            checks::governing(material.checked)
-                .and_then(|(check, k)| material.checked[check].outcome.as_ref().ok()?.get(k))
+            governing(&a.checked)
+                .and_then(|(check, k)| a.checked[check].outcome.as_ref().ok()?.get(k))
                 .map_or_else(|| "nothing".to_owned(), |finding| crate::numbers::percent(finding.utilisation)),
             match facts.code.as_str() {
                 "C204" => "counts discrete elements, which carry less than limit analysis",
@@ -215,7 +208,7 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
 }
 
 /// Coefficients of spans that differ from those of the longest.
-fn of_spans(augment: &assess::wire::AugmentFacts) -> String {
+fn of_spans(augment: &outcome::facts::AugmentFacts) -> String {
     let others = augment.spans.iter().filter(|one| one.loaded_length_m != augment.loaded_length_m);
     let told: Vec<String> = others
         .map(|one| {
@@ -226,7 +219,7 @@ fn of_spans(augment: &assess::wire::AugmentFacts) -> String {
 }
 
 fn augment(a: &Assessment) -> String {
-    let Some(facts) = a.service.made() else { return String::new() };
+    let Some(facts) = a.facts.service.made() else { return String::new() };
     let augment = &facts.augment;
     format!(
         "Train: {}. Live load is increased by the coefficient of dynamic augment (CDA): {:.3} in total for a loaded length of {} m, {:.3} \
@@ -242,11 +235,11 @@ fn augment(a: &Assessment) -> String {
 }
 
 fn collapse(a: &Assessment) -> Vec<[String; 2]> {
-    let Some(facts) = a.ultimate.made() else { return Vec::new() };
+    let Some(facts) = a.facts.ultimate.made() else { return Vec::new() };
     let mut rows = vec![
         ["loads".to_owned(), facts.load.clone()],
         ["method".to_owned(), facts.method.clone()],
-        ["ended".to_owned(), facts.status.clone()],
+        ["ended".to_owned(), facts.status.to_string()],
     ];
     let mut put = |what: &str, value: Option<f64>, unit: &str| {
         rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, unit)]));
@@ -264,8 +257,8 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
 }
 
 fn movement(a: &Assessment) -> Vec<[String; 2]> {
-    let Some(facts) = a.movement.made() else { return Vec::new() };
-    let mut rows = vec![["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.clone()]];
+    let Some(facts) = a.facts.movement.made() else { return Vec::new() };
+    let mut rows = vec![["support".to_owned(), facts.support.clone()], ["ended".to_owned(), facts.status.to_string()]];
     let mut put = |what: &str, value: Option<f64>| {
         rows.extend(value.map(|value| [what.to_owned(), crate::numbers::with_unit(value, "mm")]));
     };
@@ -277,12 +270,12 @@ fn movement(a: &Assessment) -> Vec<[String; 2]> {
 /// Stages without facts, in words.
 fn notes(a: &Assessment) -> Vec<[String; 2]> {
     let all = [
-        ("update", a.update.why_not()),
-        ("service", a.service.why_not()),
-        ("collapse", a.ultimate.why_not()),
-        ("vehicles", a.vehicles.why_not()),
-        ("support movement", a.movement.why_not()),
-        ("sensitivities", a.sensitivity.why_not()),
+        ("update", a.facts.update.why_not()),
+        ("service", a.facts.service.why_not()),
+        ("collapse", a.facts.ultimate.why_not()),
+        ("vehicles", a.facts.vehicles.why_not()),
+        ("support movement", a.facts.movement.why_not()),
+        ("sensitivities", a.facts.sensitivity.why_not()),
     ];
     all.into_iter().filter_map(|(stage, why)| Some([stage.to_owned(), why?.to_owned()])).collect()
 }

@@ -1,15 +1,17 @@
 //! Rows of the report's tables, made of text.
 
 use crate::numbers::{digits, maybe, percent, with_unit};
-use assess::assessment::Assessment;
-use assess::checks::{Checked, governing};
-use assess::condition::{Condition, Standing};
-use assess::wire::{ChangeFacts, SensitivityFacts, ServiceFacts, UpdateFacts, VehicleFacts};
+use outcome::assessment::Assessment;
+use outcome::checked::{Checked, governing};
+use outcome::collapse::Status;
+use outcome::condition::{Condition, Standing};
+use outcome::facts::{ChangeFacts, SensitivityFacts, ServiceFacts, SweptFacts, UpdateFacts, VehicleFacts};
+use outcome::warning::Warning;
 
 /// A comparison.
 pub struct CheckRow {
-    pub code: &'static str,
-    pub title: &'static str,
+    pub code: String,
+    pub title: String,
     pub load: String,
     pub value: String,
     pub limit: String,
@@ -26,8 +28,8 @@ pub struct CheckRow {
 
 /// A check that was not made.
 pub struct OpenRow {
-    pub code: &'static str,
-    pub title: &'static str,
+    pub code: String,
+    pub title: String,
     pub why: String,
     pub failed: bool,
 }
@@ -39,12 +41,12 @@ pub fn checks(checked: &[Checked]) -> Vec<CheckRow> {
     for (c, check) in checked.iter().enumerate() {
         for (k, finding) in check.outcome.iter().flatten().enumerate() {
             rows.push(CheckRow {
-                code: check.card.code,
-                title: check.card.title,
+                code: check.code.clone(),
+                title: check.title.clone(),
                 load: finding.load_model.clone(),
                 value: digits(finding.value),
                 limit: digits(finding.limit),
-                unit: finding.unit,
+                unit: finding.unit.word(),
                 used: percent(finding.utilisation),
                 bar: (100.0 * finding.utilisation).clamp(0.0, 100.0) as u32,
                 met: finding.met(),
@@ -62,16 +64,16 @@ pub fn worst(checked: &[Checked]) -> Vec<CheckRow> {
     let one = |check: &Checked| {
         let list = check.outcome.as_ref().ok()?;
         let most = list.iter().reduce(|worst, next| if next.utilisation > worst.utilisation { next } else { worst })?;
-        Some(Checked { card: check.card, outcome: Ok(vec![most.clone()]) })
+        Some(Checked { outcome: Ok(vec![most.clone()]), ..check.clone() })
     };
     let mut rows = checks(&checked.iter().filter_map(one).collect::<Vec<_>>());
     let broken = |code: &str| {
-        let of = checked.iter().filter(|check| check.card.code == code);
+        let of = checked.iter().filter(|check| check.code == code);
         let all: Vec<bool> = of.flat_map(|check| check.outcome.iter().flatten()).map(|finding| finding.met()).collect();
         (all.iter().filter(|met| !**met).count(), all.len())
     };
     for row in &mut rows {
-        row.of = match broken(row.code) {
+        row.of = match broken(&row.code) {
             (_, 1) => String::new(),
             (0, all) => format!("worst of {all}, all met"),
             (some, all) => format!("worst of {all}, {some} not met"),
@@ -84,7 +86,7 @@ pub fn worst(checked: &[Checked]) -> Vec<CheckRow> {
 pub fn open(checked: &[Checked]) -> Vec<OpenRow> {
     let row = |check: &Checked| {
         let why = check.outcome.as_ref().err()?;
-        Some(OpenRow { code: check.card.code, title: check.card.title, why: why.why.clone(), failed: why.failed })
+        Some(OpenRow { code: check.code.clone(), title: check.title.clone(), why: why.why.clone(), failed: why.failed })
     };
     checked.iter().filter_map(row).collect()
 }
@@ -106,10 +108,10 @@ pub fn columns(checked: &[Checked]) -> Vec<ColumnRow> {
             let Some(columns) = finding.columns else { continue };
             let load = finding.load_model.split(", total CDA").next().unwrap_or_default();
             rows.push(ColumnRow {
-                what: format!("{}, {load}", check.card.title),
+                what: format!("{}, {load}", check.title),
                 cells: columns.map(digits),
                 limit: digits(finding.limit),
-                unit: finding.unit,
+                unit: finding.unit.word(),
                 place: finding.basis.clone(),
             });
         }
@@ -176,7 +178,7 @@ pub struct FitRow {
 
 /// Fit per channel.
 pub fn fit(update: &UpdateFacts) -> Vec<FitRow> {
-    let row = |one: &assess::wire::FitFacts| FitRow {
+    let row = |one: &outcome::facts::FitFacts| FitRow {
         name: one.name.clone(),
         unit: one.unit.clone(),
         measured: maybe(one.measured),
@@ -235,27 +237,18 @@ pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
 
 /// Warnings and assumptions of every stage: what said it, and what.
 pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
-    let (mut warnings, mut assumptions): (Vec<[String; 3]>, Vec<[String; 2]>) = (Vec::new(), Vec::new());
-    let mut put = |stage: &str, list: &[[String; 2]], words: &[String]| {
-        warnings.extend(list.iter().map(|[code, text]| [stage.to_owned(), code.clone(), text.clone()]));
-        assumptions.extend(words.iter().map(|words| [stage.to_owned(), words.clone()]));
-    };
-    if let Some(facts) = a.update.made() {
-        put("update", &facts.warnings, &facts.assumptions);
-    }
-    if let Some(facts) = a.service.made() {
-        put("service", &facts.warnings, &facts.assumptions);
-    }
-    if let Some(facts) = a.ultimate.made() {
-        put("collapse", &facts.warnings, &facts.assumptions);
-    }
-    if let Some(facts) = a.vehicles.made() {
-        put("vehicles", &facts.warnings, &facts.assumptions);
-    }
-    if let Some(facts) = a.movement.made() {
-        put("support movement", &facts.warnings, &[]);
-    }
-    (warnings, assumptions)
+    let warning = |(stage, one): (&str, &Warning)| [stage.to_owned(), one.code.to_owned(), one.message.clone()];
+    let warnings = a.facts.warnings().map(warning).collect();
+    let facts = &a.facts;
+    let said: [(&str, &[String]); 4] = [
+        ("update", facts.update.made().map_or(&[], |facts| &facts.assumptions)),
+        ("service", facts.service.made().map_or(&[], |facts| &facts.assumptions)),
+        ("collapse", facts.ultimate.made().map_or(&[], |facts| &facts.assumptions)),
+        ("vehicles", facts.vehicles.made().map_or(&[], |facts| &facts.assumptions)),
+    ];
+    let assumptions =
+        said.iter().flat_map(|(stage, list)| list.iter().map(|words| [(*stage).to_owned(), words.clone()]));
+    (warnings, assumptions.collect())
 }
 
 /// A vehicle that was moved over the bridge.
@@ -272,16 +265,16 @@ pub struct VehicleRow {
 
 /// Vehicles, the least adequacy factor first.
 pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
-    let mut list: Vec<&assess::wire::SweptFacts> = facts.vehicles.iter().collect();
-    let size = |one: &assess::wire::SweptFacts| one.adequacy.or(one.adequacy_at_most).unwrap_or(f64::INFINITY);
+    let mut list: Vec<&SweptFacts> = facts.vehicles.iter().collect();
+    let size = |one: &SweptFacts| one.adequacy.or(one.adequacy_at_most).unwrap_or(f64::INFINITY);
     list.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.code.cmp(&b.code)));
-    let row = |one: &assess::wire::SweptFacts| VehicleRow {
+    let row = |one: &SweptFacts| VehicleRow {
         code: one.code.clone(),
         title: one.title.clone(),
         adequacy: one.adequacy.map_or_else(|| unanswered(one), digits),
         class: match one.adequacy {
             Some(factor) if factor >= 1.0 => "met",
-            None if one.status == "locks" => "met",
+            None if one.status == Status::Locks => "met",
             _ => "broken",
         },
         width: digits(one.effective_width_m),
@@ -293,7 +286,7 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
 }
 
 /// What stands in the place of an adequacy factor that is not known.
-fn unanswered(one: &assess::wire::SweptFacts) -> String {
+fn unanswered(one: &SweptFacts) -> String {
     let most = one.adequacy_at_most.map_or(String::new(), |most| format!(", at most {}", digits(most)));
     match one.positions_not_converged {
         0 => format!("{}{most}", one.status),

@@ -1,10 +1,10 @@
 //! How far a wheel's or sleeper's load has spread at a depth below the surface.
 
 use crate::Source;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Length and width over which an axle's load has spread at a depth: a base, plus so much of the depth.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dispersal {
     /// Length along the bridge at the surface [m].
@@ -26,7 +26,7 @@ pub struct Dispersal {
 }
 
 /// How pressure is shared out over a dispersed length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Pressure {
     /// Alike everywhere.

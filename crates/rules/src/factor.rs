@@ -1,10 +1,10 @@
 //! One factor with its source.
 
 use crate::Source;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A factor. A factor of 1 is written down like any other, with the reason why it is 1.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Factor {
     /// Its value.

@@ -1,10 +1,10 @@
 //! Dynamic effects of moving loads.
 
 use crate::{Factor, Source};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// By what a load at rest is increased because it moves.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Impact {
     /// A coefficient of dynamic augment that falls with the loaded length: `base + numerator / (addend + L)`, at most `most`.
@@ -65,7 +65,7 @@ pub enum Impact {
 
 /// How fill above the crown reduces dynamic effects: `(1 - (1 - share) d / d1)` down to the depth `d1`, then linear to zero
 /// over `vanishing` more.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct FillReduction {
     /// Depth `d1` [m].
@@ -79,7 +79,7 @@ pub struct FillReduction {
 }
 
 /// How deep cover reduces a dynamic factor: by so much a metre below a depth, never under 1.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct CoverReduction {
     /// Depth from which on it reduces [m].

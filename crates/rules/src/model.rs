@@ -1,10 +1,10 @@
 //! A load model: vehicles, and what was published of them.
 
 use crate::{Factor, Impact, Source, Vehicle};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Vehicles of one standard, and the tables that were published for them.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct LoadModel {
     /// Its name: `25t-2008`.
@@ -34,7 +34,7 @@ pub struct LoadModel {
 }
 
 /// The longest span that a load model may be used for.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct SpanLimit {
     /// Span [m].
@@ -46,7 +46,7 @@ pub struct SpanLimit {
 }
 
 /// What a rule does with the loads of a model, in the model's own file.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Under {
     /// Code of the rule.
@@ -64,7 +64,7 @@ pub struct Under {
 }
 
 /// On what vehicles drive.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Ways {
     /// On rails; loads are those of one track.
@@ -74,7 +74,7 @@ pub enum Ways {
 }
 
 /// A table of numbers that were published, or worked out by hand, over spans.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Published {
     /// The vehicle.
@@ -105,7 +105,7 @@ pub struct Published {
 }
 
 /// What published numbers are: all of a simply supported span.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// Uniform load with the same greatest bending moment, as a total [kN].

@@ -1,10 +1,10 @@
 //! A rule of assessment: every factor between a vehicle's axle and the number that is compared with a limit.
 
 use crate::{Dispersal, Factor, Impact, LoadModel, Source, Ways};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A rule of assessment.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rule {
     /// Its name in bridge files: `cs-454`.
@@ -30,7 +30,7 @@ pub struct Rule {
 }
 
 /// Load models that a rule is made for, and what it does with their loads.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Loads {
     /// Codes of load models.
@@ -54,7 +54,7 @@ pub(crate) fn yes() -> bool {
 }
 
 /// What a rule does with the loads of one load model.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Acting {
     /// Factor on loads.
     pub live_load: Factor,
@@ -87,7 +87,7 @@ impl Acting {
 }
 
 /// Partial factors. All must be given.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Factors {
     /// On the weight of masonry where it is adverse.
@@ -117,7 +117,7 @@ pub struct Factors {
 }
 
 /// Which width of the barrel carries an axle.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum EffectiveWidth {
     /// As wide as the load has spread at the crown's extrados, at most as the barrel.

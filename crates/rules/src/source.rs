@@ -1,9 +1,9 @@
 //! Where a number is from, and how sure it is.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Where numbers are from.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
     /// Document and clause or table.
@@ -18,7 +18,7 @@ pub struct Source {
 }
 
 /// How sure a number is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Confidence {
     /// Read in the source.
@@ -28,6 +28,7 @@ pub enum Confidence {
     /// From memory: confirm it in the source before a verdict rests on it.
     Recalled,
     /// Chosen, because no source gives it; the note says why.
+    #[default]
     Assumed,
 }
 

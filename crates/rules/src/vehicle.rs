@@ -2,10 +2,10 @@
 
 use crate::Source;
 use crate::pattern::{Axle, Pattern, Stretch};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A vehicle as its standard describes it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Vehicle {
     /// The name in bridge files: `hb-45`.
@@ -34,7 +34,7 @@ pub struct Vehicle {
 }
 
 /// A distance between two axles: one, or a range.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Spacing {
     /// One distance [m].
@@ -51,7 +51,7 @@ pub enum Spacing {
 }
 
 /// A uniform load that moves with the vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Uniform {
     /// Load along the bridge [kN/m].
@@ -69,7 +69,7 @@ pub struct Uniform {
 }
 
 /// Where a uniform load stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
     /// Before the first axle.

@@ -4,20 +4,22 @@
 #[cfg(target_family = "wasm")]
 mod exports;
 
-use assess::analysis::{self, Places, passage};
-use assess::wire;
-use bridge::{Bridge, Method, Severity};
-use mechanics::watch::Unwatched;
-use serde_json::{Value, json};
+use extrados::bridge::Method;
+use extrados::results::published::{self, CollapseObject, PassageObject, Run, SweepObject};
+use extrados::{
+    Choice, CollapseOptions, Memory, Project, Refusal, RespondOptions, SweepOptions, Swept, Unwatched, figures,
+};
+use serde_json::{Map, Value, json};
 
 /// The load that makes a mechanism, by the method that the number names, and its drawings as SVG.
 pub fn collapse(file: &[u8], method: u32) -> String {
-    answer(file, |mut bridge| {
-        bridge.plan.method = if method == DEM { Method::Dem } else { Method::Limit };
-        let found = analysis::collapse(&bridge, None, &mut Unwatched).map_err(|error| error.to_string())?;
-        let drawings: serde_json::Map<String, Value> =
-            figures::drawings(&found.picture).into_iter().map(|(name, svg)| (name, svg.into())).collect();
-        Ok(json!({ "result": wire::CollapseObject::new(&found, &wire::Run::default()), "drawings": drawings }))
+    answer(file, |project| {
+        let method = if method == DEM { Method::Dem } else { Method::Limit };
+        let choice = Choice { method: Some(method), ..Choice::default() };
+        let found = extrados::collapse(project, &CollapseOptions { choice, resume: None }, &mut Unwatched)?;
+        let drawn = figures::drawings(&found.picture).into_iter().map(|(name, svg)| (name, svg.into()));
+        let drawings: Map<String, Value> = drawn.collect();
+        Ok(json!({ "result": CollapseObject::new(&found, &Run::default()), "drawings": drawings }))
     })
 }
 
@@ -28,31 +30,27 @@ pub const DEM: u32 = 1;
 
 /// The load at a hundred positions along the bridge.
 pub fn sweep(file: &[u8]) -> String {
-    answer(file, |bridge| {
-        let step = assess::discretise::bridge_length(&bridge) / 100.0;
-        let found = analysis::sweep(&bridge, Places::Every(step), true, &mut Unwatched);
-        let found = found.map_err(|error| error.to_string())?;
-        let result = wire::SweepObject::new(&bridge.name, bridge.width, &found, &wire::Run::default());
-        Ok(json!({ "result": result }))
+    answer(file, |project| {
+        let bridge = project.bridge()?;
+        match extrados::sweep(project, &SweepOptions::default(), &mut Unwatched)? {
+            Swept::Loads(found) => {
+                Ok(json!({ "result": SweepObject::new(&bridge.name, bridge.width, &found, &Run::default()) }))
+            }
+            Swept::Vehicles(_) => Ok(json!({ "error": "the file moves vehicles" })),
+        }
     })
 }
 
 /// What sensors see as a train crosses.
 pub fn respond(file: &[u8]) -> String {
-    answer(file, |bridge| {
-        let found = passage::passage(&bridge, &mut Unwatched).map_err(|error| error.to_string())?;
-        Ok(json!({ "result": wire::PassageObject::new(&found), "influence": wire::influence_table(&found) }))
+    answer(file, |project| {
+        let found = extrados::respond(project, &RespondOptions::default(), &mut Unwatched)?;
+        Ok(json!({ "result": PassageObject::new(&found), "influence": published::influence_table(&found) }))
     })
 }
 
-fn answer(file: &[u8], analysis: impl FnOnce(Bridge) -> Result<Value, String>) -> String {
-    let read = bridge::read(file);
-    let found = match read.bridge {
-        Some(bridge) => analysis(bridge),
-        None => {
-            let errors = read.diagnostics.iter().filter(|found| found.severity == Severity::Error);
-            Err(errors.map(|found| found.message.as_str()).collect::<Vec<_>>().join("; "))
-        }
-    };
-    found.unwrap_or_else(|error| json!({ "error": error })).to_string()
+fn answer(file: &[u8], analysis: impl FnOnce(&Project) -> Result<Value, Refusal>) -> String {
+    let project = Project::read("bridge.toml", &Memory::default().with("bridge.toml", file));
+    let found = project.and_then(|project| analysis(&project));
+    found.unwrap_or_else(|refusal| json!({ "error": refusal.message })).to_string()
 }

@@ -3,9 +3,9 @@
 use super::places::point;
 use crate::discretise::extrados::Extrados;
 use crate::discretise::{Discretised, cover};
-use crate::outcome::{Band, Point};
 use bridge::{BackingBody, Bridge};
 use mechanics::plane::{Vec2, vec2};
+use outcome::picture::{Band, Point};
 
 /// Layers that are weight alone, and backing that is: particles, slabs and blocks are drawn as what they are. Backing comes last,
 /// to lie over the fill.

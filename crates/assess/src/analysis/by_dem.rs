@@ -1,18 +1,21 @@
 //! Collapse by discrete elements.
 
+use super::blank;
 use super::places::{lines, moving, point, scaled};
-use super::report::{Collapse, DemReport, Status};
 use super::{AnalysisError, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise, laws};
-use crate::outcome::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
-use crate::warning::{self, Warning};
-use bridge::{Analysis, Bridge, ContactLength, Damping, Method, Plan, Strip};
+use bridge::{Bridge, ContactLength, Damping, Plan, Strip};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Watch;
+use outcome::collapse;
+use outcome::collapse::By;
+use outcome::collapse::{Collapse, DemReport, Status};
+use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
+use outcome::warning::{self, Warning};
 
 /// How the plan wants the method done.
 pub fn settings(bridge: &Bridge) -> dem::Settings {
@@ -194,12 +197,11 @@ pub fn report(
     let mut picture = picture::built(bridge, d, title);
     draw(d, outcome, load, &mut picture);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
-    let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
-    c.method = Method::Dem;
+    let report = numbers(&bridge.plan, outcome, broken.map(|(body, step)| (d.body_name(body), step)));
+    let mut c = blank::of_bridge(bridge, d, By::Dem(Some(report)), picture);
     c.status = status;
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     c.contacts = at_rest.map_or(0, |f| f.contacts.len());
-    c.dem = Some(numbers(&bridge.plan, outcome, broken.map(|(body, step)| (d.body_name(body), step))));
     c
 }
 
@@ -214,8 +216,8 @@ pub(super) fn numbers(plan: &Plan, outcome: &dem::Outcome, broken_at: Option<(St
         single_mass_time_step: outcome.single_mass_time_step,
         damping: damping(plan.damping),
         contact_length: match plan.contact_length {
-            ContactLength::Fixed => "fixed",
-            ContactLength::Updated => "updated",
+            ContactLength::Fixed => collapse::ContactLength::Fixed,
+            ContactLength::Updated => collapse::ContactLength::Updated,
         },
         energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
         broken_at,

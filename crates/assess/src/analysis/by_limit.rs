@@ -1,14 +1,16 @@
 //! Collapse load by limit analysis.
 
+use super::blank;
 use super::places::{between_rings, edge_at, lines, point, scaled};
-use super::report::{Collapse, LimitReport, Status};
 use super::{AnalysisError, notes, picture};
 use crate::discretise::{Discretised, discretise, pressure};
-use crate::outcome::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
-use bridge::{Analysis, Bridge, ContactPoints, Friction, Method, Plan};
+use bridge::{Bridge, ContactPoints, Friction, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
+use outcome::collapse::{By, FlowRule};
+use outcome::collapse::{Collapse, LimitReport, Status};
+use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
 
 /// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
 pub fn settings(bridge: &Bridge) -> limit::Settings {
@@ -80,13 +82,13 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         let mut bare = d.clone();
         bare.loading.restraints.clear();
         let without = solve(&bare, &settings)?.factor.map(|f| d.load(f));
-        if let Some(report) = &mut c.limit {
+        if let By::Limit(report) = &mut c.by {
             report.without_fill_pressure_load = without;
         }
         let mut whole = d.clone();
         whole.loading.restraints = pressure::restraints(&fully_pressed(bridge), &d.extrados);
         let full = solve(&whole, &settings)?.factor.map(|f| d.load(f));
-        if let Some(report) = &mut c.limit {
+        if let By::Limit(report) = &mut c.by {
             report.full_fill_pressure_load = full;
         }
         notes::pressed(bridge, without, full, &mut c);
@@ -116,11 +118,11 @@ pub fn solve(d: &Discretised, settings: &limit::Settings) -> Result<limit::Outco
     Ok(limit::Outcome::without_numbers(limit::Status::Locks, friction, interfaces, iterations))
 }
 
-/// The word for a flow rule.
-fn word(friction: limit::Friction) -> &'static str {
+/// The flow rule that numbers belong to.
+fn flow_rule(friction: limit::Friction) -> FlowRule {
     match friction {
-        limit::Friction::NonAssociated => "non-associated",
-        _ => "associated",
+        limit::Friction::NonAssociated => FlowRule::NonAssociated,
+        _ => FlowRule::Associated,
     }
 }
 
@@ -137,8 +139,7 @@ pub fn status(status: limit::Status) -> Status {
 fn report(bridge: &Bridge, d: &Discretised, outcome: &limit::Outcome, unlimited: Option<f64>) -> Collapse {
     let mut picture = picture::built(bridge, d, "limit analysis");
     draw(d, outcome, &mut picture);
-    let mut c = Collapse::blank(bridge, d, Analysis::Load, picture);
-    c.method = Method::Limit;
+    let mut c = blank::of_bridge(bridge, d, By::Limit(LimitReport::default()), picture);
     c.status = status(outcome.status);
     loads(d, outcome, unlimited, &mut c);
     notes::limit(bridge, d, &mut c);
@@ -154,8 +155,8 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
     c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
     // Both bounds must agree to this.
     c.tolerance = 1e-6;
-    c.limit = Some(LimitReport {
-        friction: word(outcome.friction),
+    c.by = By::Limit(LimitReport {
+        friction: flow_rule(outcome.friction),
         lower_bound: load(outcome.lower_bound),
         upper_bound: load(outcome.upper_bound),
         associated_load: load(outcome.associated_factor),

@@ -1,10 +1,11 @@
 //! What the pages of `docs/` say against a method, said in every result that it concerns. The table of all such sentences is
 //! `docs/theory/limits.md`.
 
-use super::report::Collapse;
 use crate::discretise::{Discretised, Origin};
-use crate::warning::{self, Warning};
 use bridge::{Bridge, DispersalRule};
+use outcome::collapse::Collapse;
+use outcome::collapse::FlowRule;
+use outcome::warning::{self, Warning};
 
 /// Fill under a wheel is not asked whether it bears the wheel.
 pub const FILL_UNDER_WHEELS: &str =
@@ -27,10 +28,10 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     c.assumptions.push(SUPPORTS_HOLD.into());
     c.assumptions.push(OUT_OF_PLANE.into());
-    if c.limit.as_ref().is_some_and(|l| l.friction == "non-associated") {
+    if c.limit().is_some_and(|l| l.friction == FlowRule::NonAssociated) {
         c.assumptions.push(NO_BOUND.into());
     }
-    if c.limit.is_some() && several_rings(d) && !c.sliding_joints.is_empty() {
+    if c.limit().is_some() && several_rings(d) && !c.sliding_joints.is_empty() {
         let message = "rings slide on one another: the limit load takes the state of self-stress that carries most, and discrete \
              elements lay at 0.66 to 0.82 of it for nine bridges with two rings";
         c.warnings.push(Warning::new(warning::RINGS_SHARE, message));

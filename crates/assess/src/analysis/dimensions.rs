@@ -1,8 +1,8 @@
 //! Dimensions of a drawing: every span and rise, piers, and thicknesses and heights where they differ from those before.
 
-use crate::outcome::{Dimension, Measure, Point};
 use bridge::ring::{Intrados, Profile};
 use bridge::{Bridge, Span};
+use outcome::picture::{Dimension, Measure, Point};
 
 /// What an engineer measures first, on the bridge as built; `surface` is the level of the road [m].
 pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<Dimension> {

@@ -1,7 +1,7 @@
 //! Collapse of rings under fill that is particles: packed, let go, loaded.
 
+use super::blank;
 use super::by_dem::{loads, report, require_stiffness, settings};
-use super::report::{Collapse, PackingReport};
 use super::{AnalysisError, by_limit, notes};
 use crate::discretise::fill::FillRegion;
 use crate::discretise::{Discretised, Origin, discretise};
@@ -12,6 +12,8 @@ use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
 use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::collapse::{By, Status};
+use outcome::collapse::{Collapse, PackingReport};
 
 /// Packs the fill, lets ring and fill come to rest, puts the loading blocks on it and raises the loads in steps until
 /// the ring collapses or the fill gives way.
@@ -58,7 +60,7 @@ pub fn collapse_filled(
     loads(&outcome, &factor, &mut c);
     c.load_step = Some(load_step);
     c.packing = outcome.frames.first().map(|frame| packing_report(bridge, &d, &region, &grains, frame));
-    if let (Some(dem), Some(rested)) = (&mut c.dem, settled) {
+    if let (By::Dem(Some(dem)), Some(rested)) = (&mut c.by, settled) {
         dem.iterations_total += rested.outcome.iterations;
     }
     notes::dem(bridge, &d, &mut c);
@@ -358,9 +360,8 @@ fn settlement(d: &Discretised, frame: &Frame) -> f64 {
 /// The result of a run that was stopped while particles grew.
 fn stopped(bridge: &Bridge, d: &Discretised) -> Collapse {
     let picture = super::picture::built(bridge, d, "discrete elements");
-    let mut c = Collapse::blank(bridge, d, bridge::Analysis::Load, picture);
-    c.method = bridge::Method::Dem;
-    c.status = super::Status::Cancelled;
+    let mut c = blank::of_bridge(bridge, d, By::Dem(None), picture);
+    c.status = Status::Cancelled;
     c
 }
 
@@ -368,11 +369,11 @@ fn stopped(bridge: &Bridge, d: &Discretised) -> Collapse {
 fn not_at_rest(bridge: &Bridge, d: &Discretised, region: &FillRegion, rested: &Settled) -> Collapse {
     let mut c = stopped(bridge, d);
     c.status = match rested.outcome.status {
-        dem::Status::Cancelled => super::Status::Cancelled,
-        dem::Status::Stalled => super::Status::Stalled,
-        dem::Status::StepLimit => super::Status::StepLimit,
-        dem::Status::Broken { .. } => super::Status::NotConverged,
-        _ => super::Status::UnstableUnderSelfWeight,
+        dem::Status::Cancelled => Status::Cancelled,
+        dem::Status::Stalled => Status::Stalled,
+        dem::Status::StepLimit => Status::StepLimit,
+        dem::Status::Broken { .. } => Status::NotConverged,
+        _ => Status::UnstableUnderSelfWeight,
     };
     let grains: Vec<Grain> = d.model.particles.iter().map(|p| Grain { centre: p.centre, radius: p.radius }).collect();
     c.packing = Some(packing_report(bridge, d, region, &grains, &rested.frame()));

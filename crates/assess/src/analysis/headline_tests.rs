@@ -1,11 +1,13 @@
 //! What leads a result is carried: by every method, with walls, where a run stalls, and where positions found no answer.
 
-use super::vehicles::{Ended, vehicle_sweep};
+use super::vehicles::vehicle_sweep;
 use super::*;
 use crate::samples;
-use crate::warning;
 use bridge::{Directions, Ring, Span, SweepPlan};
 use mechanics::watch::{Progress, Unwatched, Wish};
+use outcome::collapse::Status;
+use outcome::sweep::Ended;
+use outcome::warning;
 
 fn limit(b: &Bridge) -> Collapse {
     collapse(
@@ -16,7 +18,7 @@ fn limit(b: &Bridge) -> Collapse {
     .unwrap()
 }
 
-fn codes(warnings: &[crate::warning::Warning]) -> Vec<&str> {
+fn codes(warnings: &[outcome::warning::Warning]) -> Vec<&str> {
     warnings.iter().map(|w| w.code).collect()
 }
 
@@ -109,7 +111,9 @@ fn with_walls_the_headline_is_the_sum_of_what_the_strips_carry() {
     assert!((both.headline.unwrap() / sum - 1.0).abs() < 1e-12);
     let headline = found.headline().unwrap();
     assert!((headline.whole / sum - 1.0).abs() < 1e-12 && (headline.load * 3.0 / sum - 1.0).abs() < 1e-12);
-    let object = serde_json::to_value(crate::wire::CollapseObject::new(&found, &crate::wire::Run::default())).unwrap();
+    let object =
+        serde_json::to_value(outcome::published::CollapseObject::new(&found, &outcome::published::Run::default()))
+            .unwrap();
     for key in ["headline_kn", "last_stable_load_kn"] {
         assert!((object[key].as_f64().unwrap() * 1e3 / sum - 1.0).abs() < 1e-9, "{key}: {}", object[key]);
     }
@@ -119,12 +123,15 @@ fn with_walls_the_headline_is_the_sum_of_what_the_strips_carry() {
 fn the_load_that_is_carried_stands_first() {
     for b in [short(), weak()] {
         let found = limit(&b);
-        let text = crate::wire::json(&crate::wire::CollapseObject::new(&found, &crate::wire::Run::default()));
+        let text = outcome::published::json(&outcome::published::CollapseObject::new(
+            &found,
+            &outcome::published::Run::default(),
+        ));
         let at = |key: &str| text.find(&format!("\"{key}\"")).unwrap_or_else(|| panic!("{key} in {text}"));
         assert!(at("headline_kn_per_m") < at("last_stable_load_kn_per_m"));
         assert!(at("last_stable_load_kn_per_m") < at("collapse_load_kn_per_m"));
         assert!(at("last_stable_load_kn") < at("collapse_load_kn"));
-        assert_eq!(found.carried(), found.limit.unwrap().lower_bound);
+        assert_eq!(found.carried(), found.limit().unwrap().lower_bound);
     }
 }
 
@@ -225,7 +232,7 @@ fn positions_of_a_check_do_not_grow_apart_with_the_length_of_the_bridge() {
     b.spans = vec![b.spans[0].clone(); 8];
     b.piers = vec![bridge::Pier { width: 1.0, base_width: 1.0, height: 3.0, courses: 3 }; 7];
     let found = crate::chain::ultimate(&b, &mut Unwatched).unwrap().unwrap();
-    let swept = found.sweep.as_ref().unwrap();
+    let swept = &found.sweep;
     assert!(swept.step <= 5.0 / 60.0 + 1e-9, "{}", swept.step);
     assert!(found.facts.positions > 500 && found.facts.positions_not_converged == 0, "{}", found.facts.positions);
     // The worst place of a finer sweep around it is the same one.

@@ -2,6 +2,7 @@
 
 mod asked;
 mod bands;
+mod blank;
 pub mod by_dem;
 pub mod by_fe;
 pub mod by_limit;
@@ -17,34 +18,29 @@ mod picture;
 mod pieces;
 mod places;
 mod planned;
-mod report;
 mod strips;
 mod sweep;
 mod thickness;
 pub mod update;
 pub mod vehicles;
 
-pub use asked::AskedAxles;
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_fe::collapse_by_fe;
 pub use by_limit::collapse_by_limit;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use planned::planned;
-pub use report::{
-    Collapse, Combination, Component, DemReport, FiniteReport, Headline, LimitReport, PackingReport, Status,
-    SupportReport, ThicknessReport,
-};
-pub use sweep::{Places, Sweep, SweepPoint, sweep};
+pub use sweep::{Places, sweep};
 pub use thickness::thickness;
-pub use vehicles::{VehicleSweep, vehicle_sweep};
+pub use vehicles::vehicle_sweep;
 
 use crate::discretise::{DiscretiseError, fill};
-use crate::outcome::Picture;
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::dem::PackingError;
 use mechanics::watch::Watch;
+use outcome::collapse::Collapse;
+use outcome::picture::Picture;
 use thiserror::Error;
 
 /// Why an analysis cannot be set up. What the file must change is in the words.
@@ -173,8 +169,8 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         (Analysis::Thickness, _) => thickness(bridge, watch),
         (Analysis::SupportMovement, _) => support_movement(bridge, resume, watch),
     }?;
-    found.picture.moves_supports = found.analysis == Analysis::SupportMovement;
-    found.picture.collapse_load = found.support.as_ref().map_or(found.collapse_load, |support| support.collapse);
+    found.picture.moves_supports = found.support().is_some();
+    found.picture.collapse_load = found.support().map_or(found.collapse_load, |support| support.collapse);
     Ok(found)
 }
 

@@ -1,16 +1,18 @@
 //! Collapse by the movement of a support.
 
+use super::blank;
 use super::places::point;
-use super::report::{Collapse, LimitReport, Status, SupportReport};
 use super::{AnalysisError, by_dem, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise};
-use crate::outcome::{Motion, Snapshot};
-use bridge::{Analysis, Bridge, Method};
+use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
 use mechanics::plane::{Pose, Vec2};
 use mechanics::watch::Watch;
+use outcome::collapse::{By, Sought};
+use outcome::collapse::{Collapse, LimitReport, Status, SupportReport};
+use outcome::picture::{Motion, Snapshot};
 
 /// Limit analysis narrows the movement to this share of the increment.
 const FINE: f64 = 1e-3;
@@ -36,12 +38,11 @@ pub fn support_movement(
         Method::Limit => by_limit(bridge, &d, step, largest)?,
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("support movements")),
     };
-    c.analysis = Analysis::SupportMovement;
     c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
     for (given, name, value) in [(movement.increment, "increment", step), (movement.limit, "limit", largest)] {
         if given.is_none() {
             let message = format!("{name} of the support movement = {value} m, a share of the shortest span");
-            c.warnings.push(crate::warning::Warning::new(crate::warning::CHOSEN, message));
+            c.warnings.push(outcome::warning::Warning::new(outcome::warning::CHOSEN, message));
         }
     }
     Ok(c)
@@ -61,7 +62,7 @@ fn by_dem(
     let mut c = by_dem::report(bridge, d, &outcome, "support movement", &|factor| factor);
     // A step that neither came to rest nor collapsed is no collapse.
     let collapse = outcome.collapse_factor.filter(|_| outcome.status != dem::Status::Stalled);
-    c.support = Some(SupportReport { last_stable: outcome.last_stable_factor, collapse, step });
+    c.sought = Sought::SupportMovement(SupportReport { last_stable: outcome.last_stable_factor, collapse, step });
     notes::dem(bridge, d, &mut c);
     Ok(c)
 }
@@ -95,8 +96,8 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
     }];
     picture.last_stable = Some(0);
     picture.mechanism = super::places::scaled(picture.snapshots[0].motions.clone());
-    let mut c = Collapse::blank(bridge, d, Analysis::SupportMovement, picture);
-    c.method = Method::Limit;
+    let report = LimitReport { iterations: outcome.path.len() as u32, ..LimitReport::default() };
+    let mut c = blank::of_bridge(bridge, d, By::Limit(report), picture);
     c.tolerance = FINE * step;
     c.contacts = outcome.interfaces.iter().map(|i| i.points.len()).sum();
     c.status = match outcome.status {
@@ -105,8 +106,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         limit::MovementStatus::NoEquilibrium => Status::UnstableUnderSelfWeight,
     };
     let stands = (outcome.status != limit::MovementStatus::NoEquilibrium).then_some(outcome.stands);
-    c.support = Some(SupportReport { last_stable: stands, collapse: outcome.falls, step });
-    c.limit = Some(LimitReport::without_bounds(outcome.path.len() as u32));
+    c.sought = Sought::SupportMovement(SupportReport { last_stable: stands, collapse: outcome.falls, step });
     notes::limit(bridge, d, &mut c);
     c.assumptions.retain(|a| !a.contains("displacements before collapse"));
     c.assumptions.push("Rigid blocks that follow the support as a mechanism; displacements are large.".into());

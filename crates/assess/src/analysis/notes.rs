@@ -1,10 +1,12 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
-use super::report::{Collapse, Status};
 use crate::discretise::{Discretised, Origin, pressure};
-use crate::warning::{self, Warning};
 use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule};
 use mechanics::limit;
+use outcome::collapse::By;
+use outcome::collapse::FlowRule;
+use outcome::collapse::{Collapse, Status};
+use outcome::warning::{self, Warning};
 
 mod joints;
 
@@ -16,17 +18,17 @@ const BOUNDS: f64 = 1e-6;
 /// Notes on a limit analysis.
 pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
-    let Some(report) = &c.limit else { return };
+    let Some(report) = c.limit() else { return };
     let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
     assumptions.push(
         "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
     );
     match (report.friction, report.associated_load) {
-        ("associated", _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
+        (FlowRule::Associated, _) if !c.sliding_joints.is_empty() => warnings.push(Warning::new(
             warning::ASSOCIATED_SLIDING,
             format!("{} joints slide in the mechanism and friction is associated: the load is an upper bound", c.sliding_joints.len()),
         )),
-        ("non-associated", bound) if c.status == Status::NotConverged => {
+        (FlowRule::NonAssociated, bound) if c.status == Status::NotConverged => {
             let bound = bound.map_or(String::new(), |load| format!(" of {:.2} kN/m", load / 1e3));
             warnings.push(Warning::new(
                 warning::ASSOCIATED_SLIDING,
@@ -37,15 +39,17 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
                 ),
             ));
         }
-        ("associated", _) => assumptions.push("Friction is associated; no joint slides in the mechanism, which forms without dilation as well.".into()),
-        (_, Some(load)) => assumptions.push(format!(
+        (FlowRule::Associated, _) => assumptions.push("Friction is associated; no joint slides in the mechanism, which forms without dilation as well.".into()),
+        (FlowRule::NonAssociated, Some(load)) => assumptions.push(format!(
             "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
             load / 1e3
         )),
-        _ => assumptions.push("Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006).".into()),
+        (FlowRule::NonAssociated, None) => assumptions.push("Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006).".into()),
     }
     warnings.extend(joints::cohesive(bridge));
-    if let (Status::NotConverged, "non-associated", Some(carried)) = (c.status, report.friction, report.lower_bound) {
+    if let (Status::NotConverged, FlowRule::NonAssociated, Some(carried)) =
+        (c.status, report.friction, report.lower_bound)
+    {
         warnings.push(Warning::new(
             warning::WITHOUT_FRICTION,
             format!(
@@ -58,7 +62,7 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if bridge.plan.contact_points == ContactPoints::Rounded && bridge.masonry.rounding > 0.0 {
         warnings.push(inset(bridge));
     }
-    if let (Some(lower), Some(upper), "associated") = (report.lower_bound, report.upper_bound, report.friction)
+    if let (Some(lower), Some(upper), FlowRule::Associated) = (report.lower_bound, report.upper_bound, report.friction)
         && (upper - lower).abs() > BOUNDS * upper.abs()
     {
         warnings.push(Warning::new(
@@ -161,7 +165,7 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             "Rouxinol, Providência and Lemos print the last stable step as collapse load of cases like this one",
         ));
     }
-    if let Some((block, step)) = c.dem.as_ref().and_then(|r| r.broken_at.clone()) {
+    if let Some((block, step)) = c.dem().and_then(|r| r.broken_at.clone()) {
         c.warnings.push(Warning::new(warning::BROKEN, format!("the run broke off at {block}, iteration {step}")));
     }
     if let (Some(stress), Some(strength)) = (c.max_compressive_stress, bridge.masonry.compressive_strength)
@@ -190,7 +194,7 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
 /// Notes on a run by finite elements; `parts` says what stones and joints are made of.
 pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     common(bridge, d, c);
-    let springs = c.finite.map_or(0, |finite| finite.springs_per_joint);
+    let springs = c.finite().map_or(0, |finite| finite.springs_per_joint);
     c.assumptions.push(format!(
         "Each joint is {springs} springs from edge to edge, without tension, which shear elastically and do not slide; displacements are large. {parts}"
     ));
@@ -298,7 +302,7 @@ pub fn crushed_under_particles(bridge: &Bridge, share: Option<f64>, c: &mut Coll
 
 /// Puts the non-associated load of a wall beside the associated one [N/m].
 pub fn corrected(c: &mut Collapse, load: Option<f64>) {
-    if let Some(report) = &mut c.limit {
+    if let By::Limit(report) = &mut c.by {
         report.non_associated_load = load;
     }
     let message = match load {
@@ -375,7 +379,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             .push(Warning::new(warning::UNLIMITED_STRENGTH, "compressive strength has no limit: crushing is left out"));
     }
     c.warnings.extend(joints::between_rings(bridge));
-    let unlimited = c.limit.as_ref().and_then(|l| l.unlimited_strength_load);
+    let unlimited = c.limit().and_then(|l| l.unlimited_strength_load);
     if let (Some(load), Some(without), Some(strength)) =
         (c.collapse_load, unlimited, bridge.masonry.compressive_strength)
     {

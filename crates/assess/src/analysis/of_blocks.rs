@@ -1,16 +1,17 @@
 //! Collapse of a block model that a file lists or a drawing holds.
 
-use super::report::{Collapse, Status};
 use super::{AnalysisError, by_dem, by_limit};
 use crate::blocks::Scene;
 use crate::discretise::{Discretised, laws};
-use crate::outcome::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
-use crate::warning::{self, Warning};
-use bridge::{Analysis, Method, Plan};
+use bridge::{Method, Plan};
 use mechanics::dem::Body;
 use mechanics::ids::{GroupId, Id};
 use mechanics::limit;
 use mechanics::watch::Watch;
+use outcome::collapse::{By, FlowRule, LimitReport};
+use outcome::collapse::{Collapse, Status};
+use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
+use outcome::warning::{self, Warning};
 use std::collections::BTreeMap;
 
 /// The blocks as they are drawn. Nothing is computed.
@@ -62,12 +63,12 @@ fn dem(
     let mut picture = built(scene, "discrete elements");
     by_dem::draw(d, &outcome, &|factor| d.load(factor), &mut picture);
     let (status, broken) = by_dem::status(&outcome);
-    let mut c = blank(scene, d, Method::Dem, status, picture);
+    let broken = broken.map(|(body, step)| (named(scene, body), step));
+    let report = by_dem::numbers(&scene.plan, &outcome, broken);
+    let mut c = blank(scene, d, By::Dem(Some(report)), status, picture);
     c.max_compressive_stress = Some(outcome.max_compressive_stress);
     let at_rest = outcome.last_stable_frame.and_then(|k| outcome.frames.get(k));
     c.contacts = at_rest.map_or(0, |frame| frame.contacts.len() + frame.particle_contacts.len());
-    let broken = broken.map(|(body, step)| (named(scene, body), step));
-    c.dem = Some(by_dem::numbers(&scene.plan, &outcome, broken));
     by_dem::loads(&outcome, &|factor| d.load(factor), &mut c);
     c.load_step = Some(step);
     c.limit_load = rigid.as_ref().and_then(|rigid| rigid.factor).map(|f| d.load(f));
@@ -144,12 +145,12 @@ fn limit(scene: &Scene, d: &Discretised) -> Result<Collapse, AnalysisError> {
     };
     let mut picture = built(scene, "limit analysis");
     by_limit::draw(d, &outcome, &mut picture);
-    let mut c = blank(scene, d, Method::Limit, by_limit::status(outcome.status), picture);
+    let mut c = blank(scene, d, By::Limit(LimitReport::default()), by_limit::status(outcome.status), picture);
     by_limit::loads(d, &outcome, unlimited, &mut c);
     c.assumptions.push(
         "Rigid blocks as built: joints have no deformability and displacements before collapse are neglected.".into(),
     );
-    if c.limit.as_ref().is_some_and(|report| report.friction == "associated") && !c.sliding_joints.is_empty() {
+    if c.limit().is_some_and(|report| report.friction == FlowRule::Associated) && !c.sliding_joints.is_empty() {
         let message = format!(
             "{} joints slide in the mechanism and friction is associated: the load is an upper bound",
             c.sliding_joints.len()
@@ -175,7 +176,7 @@ fn notes(scene: &Scene, c: &mut Collapse) {
         let message = format!("contact points lie up to {:.1} mm inside the edges of the blocks", 1e3 * rounding);
         c.warnings.push(Warning::new(warning::INSET, message));
     }
-    if let (Some(stable), Some(bound), Method::Dem) = (c.last_stable_load, c.limit_load, c.method)
+    if let (Some(stable), Some(bound), By::Dem(_)) = (c.last_stable_load, c.limit_load, &c.by)
         && stable > bound
     {
         let message =
@@ -184,6 +185,12 @@ fn notes(scene: &Scene, c: &mut Collapse) {
     }
     c.assumptions.push("The loads act on the blocks as the file says; nothing spreads them.".into());
     c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
+}
+
+/// A result with nothing found yet.
+fn blank(scene: &Scene, d: &Discretised, by: By, status: Status, picture: Picture) -> Collapse {
+    let name = scene.name.clone();
+    Collapse { bridge: name, width: scene.width, status, ..super::blank::of_blocks(&scene.plan, d, by, picture) }
 }
 
 fn built(scene: &Scene, title: &str) -> Picture {
@@ -212,44 +219,6 @@ fn discs(scene: &Scene) -> Vec<Disc> {
         discs.push(Disc { centre: particle.centre, radius: particle.radius, layer });
     }
     discs
-}
-
-fn blank(scene: &Scene, d: &Discretised, method: Method, status: Status, picture: Picture) -> Collapse {
-    Collapse {
-        bridge: scene.name.clone(),
-        width: scene.width,
-        method,
-        analysis: Analysis::Load,
-        status,
-        collapse_load: None,
-        last_stable_load: None,
-        load_step: None,
-        reference_load: d.reference_load,
-        limit_load: None,
-        crushing_limit_load: None,
-        stalled_load: None,
-        hinges: picture.hinges.clone(),
-        sliding_joints: picture.sliding.clone(),
-        max_compressive_stress: None,
-        blocks: d.model.blocks.len(),
-        particles: d.model.particles.len(),
-        contacts: 0,
-        tolerance: scene.plan.tolerance,
-        seed: scene.plan.seed,
-        dem: None,
-        limit: None,
-        finite: None,
-        thickness: None,
-        support: None,
-        packing: None,
-        combination: None,
-        wall_strip: None,
-        asked: Vec::new(),
-        block_names: Vec::new(),
-        warnings: Vec::new(),
-        assumptions: Vec::new(),
-        picture,
-    }
 }
 
 /// Lines of thrust through blocks that stand in a row: each has two joints that carry. Where more meet, a line ends.

@@ -4,11 +4,11 @@ use super::bands::bands;
 use super::dimensions::dimensions;
 use super::places::point;
 use crate::discretise::{Discretised, cover};
-use crate::outcome::{ContactForce, Disc, LoadArrow, Picture, Shape};
 use bridge::Bridge;
 use mechanics::blocks::{Particle, PointForce};
 use mechanics::ids::BlockId;
 use mechanics::plane::Vec2;
+use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Shape};
 
 /// Blocks, surface and loads of a bridge as built.
 pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {

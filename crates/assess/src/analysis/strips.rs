@@ -1,11 +1,12 @@
 //! The two strips of a bridge with spandrel walls, and their loads by their widths.
 
-use super::report::{Collapse, Combination, Component, Status};
 use super::{AnalysisError, collapse};
-use crate::warning::{self, Warning};
 use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::collapse::{Collapse, Combination, Component, Status};
+use outcome::published;
+use outcome::warning::{self, Warning};
 
 /// Analyses the strip between the walls, then that of the walls, and adds up what they carry by their widths: the
 /// result of the strip between the walls, with the other and the sum beside it. A block that brings a load onto the fill is
@@ -90,7 +91,7 @@ fn combination(fill: &Collapse, wall: &Collapse, widths: [f64; 2]) -> Combinatio
         headline: c.carried(),
         width,
     };
-    let components = vec![component("fill", fill, widths[0]), component("wall", wall, widths[1])];
+    let components = vec![component(Strip::Fill, fill, widths[0]), component(Strip::Wall, wall, widths[1])];
     let sum = |load: fn(&Component) -> Option<f64>| components.iter().map(|c| Some(load(c)? * c.width)).sum();
     let mut assumptions = vec![
         "The strips act side by side without a force between them, and both reach their loads at the same time, \
@@ -101,7 +102,10 @@ fn combination(fill: &Collapse, wall: &Collapse, widths: [f64; 2]) -> Combinatio
             .to_string(),
     ];
     for c in components.iter().filter(|c| c.headline.is_none()) {
-        assumptions.push(format!("No load was found to be carried by the strip \"{}\": there is no sum.", c.strip));
+        assumptions.push(format!(
+            "No load was found to be carried by the strip \"{}\": there is no sum.",
+            published::strip(c.strip)
+        ));
     }
     Combination {
         collapse_load: sum(|c| c.collapse_load),

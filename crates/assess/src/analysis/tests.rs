@@ -2,9 +2,10 @@
 
 use super::*;
 use crate::discretise::discretise;
-use crate::outcome::HingeAt;
 use crate::samples::{bridgemill, case_two, semicircle, spandrel_wall};
 use bridge::{ContactPoints, Method};
+use outcome::collapse::Status;
+use outcome::picture::HingeAt;
 
 fn limit_load(mut b: Bridge, points: ContactPoints) -> f64 {
     b.plan.method = Method::Limit;
@@ -53,7 +54,7 @@ fn the_least_thickness_of_a_semicircle_is_the_one_of_milankovitch() {
     b.plan.method = Method::Limit;
     b.plan.analysis = bridge::Analysis::Thickness;
     let c = collapse(&b, None, &mut mechanics::watch::Unwatched).unwrap();
-    let t = c.thickness.unwrap();
+    let t = c.thickness().unwrap();
     // 0.107478 for the curved ring; 200 sectors lie 0.01 % below it and flat faces change the weights' places by as
     // much: 0.2 % is the target.
     let ratio = t.over_mean_radius.unwrap();
@@ -239,7 +240,7 @@ fn a_spreading_springing_brings_the_ring_down_by_both_methods() {
         b.plan.method = method;
         let c = collapse(&b, None, &mut mechanics::watch::Unwatched).unwrap();
         assert_eq!(c.status, Status::Collapsed, "{method:?}");
-        c.support.unwrap().last_stable.unwrap()
+        c.support().unwrap().last_stable.unwrap()
     });
     // Limit analysis ends where a small increment has no equilibrium near by; deformable blocks that are damped may
     // jump from one row of joints to the next there, and come to rest again: they reach at least as far, but for a step.
@@ -338,10 +339,10 @@ fn a_wall_never_has_its_associated_load_alone() {
     let without = answer(&b).collapse_load.unwrap();
     b.plan.friction = bridge::Friction::Associated;
     let c = answer(&b);
-    let report = c.limit.unwrap();
+    let report = c.limit().unwrap();
     assert_eq!(report.non_associated_load, Some(without));
     assert!(without < c.collapse_load.unwrap());
-    assert!(c.warnings.iter().any(|w| w.code == crate::warning::ASSOCIATED_SLIDING));
+    assert!(c.warnings.iter().any(|w| w.code == outcome::warning::ASSOCIATED_SLIDING));
 }
 
 #[test]

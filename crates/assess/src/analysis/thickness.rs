@@ -1,13 +1,15 @@
 //! The least ring thickness that stands.
 
-use super::report::{Collapse, LimitReport, Status, ThicknessReport};
+use super::blank;
 use super::{AnalysisError, by_dem, by_limit, notes, picture};
 use crate::discretise::{Discretised, discretise};
 use bridge::ring::Profile;
-use bridge::{Analysis, Bridge, Method};
+use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::limit;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
+use outcome::collapse::{By, Sought};
+use outcome::collapse::{Collapse, LimitReport, Status, ThicknessReport};
 use std::cell::RefCell;
 
 /// Limit analysis narrows the thickness to this share of the given one.
@@ -101,8 +103,8 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
     if let Some(line) = &line {
         picture.thrust_lines = by_limit::thrust_lines(&shown, &joints, line);
     }
-    let mut c = Collapse::blank(bridge, &shown, Analysis::Thickness, picture);
-    c.method = Method::Limit;
+    let by = By::Limit(LimitReport { iterations: found.trials, ..LimitReport::default() });
+    let mut c = blank::of_bridge(bridge, &shown, by, picture);
     c.tolerance = EXACT;
     c.contacts = joints.iter().map(|i| i.points.len()).sum();
     c.status = match found.status {
@@ -111,10 +113,7 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         limit::ThicknessStatus::FallsAtThickest => Status::UnstableUnderSelfWeight,
         limit::ThicknessStatus::NotConverged => Status::NotConverged,
     };
-    if let (Some(fell), Some(stood)) = (found.falls, found.stands) {
-        c.thickness = Some(report(bridge, [fell, stood]));
-    }
-    c.limit = Some(LimitReport::without_bounds(found.trials));
+    c.sought = Sought::Thickness(found.falls.zip(found.stands).map(|(fell, stood)| report(bridge, [fell, stood])));
     notes::limit(bridge, &shown, &mut c);
     Ok(c)
 }
@@ -175,11 +174,8 @@ fn by_dem(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisEr
         (None, None) => run(1.0)?,
     };
     let mut c = by_dem::report(bridge, &d, &outcome, "least thickness", &|factor| factor);
-    c.analysis = Analysis::Thickness;
     c.status = ended;
-    if let (Some(fell), Some((stood, ..))) = (fell, &stood) {
-        c.thickness = Some(report(bridge, [fell, *stood]));
-    }
+    c.sought = Sought::Thickness(fell.zip(stood.as_ref()).map(|(fell, (stood, ..))| report(bridge, [fell, *stood])));
     if let Some((_, d, outcome)) = &stood {
         let standing = by_dem::report(bridge, d, outcome, "least thickness", &|factor| factor);
         c.picture.thrust_lines = standing.picture.thrust_lines;

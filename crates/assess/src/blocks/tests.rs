@@ -1,13 +1,14 @@
 //! Block models from files and drawings.
 
 use super::{Assembled, assemble, of_bridge, toml};
-use crate::analysis::{Status, blocks_as_built, collapse, collapse_of_blocks};
+use crate::analysis::{blocks_as_built, collapse, collapse_of_blocks};
 use crate::discretise::discretise;
-use crate::outcome::Partner;
 use crate::samples::bridgemill;
 use bridge::{Method, Severity};
 use drawing::{Item, Sheet};
 use mechanics::watch::Unwatched;
+use outcome::collapse::Status;
+use outcome::picture::Partner;
 
 /// Three blocks of a metre in a column between a floor and nothing.
 const COLUMN: &str = r#"
@@ -152,7 +153,7 @@ fn the_blocks_of_a_bridge_carry_what_the_bridge_does() {
     let (a, b) = (of_bridge.collapse_load.unwrap(), of_blocks.collapse_load.unwrap());
     // The solver's own tolerance.
     assert!((a - b).abs() < 1e-6 * a, "{a} {b}");
-    let points = |c: &crate::analysis::Collapse| c.picture.thrust_lines.iter().map(Vec::len).collect::<Vec<_>>();
+    let points = |c: &outcome::collapse::Collapse| c.picture.thrust_lines.iter().map(Vec::len).collect::<Vec<_>>();
     assert_eq!(points(&of_blocks), points(&of_bridge), "one line of thrust through every joint");
     assert_eq!(blocks_as_built(&scene).shapes.len(), of_blocks.blocks);
 }

@@ -12,10 +12,3 @@ pub use ultimate::{Ultimate, at_position, movement, movement_facts, ultimate};
 pub use updated::{facts as update_facts, with_parameters};
 
 pub use vehicles::{vehicle_facts, vehicles};
-
-use crate::warning::Warning;
-
-/// Warnings as code and words.
-fn spoken(warnings: &[Warning]) -> Vec<[String; 2]> {
-    warnings.iter().map(|warning| [warning.code.to_owned(), warning.message.clone()]).collect()
-}

@@ -5,13 +5,16 @@ use super::service::Wanted;
 use super::ultimate::by_weight_alone;
 use super::{at_position, service, window};
 use crate::analysis::vehicles::vehicle_sweep;
-use crate::assessment::{Assessment, Stage};
-use crate::checks::{self, CHECKS, Check, Finding};
-use crate::wire::{ChangeFacts, SensitivityFacts};
+use crate::checks::{CHECKS, Check, Probe};
+use crate::evidence::Evidence;
 use bridge::Bridge;
 use bridge::edit::Document;
 use bridge::vary::{Spread, Varied, find, known, settle};
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::assessment::Stage;
+use outcome::checked::{Checked, Comparison, governing};
+use outcome::facts::{ChangeFacts, SensitivityFacts};
+use outcome::passage::PassageStatus;
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -37,13 +40,13 @@ pub enum SensitivityError {
 }
 
 /// Keys of quantities that may matter to an analysis.
-fn matters(code: &str, path: &str) -> bool {
+fn matters(probe: Probe, path: &str) -> bool {
     let key = path.rsplit('.').next().unwrap_or_default();
     let section = path.split(['.', '[']).next().unwrap_or_default();
     let body = ["span", "masonry", "joint", "cover", "backing"].contains(&section);
     let soil = ["fill", "haunch_fill", "abutment_fill", "mortar", "track"].contains(&section);
-    match code {
-        "C201" | "C202" | "C204" => {
+    match probe {
+        Probe::Collapse | Probe::Vehicle => {
             body && [
                 "thickness",
                 "crown_thickness",
@@ -55,8 +58,8 @@ fn matters(code: &str, path: &str) -> bool {
             ]
             .contains(&key)
         }
-        "C301" => body && ["thickness", "crown_thickness", "rise"].contains(&key),
-        _ => {
+        Probe::Itself => body && ["thickness", "crown_thickness", "rise"].contains(&key),
+        Probe::Sensors | Probe::Joints | Probe::Whole => {
             let stiffness = ["elastic_modulus", "cohesion", "friction_angle", "effective_width"].contains(&key);
             (soil && stiffness)
                 || (body
@@ -69,22 +72,22 @@ fn matters(code: &str, path: &str) -> bool {
 /// Makes it for the check that governs. `document` is the text that the assessed bridge was read from.
 pub fn sensitivity(
     document: &Document,
-    own: &Assessment,
-    checked: &[checks::Checked],
+    own: &Evidence,
+    checked: &[Checked],
     watch: &mut dyn Watch,
 ) -> Result<Option<SensitivityFacts>, SensitivityError> {
-    let (check, finding) = checks::governing(checked).ok_or(SensitivityError::NothingGoverns)?;
-    let card = checked[check].card;
+    let (check, finding) = governing(checked).ok_or(SensitivityError::NothingGoverns)?;
+    let (card, by) = (CHECKS[check].card(), CHECKS[check].probe());
     let governing = &checked[check].outcome.as_ref().map_err(|_| SensitivityError::NothingGoverns)?[finding];
-    let how = match card.code {
-        "C401" => return Err(SensitivityError::TooDear(card.title)),
-        "C204" if is_slow(own, &governing.load_model) => return Err(SensitivityError::TooDear(card.title)),
-        "C301" => "the method itself",
-        "C204" => "limit analysis of the governing vehicle alone",
-        "C201" | "C202" => "limit analysis with the loads where they govern",
-        _ => "finite elements, a few positions of the train about the one that governs",
+    let how = match by {
+        Probe::Whole => return Err(SensitivityError::TooDear(card.title)),
+        Probe::Vehicle if is_slow(own, &governing.load_model) => return Err(SensitivityError::TooDear(card.title)),
+        Probe::Itself => "the method itself",
+        Probe::Vehicle => "limit analysis of the governing vehicle alone",
+        Probe::Collapse => "limit analysis with the loads where they govern",
+        Probe::Sensors | Probe::Joints => "finite elements, a few positions of the train about the one that governs",
     };
-    let probe = Probe { own, check: CHECKS[check], governing };
+    let probe = Changed { own, check: CHECKS[check], governing };
     // What is sought stands between bounds that a tenth more may pass.
     let mut plain = document.clone();
     bridge::UPDATE_SECTIONS.iter().chain(&["vary", "expected"]).for_each(|section| plain.remove(section));
@@ -92,7 +95,7 @@ pub fn sensitivity(
     let base = probe.utilisation(&own.bridge).ok_or(SensitivityError::NoBaseline(card.title))?;
     let list: Vec<Varied> = known(document)
         .into_iter()
-        .filter(|quantity| matters(card.code, &quantity.path))
+        .filter(|quantity| matters(by, &quantity.path))
         .filter_map(|quantity| {
             let found = find(document, &quantity.path).ok()?;
             let values = [1.0 - SHARE, 1.0 + SHARE].map(|share| format!("x{share}"));
@@ -124,19 +127,19 @@ pub fn sensitivity(
 }
 
 /// Whether a sweep of a vehicle takes minutes: its cases are answered one by one.
-fn is_slow(own: &Assessment, code: &str) -> bool {
-    let facts = own.vehicles.made();
+fn is_slow(own: &Evidence, code: &str) -> bool {
+    let facts = own.facts.vehicles.made();
     facts.is_some_and(|facts| facts.vehicles.iter().any(|one| one.code == code && one.slow_cases > SLOW))
 }
 
 /// The governing check on other bridges.
-struct Probe<'a> {
-    own: &'a Assessment,
+struct Changed<'a> {
+    own: &'a Evidence,
     check: &'a dyn Check,
-    governing: &'a Finding,
+    governing: &'a Comparison,
 }
 
-impl Probe<'_> {
+impl Changed<'_> {
     fn change(&self, document: &Document, varied: &Varied) -> ChangeFacts {
         let value = |k: usize| {
             let mut edited = document.clone();
@@ -155,35 +158,36 @@ impl Probe<'_> {
 
     /// Largest utilisation of the check by the shortened analysis; none where that gives nothing.
     fn utilisation(&self, bridge: &Bridge) -> Option<f64> {
-        let code = self.check.card().code;
+        let by = self.check.probe();
         let mut a = self.own.clone();
         a.bridge = bridge.clone();
-        match code {
-            "C301" => {}
-            "C204" => {
+        match by {
+            Probe::Itself => {}
+            Probe::Vehicle => {
                 let mut alone = by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
                 let plan = alone.sweep.as_mut()?;
                 plan.vehicles = vec![self.governing.load_model.clone()];
                 plan.discrete_elements = false;
                 let found = vehicle_sweep(&alone, &mut mechanics::watch::Unwatched).ok()?;
-                a.vehicles = Stage::Made(super::vehicle_facts(&found));
+                a.facts.vehicles = Stage::Made(super::vehicle_facts(&found));
             }
-            "C201" | "C202" => {
+            Probe::Collapse => {
                 let mut facts = at_position(bridge, self.governing.position?).ok()?;
                 facts.load.clone_from(&self.governing.load_model);
-                a.ultimate = Stage::Made(facts);
+                a.facts.ultimate = Stage::Made(facts);
             }
-            _ => {
+            Probe::Whole => return None,
+            Probe::Sensors | Probe::Joints => {
                 let mut short = bridge.clone();
                 window(&mut short, self.governing.position?);
                 let mut asked = self.own.asked.clone();
                 asked.service_loads.retain(|load| self.governing.load_model.starts_with(&load.name));
-                let wanted = if code == "C105" || code == "C106" { Wanted::Everything } else { Wanted::Sensors };
+                let wanted = if by == Probe::Joints { Wanted::Everything } else { Wanted::Sensors };
                 let (facts, _) = service(&short, &asked, wanted, &mut mechanics::watch::Unwatched).ok()?;
-                if facts.loads.iter().any(|load| load.status != "completed") {
+                if facts.loads.iter().any(|load| load.status != PassageStatus::Completed) {
                     return None;
                 }
-                a.service = Stage::Made(facts);
+                a.facts.service = Stage::Made(facts);
             }
         }
         let found = self.check.run(&a).ok()?;

@@ -1,18 +1,18 @@
 //! Loads in service: the file's train crosses with the axles of each load, and the places that are checked are watched.
 
-use super::spoken;
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::{self, Passage, PassageError, PassageStatus, outcome};
-use crate::wire::{
-    AugmentFacts, ChannelFacts, JointFacts, PlaceFacts, ServiceFacts, ServiceLoadFacts, SpanAugmentFacts,
-};
+use crate::analysis::passage::{self, PassageError};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
 use bridge::passage::{Direction, Face, GAUGE_LENGTH, Place, Sensor, SensorKind, default_sensors};
 use bridge::ring::Intrados;
 use bridge::train::AxleLoads;
 use mechanics::watch::Watch;
-use outcome::{Moment, Pair, RowKind};
+use outcome::facts::{
+    self, AugmentFacts, ChannelFacts, JointFacts, PlaceFacts, Reading, ServiceFacts, ServiceLoadFacts,
+    SpanAugmentFacts, Watched,
+};
+use outcome::passage::{Channel, Moment, Pair, Passage, PassageStatus, RowKind};
 use thiserror::Error;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
@@ -111,8 +111,8 @@ pub enum Wanted {
 pub struct Probe {
     /// The sensor.
     pub sensor: Sensor,
-    /// "crown", "abutment" or "pier".
-    pub place: &'static str,
+    /// Which place.
+    pub place: facts::Place,
     /// Span, from 1.
     pub span: usize,
     /// From the sensor's value [SI] to millimetres or megapascals.
@@ -142,17 +142,17 @@ pub fn probes(bridge: &Bridge) -> Vec<Probe> {
     let last = bridge.spans.len() - 1;
     let mut list = Vec::new();
     for (k, span) in bridge.spans.iter().enumerate().take(MOST_SPANS) {
-        let end = |edge: bool| if edge { "abutment" } else { "pier" };
+        let end = |edge: bool| if edge { facts::Place::Abutment } else { facts::Place::Pier };
         let length = Intrados::new(&span.profile, span.span, span.rise).map_or(span.span, |curve| curve.length());
         let stones = span.rings.iter().map(|ring| ring.voussoirs).max().unwrap_or(1).max(1);
         let gauge_length = GAUGE_LENGTH.min(0.8 * length / stones as f64);
-        for (place, share) in [("crown", 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
+        for (place, share) in [(facts::Place::Crown, 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
             let mut put = |kind, face, scale| {
                 let name = format!("{PROBE}{} {place} {share} {face:?}", k + 1);
                 let sensor = Sensor { name, kind, place: Place::Span { span: k, share }, face };
                 list.push(Probe { sensor, place, span: k + 1, scale });
             };
-            if place == "crown" {
+            if place == facts::Place::Crown {
                 put(SensorKind::Displacement(Direction::Vertical), Face::Intrados, 1e3);
             }
             for face in [Face::Intrados, Face::Extrados] {
@@ -223,13 +223,13 @@ pub fn service(
             name: load.name.clone(),
             heaviest_axle_t: heaviest,
             source: load.source.clone(),
-            status: found.status.word().to_owned(),
+            status: found.status,
             channels: found.channels[..sensors].iter().map(channel).collect(),
             places: places(&found, sensors, &probes, |own, first_axle| {
                 let standing: Vec<f64> = axles.iter().map(|axle| first_axle - axle.offset).collect();
                 loaded(&ranges, &coefficient, own, &standing)
             }),
-            joints: [("design", 0), ("total", 1)]
+            joints: [(Reading::Design, 0), (Reading::Total, 1)]
                 .into_iter()
                 .map(|(reading, which)| {
                     joints(&found.moments, reading, [coefficient.design, coefficient.total][which], |span, moment| {
@@ -242,7 +242,7 @@ pub fn service(
         if facts.assumptions.is_empty() {
             facts.assumptions.clone_from(&found.assumptions);
         }
-        for warning in spoken(&found.warnings) {
+        for warning in found.warnings.iter().cloned() {
             if !facts.warnings.contains(&warning) {
                 facts.warnings.push(warning);
             }
@@ -261,7 +261,7 @@ pub fn service(
     Ok((facts, passages))
 }
 
-fn channel(channel: &outcome::Channel) -> ChannelFacts {
+fn channel(channel: &Channel) -> ChannelFacts {
     let scale = channel.quantity.scale();
     let [minimum, maximum] = channel.range().map(|value| scale * value);
     ChannelFacts {
@@ -275,7 +275,7 @@ fn channel(channel: &outcome::Channel) -> ChannelFacts {
 }
 
 fn places(found: &Passage, sensors: usize, probes: &[Probe], loaded: impl Fn(usize, f64) -> usize) -> Vec<PlaceFacts> {
-    let one = |(probe, channel): (&Probe, &outcome::Channel)| {
+    let one = |(probe, channel): (&Probe, &Channel)| {
         let extreme = |better: fn(f64, f64) -> bool| {
             let values = &channel.values;
             (0..values.len()).reduce(|best, k| if better(values[k], values[best]) { k } else { best })
@@ -284,12 +284,14 @@ fn places(found: &Passage, sensors: usize, probes: &[Probe], loaded: impl Fn(usi
         let value = |k: Option<usize>| k.map_or(0.0, |k| probe.scale * channel.values[k]);
         let at = |k: Option<usize>| k.and_then(|k| found.positions.get(k)).copied().unwrap_or(0.0);
         PlaceFacts {
-            place: probe.place.to_owned(),
-            quantity: if matches!(probe.sensor.kind, SensorKind::Displacement(_)) { "deflection" } else { "stress" }
-                .to_owned(),
+            place: probe.place,
+            quantity: match probe.sensor.kind {
+                SensorKind::Displacement(_) => Watched::Deflection,
+                _ => Watched::Stress,
+            },
             about: channel.about.clone(),
             span: probe.span,
-            face: if probe.sensor.face == Face::Intrados { "intrados" } else { "extrados" }.to_owned(),
+            face: probe.sensor.face,
             self_weight: probe.scale * channel.self_weight,
             minimum: value(low),
             minimum_at_m: at(low),
@@ -304,8 +306,8 @@ fn places(found: &Passage, sensors: usize, probes: &[Probe], loaded: impl Fn(usi
 
 /// The worst joints over the moments that are kept: those at which a sensor or a probe peaks. The first moment is
 /// self-weight alone; what the train adds to its tractions is increased by the coefficient on the joint's span at that moment.
-fn joints(moments: &[Moment], reading: &str, augment: f64, on: impl Fn(usize, &Moment) -> f64) -> JointFacts {
-    let mut worst = JointFacts { reading: reading.to_owned(), augment, ..JointFacts::default() };
+fn joints(moments: &[Moment], reading: Reading, augment: f64, on: impl Fn(usize, &Moment) -> f64) -> JointFacts {
+    let mut worst = JointFacts { reading, augment, ..JointFacts::default() };
     let Some((rest, passing)) = moments.split_first() else { return worst };
     for (moment, passes) in passing.iter().map(|moment| (moment, true)).chain([(rest, false)]) {
         for (now, before) in moment.rows.iter().zip(&rest.rows) {
@@ -366,7 +368,7 @@ fn eccentricity(pairs: &[Pair]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use outcome::PairState;
+    use outcome::passage::PairState;
 
     fn pair(y: f64, normal: f64) -> Pair {
         Pair { at: [0.0, y], area: 0.25, normal, shear: 0.0, opening: 0.0, sliding: 0.0, state: PairState::Closed }

@@ -1,22 +1,20 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
-use super::spoken;
-use crate::analysis::{self, AnalysisError, Collapse, Places, Status, Sweep, SweepPoint};
-use crate::warning;
-use crate::wire::{CollapseObject, MovementFacts, Run, UltimateFacts};
+use crate::analysis::{self, AnalysisError, Places};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::{Unwatched, Watch};
-use serde_json::Value;
+use outcome::collapse::{Collapse, Status};
+use outcome::facts::{MovementFacts, UltimateFacts};
+use outcome::sweep::{Sweep, SweepPoint};
+use outcome::warning::{self, Warning};
 
-/// What the stage found: facts, the collapse at the governing position, and the sweep where loads could be moved.
+/// What the stage found: facts with the collapse at the governing position, and the sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ultimate {
     /// For checks and reports.
     pub facts: UltimateFacts,
     /// For drawing.
-    pub collapse: Collapse,
-    /// For drawing.
-    pub sweep: Option<Sweep>,
+    pub sweep: Sweep,
 }
 
 /// Positions over the shortest span, as in sweeps of vehicles: however long the bridge is, the worst position of a span is met and
@@ -40,7 +38,7 @@ pub fn at_position(bridge: &Bridge, position: f64) -> Result<UltimateFacts, Anal
     let sweep = analysis::sweep(&own, Places::At(position), true, &mut Unwatched)?;
     let found = sweep.points.first();
     Ok(UltimateFacts {
-        status: found.map_or("not-converged", |point| point.status.word()).to_owned(),
+        status: found.map_or(Status::NotConverged, |point| point.status),
         load_factor: found.and_then(|point| point.load_factor),
         positions_not_converged: sweep.positions_not_converged(),
         position_m: Some(position),
@@ -71,7 +69,7 @@ pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimat
     // A bridge that does not stand by weight alone has no factor: that is the lower end.
     let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
     counts.facts.load_factor_with_fill_pressure = with;
-    counts.facts.warnings.push([warning::PRESSURE_RANGE.to_owned(), message]);
+    counts.facts.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
     Ok(Some(counts))
 }
 
@@ -107,7 +105,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     let alone = collapse.status == Status::Collapsed;
     let least = [moved.as_ref().and_then(SweepPoint::bound), factor(&collapse)].into_iter().flatten().reduce(f64::min);
     let answered = facts.positions_not_converged == 0 && (alone || moved.is_none());
-    facts.status = if answered { collapse.status } else { Status::NotConverged }.word().to_owned();
+    facts.status = if answered { collapse.status } else { Status::NotConverged };
     (facts.load_factor, facts.load_factor_at_most) = if answered { (least, None) } else { (None, least) };
     facts.position_m = match &moved {
         Some(worst) => Some(worst.position),
@@ -116,9 +114,9 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
-    facts.warnings = spoken(&sweep.warnings).into_iter().chain(spoken(&collapse.warnings)).collect();
-    facts.object = object(&collapse);
-    Ok(Some(Ultimate { facts, collapse, sweep: Some(sweep) }))
+    facts.warnings = sweep.warnings.iter().chain(&collapse.warnings).cloned().collect();
+    facts.collapse = Some(Box::new(collapse));
+    Ok(Some(Ultimate { facts, sweep }))
 }
 
 /// The load factor of a collapse. What is carried where no load was found bounds nothing from above, and is none.
@@ -157,27 +155,22 @@ pub fn movement(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Anal
 }
 
 /// Its facts.
-pub fn movement_facts(bridge: &Bridge, found: &Collapse) -> MovementFacts {
+pub fn movement_facts(bridge: &Bridge, found: Collapse) -> MovementFacts {
     let support = bridge.plan.support_movement.map_or(0, |movement| movement.support);
     let name = match support {
         0 => "left abutment".to_owned(),
         k if k == bridge.spans.len() => "right abutment".to_owned(),
         k => format!("pier {k}"),
     };
-    let report = found.support.as_ref();
+    let report = found.support();
     MovementFacts {
-        status: found.status.word().to_owned(),
+        status: found.status,
         last_stable_mm: report.and_then(|report| report.last_stable).map(|m| 1e3 * m),
         collapse_mm: report.and_then(|report| report.collapse).map(|m| 1e3 * m),
         support: name,
-        warnings: spoken(&found.warnings),
-        object: object(found),
+        warnings: found.warnings.clone(),
+        collapse: Some(Box::new(found)),
     }
-}
-
-/// The object of `extrados collapse`.
-fn object(found: &Collapse) -> Value {
-    serde_json::to_value(CollapseObject::new(found, &Run::default())).unwrap_or_default()
 }
 
 #[cfg(test)]

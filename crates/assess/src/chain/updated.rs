@@ -1,13 +1,12 @@
 //! Facts of an update, and the bridge with what it found.
 
-use super::spoken;
-use crate::analysis::update::Update;
-use crate::wire::{FitFacts, ParameterFacts, UpdateFacts, UpdateObject};
 use bridge::edit::Document;
 use bridge::update::Parameter;
+use outcome::facts::{FitFacts, ParameterFacts, UpdateFacts};
+use outcome::update::Update;
 
 /// The facts of an update.
-pub fn facts(update: &Update) -> UpdateFacts {
+pub fn facts(update: Update) -> UpdateFacts {
     let found = update.found();
     let parameter = |(k, parameter): (usize, &calibrate::Parameter)| {
         let end = found.map(|found| &found.parameters[k]);
@@ -27,11 +26,11 @@ pub fn facts(update: &Update) -> UpdateFacts {
     let largest = |values: &[f64]| {
         values.iter().copied().reduce(|best, value| if value.abs() > best.abs() { value } else { best })
     };
-    let fit = |(k, histories): (usize, &crate::analysis::update::Histories)| {
+    let fit = |(k, histories): (usize, &outcome::update::Histories)| {
         let end = found.and_then(|found| found.channels.get(k));
         FitFacts {
             name: histories.name.clone(),
-            unit: histories.unit.to_owned(),
+            unit: histories.quantity.unit().to_owned(),
             measured: end.and_then(|end| end.measured_peak).or_else(|| largest(&histories.measured)),
             start: largest(&histories.start),
             updated: end.map(|end| end.model_peak),
@@ -45,7 +44,7 @@ pub fn facts(update: &Update) -> UpdateFacts {
     });
     let findings = update.records.findings.iter().map(records::Finding::words);
     UpdateFacts {
-        status: update.status.word().to_owned(),
+        status: update.status,
         parameters: update.problem.parameters().iter().enumerate().map(parameter).collect(),
         initial_error_norm: update.basis.as_ref().map(|basis| basis.start.norm),
         error_norm: found.map(|found| found.norm),
@@ -54,8 +53,8 @@ pub fn facts(update: &Update) -> UpdateFacts {
         records: done.chain(findings).collect(),
         told: update.identifiability.as_ref().map(|told| told.words.clone()).unwrap_or_default(),
         assumptions: update.assumptions.clone(),
-        warnings: spoken(&update.warnings),
-        object: serde_json::to_value(UpdateObject::new(update)).unwrap_or_default(),
+        warnings: update.warnings.clone(),
+        update: Some(Box::new(update)),
     }
 }
 

@@ -1,13 +1,14 @@
 //! Vehicles of the file's [sweep], as facts.
 
-use super::spoken;
 use super::ultimate::by_weight_alone;
-use crate::analysis::vehicles::{ByDiscreteElements, Swept, VehicleSweep, by_acting, vehicle_sweep};
-use crate::analysis::{AnalysisError, Status};
-use crate::warning;
-use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
+use crate::analysis::AnalysisError;
+use crate::analysis::vehicles::{by_acting, vehicle_sweep};
 use bridge::Bridge;
 use mechanics::watch::Watch;
+use outcome::collapse::Status;
+use outcome::facts::{SafetyFacts, SweptFacts, VehicleFacts};
+use outcome::vehicles::{ByDiscreteElements, Swept, VehicleSweep};
+use outcome::warning::{self, Warning};
 use rules::{Confidence, Rule};
 
 /// Moves the vehicles of the file's [sweep] over the bridge. With fill that presses both ends are made, and the lower one counts:
@@ -33,7 +34,7 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
         }
     }
     let message = format!("adequacy factors, of which the lower one counts: {}", told.join("; "));
-    facts.warnings.push([warning::PRESSURE_RANGE.to_owned(), message]);
+    facts.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
     Ok((facts, found))
 }
 
@@ -73,10 +74,10 @@ pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
 }
 
 /// Warnings of the sweep, of the governing case as a collapse analysis, and of the two methods apart; each once.
-fn warnings(found: &VehicleSweep) -> Vec<[String; 2]> {
-    let governing = found.collapse.as_ref().map_or(Vec::new(), |collapse| spoken(&collapse.warnings));
-    let mut all = spoken(&found.warnings);
-    for warning in governing.into_iter().chain(apart(found)) {
+fn warnings(found: &VehicleSweep) -> Vec<Warning> {
+    let governing = found.collapse.iter().flat_map(|collapse| collapse.warnings.iter().cloned());
+    let mut all = found.warnings.clone();
+    for warning in governing.chain(apart(found)) {
         if !all.contains(&warning) {
             all.push(warning);
         }
@@ -104,23 +105,21 @@ fn safety(rule: &Rule) -> SafetyFacts {
     SafetyFacts {
         rule: rule.code.clone(),
         live_load: live.value,
-        live_load_confidence: live.source.confidence.word().to_owned(),
+        live_load_confidence: live.source.confidence,
         model: rule.factors.model.value,
-        model_confidence: rule.factors.model.source.confidence.word().to_owned(),
-        factors: named
-            .map(|(name, factor)| (format!("{name} {}", factor.value), factor.source.confidence.word().to_owned()))
-            .collect(),
+        model_confidence: rule.factors.model.source.confidence,
+        factors: named.map(|(name, factor)| (format!("{name} {}", factor.value), factor.source.confidence)).collect(),
     }
 }
 
 /// Discrete elements above limit analysis by more than their load step: the reason must be found.
-fn apart(found: &VehicleSweep) -> Option<[String; 2]> {
+fn apart(found: &VehicleSweep) -> Option<Warning> {
     let second = found.discrete_elements.as_ref()?;
     let (carried, limit) = (second.adequacy?, second.limit?);
     let message = format!(
         "the governing vehicle: discrete elements carry an adequacy factor of {carried:.3}, limit analysis {limit:.3}; the smaller one counts"
     );
-    (carried > limit + second.step).then(|| [warning::ABOVE_LIMIT.to_owned(), message])
+    (carried > limit + second.step).then(|| Warning::new(warning::ABOVE_LIMIT, message))
 }
 
 /// What discrete elements say of the governing case.
@@ -169,7 +168,7 @@ fn swept(one: &Swept) -> SweptFacts {
     SweptFacts {
         code: one.code.clone(),
         title: one.title.clone(),
-        status: one.status.word().to_owned(),
+        status: one.status,
         adequacy: one.adequacy,
         adequacy_with_fill_pressure: None,
         adequacy_at_most: one.adequacy_at_most,
@@ -180,6 +179,6 @@ fn swept(one: &Swept) -> SweptFacts {
         effective_width_m: one.effective_width,
         load_factor: one.load_factors[0],
         slow_cases: one.by_interior_point,
-        loads_confidence: one.source.confidence.word().to_owned(),
+        loads_confidence: one.source.confidence,
     }
 }

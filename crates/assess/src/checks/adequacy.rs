@@ -1,7 +1,9 @@
 //! Adequacy factor at ultimate.
 
-use super::{Card, Check, Finding, NotMade, limit, of, strength};
-use crate::assessment::Assessment;
+use super::{Card, Check, Probe, limit, of, strength};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::collapse::Status;
 
 /// The check.
 pub struct Adequacy;
@@ -22,22 +24,26 @@ impl Check for Adequacy {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn probe(&self) -> Probe {
+        Probe::Collapse
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let limit = limit(a.asked.limits.adequacy_factor, "adequacy_factor = …", "from the rule that you assess by")?;
-        let facts = of(&a.ultimate)?;
-        let value = match (facts.load_factor, facts.status.as_str()) {
+        let facts = of(&a.facts.ultimate)?;
+        let value = match (facts.load_factor, facts.status) {
             (Some(factor), _) => factor,
-            (None, "locks") => {
+            (None, Status::Locks) => {
                 return Err(NotMade::because("no load makes a mechanism of the bridge: the factor has no bound"));
             }
-            (None, "unstable-under-self-weight") => 0.0,
+            (None, Status::UnstableUnderSelfWeight) => 0.0,
             (None, status) => return Err(NotMade { why: format!("limit analysis ended with {status}"), failed: true }),
         };
-        Ok(vec![Finding {
+        Ok(vec![Comparison {
             load_model: facts.load.clone(),
             value,
             limit,
-            unit: "",
+            unit: Unit::Ratio,
             utilisation: if value > 0.0 { limit / value } else { f64::MAX },
             basis: match (value > 0.0, facts.position_m) {
                 (false, _) => "the bridge does not stand under its own weight as rigid blocks".to_owned(),

@@ -1,8 +1,10 @@
 //! Deflection of crowns in service.
 
 use super::stress::{READINGS, columns, told};
-use super::{Card, Check, Finding, NotMade, limit, of, used};
-use crate::assessment::Assessment;
+use super::{Card, Check, limit, of, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::facts::Watched;
 
 /// The check.
 pub struct CrownDeflection;
@@ -22,23 +24,24 @@ impl Check for CrownDeflection {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let limit =
             1e3 * limit(a.asked.limits.deflection, "deflection_limit = \"… mm\"", "from the rule that you assess by")?;
-        let facts = of(&a.service)?;
+        let facts = of(&a.facts.service)?;
         let mut list = Vec::new();
         for load in &facts.loads {
             for (word, which) in READINGS {
-                let on = |place: &crate::wire::PlaceFacts| facts.augment.on(place.minimum_span)[which];
-                let places = load.places.iter().filter(|place| place.quantity == "deflection");
-                let down = |place: &&crate::wire::PlaceFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
+                let on = |place: &outcome::facts::PlaceFacts| facts.augment.on(place.minimum_span)[which];
+                let places = load.places.iter().filter(|place| place.quantity == Watched::Deflection);
+                let down =
+                    |place: &&outcome::facts::PlaceFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
                 let Some(place) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
                 let value = down(&place);
-                list.push(Finding {
+                list.push(Comparison {
                     load_model: format!("{}, {}", load.name, told(word, on(place))),
                     value: -value,
                     limit: -limit,
-                    unit: "mm",
+                    unit: Unit::Millimetre,
                     utilisation: used(value, limit),
                     basis: format!("{}; first axle at {:.2} m", place.about, place.minimum_at_m),
                     position: Some(place.minimum_at_m),

@@ -1,8 +1,10 @@
 //! Permissible limit: range of stress in service.
 
-use super::{Card, Check, Finding, NotMade, limit, of, used};
-use crate::assessment::Assessment;
-use crate::wire::PlaceFacts;
+use super::{Card, Check, limit, of, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::facts::PlaceFacts;
+use outcome::facts::Watched;
 
 /// The check.
 pub struct StressRange;
@@ -27,10 +29,10 @@ impl Check for StressRange {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let cycles =
             limit(a.asked.limits.load_cycles, "load_cycles = …", "from the traffic in the life that is asked for")?;
-        let facts = of(&a.service)?;
+        let facts = of(&a.facts.service)?;
         let strength = a.bridge.masonry.compressive_strength.ok_or_else(|| {
             NotMade::because("the masonry has no compressive strength: write compressive_strength in [masonry]")
         })? / 1e6;
@@ -44,14 +46,14 @@ impl Check for StressRange {
                 let least = -(at.self_weight + increase(at.maximum_span) * at.maximum).min(0.0);
                 ((most - least) * most).sqrt() / strength
             };
-            let stresses = load.places.iter().filter(|at| at.quantity == "stress");
+            let stresses = load.places.iter().filter(|at| at.quantity == Watched::Stress);
             let Some(at) = stresses.max_by(|x, y| level(x).total_cmp(&level(y))) else { continue };
             let value = level(at);
-            list.push(Finding {
+            list.push(Comparison {
                 load_model: format!("{}, design CDA {:.3}", load.name, facts.augment.on(at.minimum_span)[0]),
                 value,
                 limit,
-                unit: "of the strength",
+                unit: Unit::OfTheStrength,
                 utilisation: used(value, limit),
                 basis: format!("{}; {cycles:.0e} cycles, strength {strength:.2} MPa", at.about),
                 position: Some(at.minimum_at_m),

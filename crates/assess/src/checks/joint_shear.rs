@@ -1,7 +1,8 @@
 //! Shear stress in joints in service.
 
-use super::{Card, Check, Finding, NotMade, limit, of_joints, used};
-use crate::assessment::Assessment;
+use super::{Card, Check, Probe, limit, of_joints, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
 pub struct JointShear;
@@ -20,7 +21,11 @@ impl Check for JointShear {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn probe(&self) -> Probe {
+        Probe::Joints
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let limit = limit(
             a.asked.limits.joint_shear,
             "joint_shear_limit = \"… MPa\"",
@@ -29,11 +34,11 @@ impl Check for JointShear {
         of_joints(
             a,
             |joint| joint.shear_augment,
-            |joint| Finding {
+            |joint| Comparison {
                 load_model: String::new(),
                 value: joint.shear_mpa,
                 limit,
-                unit: "MPa",
+                unit: Unit::Megapascal,
                 utilisation: used(joint.shear_mpa, limit),
                 basis: joint.shear_at.clone(),
                 position: Some(joint.shear_position_m),

@@ -1,8 +1,9 @@
 //! MEXE's allowable axle load.
 
-use super::{Card, Check, Finding, NotMade, mexe, used};
-use crate::assessment::Assessment;
+use super::{Card, Check, Probe, mexe, used};
+use crate::evidence::Evidence;
 use bridge::assess::{Mexe, MexeAxles};
+use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
 pub struct MexeAxle;
@@ -25,7 +26,11 @@ impl Check for MexeAxle {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn probe(&self) -> Probe {
+        Probe::Itself
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let factors =
             a.asked.mexe.as_ref().ok_or_else(|| NotMade::because("the file gives no factors: write [mexe]"))?;
         let inputs = mexe::inputs(&a.bridge, factors).ok_or_else(|| NotMade::because("the span has no profile"))?;
@@ -55,11 +60,11 @@ impl Check for MexeAxle {
             );
             NotMade::because(what)
         })? / 1e3;
-        Ok(vec![Finding {
+        Ok(vec![Comparison {
             load_model: format!("{asked:.1} t on {}", axles(factors)),
             value: asked,
             limit: allowed,
-            unit: "t",
+            unit: Unit::Tonne,
             utilisation: used(asked, allowed),
             basis: format!("{basis}; A_f {axle:.2}"),
             position: None,

@@ -1,4 +1,4 @@
-//! Checks: one file each, one line each in [`CHECKS`]. A check reads an [`Assessment`], compares a number with its limit,
+//! Checks: one file each, one line each in [`CHECKS`]. A check reads an [`Evidence`], compares a number with its limit,
 //! or says why it cannot.
 
 mod adequacy;
@@ -16,10 +16,13 @@ mod thrust;
 mod vehicles;
 mod verdict;
 
-pub use verdict::{Verdict, governing, verdict};
+pub use outcome::checked::{Verdict, governing};
+pub use verdict::verdict;
 
-use crate::assessment::{Assessment, Stage};
-use crate::wire::{JointFacts, ServiceLoadFacts};
+use crate::evidence::Evidence;
+use outcome::assessment::Stage;
+use outcome::checked::{Checked, Comparison, NotMade};
+use outcome::facts::{JointFacts, ServiceLoadFacts};
 
 /// What a check is: `extrados explain CODE` prints it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,58 +39,33 @@ pub struct Card {
     pub source: &'static str,
 }
 
-/// A number and its limit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    /// The load that it is for.
-    pub load_model: String,
-    /// The number.
-    pub value: f64,
-    /// Its limit.
-    pub limit: f64,
-    /// Unit of both; empty for bare numbers.
-    pub unit: &'static str,
-    /// How much of the limit is used; above one it is not met.
-    pub utilisation: f64,
-    /// What was computed, where and how.
-    pub basis: String,
-    /// Place of the first axle that it belongs to [m], where there is one.
-    pub position: Option<f64>,
-    /// Self-weight, live load with design augment, their sum, live load with total augment, their sum: the columns of the
-    /// railway paper's Table 7, where the check has them.
-    pub columns: Option<[f64; 5]>,
-    /// Whether this is a check of strength: at ultimate, under factors with a source.
-    pub strength: bool,
-}
-
-impl Finding {
-    /// Whether the limit is met.
-    pub fn met(&self) -> bool {
-        self.utilisation <= 1.0
-    }
-}
-
-/// Why a check could not be made.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NotMade {
-    /// In words.
-    pub why: String,
-    /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
-    pub failed: bool,
-}
-
-impl NotMade {
-    fn because(why: impl Into<String>) -> NotMade {
-        NotMade { why: why.into(), failed: false }
-    }
+/// The cheapest analysis that shows how the utilisation of a check changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Probe {
+    /// The train at a few positions about the one that governs; sensors alone.
+    Sensors,
+    /// The same with joints.
+    Joints,
+    /// Limit analysis with the loads where they govern.
+    Collapse,
+    /// Limit analysis of the governing vehicle alone.
+    Vehicle,
+    /// The check itself.
+    Itself,
+    /// A whole analysis for every value, which nobody waits for.
+    Whole,
 }
 
 /// A check.
 pub trait Check: Sync {
     /// What it is.
     fn card(&self) -> Card;
+    /// How its sensitivities are found.
+    fn probe(&self) -> Probe {
+        Probe::Sensors
+    }
     /// Makes it: a finding for every load, place and reading, at least one.
-    fn run(&self, assessment: &Assessment) -> Result<Vec<Finding>, NotMade>;
+    fn run(&self, assessment: &Evidence) -> Result<Vec<Comparison>, NotMade>;
 }
 
 /// Every check, in the order of reports.
@@ -106,18 +84,13 @@ pub const CHECKS: &[&dyn Check] = &[
     &movement::SupportMovement,
 ];
 
-/// A check and what came of it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Checked {
-    /// What it is.
-    pub card: Card,
-    /// What came of it.
-    pub outcome: Result<Vec<Finding>, NotMade>,
-}
-
 /// Makes every check.
-pub fn run(assessment: &Assessment) -> Vec<Checked> {
-    CHECKS.iter().map(|check| Checked { card: check.card(), outcome: check.run(assessment) }).collect()
+pub fn run(assessment: &Evidence) -> Vec<Checked> {
+    let made = |check: &&dyn Check| {
+        let [code, title, clause] = [check.card().code, check.card().title, check.card().clause].map(str::to_owned);
+        Checked { code, title, clause, outcome: check.run(assessment) }
+    };
+    CHECKS.iter().map(made).collect()
 }
 
 /// The card of a code.
@@ -138,16 +111,16 @@ fn limit(given: Option<f64>, form: &str, found: &str) -> Result<f64, NotMade> {
 
 /// A finding for every load and every reading of the augment at the joints of the rings.
 fn of_joints(
-    a: &Assessment,
+    a: &Evidence,
     augment: impl Fn(&JointFacts) -> f64,
-    finding: impl Fn(&JointFacts) -> Finding,
-) -> Result<Vec<Finding>, NotMade> {
-    let facts = of(&a.service)?;
-    let told = |load: &ServiceLoadFacts, joint: &JointFacts| Finding {
+    finding: impl Fn(&JointFacts) -> Comparison,
+) -> Result<Vec<Comparison>, NotMade> {
+    let facts = of(&a.facts.service)?;
+    let told = |load: &ServiceLoadFacts, joint: &JointFacts| Comparison {
         load_model: format!("{}, {} CDA {:.3}", load.name, joint.reading, augment(joint)),
         ..finding(joint)
     };
-    let list: Vec<Finding> =
+    let list: Vec<Comparison> =
         facts.loads.iter().flat_map(|load| load.joints.iter().map(move |joint| told(load, joint))).collect();
     if list.is_empty() { Err(NotMade::because("no joint was watched while the train crossed")) } else { Ok(list) }
 }

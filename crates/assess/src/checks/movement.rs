@@ -1,7 +1,9 @@
 //! Tolerance of settlement.
 
-use super::{Card, Check, Finding, NotMade, limit, of, used};
-use crate::assessment::Assessment;
+use super::{Card, Check, Probe, limit, of, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::collapse::Status;
 
 /// The check.
 pub struct SupportMovement;
@@ -19,7 +21,11 @@ impl Check for SupportMovement {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn probe(&self) -> Probe {
+        Probe::Whole
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let limits = &a.asked.limits;
         let expected = 1e3
             * limit(
@@ -27,17 +33,17 @@ impl Check for SupportMovement {
                 "expected_movement = \"… mm\"",
                 "as measured or expected at the support",
             )?;
-        let facts = of(&a.movement)?;
+        let facts = of(&a.facts.movement)?;
         let stood = facts.last_stable_mm.ok_or_else(|| NotMade {
             why: format!("the analysis of the movement ended with {}", facts.status),
-            failed: facts.status != "locks",
+            failed: facts.status != Status::Locks,
         })?;
         let allowed = stood / limits.movement_factor;
-        Ok(vec![Finding {
+        Ok(vec![Comparison {
             load_model: format!("{} moves", facts.support),
             value: expected,
             limit: allowed,
-            unit: "mm",
+            unit: Unit::Millimetre,
             utilisation: used(expected, allowed),
             basis: format!("the bridge stood at {stood:.1} mm; safety on the movement {:.2}", limits.movement_factor),
             position: None,

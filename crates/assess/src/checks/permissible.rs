@@ -1,7 +1,9 @@
 //! Permissible limit: share of the ultimate load in service.
 
-use super::{Card, Check, Finding, NotMade, limit, of, used};
-use crate::assessment::Assessment;
+use super::{Card, Check, Probe, limit, of, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::collapse::Status;
 
 /// The check.
 pub struct PermissibleShare;
@@ -20,20 +22,24 @@ impl Check for PermissibleShare {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn probe(&self) -> Probe {
+        Probe::Collapse
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let limit =
             limit(a.asked.limits.permissible_share, "permissible_share = …", "from the rule that you assess by")?;
-        let facts = of(&a.ultimate)?;
+        let facts = of(&a.facts.ultimate)?;
         let factor = facts.load_factor.filter(|factor| *factor > 0.0).ok_or_else(|| NotMade {
             why: format!("limit analysis ended with {}", facts.status),
             // No bound on the load is an answer; a bridge that does not stand, or no answer, settles nothing.
-            failed: facts.status != "locks",
+            failed: facts.status != Status::Locks,
         })?;
-        Ok(vec![Finding {
+        Ok(vec![Comparison {
             load_model: facts.load.clone(),
             value: 1.0 / factor,
             limit,
-            unit: "of the ultimate load",
+            unit: Unit::OfTheUltimateLoad,
             utilisation: used(1.0 / factor, limit),
             basis: format!("adequacy factor {factor:.3}"),
             position: facts.position_m,

@@ -1,9 +1,12 @@
 //! Whether strength was assessed: what an ultimate check under factors with a source still needs, and what qualifies one that
 //! was made.
 
-use super::{Checked, Finding, model_factor, vehicles};
-use crate::assessment::Assessment;
-use crate::warning;
+use super::{model_factor, vehicles};
+use crate::evidence::Evidence;
+use outcome::checked::Strength;
+use outcome::checked::{Checked, Comparison};
+use outcome::warning::{self, Warning};
+use rules::Confidence;
 
 /// Codes of the checks at ultimate that can assess strength.
 const ULTIMATE: [&str; 2] = ["C201", "C204"];
@@ -12,20 +15,9 @@ const BESIDE: [&str; 2] = [warning::CHOSEN, warning::RECALLED_FACTOR];
 /// What assesses strength, in words.
 const WANTED: &str = "strength was not assessed: no ultimate check was made under factors with a source";
 
-/// Whether strength was assessed.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Strength {
-    /// Whether an ultimate check was made under factors with a source, and none came to no end.
-    pub assessed: bool,
-    /// What is missing, in words; empty where it was assessed.
-    pub missing: Vec<String>,
-    /// What qualifies a check that was made, in words.
-    pub qualifications: Vec<String>,
-}
-
 /// Reads it off the checks.
-pub fn strength(a: &Assessment, checked: &[Checked]) -> Strength {
-    let ultimate: Vec<&Checked> = checked.iter().filter(|one| ULTIMATE.contains(&one.card.code)).collect();
+pub fn strength(a: &Evidence, checked: &[Checked]) -> Strength {
+    let ultimate: Vec<&Checked> = checked.iter().filter(|one| ULTIMATE.contains(&one.code.as_str())).collect();
     let failed = ultimate.iter().any(|one| one.outcome.as_ref().is_err_and(|why| why.failed));
     let made = ultimate.iter().flat_map(|one| one.outcome.iter().flatten());
     let assessed = ultimate.iter().any(|one| whole(one)) && !failed && skew(a).is_none();
@@ -39,11 +31,11 @@ fn whole(check: &Checked) -> bool {
     check.outcome.as_ref().is_ok_and(|list| !list.is_empty() && list.iter().all(|finding| finding.strength))
 }
 
-fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
+fn missing(a: &Evidence, ultimate: &[&Checked]) -> Vec<String> {
     let mut list = vec![WANTED.to_owned()];
     list.extend(skew(a));
     for check in ultimate {
-        let card = check.card;
+        let card = check;
         match &check.outcome {
             Err(why) => list.push(format!("{} ({}): {}", card.title, card.code, why.why)),
             Ok(found) if card.code == "C201" => {
@@ -51,7 +43,7 @@ fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
                 list.extend(why.map(|why| format!("{} (C201): {why}", card.title)));
             }
             Ok(found) => {
-                let wanted = a.vehicles.made().map_or(1.0, |facts| vehicles::wanted(&facts.safety));
+                let wanted = a.facts.vehicles.made().map_or(1.0, |facts| vehicles::wanted(&facts.safety));
                 let why = within(found, wanted, "a model factor that was read in its source, in rule_file of [sweep],");
                 list.extend(why.map(|why| format!("{} ({}): {why}", card.title, card.code)));
                 list.extend(of_assumed_loads(a).map(|why| format!("{} ({}): {why}", card.title, card.code)));
@@ -62,7 +54,7 @@ fn missing(a: &Assessment, ultimate: &[&Checked]) -> Vec<String> {
 }
 
 /// Why a skew bridge has no verdict of adequacy; none where it is square, hardly skew, or where the file names what confirms it.
-fn skew(a: &Assessment) -> Option<String> {
+fn skew(a: &Evidence) -> Option<String> {
     let skew = a.bridge.carriageway.and_then(|asked| asked.skew).filter(|skew| *skew > bridge::DOUBTFUL_SKEW)?;
     a.asked.limits.skew_source.is_none().then(|| {
         format!(
@@ -74,11 +66,11 @@ fn skew(a: &Assessment) -> Option<String> {
 }
 
 /// Which vehicles are carried but have assumed loads.
-fn of_assumed_loads(a: &Assessment) -> Option<String> {
-    let facts = a.vehicles.made()?;
+fn of_assumed_loads(a: &Evidence) -> Option<String> {
+    let facts = a.facts.vehicles.made()?;
     let carried = facts.vehicles.iter().filter(|one| one.adequacy.is_some_and(|adequacy| adequacy >= 1.0));
     let assumed: Vec<&str> =
-        carried.filter(|one| one.loads_confidence == vehicles::ASSUMED).map(|one| one.code.as_str()).collect();
+        carried.filter(|one| one.loads_confidence == Confidence::Assumed).map(|one| one.code.as_str()).collect();
     (!assumed.is_empty()).then(|| {
         format!(
             "axle loads or distances of {} are assumed: write those of the loading's own diagram in vehicle_files of [sweep]",
@@ -88,7 +80,7 @@ fn of_assumed_loads(a: &Assessment) -> Option<String> {
 }
 
 /// Why the factor of the file is none that assesses strength; none where it is one.
-pub(super) fn of_the_file(a: &Assessment) -> Option<String> {
+pub(super) fn of_the_file(a: &Evidence) -> Option<String> {
     let limits = &a.asked.limits;
     let asked = limits.adequacy_factor?;
     if asked * limits.load_factor_included <= 1.0 {
@@ -108,12 +100,12 @@ pub(super) fn of_the_file(a: &Assessment) -> Option<String> {
 }
 
 /// The model factor under the file's own factor on its loads.
-pub(super) fn model_of_the_file(a: &Assessment) -> f64 {
+pub(super) fn model_of_the_file(a: &Evidence) -> f64 {
     a.asked.limits.model_factor.unwrap_or_else(model_factor::model_factor)
 }
 
 /// What is said where limits are met by less than the model factor asks for; `key` is what to write.
-fn within(found: &[Finding], wanted: f64, key: &str) -> Option<String> {
+fn within(found: &[Comparison], wanted: f64, key: &str) -> Option<String> {
     let near = found.iter().filter(|finding| finding.met() && finding.value < wanted * finding.limit);
     let list: Vec<String> = near
         .map(|finding| format!("{} {:.2} of {:.2}", finding.load_model, finding.value, wanted * finding.limit))
@@ -128,33 +120,35 @@ fn within(found: &[Finding], wanted: f64, key: &str) -> Option<String> {
 }
 
 /// Factors that were not read in their source, and warnings of the analyses behind the ultimate checks, each in a line.
-fn qualifications(a: &Assessment) -> Vec<String> {
+fn qualifications(a: &Evidence) -> Vec<String> {
     let mut list = Vec::new();
     let limits = &a.asked.limits;
-    let by_file = a.ultimate.made().is_some() && limits.adequacy_factor.is_some() && limits.model_factor.is_none();
-    if by_file || a.vehicles.made().is_some_and(|facts| vehicles::wanted(&facts.safety) > 1.0) {
+    let by_file =
+        a.facts.ultimate.made().is_some() && limits.adequacy_factor.is_some() && limits.model_factor.is_none();
+    if by_file || a.facts.vehicles.made().is_some_and(|facts| vehicles::wanted(&facts.safety) > 1.0) {
         list.push(format!("{} (A191)", model_factor::words()));
     }
-    if let Some(facts) = a.vehicles.made() {
-        let told = |word: &str| {
-            let some = facts.safety.factors.iter().filter(|(_, confidence)| confidence == word);
+    if let Some(facts) = a.facts.vehicles.made() {
+        let told = |sure: Confidence| {
+            let some = facts.safety.factors.iter().filter(|(_, confidence)| *confidence == sure);
             some.map(|(named, _)| named.as_str()).collect::<Vec<_>>().join(", ")
         };
-        for (word, what) in [
-            ("recalled", "recalled and not read in their source, confirm them"),
-            ("assumed", "assumed, since no source gives them"),
+        for (sure, what) in [
+            (Confidence::Recalled, "recalled and not read in their source, confirm them"),
+            (Confidence::Assumed, "assumed, since no source gives them"),
         ] {
-            let named = told(word);
+            let named = told(sure);
             if !named.is_empty() {
                 list.push(format!("factors of rule \"{}\" that are {what}: {named}", facts.safety.rule));
             }
         }
     }
-    let stages = [a.vehicles.made().map(|facts| &facts.warnings), a.ultimate.made().map(|facts| &facts.warnings)];
-    for [code, message] in stages.into_iter().flatten().flatten() {
+    let stages =
+        [a.facts.vehicles.made().map(|facts| &facts.warnings), a.facts.ultimate.made().map(|facts| &facts.warnings)];
+    for Warning { code, message } in stages.into_iter().flatten().flatten() {
         let title = warning::explain(code).map_or(message.as_str(), |card| card.title);
         let line = format!("{title} ({code})");
-        if !BESIDE.contains(&code.as_str()) && !list.contains(&line) {
+        if !BESIDE.contains(code) && !list.contains(&line) {
             list.push(line);
         }
     }

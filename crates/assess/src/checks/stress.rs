@@ -1,8 +1,9 @@
 //! Stresses along the ring in service: crown, abutments, piers.
 
-use super::{Card, Check, Finding, NotMade, limit, of, used};
-use crate::assessment::Assessment;
-use crate::wire::{PlaceFacts, ServiceFacts};
+use super::{Card, Check, limit, of, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::facts::{Place, PlaceFacts, Reading, ServiceFacts, Watched};
 
 /// At crowns.
 pub struct Crown;
@@ -20,11 +21,11 @@ const TEXT: &str = "The stress along the ring on the faces of the stones at this
 
 const SOURCE: &str = "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 2.64 in tension";
 
-/// Both readings of the augment: the word, and which of [`crate::wire::AugmentFacts::on`] it is.
-pub(super) const READINGS: [(&str, usize); 2] = [("design", 0), ("total", 1)];
+/// Both readings of the augment: the word, and which of [`outcome::published::AugmentFacts::on`] it is.
+pub(super) const READINGS: [(Reading, usize); 2] = [(Reading::Design, 0), (Reading::Total, 1)];
 
 /// A reading in words.
-pub(super) fn told(word: &str, augment: f64) -> String {
+pub(super) fn told(word: Reading, augment: f64) -> String {
     format!("{word} CDA {augment:.3}")
 }
 
@@ -35,16 +36,16 @@ pub(super) fn columns(facts: &ServiceFacts, span: usize, own: f64, live: f64) ->
     [own, design, own + design, total, own + total]
 }
 
-fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
+fn run(a: &Evidence, place: Place) -> Result<Vec<Comparison>, NotMade> {
     let limits = &a.asked.limits;
     if limits.compression.is_none() && limits.tension.is_none() {
         limit(None, "compression_limit and tension_limit", "from the rule that you assess by")?;
     }
-    let facts = of(&a.service)?;
+    let facts = of(&a.facts.service)?;
     let mut list = Vec::new();
     for load in &facts.loads {
         for (reading, which) in READINGS {
-            let here = || load.places.iter().filter(|at| at.quantity == "stress" && at.place == place);
+            let here = || load.places.iter().filter(|at| at.quantity == Watched::Stress && at.place == place);
             let on = |span: usize| facts.augment.on(span)[which];
             let pressed = |at: &&PlaceFacts| -(at.self_weight + (1.0 + on(at.minimum_span)) * at.minimum);
             let pulled = |at: &&PlaceFacts| at.self_weight + (1.0 + on(at.maximum_span)) * at.maximum;
@@ -60,11 +61,11 @@ fn run(a: &Assessment, place: &str) -> Result<Vec<Finding>, NotMade> {
                     false => (pulled(&at), at.maximum, at.maximum_at_m, at.maximum_span),
                 };
                 let word = if compression { "compression" } else { "tension" };
-                list.push(Finding {
+                list.push(Comparison {
                     load_model: format!("{}, {}", load.name, told(reading, on(span))),
                     value: sign * size,
                     limit: sign * limit,
-                    unit: "MPa",
+                    unit: Unit::Megapascal,
                     utilisation: used(size, limit),
                     basis: format!("{word}; {}; first axle at {position:.2} m", at.about),
                     position: Some(position),
@@ -86,8 +87,8 @@ impl Check for Crown {
         Card { code: "C102", title: "crown stress", clause, text: TEXT, source: SOURCE }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        run(a, "crown")
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
+        run(a, Place::Crown)
     }
 }
 
@@ -97,8 +98,8 @@ impl Check for Abutment {
         Card { code: "C103", title: "abutment stress", clause, text: TEXT, source: SOURCE }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        run(a, "abutment")
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
+        run(a, Place::Abutment)
     }
 }
 
@@ -108,10 +109,10 @@ impl Check for Pier {
         Card { code: "C104", title: "pier stress", clause, text: TEXT, source: SOURCE }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         if a.bridge.spans.len() < 2 {
             return Err(NotMade::because("the bridge has no pier"));
         }
-        run(a, "pier")
+        run(a, Place::Pier)
     }
 }

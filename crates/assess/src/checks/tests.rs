@@ -1,19 +1,25 @@
 //! Checks on facts made by hand.
 
 use super::*;
-use crate::wire::{
+use bridge::assess::{Assess, Limits};
+use bridge::passage::Face;
+use outcome::assessment::Facts;
+use outcome::checked::{Judgement, Rung, Unit};
+use outcome::collapse::Status;
+use outcome::facts::{
     AugmentFacts, JointFacts, MovementFacts, PlaceFacts, SafetyFacts, ServiceFacts, ServiceLoadFacts, SweptFacts,
     UltimateFacts, VehicleFacts,
 };
-use bridge::assess::{Assess, Limits};
+use outcome::facts::{Place, Reading, Watched};
+use rules::Confidence;
 
-fn place(place: &str, quantity: &str, self_weight: f64, minimum: f64, maximum: f64) -> PlaceFacts {
+fn place(place: Place, quantity: Watched, self_weight: f64, minimum: f64, maximum: f64) -> PlaceFacts {
     PlaceFacts {
-        place: place.into(),
-        quantity: quantity.into(),
+        place,
+        quantity,
         about: format!("{place} of span 1"),
         span: 1,
-        face: "intrados".into(),
+        face: Face::Intrados,
         self_weight,
         minimum,
         minimum_at_m: 3.0,
@@ -25,18 +31,18 @@ fn place(place: &str, quantity: &str, self_weight: f64, minimum: f64, maximum: f
 }
 
 /// The numbers of the railway paper's first two rows: live load at rest is the printed column over 1 + CDA.
-fn assessment() -> Assessment {
+fn assessment() -> Evidence {
     let bridge = crate::samples::bridgemill();
     let live = -0.67 / 1.817;
     let load = ServiceLoadFacts {
         name: "25t".into(),
         places: vec![
-            place("crown", "deflection", 0.09, live, 0.01),
-            place("crown", "stress", 0.009, -0.04, 0.001),
-            place("abutment", "stress", -0.83, -0.37, 0.1),
+            place(Place::Crown, Watched::Deflection, 0.09, live, 0.01),
+            place(Place::Crown, Watched::Stress, 0.009, -0.04, 0.001),
+            place(Place::Abutment, Watched::Stress, -0.83, -0.37, 0.1),
         ],
         joints: vec![JointFacts {
-            reading: "total".into(),
+            reading: Reading::Total,
             augment: 0.817,
             shear_augment: 0.817,
             eccentricity_augment: 0.817,
@@ -48,7 +54,7 @@ fn assessment() -> Assessment {
     };
     let augment = AugmentFacts { total: 0.817, design: 0.6, ..AugmentFacts::default() };
     let service = ServiceFacts { augment, loads: vec![load], ..ServiceFacts::default() };
-    let ultimate = UltimateFacts { status: "collapsed".into(), load_factor: Some(4.0), ..UltimateFacts::default() };
+    let ultimate = UltimateFacts { status: Status::Collapsed, load_factor: Some(4.0), ..UltimateFacts::default() };
     let limits = Limits {
         deflection: Some(1.25e-3),
         compression: Some(2.589e6),
@@ -63,31 +69,33 @@ fn assessment() -> Assessment {
         movement_factor: 1.0,
         ..Limits::default()
     };
-    Assessment {
+    Evidence {
         bridge,
         asked: Assess { limits, ..Assess::default() },
-        update: Stage::NotAsked("no records".into()),
-        service: Stage::Made(service),
-        ultimate: Stage::Made(ultimate),
-        vehicles: Stage::NotAsked("no sweep".into()),
-        movement: Stage::NotAsked("no support moves".into()),
-        sensitivity: Stage::NotAsked("later".into()),
+        facts: Facts {
+            update: Stage::NotAsked("no records".into()),
+            service: Stage::Made(service),
+            ultimate: Stage::Made(ultimate),
+            vehicles: Stage::NotAsked("no sweep".into()),
+            movement: Stage::NotAsked("no support moves".into()),
+            sensitivity: Stage::NotAsked("later".into()),
+        },
     }
 }
 
 /// A vehicle that was moved over the bridge.
-fn vehicle(code: &str, adequacy: Option<f64>, status: &str) -> SweptFacts {
-    SweptFacts { code: code.into(), status: status.into(), adequacy, ..SweptFacts::default() }
+fn vehicle(code: &str, adequacy: Option<f64>, status: Status) -> SweptFacts {
+    SweptFacts { code: code.into(), status, adequacy, ..SweptFacts::default() }
 }
 
 /// A rule's factor on live loads and its model factor, each with how sure it is.
-fn safety(live_load: (f64, &str), model: (f64, &str)) -> SafetyFacts {
+fn safety(live_load: (f64, Confidence), model: (f64, Confidence)) -> SafetyFacts {
     SafetyFacts {
         rule: "own".into(),
         live_load: live_load.0,
-        live_load_confidence: live_load.1.into(),
+        live_load_confidence: live_load.1,
         model: model.0,
-        model_confidence: model.1.into(),
+        model_confidence: model.1,
         ..SafetyFacts::default()
     }
 }
@@ -143,16 +151,16 @@ fn the_largest_utilisation_governs_and_failures_leave_nothing_settled() {
     let (check, finding) = governing(&checked).unwrap();
     let worst = &checked[check].outcome.as_ref().unwrap()[finding];
     // 0.2 of the depth against 0.25.
-    assert_eq!((checked[check].card.code, worst.utilisation), ("C106", 0.8));
-    let judged = |a: &Assessment| verdict(a, &run(a));
-    assert_eq!((judged(&a).status, judged(&a).strength.assessed), ("adequate", true));
-    a.ultimate = Stage::Failed("no answer".into());
-    assert_eq!((judged(&a).status, judged(&a).finished), ("undetermined", false));
+    assert_eq!((checked[check].code.as_str(), worst.utilisation), ("C106", 0.8));
+    let judged = |a: &Evidence| verdict(a, &run(a));
+    assert_eq!((judged(&a).status, judged(&a).strength.assessed), (Judgement::Adequate, true));
+    a.facts.ultimate = Stage::Failed("no answer".into());
+    assert_eq!((judged(&a).status, judged(&a).finished), (Judgement::Undetermined, false));
     a.asked.limits.joint_shear = Some(0.3e6);
-    assert_eq!(judged(&a).status, "inadequate");
+    assert_eq!(judged(&a).status, Judgement::Inadequate);
     a.asked = Assess::default();
-    a.ultimate = Stage::NotAsked("no load".into());
-    assert_eq!((judged(&a).status, judged(&a).finished), ("undetermined", true));
+    a.facts.ultimate = Stage::NotAsked("no load".into());
+    assert_eq!((judged(&a).status, judged(&a).finished), (Judgement::Undetermined, true));
 }
 
 /// Limits that are met are no verdict on strength: not without a source of the factor, nor with a factor of 1.
@@ -161,16 +169,16 @@ fn limits_that_are_met_assess_no_strength() {
     let mut a = assessment();
     a.asked.limits.adequacy_source = None;
     let found = verdict(&a, &run(&a));
-    assert_eq!((found.status, found.headline), ("undetermined", "Limits met; strength not assessed"));
+    assert_eq!((found.status, found.headline), (Judgement::Undetermined, Rung::LimitsMet));
     assert!(
         found.finished && found.strength.missing.iter().any(|words| words.contains("adequacy_source")),
         "{found:?}"
     );
     let sourced = Some("a test".to_owned());
     (a.asked.limits.adequacy_source, a.asked.limits.adequacy_factor) = (sourced, Some(1.0));
-    assert_eq!(verdict(&a, &run(&a)).status, "undetermined");
+    assert_eq!(verdict(&a, &run(&a)).status, Judgement::Undetermined);
     a.asked.limits.load_factor_included = 1.9;
-    assert_eq!(verdict(&a, &run(&a)).status, "adequate");
+    assert_eq!(verdict(&a, &run(&a)).status, Judgement::Adequate);
 }
 
 /// A rule without a factor on live loads passes nothing, and turns down what fails even so.
@@ -178,17 +186,17 @@ fn limits_that_are_met_assess_no_strength() {
 fn a_rule_without_safety_passes_no_vehicle() {
     let mut a = assessment();
     a.asked.limits.adequacy_factor = None;
-    let mut with = |adequacy: f64, live_load: f64, confidence: &str| {
-        let heavy = vehicle("heavy", Some(adequacy), "collapsed");
-        a.vehicles = moved(vec![heavy], safety((live_load, confidence), (1.0, "read")));
+    let mut with = |adequacy: f64, live_load: f64, confidence: Confidence| {
+        let heavy = vehicle("heavy", Some(adequacy), Status::Collapsed);
+        a.facts.vehicles = moved(vec![heavy], safety((live_load, confidence), (1.0, Confidence::Read)));
         let found = verdict(&a, &run(&a));
         (found.status, found.strength.assessed)
     };
-    assert_eq!(with(24.0, 1.0, "read"), ("undetermined", false));
-    assert_eq!(with(24.0, 1.9, "assumed"), ("undetermined", false));
-    assert_eq!(with(0.99, 1.0, "read"), ("inadequate", false));
-    assert_eq!(with(1.01, 1.9, "recalled"), ("adequate", true));
-    assert_eq!(with(0.99, 1.9, "recalled"), ("inadequate", true));
+    assert_eq!(with(24.0, 1.0, Confidence::Read), (Judgement::Undetermined, false));
+    assert_eq!(with(24.0, 1.9, Confidence::Assumed), (Judgement::Undetermined, false));
+    assert_eq!(with(0.99, 1.0, Confidence::Read), (Judgement::Inadequate, false));
+    assert_eq!(with(1.01, 1.9, Confidence::Recalled), (Judgement::Adequate, true));
+    assert_eq!(with(0.99, 1.9, Confidence::Recalled), (Judgement::Inadequate, true));
 }
 
 /// Between a rule's limit and the limit times the model factor nothing is settled, unless the rule's own model factor was read.
@@ -196,25 +204,25 @@ fn a_rule_without_safety_passes_no_vehicle() {
 fn a_model_factor_from_tests_counts_where_a_rule_has_none() {
     let mut a = assessment();
     a.asked.limits.adequacy_factor = None;
-    let mut with = |adequacy: f64, model: f64, confidence: &str| {
-        let heavy = vehicle("heavy", Some(adequacy), "collapsed");
-        a.vehicles = moved(vec![heavy], safety((1.9, "read"), (model, confidence)));
+    let mut with = |adequacy: f64, model: f64, confidence: Confidence| {
+        let heavy = vehicle("heavy", Some(adequacy), Status::Collapsed);
+        a.facts.vehicles = moved(vec![heavy], safety((1.9, Confidence::Read), (model, confidence)));
         let found = verdict(&a, &run(&a));
         (found.status, found.strength.missing.join("; ").contains("4 tests to collapse"))
     };
-    assert_eq!(with(1.5, 1.0, "recalled"), ("undetermined", true));
-    assert_eq!(with(1.5, 1.0, "assumed"), ("undetermined", true));
-    assert_eq!(with(1.5, 1.0, "read"), ("adequate", false));
-    assert_eq!(with(1.91, 1.0, "recalled"), ("adequate", false));
+    assert_eq!(with(1.5, 1.0, Confidence::Recalled), (Judgement::Undetermined, true));
+    assert_eq!(with(1.5, 1.0, Confidence::Assumed), (Judgement::Undetermined, true));
+    assert_eq!(with(1.5, 1.0, Confidence::Read), (Judgement::Adequate, false));
+    assert_eq!(with(1.91, 1.0, Confidence::Recalled), (Judgement::Adequate, false));
     // What the rule's own factor has taken off already is not asked for again.
-    assert_eq!(with(1.5, 1.3, "recalled"), ("adequate", false));
-    assert_eq!(with(0.99, 1.0, "recalled"), ("inadequate", false));
+    assert_eq!(with(1.5, 1.3, Confidence::Recalled), (Judgement::Adequate, false));
+    assert_eq!(with(0.99, 1.0, Confidence::Recalled), (Judgement::Inadequate, false));
     // Likewise under the factor of a file: 4.0 is carried, 2.5 asked for.
-    a.vehicles = Stage::NotAsked("no sweep".into());
+    a.facts.vehicles = Stage::NotAsked("no sweep".into());
     (a.asked.limits.adequacy_factor, a.asked.limits.model_factor) = (Some(2.5), None);
-    assert_eq!(verdict(&a, &run(&a)).status, "undetermined");
+    assert_eq!(verdict(&a, &run(&a)).status, Judgement::Undetermined);
     a.asked.limits.adequacy_factor = Some(2.0);
-    assert_eq!(verdict(&a, &run(&a)).status, "adequate");
+    assert_eq!(verdict(&a, &run(&a)).status, Judgement::Adequate);
 }
 
 /// A vehicle that limit analysis left open is neither passed nor forgotten; one that fails is turned down all the same.
@@ -222,13 +230,14 @@ fn a_model_factor_from_tests_counts_where_a_rule_has_none() {
 fn a_vehicle_left_open_leaves_the_verdict_open() {
     let mut a = assessment();
     let mut with = |other: f64| {
-        let vehicles = vec![vehicle("light", Some(other), "collapsed"), vehicle("heavy", None, "not-converged")];
-        a.vehicles = moved(vehicles, safety((1.9, "read"), (0.0, "")));
+        let vehicles =
+            vec![vehicle("light", Some(other), Status::Collapsed), vehicle("heavy", None, Status::NotConverged)];
+        a.facts.vehicles = moved(vehicles, safety((1.9, Confidence::Read), (0.0, Confidence::Assumed)));
         let found = verdict(&a, &run(&a));
         (found.status, found.finished)
     };
-    assert_eq!(with(2.0), ("undetermined", false));
-    assert_eq!(with(0.9), ("inadequate", true));
+    assert_eq!(with(2.0), (Judgement::Undetermined, false));
+    assert_eq!(with(0.9), (Judgement::Inadequate, true));
 }
 
 /// An answer is missing at some position, but the others turn the bridge down already: the true factor is not above theirs.
@@ -238,20 +247,20 @@ fn what_fails_at_some_position_fails_whatever_the_others_say() {
     let mut with = |at_most: f64| {
         let vehicle = SweptFacts {
             code: "heavy".into(),
-            status: "not-converged".into(),
+            status: Status::NotConverged,
             adequacy_at_most: Some(at_most),
             positions: 271,
             position_m: Some(3.0),
             positions_not_converged: 1,
             ..SweptFacts::default()
         };
-        let safety = SafetyFacts { live_load: 1.9, live_load_confidence: "read".into(), ..SafetyFacts::default() };
-        a.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
+        let safety = SafetyFacts { live_load: 1.9, live_load_confidence: Confidence::Read, ..SafetyFacts::default() };
+        a.facts.vehicles = Stage::Made(VehicleFacts { vehicles: vec![vehicle], safety, ..VehicleFacts::default() });
         let basis = vehicles::Vehicles.run(&a).map(|found| found[0].basis.clone()).unwrap_or_default();
         (verdict(&a, &run(&a)).status, basis.contains("at most: 1 of 271 positions have no answer"))
     };
-    assert_eq!(with(0.4), ("inadequate", true));
-    assert_eq!(with(1.4), ("undetermined", false));
+    assert_eq!(with(0.4), (Judgement::Inadequate, true));
+    assert_eq!(with(1.4), (Judgement::Undetermined, false));
 }
 
 /// A square model is no bound for a skew bridge, and assumed loads are nobody's: neither makes a bridge adequate, and what is
@@ -261,22 +270,22 @@ fn skew_and_assumed_loads_give_no_verdict_of_adequacy() {
     let mut a = assessment();
     let sourced = SafetyFacts {
         live_load: 1.9,
-        live_load_confidence: "read".into(),
+        live_load_confidence: Confidence::Read,
         model: 1.0,
-        model_confidence: "read".into(),
+        model_confidence: Confidence::Read,
         ..SafetyFacts::default()
     };
-    let vehicle = |confidence: &str| SweptFacts {
+    let vehicle = |confidence: Confidence| SweptFacts {
         code: "wagon".into(),
-        status: "collapsed".into(),
+        status: Status::Collapsed,
         adequacy: Some(3.0),
-        loads_confidence: confidence.into(),
+        loads_confidence: confidence,
         ..SweptFacts::default()
     };
-    let mut with = |confidence: &str, skew: f64, source: Option<&str>| {
-        a.ultimate = Stage::NotAsked("no load".into());
+    let mut with = |confidence: Confidence, skew: f64, source: Option<&str>| {
+        a.facts.ultimate = Stage::NotAsked("no load".into());
         (a.asked.limits.adequacy_factor, a.asked.limits.permissible_share) = (None, None);
-        a.vehicles = Stage::Made(VehicleFacts {
+        a.facts.vehicles = Stage::Made(VehicleFacts {
             vehicles: vec![vehicle(confidence)],
             safety: sourced.clone(),
             ..VehicleFacts::default()
@@ -287,13 +296,15 @@ fn skew_and_assumed_loads_give_no_verdict_of_adequacy() {
         let found = verdict(&a, &run(&a));
         (found.status, found.strength.missing.join(" "))
     };
-    assert_eq!(with("read", 0.0, None).0, "adequate");
-    assert_eq!(with("recalled", 10.0, None).0, "adequate");
-    let (status, missing) = with("assumed", 0.0, None);
-    assert!(status == "undetermined" && missing.contains("of wagon are assumed"), "{status} {missing}");
-    let (status, missing) = with("read", 20.0, None);
-    assert!(status == "undetermined" && missing.contains("skew by 20 degrees") && missing.contains("skew_source"));
-    assert_eq!(with("read", 20.0, Some("model in three dimensions, report 12")).0, "adequate");
+    assert_eq!(with(Confidence::Read, 0.0, None).0, Judgement::Adequate);
+    assert_eq!(with(Confidence::Recalled, 10.0, None).0, Judgement::Adequate);
+    let (status, missing) = with(Confidence::Assumed, 0.0, None);
+    assert!(status == Judgement::Undetermined && missing.contains("of wagon are assumed"), "{status} {missing}");
+    let (status, missing) = with(Confidence::Read, 20.0, None);
+    assert!(
+        status == Judgement::Undetermined && missing.contains("skew by 20 degrees") && missing.contains("skew_source")
+    );
+    assert_eq!(with(Confidence::Read, 20.0, Some("model in three dimensions, report 12")).0, Judgement::Adequate);
 }
 
 /// A sweep of minutes is not repeated for every value of the file: what is left to do is named.
@@ -301,9 +312,9 @@ fn skew_and_assumed_loads_give_no_verdict_of_adequacy() {
 fn values_of_a_slow_sweep_are_not_tried() {
     let mut a = assessment();
     let mut with = |slow_cases| {
-        let vehicles = vec![SweptFacts { slow_cases, ..vehicle("heavy", Some(0.2), "collapsed") }];
-        let safety = safety((1.9, "read"), (1.0, "read"));
-        a.vehicles = Stage::Made(VehicleFacts { vehicles, safety, ..VehicleFacts::default() });
+        let vehicles = vec![SweptFacts { slow_cases, ..vehicle("heavy", Some(0.2), Status::Collapsed) }];
+        let safety = safety((1.9, Confidence::Read), (1.0, Confidence::Read));
+        a.facts.vehicles = Stage::Made(VehicleFacts { vehicles, safety, ..VehicleFacts::default() });
         let document = bridge::edit::Document::parse("").unwrap();
         crate::chain::sensitivity(&document, &a, &run(&a), &mut mechanics::watch::Unwatched).unwrap_err().to_string()
     };
@@ -336,7 +347,7 @@ fn a_thrust_without_a_zone_is_told_and_not_judged() {
     a.asked.limits.thrust_zone = None;
     let why = thrust::ThrustZone.run(&a).unwrap_err();
     assert!(!why.failed && why.why.contains("thrust_zone =") && why.why.contains("0.200 of the depth"), "{}", why.why);
-    a.service = Stage::NotAsked("no train".into());
+    a.facts.service = Stage::NotAsked("no train".into());
     assert!(!thrust::ThrustZone.run(&a).unwrap_err().why.contains("in service"));
 }
 
@@ -347,12 +358,12 @@ fn stresses_have_their_sign_their_side_and_their_unit() {
     let found = stress::Abutment.run(&assessment()).unwrap();
     let [pressed, pulled, ..] = &found[..] else { panic!("{found:?}") };
     assert!((pressed.value + 1.422).abs() < 1e-12 && (pressed.limit + 2.589).abs() < 1e-12, "{pressed:?}");
-    assert!((pressed.utilisation - 1.422 / 2.589).abs() < 1e-12 && pressed.unit == "MPa");
+    assert!((pressed.utilisation - 1.422 / 2.589).abs() < 1e-12 && pressed.unit == Unit::Megapascal);
     assert!((pulled.value + 0.67).abs() < 1e-12 && (pulled.limit - 0.2589).abs() < 1e-12, "{pulled:?}");
     assert_eq!(pulled.utilisation, 0.0);
     // A live load that pulls by 1.0 leaves -0.83 + 1.6.
     let mut a = assessment();
-    let Stage::Made(facts) = &mut a.service else { panic!() };
+    let Stage::Made(facts) = &mut a.facts.service else { panic!() };
     facts.loads[0].places[2].maximum = 1.0;
     let found = stress::Abutment.run(&a).unwrap();
     assert!((found[1].value - 0.77).abs() < 1e-12 && !found[1].met(), "{:?}", found[1]);
@@ -364,14 +375,14 @@ fn stresses_have_their_sign_their_side_and_their_unit() {
 #[test]
 fn a_stronger_bridge_uses_less() {
     let mut a = assessment();
-    let used = |a: &Assessment| {
+    let used = |a: &Evidence| {
         [adequacy::Adequacy.run(a).unwrap()[0].clone(), permissible::PermissibleShare.run(a).unwrap()[0].clone()]
             .map(|finding| finding.utilisation)
     };
     // 2 asked of 4; 1/4 of the ultimate load, half is permitted.
     assert_eq!(used(&a), [0.5, 0.5]);
-    a.ultimate =
-        Stage::Made(UltimateFacts { status: "collapsed".into(), load_factor: Some(8.0), ..UltimateFacts::default() });
+    a.facts.ultimate =
+        Stage::Made(UltimateFacts { status: Status::Collapsed, load_factor: Some(8.0), ..UltimateFacts::default() });
     assert_eq!(used(&a), [0.25, 0.25]);
 }
 
@@ -380,28 +391,32 @@ fn a_stronger_bridge_uses_less() {
 fn a_bridge_that_does_not_stand_settles_nothing_of_its_share() {
     let mut a = assessment();
     a.asked.limits.adequacy_factor = None;
-    let with = |status: &str| UltimateFacts { status: status.into(), ..UltimateFacts::default() };
-    for (status, failed) in [("unstable-under-self-weight", true), ("not-converged", true), ("locks", false)] {
-        a.ultimate = Stage::Made(with(status));
+    let with = |status: Status| UltimateFacts { status, ..UltimateFacts::default() };
+    for (status, failed) in
+        [(Status::UnstableUnderSelfWeight, true), (Status::NotConverged, true), (Status::Locks, false)]
+    {
+        a.facts.ultimate = Stage::Made(with(status));
         assert_eq!(permissible::PermissibleShare.run(&a).unwrap_err().failed, failed, "{status}");
     }
     a.asked.limits.adequacy_factor = Some(1.0);
-    a.ultimate = Stage::Made(with("unstable-under-self-weight"));
-    assert_eq!(verdict(&a, &run(&a)).status, "inadequate");
+    a.facts.ultimate = Stage::Made(with(Status::UnstableUnderSelfWeight));
+    assert_eq!(verdict(&a, &run(&a)).status, Judgement::Inadequate);
 }
 
 /// The smaller of both methods counts, for the vehicle that was made by both.
 #[test]
 fn discrete_elements_count_where_they_carry_less() {
-    let at =
-        |code: &str, adequacy: f64| SweptFacts { position_m: Some(3.0), ..vehicle(code, Some(adequacy), "collapsed") };
+    let at = |code: &str, adequacy: f64| SweptFacts {
+        position_m: Some(3.0),
+        ..vehicle(code, Some(adequacy), Status::Collapsed)
+    };
     let mut a = assessment();
     let mut with = |by_dem: f64| {
-        a.vehicles = Stage::Made(VehicleFacts {
+        a.facts.vehicles = Stage::Made(VehicleFacts {
             vehicles: vec![at("heavy", 1.1), at("light", 2.0)],
             governing: Some("heavy".into()),
             adequacy_by_discrete_elements: Some(by_dem),
-            safety: safety((1.9, "read"), (0.0, "")),
+            safety: safety((1.9, Confidence::Read), (0.0, Confidence::Assumed)),
             ..VehicleFacts::default()
         });
         let found = vehicles::Vehicles.run(&a).unwrap();
@@ -422,7 +437,7 @@ fn discrete_elements_count_where_they_carry_less() {
 fn a_movement_is_compared_with_what_stood_over_its_factor() {
     let mut a = assessment();
     (a.asked.limits.expected_movement, a.asked.limits.movement_factor) = (Some(0.02), 2.0);
-    a.movement = Stage::Made(MovementFacts { last_stable_mm: Some(50.0), ..MovementFacts::default() });
+    a.facts.movement = Stage::Made(MovementFacts { last_stable_mm: Some(50.0), ..MovementFacts::default() });
     let found = movement::SupportMovement.run(&a).unwrap();
     assert_eq!((found[0].value, found[0].limit, found[0].utilisation), (20.0, 25.0, 0.8));
 }

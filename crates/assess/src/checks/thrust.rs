@@ -1,7 +1,8 @@
 //! The line of thrust in service.
 
-use super::{Card, Check, Finding, NotMade, of_joints, used};
-use crate::assessment::Assessment;
+use super::{Card, Check, Probe, of_joints, used};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
 
 /// The check.
 pub struct ThrustZone;
@@ -21,17 +22,21 @@ impl Check for ThrustZone {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
+    fn probe(&self) -> Probe {
+        Probe::Joints
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
         let zone = a.asked.limits.thrust_zone.ok_or_else(|| NotMade::because(no_zone(a)))?;
         let limit = 0.5 * zone;
         of_joints(
             a,
             |joint| joint.eccentricity_augment,
-            |joint| Finding {
+            |joint| Comparison {
                 load_model: String::new(),
                 value: joint.eccentricity,
                 limit,
-                unit: "of the depth",
+                unit: Unit::OfTheDepth,
                 utilisation: used(joint.eccentricity, limit),
                 basis: joint.eccentricity_at.clone(),
                 position: Some(joint.eccentricity_position_m),
@@ -43,9 +48,9 @@ impl Check for ThrustZone {
 }
 
 /// What to write, and how far the thrust goes where that is known: a reader should not have to ask for a limit to see it.
-fn no_zone(a: &Assessment) -> String {
+fn no_zone(a: &Evidence) -> String {
     let write = "the file gives no zone: write thrust_zone = \"middle-third\" or \"middle-half\" in [assess]";
-    let loads = a.service.made().map_or(&[][..], |facts| &facts.loads);
+    let loads = a.facts.service.made().map_or(&[][..], |facts| &facts.loads);
     let farthest = loads.iter().flat_map(|load| &load.joints).map(|joint| joint.eccentricity).fold(0.0, f64::max);
     match farthest > 0.0 {
         true => format!(

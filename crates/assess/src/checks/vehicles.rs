@@ -1,9 +1,12 @@
 //! Vehicles under the factors of a rule.
 
 use super::model_factor::model_factor;
-use super::{Card, Check, Finding, NotMade, of};
-use crate::assessment::Assessment;
-use crate::wire::{SafetyFacts, SweptFacts, VehicleFacts};
+use super::{Card, Check, Probe, of};
+use crate::evidence::Evidence;
+use outcome::checked::{Comparison, NotMade, Unit};
+use outcome::collapse::Status;
+use outcome::facts::{SafetyFacts, SweptFacts, VehicleFacts};
+use rules::Confidence;
 
 /// The check.
 pub struct Vehicles;
@@ -26,17 +29,21 @@ impl Check for Vehicles {
         }
     }
 
-    fn run(&self, a: &Assessment) -> Result<Vec<Finding>, NotMade> {
-        let facts = of(&a.vehicles)?;
+    fn probe(&self) -> Probe {
+        Probe::Vehicle
+    }
+
+    fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
+        let facts = of(&a.facts.vehicles)?;
         let strength = has_safety(&facts.safety);
         let wanted = wanted(&facts.safety);
-        let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != "locks");
-        let all: Vec<Finding> = bounded
+        let bounded = facts.vehicles.iter().filter(|one| one.adequacy.is_some() || one.status != Status::Locks);
+        let all: Vec<Comparison> = bounded
             .clone()
             .filter(|one| one.adequacy.is_some() || one.status != OPEN || fails_all_the_same(one))
             .map(|one| finding(facts, one, strength, wanted))
             .collect();
-        let (met, broken): (Vec<&Finding>, Vec<&Finding>) = all.iter().partition(|finding| finding.met());
+        let (met, broken): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|finding| finding.met());
         // What fails at some position fails; what passes at the others passes only where no position is left open.
         let open: Vec<&str> = bounded.filter(|one| one.status == OPEN).map(|one| one.code.as_str()).collect();
         if !open.is_empty() && broken.is_empty() {
@@ -55,10 +62,8 @@ impl Check for Vehicles {
     }
 }
 
-/// The confidence of loads that have no source.
-pub(super) const ASSUMED: &str = "assumed";
 /// The status of a vehicle without an answer.
-const OPEN: &str = "not-converged";
+const OPEN: Status = Status::NotConverged;
 
 /// Whether what was answered of a vehicle turns the bridge down, whatever the positions left open would say.
 fn fails_all_the_same(one: &SweptFacts) -> bool {
@@ -68,20 +73,20 @@ fn fails_all_the_same(one: &SweptFacts) -> bool {
 /// Whether a rule has a factor on live loads that has a source: without one, loads at their nominal values are compared with
 /// what they collapse at.
 fn has_safety(safety: &SafetyFacts) -> bool {
-    safety.live_load > 1.0 && ["read", "calculated", "recalled"].contains(&safety.live_load_confidence.as_str())
+    safety.live_load > 1.0 && safety.live_load_confidence != Confidence::Assumed
 }
 
 /// The adequacy factor with which strength is assessed: 1 where the rule's model factor was read in its source, and otherwise what the
 /// program's own model factor asks beyond the one that the adequacy factors hold.
 pub(super) fn wanted(safety: &SafetyFacts) -> f64 {
-    match safety.model_confidence.as_str() {
-        "read" | "calculated" => 1.0,
+    match safety.model_confidence {
+        Confidence::Read | Confidence::Calculated => 1.0,
         _ => (model_factor() / safety.model.max(f64::MIN_POSITIVE)).max(1.0),
     }
 }
 
 /// What is said where a rule without safety is carried.
-fn without_safety(safety: &SafetyFacts, met: &[&Finding]) -> String {
+fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
     let least = met.iter().map(|finding| finding.value).fold(f64::INFINITY, f64::min);
     let lacks = match safety.live_load > 1.0 {
         true => format!("the live load factor {} of rule \"{}\" has no source", safety.live_load, safety.rule),
@@ -94,7 +99,7 @@ fn without_safety(safety: &SafetyFacts, met: &[&Finding]) -> String {
 }
 
 /// The comparison of a vehicle.
-fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> Finding {
+fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> Comparison {
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);
     let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
@@ -110,11 +115,11 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> F
         true => format!("discrete elements (limit analysis {by_limit:.3})"),
         false => "limit analysis".to_owned(),
     };
-    Finding {
+    Comparison {
         load_model: one.code.clone(),
         value,
         limit: 1.0,
-        unit: "",
+        unit: Unit::Ratio,
         utilisation: if value > 0.0 { 1.0 / value } else { f64::MAX },
         basis: match one.position_m {
             Some(x) => format!(
@@ -126,6 +131,6 @@ fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> F
         position: one.position_m,
         columns: None,
         // What fails is settled; what passes must pass with the model's own uncertainty, under loads that have a source.
-        strength: safe && (value < 1.0 || value >= wanted && one.loads_confidence != ASSUMED),
+        strength: safe && (value < 1.0 || value >= wanted && one.loads_confidence != Confidence::Assumed),
     }
 }

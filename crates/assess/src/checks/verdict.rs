@@ -1,43 +1,22 @@
 //! From findings to a verdict, by a ladder: a limit that is not met, an analysis that came to no end, limits that are met without
 //! strength being assessed, strength assessed and everything met.
 
-use super::strength::{Strength, strength};
-use super::{Checked, Finding};
-use crate::assessment::Assessment;
-
-/// The verdict.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Verdict {
-    /// "adequate", "inadequate" or "undetermined".
-    pub status: &'static str,
-    /// The rung of the ladder, in a few words.
-    pub headline: &'static str,
-    /// In a sentence or two.
-    pub words: String,
-    /// Whether every analysis that a check rests on came to an end.
-    pub finished: bool,
-    /// Whether strength was assessed, what is missing, and what qualifies it.
-    pub strength: Strength,
-}
-
-/// The finding with the largest utilisation: indices of its check and of itself.
-pub fn governing(checked: &[Checked]) -> Option<(usize, usize)> {
-    let all = checked.iter().enumerate().flat_map(|(c, check)| {
-        let list: &[Finding] = check.outcome.as_ref().map_or(&[], |list| list);
-        list.iter().enumerate().map(move |(k, finding)| (c, k, finding.utilisation))
-    });
-    let worst = all.reduce(|worst, next| if next.2 > worst.2 { next } else { worst });
-    worst.map(|(check, finding, _)| (check, finding))
-}
+use super::strength::strength;
+use crate::evidence::Evidence;
+use outcome::checked::{Checked, Comparison};
+use outcome::checked::{Judgement, Rung};
+use outcome::checked::{Verdict, governing};
 
 /// Inadequate where a limit is not met. Undetermined where an analysis failed that a check rests on, where nothing could be
 /// compared, and where limits are met but no ultimate check was made under factors with a source. Adequate otherwise: checks
 /// that the file gives no limit for are listed and do not count.
-pub fn verdict(a: &Assessment, checked: &[Checked]) -> Verdict {
-    let made: Vec<&Finding> = checked.iter().flat_map(|check| check.outcome.iter().flatten()).collect();
+pub fn verdict(a: &Evidence, checked: &[Checked]) -> Verdict {
+    let made: Vec<&Comparison> = checked.iter().flat_map(|check| check.outcome.iter().flatten()).collect();
     let broken = made.iter().filter(|finding| !finding.met()).count();
-    let failed: Vec<&str> =
-        checked.iter().filter(|check| check.outcome.as_ref().is_err_and(|e| e.failed)).map(|c| c.card.title).collect();
+    let failed: Vec<&str> = (checked.iter())
+        .filter(|check| check.outcome.as_ref().is_err_and(|e| e.failed))
+        .map(|check| check.title.as_str())
+        .collect();
     let most = most(checked);
     let open = checked.iter().filter(|check| check.outcome.is_err()).count();
     let not_made = match open {
@@ -52,32 +31,32 @@ pub fn verdict(a: &Assessment, checked: &[Checked]) -> Verdict {
     };
     let (status, headline, words) = match (broken, failed.is_empty(), made.is_empty()) {
         (1.., _, _) => (
-            "inadequate",
-            "Not adequate",
+            Judgement::Inadequate,
+            Rung::NotAdequate,
             format!("The bridge does not meet {broken} of the {} comparisons that were made. {most}.", made.len()),
         ),
         (0, false, _) => (
-            "undetermined",
-            "Undetermined",
+            Judgement::Undetermined,
+            Rung::Undetermined,
             format!("An analysis came to no end, so that nothing is settled: {} open.", failed.join(", ")),
         ),
         (0, true, true) => (
-            "undetermined",
-            "Undetermined: strength not assessed",
+            Judgement::Undetermined,
+            Rung::NothingCompared,
             "No check could be made: the file gives no limits to compare with, and no factors with a source."
                 .to_owned(),
         ),
         (0, true, false) if !strength.assessed => (
-            "undetermined",
-            "Limits met; strength not assessed",
+            Judgement::Undetermined,
+            Rung::LimitsMet,
             format!(
                 "The bridge meets every limit that it was compared with ({comparisons}), but nothing says that it is safe: no \
                  ultimate check was made under factors with a source. {most}."
             ),
         ),
         (0, true, false) => (
-            "adequate",
-            "Adequate",
+            Judgement::Adequate,
+            Rung::Adequate,
             format!("The bridge meets every limit that it was compared with, {comparisons} in all. {most}."),
         ),
     };
@@ -86,11 +65,10 @@ pub fn verdict(a: &Assessment, checked: &[Checked]) -> Verdict {
 
 /// What governs, in a sentence.
 fn most(checked: &[Checked]) -> String {
-    let found =
-        governing(checked).and_then(|(c, k)| Some((checked[c].card, checked[c].outcome.as_ref().ok()?.get(k)?)));
-    let words = found.map(|(card, finding)| {
+    let found = governing(checked).and_then(|(c, k)| Some((&checked[c], checked[c].outcome.as_ref().ok()?.get(k)?)));
+    let words = found.map(|(check, finding)| {
         let used = 100.0 * finding.utilisation.min(1e6);
-        format!("{} ({}) governs: {used:.0} % of its limit is used", card.title, finding.load_model)
+        format!("{} ({}) governs: {used:.0} % of its limit is used", check.title, finding.load_model)
     });
     words.map(|words| capital(&words)).unwrap_or_default()
 }

@@ -1,10 +1,12 @@
 //! A sweep as an analysis that is repeated: adequacy under vehicles, load factor, and where it governs.
 
-use super::Outcome;
-use crate::analysis::{self, AnalysisError, Places, Sweep, VehicleSweep};
+use crate::analysis::{self, AnalysisError, Places};
 use crate::discretise::bridge_length;
 use bridge::Bridge;
 use mechanics::watch::Watch;
+use outcome::study::Outcome;
+use outcome::sweep::Sweep;
+use outcome::vehicles::VehicleSweep;
 
 /// Makes it: vehicles where the file has [sweep], its loads otherwise.
 pub fn run(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {

@@ -2,8 +2,8 @@
 
 use super::blocks::Blocks;
 use crate::analysis;
-use crate::wire::{CalibrationObject, CollapseObject, Run};
 use mechanics::watch::Unwatched;
+use outcome::published::{CalibrationObject, CollapseObject, Run};
 use serde_json::Value as Json;
 
 /// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, a block model where it
@@ -65,13 +65,13 @@ fn calibrated(bridge: &bridge::Bridge) -> Result<Json, String> {
 }
 
 /// Quantities that cases ask for and results need not repeat.
-fn derived(bridge: &bridge::Bridge, c: &analysis::Collapse) -> Vec<(String, Json)> {
+fn derived(bridge: &bridge::Bridge, c: &outcome::collapse::Collapse) -> Vec<(String, Json)> {
     let mut found = Vec::new();
     let span = &bridge.spans[0];
     // Angle of the haunch hinge from the crown, for circles: the intrados hinge above the springings nearest to them.
     let radius = (0.25 * span.span * span.span + span.rise * span.rise) / (2.0 * span.rise);
     let angle = |p: [f64; 2]| (p[0] - 0.5 * span.span).atan2(p[1] - span.rise + radius).to_degrees().abs();
-    let haunches = c.hinges.iter().filter(|h| h.edge == crate::outcome::HingeAt::Intrados).map(|h| angle(h.point));
+    let haunches = c.hinges.iter().filter(|h| h.edge == outcome::picture::HingeAt::Intrados).map(|h| angle(h.point));
     if let Some(haunch) = haunches.reduce(f64::max) {
         found.push(("haunch_hinge_from_crown_deg".to_string(), haunch.into()));
     }
@@ -79,9 +79,9 @@ fn derived(bridge: &bridge::Bridge, c: &analysis::Collapse) -> Vec<(String, Json
         .hinges
         .iter()
         .map(|h| match h.edge {
-            crate::outcome::HingeAt::Intrados => "I",
-            crate::outcome::HingeAt::Extrados => "E",
-            crate::outcome::HingeAt::Other => "O",
+            outcome::picture::HingeAt::Intrados => "I",
+            outcome::picture::HingeAt::Extrados => "E",
+            outcome::picture::HingeAt::Other => "O",
         })
         .collect();
     found.push(("hinge_edges".to_string(), edges.concat().into()));

@@ -2,15 +2,18 @@
 
 use super::case::Run;
 use super::measure::said;
+use crate::analysis;
+use crate::analysis::passage;
 use crate::analysis::passage::record::{Logger, record};
-use crate::analysis::passage::{self, Passage};
 use crate::analysis::update::{self, Means, RecordFile, Task, Threads};
-use crate::analysis::{self, passage::outcome::RowKind};
-use crate::assessment::{Assessment, Stage};
-use crate::wire::{AssessObject, PassageObject, UpdateObject};
-use crate::{chain, checks, condition};
+use crate::evidence::Evidence;
+use crate::{chain, checks};
 use bridge::edit::Document;
 use mechanics::watch::Unwatched;
+use outcome::assessment::{Facts, Stage};
+use outcome::passage::Passage;
+use outcome::passage::RowKind;
+use outcome::published::{AssessObject, PassageObject, UpdateObject};
 use serde::Serialize;
 use serde_json::Value as Json;
 use std::time::Instant;
@@ -58,7 +61,7 @@ fn object(of: &impl Serialize, status: &str, beside: Vec<(&str, Json)>) -> Resul
 fn responded(file: &File) -> Result<Json, String> {
     let found = file.crossed()?;
     let warnings: Vec<&str> = found.warnings.iter().map(|warning| warning.code).collect();
-    let thrust = |moment: Option<&passage::Moment>| moment.and_then(crown_thrust);
+    let thrust = |moment: Option<&outcome::passage::Moment>| moment.and_then(crown_thrust);
     let at_rest = thrust(found.moments.first());
     let added = thrust(found.moments.last()).zip(at_rest).map(|(last, first)| last - first);
     let beside = vec![
@@ -70,8 +73,8 @@ fn responded(file: &File) -> Result<Json, String> {
 }
 
 /// Compression across the middle joint of the first span [kN/m].
-fn crown_thrust(moment: &passage::Moment) -> Option<f64> {
-    let of_first = |row: &&passage::outcome::Row| matches!(row.kind, RowKind::Joint { span: 0, .. });
+fn crown_thrust(moment: &outcome::passage::Moment) -> Option<f64> {
+    let of_first = |row: &&outcome::passage::Row| matches!(row.kind, RowKind::Joint { span: 0, .. });
     let joints: Vec<_> = moment.rows.iter().filter(of_first).collect();
     let middle = joints.len() / 2;
     let crown = joints.into_iter().find(|row| matches!(row.kind, RowKind::Joint { joint, .. } if joint == middle))?;
@@ -127,18 +130,19 @@ fn assessed(file: &File) -> Result<Json, String> {
         },
     };
     let not_asked = |what: &str| what.to_owned();
-    let assessment = Assessment {
+    let assessment = Evidence {
         bridge,
         asked,
-        update: Stage::NotAsked(not_asked("a case of its own updates")),
-        service,
-        ultimate,
-        vehicles,
-        movement: Stage::NotAsked(not_asked("a case of its own moves supports")),
-        sensitivity: Stage::NotAsked(not_asked("cases look at values")),
+        facts: Facts {
+            update: Stage::NotAsked(not_asked("a case of its own updates")),
+            service,
+            ultimate,
+            vehicles,
+            movement: Stage::NotAsked(not_asked("a case of its own moves supports")),
+            sensitivity: Stage::NotAsked(not_asked("cases look at values")),
+        },
     };
     let checked = checks::run(&assessment);
-    let verdict = checks::verdict(&assessment, &checked);
-    let found = AssessObject::new(&assessment, &checked, &verdict, &condition::condition(&assessment));
-    object(&found, verdict.status, Vec::new())
+    let assessment = assessment.judged(checked);
+    object(&AssessObject::new(&assessment), assessment.verdict.status.word(), Vec::new())
 }

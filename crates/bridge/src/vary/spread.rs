@@ -9,6 +9,7 @@ use crate::fields::{Field, Kind};
 use crate::path::Path;
 use crate::quantity;
 use crate::tree::shorten;
+use serde::{Deserialize, Serialize};
 
 /// Values as they were asked for, in TOML.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +30,7 @@ pub enum Spread {
 }
 
 /// A quantity with its values.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Varied {
     /// Path in the file.
     pub path: Path,
@@ -42,7 +43,7 @@ pub struct Varied {
 }
 
 /// One value of a quantity.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
     /// As TOML has it.
     pub literal: String,

@@ -21,9 +21,10 @@ use crate::problem::Problem;
 use crate::search::surface::Trough;
 use crate::search::sweep::{self, Sweep};
 use crate::watch::Unwatched;
+use serde::{Deserialize, Serialize};
 
 /// The model as a straight line over the shares of the ranges.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Linearised {
     parameters: Vec<Parameter>,
     /// Shares about which it is one.
@@ -35,7 +36,7 @@ pub struct Linearised {
 }
 
 /// Parameters as the straight line leaves them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Left {
     /// Mean, spread and interval of each [unit of the parameter].
     pub parameters: Vec<Summary>,
@@ -50,7 +51,7 @@ pub struct Left {
 }
 
 /// What is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Noise and model error. The local part is left out.
     pub likelihood: Likelihood,

@@ -2,8 +2,10 @@
 //! 2021, Bayesian Analysis 16(2), 667-718) and nested R-hat (Margossian, Hoffman, Sountsov, Riou-Durand, Vehtari and Gelman
 //! 2024, Bayesian Analysis), which compares runs of many short chains as wholes.
 
+use serde::{Deserialize, Serialize};
+
 /// R-hat and effective sample size of one quantity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Mixing {
     /// Larger of the nested R-hats of place and of spread, over the first and second halves of all runs; 1 where all tell
     /// the same.

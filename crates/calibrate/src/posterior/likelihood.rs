@@ -18,9 +18,10 @@ use crate::channel::Channel;
 use crate::forward::Response;
 use crate::misfit::{Compare, Held, peak_place};
 use crate::problem::{Finding, Problem};
+use serde::{Deserialize, Serialize};
 
 /// The error that the model would have at its best parameters.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum ModelError {
     /// The model is exact.
     None,
@@ -32,7 +33,7 @@ pub enum ModelError {
 }
 
 /// How likely records are.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Likelihood {
     /// The model's error.
     pub model_error: ModelError,

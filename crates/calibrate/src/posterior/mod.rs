@@ -27,10 +27,11 @@ pub use prior::Prior;
 pub use summary::Summary;
 
 use ensemble::Ensemble;
+use serde::{Deserialize, Serialize};
 use target::Target;
 
 /// What the sampling may cost.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Noise and model error.
     pub likelihood: Likelihood,
@@ -69,7 +70,7 @@ impl Default for Settings {
 }
 
 /// How it ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// The effective samples were reached and the runs agree (R-hat below 1.01).
     Completed,
@@ -82,7 +83,7 @@ pub enum Status {
 }
 
 /// One parameter as the data leave it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Marginal {
     /// Its name.
     pub name: String,
@@ -96,7 +97,7 @@ pub struct Marginal {
 }
 
 /// What the data leave open.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Posterior {
     /// How it ended.
     pub status: Status,

@@ -1,9 +1,10 @@
 //! What is believed of a parameter before the records are seen.
 
 use crate::parameter::Parameter;
+use serde::{Deserialize, Serialize};
 
 /// A prior over the range of a parameter; nothing is believed outside it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum Prior {
     /// Even over the range, in the parameter's scale.
     #[default]

@@ -1,9 +1,10 @@
 //! What samples say of one quantity: mean, spread, interval.
 
 use crate::parameter::Parameter;
+use serde::{Deserialize, Serialize};
 
 /// A quantity in numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Mean.
     pub mean: f64,

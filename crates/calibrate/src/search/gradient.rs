@@ -13,9 +13,10 @@ use crate::parameter::{Start, shares, values};
 use crate::report::{Found, verify};
 use crate::search::jacobian::{STEP, by_differences, by_shares};
 use crate::search::modern::Status;
+use serde::{Deserialize, Serialize};
 
 /// Where it ended.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// How it ended.
     pub status: Status,

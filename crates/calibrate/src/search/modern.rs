@@ -13,9 +13,10 @@ use crate::report::{Found, verify};
 use crate::search::jacobian::STEP;
 use crate::search::refined;
 use crate::search::replay::{Known, Missing, Sought, broken_off, replay};
+use serde::{Deserialize, Serialize};
 
 /// What the search may do.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// The first start.
     pub start: Start,
@@ -36,7 +37,7 @@ impl Default for Settings {
 }
 
 /// How it ended.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// The best run met its criterion.
     Converged,
@@ -49,7 +50,7 @@ pub enum Status {
 }
 
 /// One run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunEnd {
     /// Where it began.
     pub start: Vec<f64>,
@@ -64,7 +65,7 @@ pub struct RunEnd {
 }
 
 /// What the search did and where it ended.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// How it ended.
     pub status: Status,

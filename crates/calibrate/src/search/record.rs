@@ -5,9 +5,10 @@ use crate::parameter::Start;
 use crate::report::Found;
 use crate::search::surface::{Surface, Trough};
 use crate::search::sweep::Sweep;
+use serde::{Deserialize, Serialize};
 
 /// Which reading of the rules.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Variant {
     /// The three cases as printed: a parameter has converged where its minimum lies inside its range and in a decided
     /// trough; others follow by the range of the norm (Table 4).
@@ -18,8 +19,18 @@ pub enum Variant {
     AsPractised,
 }
 
+impl Variant {
+    /// The word that files and scripts read.
+    pub fn word(self) -> &'static str {
+        match self {
+            Variant::Printed => "printed",
+            Variant::AsPractised => "as-practised",
+        }
+    }
+}
+
 /// What the search may do.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Which reading of the rules.
     pub variant: Variant,
@@ -52,7 +63,7 @@ impl Default for Settings {
 }
 
 /// How it ended.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// Every parameter was frozen.
     Resolved,
@@ -67,7 +78,7 @@ pub enum Status {
 }
 
 /// One surface and what followed from it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Stage {
     /// The surface.
     pub surface: Surface,
@@ -80,7 +91,7 @@ pub struct Stage {
 }
 
 /// The naive combination: every parameter at the minimum of its own sweep (the paper's yardstick, norm 0.24).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Naive {
     /// The values.
     pub point: Vec<f64>,
@@ -89,7 +100,7 @@ pub struct Naive {
 }
 
 /// Once through Fig. 4.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Pass {
     /// The model at its beginning.
     pub start: Vec<f64>,
@@ -116,7 +127,7 @@ pub struct Pass {
 }
 
 /// A model on the way, for pictures.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// What led to it.
     pub stage: String,
@@ -127,7 +138,7 @@ pub struct Step {
 }
 
 /// What the search did and where it ended.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// How it ended.
     pub status: Status,

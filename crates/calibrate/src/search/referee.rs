@@ -13,9 +13,10 @@ use crate::report::{Found, verify};
 use crate::search::jacobian::STEP;
 use crate::search::modern::Status;
 use crate::search::replay::{Costs, Known, Sought, count, missing, supply, used};
+use serde::{Deserialize, Serialize};
 
 /// What the search may do.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Points of a generation, at least 4.
     pub population: usize,
@@ -34,7 +35,7 @@ impl Default for Settings {
 }
 
 /// Where it ended.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// How it ended.
     pub status: Status,

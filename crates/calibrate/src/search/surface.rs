@@ -4,10 +4,11 @@
 use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::parameter::Parameter;
+use serde::{Deserialize, Serialize};
 
 /// When a trough is decided. From the minimum, the norm must rise on each side that has points by at least `share` of the
 /// least norm and by at least `rise`; on a surface this is asked of the profile, the least norm over the other parameter.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Trough {
     /// Rise needed, as a share of the least norm.
     pub share: f64,
@@ -22,7 +23,7 @@ impl Default for Trough {
 }
 
 /// Least point of a curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Minimum {
     /// Its place among the values.
     pub place: usize,
@@ -61,7 +62,7 @@ impl Trough {
 }
 
 /// Where the least point of a surface lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Case {
     /// Inside for both parameters.
     Interior,
@@ -83,7 +84,7 @@ impl Case {
 }
 
 /// Two parameters varied together, all others as in `model`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Surface {
     /// The primary and the secondary parameter.
     pub parameters: [usize; 2],

@@ -4,9 +4,10 @@ use crate::basis::{Basis, Halt};
 use crate::evaluator::Evaluator;
 use crate::parameter::Parameter;
 use crate::search::surface::{Minimum, Trough};
+use serde::{Deserialize, Serialize};
 
 /// A parameter varied alone, all others as in `model`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sweep {
     /// Which parameter.
     pub parameter: usize,

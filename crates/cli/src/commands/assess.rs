@@ -36,17 +36,21 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return Ok(source.report(Status::Cancelled).saying(format!("interrupted; {KEPT}\n")));
     };
     let mut report = answer(&done, &source);
-    for [code, message] in done.warnings() {
-        report.warn(&mut desk.screen, &code, &message);
+    for warning in done.warnings() {
+        report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    if !done.verdict.strength.assessed {
-        report.warn(&mut desk.screen, ::assess::warning::STRENGTH_OPEN, &done.verdict.strength.missing.join("; "));
+    if !done.assessment.verdict.strength.assessed {
+        report.warn(
+            &mut desk.screen,
+            ::outcome::warning::STRENGTH_OPEN,
+            &done.assessment.verdict.strength.missing.join("; "),
+        );
     }
     for stage in &done.appendix.stages {
         if stage.state.starts_with("failed") {
             report.warn(
                 &mut desk.screen,
-                ::assess::warning::STAGE_FAILED,
+                ::outcome::warning::STAGE_FAILED,
                 &format!("stage {}: {}", stage.name, stage.state),
             );
         }
@@ -58,8 +62,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     }
     let both = files.iter().any(|file| file.name == "report.pdf");
     let named = if both { "report.html, report.pdf" } else { "report.html" };
-    report.summary =
-        summary::assessment(&done.assessment, &done.checked, &done.verdict, &done.condition, named, folder.path());
+    report.summary = summary::assessment(&done.assessment, named, folder.path());
     results::publish(desk, report, &folder, &files)
 }
 
@@ -68,8 +71,9 @@ const KEPT: &str = "finished stages are kept, and the same command takes them up
 
 /// The answer for scripts.
 pub fn answer(done: &Assessed, source: &Source) -> Report {
-    let mut report = source.report(Status::named(done.verdict.status).unwrap_or(Status::Undetermined));
-    report.finished = done.verdict.finished;
+    let mut report =
+        source.report(Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined));
+    report.finished = done.assessment.verdict.finished;
     report.fields = report::fields_of(done.object());
     let stages: Vec<serde_json::Value> = done
         .appendix

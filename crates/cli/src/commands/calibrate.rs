@@ -9,10 +9,11 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use assess::analysis::calibrate::{self, CalibrationReport, Verdict};
-use assess::wire;
+use assess::analysis::calibrate;
 use bridge::Bridge;
 use extrados::Looking;
+use outcome::calibration::{CalibrationReport, Verdict};
+use outcome::published;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
@@ -32,7 +33,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(wire::CalibrationObject::new(&found));
+    report.fields = report::fields_of(published::CalibrationObject::new(&found));
     report.summary = summary::calibration(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
 }
@@ -52,7 +53,7 @@ fn write(desk: &mut Desk, found: &CalibrationReport, report: Report, folder: &Fo
     for (name, svg) in figures::calibration(found) {
         files.extend(figures::both(&name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
-    let tables = [("curve", wire::calibration_curves(found)), ("moduli", wire::calibration_moduli(found))];
+    let tables = [("curve", published::calibration_curves(found)), ("moduli", published::calibration_moduli(found))];
     files.extend(results::tables(tables));
     results::publish(desk, report, folder, &files)
 }

@@ -10,10 +10,12 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, Watcher};
 use crate::{quantities, summary};
-use assess::analysis::vehicles::Ended;
-use assess::analysis::{Collapse, Sweep, VehicleSweep};
-use assess::{warning, wire};
 use extrados::{Choice, CollapseOptions, SweepOptions, Swept};
+use outcome::collapse::Collapse;
+use outcome::sweep::Ended;
+use outcome::sweep::Sweep;
+use outcome::vehicles::VehicleSweep;
+use outcome::{published, warning};
 use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
@@ -118,7 +120,7 @@ fn write(
     if let Some(words) = figures::left_out(&found.picture) {
         report.warn(&mut desk.screen, warning::NOT_DRAWN, &words);
     }
-    report.fields.extend(report::fields_of(wire::CollapseObject::new(found, &wire::Run::default())));
+    report.fields.extend(report::fields_of(published::CollapseObject::new(found, &published::Run::default())));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
     let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
     files.extend(figures::dxf::drawings(&found.picture, arguments.displacement_scale));
@@ -135,13 +137,13 @@ fn write(
 /// Every table that has rows.
 fn tables(found: &Collapse) -> Vec<figures::File> {
     let all = [
-        ("path", wire::path(found)),
-        ("hinges", wire::hinges(found)),
-        ("thrust-line", wire::thrust_line(found)),
-        ("blocks", wire::blocks(found)),
-        ("contacts", wire::contacts(found)),
-        ("particles", wire::particles(found)),
-        ("particle-contacts", wire::particle_contacts(found)),
+        ("path", published::path(found)),
+        ("hinges", published::hinges(found)),
+        ("thrust-line", published::thrust_line(found)),
+        ("blocks", published::blocks(found)),
+        ("contacts", published::contacts(found)),
+        ("particles", published::particles(found)),
+        ("particle-contacts", published::particle_contacts(found)),
         ("packing", assess::packing_file::write(found)),
     ];
     let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
@@ -174,7 +176,7 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(wire::VehicleSweepObject::new(found, &wire::Run::default()));
+    report.fields = report::fields_of(published::VehicleSweepObject::new(found, &published::Run::default()));
     report.summary = summary::vehicles(found, &folder.path().display().to_string());
     let mut files = Vec::new();
     if let Some(collapse) = &found.collapse {
@@ -183,9 +185,9 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
     for (name, svg) in figures::vehicles(found) {
         files.extend(figures::both(name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
-    files.push(table("vehicles", wire::vehicles_table(found)));
-    files.push(table("sweep", wire::vehicle_envelope_table(found)));
-    files.push(table("sections", wire::vehicle_sections_table(found)));
+    files.push(table("vehicles", published::vehicles_table(found)));
+    files.push(table("sweep", published::vehicle_envelope_table(found)));
+    files.push(table("sections", published::vehicle_sections_table(found)));
     results::publish(desk, report, folder, &files)
 }
 
@@ -196,7 +198,7 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
-    report.fields = report::fields_of(wire::SweepObject::new(name, width, found, &wire::Run::default()));
+    report.fields = report::fields_of(published::SweepObject::new(name, width, found, &published::Run::default()));
     report.summary = summary::sweep(found, &folder.path().display().to_string());
     let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "load factor".to_owned(), points };
@@ -204,7 +206,7 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     if let Some(svg) = figures::envelope(name, figures::Quantity::Factor, &[curve], None) {
         files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
-    files.push(table("sweep", wire::sweep_table(found)));
+    files.push(table("sweep", published::sweep_table(found)));
     results::publish(desk, report, folder, &files)
 }
 

@@ -11,8 +11,8 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use assess::blocks::{Scene, Skeleton, of_bridge, skeleton, toml};
-use assess::outcome::{Motion, Picture, Shape, Snapshot};
 use drawing::{Drawing, Item, Options, Sheet};
+use outcome::picture::{Motion, Picture, Shape, Snapshot};
 use std::f64::consts::TAU;
 use std::path::Path;
 

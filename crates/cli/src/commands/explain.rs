@@ -50,7 +50,7 @@ fn all() -> Vec<Card> {
     for card in bridge::explain::cards() {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: of_file(card) });
     }
-    for card in assess::warning::CARDS {
+    for card in outcome::warning::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }
     for card in assess::checks::cards() {

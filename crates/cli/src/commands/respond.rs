@@ -12,10 +12,10 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use assess::analysis::passage::{Passage, PassageStatus};
-use assess::wire;
 use bridge::passage::{PassageAnalysis as Analysis, PassagePath as Path};
 use extrados::RespondOptions;
+use outcome::passage::{Passage, PassageStatus};
+use outcome::published;
 use serde_json::json;
 
 /// Reads the file, lets the train cross, writes the records.
@@ -39,7 +39,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(wire::PassageObject::new(&found));
+    report.fields = report::fields_of(published::PassageObject::new(&found));
     report.summary = summary::passage(&found, &folder.path().display().to_string());
     if let Some(recorder) = recorder {
         keep(&recorder, &found, &mut report)?;
@@ -79,11 +79,11 @@ fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
 fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let mut files = figures::passage(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
     let tables = [
-        ("influence", wire::influence_table(found)),
-        ("channels", wire::channels_table(found)),
-        ("log", wire::passage_log(found)),
-        ("joints", wire::joint_states(found)),
-        ("thrust-lines", wire::thrust_lines(found)),
+        ("influence", published::influence_table(found)),
+        ("channels", published::channels_table(found)),
+        ("log", published::passage_log(found)),
+        ("joints", published::joint_states(found)),
+        ("thrust-lines", published::thrust_lines(found)),
     ];
     files.extend(results::tables(tables));
     results::publish(desk, report, folder, &files)

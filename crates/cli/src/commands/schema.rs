@@ -8,8 +8,8 @@ use crate::report;
 pub fn run(arguments: &Schema) -> Answer {
     let schema = match (arguments.blocks, arguments.vehicles, arguments.rule) {
         (true, ..) => bridge::schema::schema_of_blocks(),
-        (_, true, _) => ::assess::wire::schema_of_vehicles(),
-        (.., true) => ::assess::wire::schema_of_rules(),
+        (_, true, _) => ::outcome::published::schema_of_vehicles(),
+        (.., true) => ::outcome::published::schema_of_rules(),
         _ => bridge::schema::schema(),
     };
     Answer::Text(report::text_of(&schema))

@@ -12,9 +12,9 @@ use crate::shelf::{FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::Spectator;
-use assess::analysis::update::{Update, UpdateStatus};
-use assess::wire;
 use extrados::{Means, UpdateOptions};
+use outcome::published;
+use outcome::update::{Update, UpdateStatus};
 use serde_json::json;
 
 /// Reads file and records, searches, writes what was found. Every evaluation is kept as soon as it is done.
@@ -50,7 +50,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         let said = format!("interrupted; evaluations are kept in {path}\nthe same command with --resume goes on\n");
         return Ok(report.saying(said).with("log", path));
     }
-    report.fields = report::fields_of(wire::UpdateObject::new(&found));
+    report.fields = report::fields_of(published::UpdateObject::new(&found));
     report.fields.insert("evaluations_taken_up".to_owned(), json!(shelf.taken_up()));
     report.summary = summary::update(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
@@ -72,7 +72,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, F
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
     doubts(desk, &found, &mut report);
-    report.fields = report::fields_of(wire::UpdateObject::new(&found));
+    report.fields = report::fields_of(published::UpdateObject::new(&found));
     report.summary = summary::records(&found, &folder.path().display().to_string());
     write(desk, &found, report, folder)
 }
@@ -80,7 +80,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, F
 /// Shows what a reader of the records should look at, each with its file, line and column.
 fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
     for (finding, file) in found.records.findings.iter().zip(&found.records.places) {
-        if finding.severity > assess::records::Severity::Note {
+        if finding.severity > outcome::records::Severity::Note {
             report.warn_at(&mut desk.screen, file, finding);
         }
     }
@@ -112,9 +112,9 @@ fn options(arguments: &Arguments) -> UpdateOptions {
 
 fn write(desk: &mut Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {
     let tables = [
-        ("histories", wire::histories_table(found)),
-        ("sweeps", wire::sweeps_table(found)),
-        ("samples", wire::samples_table(found)),
+        ("histories", published::histories_table(found)),
+        ("sweeps", published::sweeps_table(found)),
+        ("samples", published::samples_table(found)),
     ];
     let mut files = figures::update(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
     files.extend(results::tables(tables));

@@ -16,9 +16,9 @@ use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::Spectator;
-use assess::vary::Study;
-use assess::wire;
 use extrados::{Means, Refusal, Studied, VaryOptions, VaryPlan};
+use outcome::published;
+use outcome::study::Study;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         Err(refusals) => return Ok(refused(desk, report, refusals)),
     };
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.file));
-    let kind = format!("vary-{}{}", plan.analysis().name, if arguments.grid { "-grid" } else { "" });
+    let kind = format!("vary-{}{}", plan.analysis().command, if arguments.grid { "-grid" } else { "" });
     let folder = source.folder(&out, &kind)?;
     let shelf = FolderShelf::new(&folder, Resume::No);
     let cache = shelf.runs();
@@ -114,10 +114,10 @@ fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) ->
     if study.rows.iter().all(|row| study.number(row).is_none()) {
         report.status = Status::Undetermined;
     }
-    let settings = std::mem::replace(&mut report.fields, report::fields_of(wire::VaryObject::new(study)));
+    let settings = std::mem::replace(&mut report.fields, report::fields_of(published::VaryObject::new(study)));
     report.fields.extend(settings);
     report.summary = summary::vary(study, &folder.path().display().to_string());
     let mut files = figures::study(study).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    files.push(figures::File { name: "vary.csv".to_owned(), bytes: wire::vary_table(study).into_bytes() });
+    files.push(figures::File { name: "vary.csv".to_owned(), bytes: published::vary_table(study).into_bytes() });
     results::publish(desk, report, folder, &files)
 }

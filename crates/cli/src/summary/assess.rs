@@ -1,25 +1,17 @@
 //! An assessment in a few lines: the same verdict as the report's.
 
-use ::assess::assessment::Assessment;
-use ::assess::checks::{Checked, Verdict};
-use ::assess::condition::Condition;
+use ::outcome::assessment::Assessment;
 use std::fmt::Write;
 use std::path::Path;
 
 /// The verdict, the comparisons, the condition, what is missing; `report` names the reports that are written.
-pub fn assessment(
-    a: &Assessment,
-    checked: &[Checked],
-    verdict: &Verdict,
-    condition: &[Condition],
-    report: &str,
-    folder: &Path,
-) -> String {
-    let rung = match verdict.headline.eq_ignore_ascii_case(verdict.status) {
+pub fn assessment(a: &Assessment, report: &str, folder: &Path) -> String {
+    let Assessment { checked, verdict, condition, .. } = a;
+    let rung = match verdict.headline.word().eq_ignore_ascii_case(verdict.status.word()) {
         true => String::new(),
         false => format!(" ({})", verdict.headline),
     };
-    let mut text = format!("{}: {}{rung}\n\n{}\n", a.bridge.name, verdict.status.to_uppercase(), verdict.words);
+    let mut text = format!("{}: {}{rung}\n\n{}\n", a.bridge, verdict.status.word().to_uppercase(), verdict.words);
     for (title, list) in
         [("missing", &verdict.strength.missing), ("what qualifies this verdict", &verdict.strength.qualifications)]
     {
@@ -39,8 +31,8 @@ pub fn assessment(
             let _ = writeln!(
                 text,
                 "  {:<5}{:<27}{:<34}{:>11.4}{:>11.4}  {:<22}{:>6.1} %{mark}",
-                check.card.code,
-                check.card.title,
+                check.code,
+                check.title,
                 finding.load_model,
                 finding.value,
                 finding.limit,
@@ -51,7 +43,7 @@ pub fn assessment(
     }
     for check in checked {
         if let Err(why) = &check.outcome {
-            let _ = writeln!(text, "  {:<5}{:<27}not made: {}", check.card.code, check.card.title, why.why);
+            let _ = writeln!(text, "  {:<5}{:<27}not made: {}", check.code, check.title, why.why);
         }
     }
     if !condition.is_empty() {
@@ -61,7 +53,7 @@ pub fn assessment(
             let _ = writeln!(text, "    {:<20}{:<18}{}: {}", one.parameter, value, one.standing.word(), one.words);
         }
     }
-    if let Some(facts) = a.sensitivity.made() {
+    if let Some(facts) = a.facts.sensitivity.made() {
         let _ = writeln!(
             text,
             "\n  what would change {} ({:.1} % of its limit; with a tenth less, with a tenth more)",

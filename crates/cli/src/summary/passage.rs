@@ -1,6 +1,6 @@
 //! The answer of a passage in an engineer's words.
 
-use assess::analysis::passage::{Passage, PassageStatus};
+use outcome::passage::{Passage, PassageStatus};
 use std::fmt::Write;
 
 /// Peaks of the channels, what they took, what they rest on.

@@ -1,7 +1,7 @@
 //! The verdict on records in an engineer's words.
 
 use super::update::list;
-use assess::analysis::update::Update;
+use outcome::update::Update;
 use std::fmt::Write;
 
 /// The verdict on the records alone.
@@ -34,7 +34,7 @@ pub fn records(found: &Update, out: &str) -> String {
 }
 
 /// A line for each channel on each line across the barrel, a column for each run.
-fn peaks(page: &mut String, table: &assess::records::PeakTable) {
+fn peaks(page: &mut String, table: &outcome::records::PeakTable) {
     let mut rows: Vec<(String, String)> = Vec::new();
     for peak in &table.peaks {
         let name = if peak.line.is_empty() { peak.name.clone() } else { format!("{} @ {}", peak.name, peak.line) };

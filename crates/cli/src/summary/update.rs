@@ -1,6 +1,6 @@
 //! The answer of model updating in an engineer's words.
 
-use assess::analysis::update::{UncertaintyFrom, Update, UpdateStatus};
+use outcome::update::{UncertaintyFrom, Update, UpdateStatus};
 use std::fmt::Write;
 
 /// Parameters, channels, searches beside one another, what the records tell, what was found in them.
@@ -17,7 +17,7 @@ pub fn update(found: &Update, out: &str) -> String {
     searches(&mut page, found);
     sweeps(&mut page, found);
     told(&mut page, found);
-    list(&mut page, "Found in the records", found.records.findings.iter().map(assess::records::Finding::words));
+    list(&mut page, "Found in the records", found.records.findings.iter().map(outcome::records::Finding::words));
     let done = found.records.done.iter().map(|done| format!("{} {}: {}", done.run, done.channel, done.what));
     list(&mut page, "Done to the records", done);
     list(&mut page, "This assumes", found.assumptions.iter().cloned());
@@ -97,7 +97,7 @@ fn searches(page: &mut String, found: &Update) {
         let count = line.found.as_ref().map_or(line.computed, |found| found.evaluations);
         let _ = writeln!(page, "  {name:<44} {norm:>8} {count:>12} {:>9.1}  {}", line.seconds, line.status);
         if let Some(end) = &line.found {
-            let value = |p: &assess::calibrate::FoundParameter| {
+            let value = |p: &outcome::calibrate::FoundParameter| {
                 format!("{} {:.4}{}", p.name, p.value, if p.at_bound { " (bound)" } else { "" })
             };
             let values: Vec<String> = end.parameters.iter().map(value).collect();
@@ -132,7 +132,7 @@ fn sweeps(page: &mut String, found: &Update) {
 }
 
 fn told(page: &mut String, found: &Update) {
-    let local = assess::wire::told(found).into_iter();
+    let local = outcome::published::told(found).into_iter();
     let left = found
         .posterior
         .iter()

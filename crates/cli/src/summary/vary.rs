@@ -1,6 +1,6 @@
 //! The answer of a study in an engineer's words.
 
-use assess::vary::{Design, Sensitivity, Study, Trend, sensitivity};
+use outcome::study::{Design, Sensitivity, Study, Trend, sensitivity};
 use std::fmt::Write;
 
 /// Runs that ended otherwise, shown at most.
@@ -51,12 +51,12 @@ fn sensitivities(page: &mut String, study: &Study, unit: &str) {
         .iter()
         .map(|one| {
             let (low, high) = (one.low.as_ref(), one.high.as_ref());
-            let at = |end: Option<&assess::vary::Extreme>| match end {
+            let at = |end: Option<&outcome::study::Extreme>| match end {
                 Some(end) if one.trend == Trend::Flat => digits(end.outcome),
                 Some(end) => format!("{} at {}", digits(end.outcome), end.value),
                 None => "–".to_owned(),
             };
-            let percent = |end: Option<&assess::vary::Extreme>| {
+            let percent = |end: Option<&outcome::study::Extreme>| {
                 end.and_then(|end| end.change_percent).map_or("–".to_owned(), |change| format!("{change:+.1} %"))
             };
             [
@@ -108,7 +108,7 @@ fn grid(page: &mut String, study: &Study, unit: &str) {
     }
 }
 
-fn values(study: &Study, row: &assess::vary::Row) -> String {
+fn values(study: &Study, row: &outcome::study::Row) -> String {
     let value = |at: usize| {
         let text = study.setting(row, at).map_or("not given", |setting| setting.text.as_str());
         format!("{} = {text}", study.quantities[at].path)

@@ -1,7 +1,8 @@
 //! A sweep of vehicles in words.
 
-use assess::analysis::vehicles::{Case, Ended, VehicleSweep};
 use bridge::Method;
+use outcome::sweep::Ended;
+use outcome::vehicles::{Case, VehicleSweep};
 use std::fmt::Write;
 
 /// Every vehicle with its adequacy factor, worst first, and the governing case.

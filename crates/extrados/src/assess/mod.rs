@@ -8,11 +8,10 @@ use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Remembering, Watch};
-use assess::assessment::Assessment;
-use assess::checks::{self, Checked, Verdict};
-use assess::condition::{Condition, condition};
-use assess::wire::{self, AssessObject};
 use bridge::inputs::Input;
+use outcome::assessment::Assessment;
+use outcome::published::{self, AssessObject};
+use outcome::warning::Warning;
 use report::{Appendix, Figure, Material};
 use stages::{Halt, Stages};
 
@@ -47,14 +46,8 @@ pub struct AssessOptions {
 /// A bridge that was judged.
 #[derive(Debug)]
 pub struct Assessed {
-    /// What is known of it.
+    /// Its facts, its checks and the verdict.
     pub assessment: Assessment,
-    /// Its checks.
-    pub checked: Vec<Checked>,
-    /// The verdict.
-    pub verdict: Verdict,
-    /// Its condition.
-    pub condition: Vec<Condition>,
     /// Drawings of its stages.
     pub figures: Vec<Figure>,
     /// Its file, value by value.
@@ -78,14 +71,12 @@ pub fn assess(
 ) -> Result<Option<Assessed>, Refusal> {
     let watch = Remembering { watch, stopped: false };
     let mut stages = Stages { project, skip: &options.skip, means, watch, figures: Vec::new(), lines: Vec::new() };
-    let (assessment, checked) = match stages.run() {
+    let assessment = match stages.run() {
         Ok(made) => made,
         Err(Halt::Stopped) => return Ok(None),
         Err(Halt::Refused(refusal)) => return Err(refusal),
     };
     let Stages { figures, lines, .. } = stages;
-    let verdict = checks::verdict(&assessment, &checked);
-    let condition = condition(&assessment);
     let appendix = Appendix {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         program: means.program.to_owned(),
@@ -101,7 +92,7 @@ pub fn assess(
     });
     let inputs = bridge::inputs::inputs(&String::from_utf8_lossy(project.text()));
     let findings = findings.collect();
-    Ok(Some(Assessed { assessment, checked, verdict, condition, figures, inputs, findings, appendix }))
+    Ok(Some(Assessed { assessment, figures, inputs, findings, appendix }))
 }
 
 impl Assessed {
@@ -109,9 +100,6 @@ impl Assessed {
     pub fn material(&self) -> Material<'_> {
         Material {
             assessment: &self.assessment,
-            checked: &self.checked,
-            verdict: &self.verdict,
-            condition: &self.condition,
             figures: &self.figures,
             inputs: &self.inputs,
             findings: &self.findings,
@@ -126,26 +114,18 @@ impl Assessed {
 
     /// The answer for scripts.
     pub fn object(&self) -> AssessObject {
-        AssessObject::new(&self.assessment, &self.checked, &self.verdict, &self.condition)
+        AssessObject::new(&self.assessment)
     }
 
     /// The checks as a table (CSV).
     pub fn table(&self) -> String {
-        wire::checks_table(&self.checked)
+        published::checks_table(&self.assessment.checked)
     }
 
-    /// Warnings of its stages, each once: code and words.
-    pub fn warnings(&self) -> Vec<[String; 2]> {
-        let a = &self.assessment;
-        let lists = [
-            a.update.made().map(|facts| &facts.warnings),
-            a.service.made().map(|facts| &facts.warnings),
-            a.ultimate.made().map(|facts| &facts.warnings),
-            a.vehicles.made().map(|facts| &facts.warnings),
-            a.movement.made().map(|facts| &facts.warnings),
-        ];
-        let mut all: Vec<[String; 2]> = Vec::new();
-        for warning in lists.into_iter().flatten().flatten() {
+    /// Warnings of its stages, each once.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut all: Vec<Warning> = Vec::new();
+        for (_, warning) in self.assessment.facts.warnings() {
             if !all.contains(warning) {
                 all.push(warning.clone());
             }

@@ -1,10 +1,11 @@
 //! Which drawings of a stage stand in the report, and what is said under them.
 
-use assess::analysis::passage::Passage;
-use assess::analysis::update::Update;
-use assess::analysis::vehicles::VehicleSweep;
 use assess::chain::Ultimate;
-use assess::outcome::Picture;
+use outcome::collapse::Collapse;
+use outcome::passage::Passage;
+use outcome::picture::Picture;
+use outcome::update::Update;
+use outcome::vehicles::VehicleSweep;
 use report::Figure;
 
 /// Most drawings of an update: histories, residuals, then sensitivity curves and surfaces in their order.
@@ -22,12 +23,10 @@ pub fn built(picture: &Picture) -> Vec<Figure> {
 
 /// Mechanism, line of thrust, envelope.
 pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
-    let picture = &found.collapse.picture;
-    let envelope = found.sweep.as_ref().and_then(|sweep| {
-        let points = sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
-        let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
-        figures::envelope(bridge, figures::Quantity::Factor, &[curve], None)
-    });
+    let Some(Collapse { picture, .. }) = found.facts.collapse.as_deref() else { return Vec::new() };
+    let points = found.sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
+    let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
+    let envelope = figures::envelope(bridge, figures::Quantity::Factor, &[curve], None);
     let all = [
         figure(
             "ultimate",

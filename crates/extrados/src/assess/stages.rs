@@ -9,13 +9,17 @@ use crate::refusal::Refusal;
 use crate::update;
 use crate::watch::{Looking, Progress, Remembering, Seeking, Watch, Wish};
 use assess::analysis;
-use assess::analysis::update::{Task, Threads, UpdateStatus};
-use assess::assessment::{Assessment, Stage};
+use assess::analysis::update::{Task, Threads};
 use assess::chain;
-use assess::checks::{self, Checked};
-use assess::wire::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
+use assess::checks::{self, CHECKS, Probe};
+use assess::evidence::Evidence;
 use bridge::Bridge;
 use bridge::edit::Document;
+use outcome::assessment::{Assessment, Facts, Stage};
+use outcome::checked::{Checked, governing};
+use outcome::facts::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
+use outcome::passage::PassageStatus;
+use outcome::update::UpdateStatus;
 use report::{Figure, StageLine};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -63,7 +67,7 @@ impl From<Refusal> for Halt {
 
 impl Stages<'_> {
     /// Every stage in its order.
-    pub fn run(&mut self) -> Result<(Assessment, Vec<Checked>), Halt> {
+    pub fn run(&mut self) -> Result<Assessment, Halt> {
         let own = self.project.bridge()?.clone();
         let asked = self.project.meaning().assess.clone().unwrap_or_default();
         let (update, bridge, document) = self.updated(&own)?;
@@ -76,10 +80,11 @@ impl Stages<'_> {
         let vehicles = self.vehicles(&bridge)?;
         let movement = self.movement(&bridge)?;
         let sensitivity = Stage::NotAsked("made last".to_owned());
-        let mut assessment = Assessment { bridge, asked, update, service, ultimate, vehicles, movement, sensitivity };
-        let checked = checks::run(&assessment);
-        assessment.sensitivity = self.sensitivity(&document, &assessment, &checked)?;
-        Ok((assessment, checked))
+        let facts = Facts { update, service, ultimate, vehicles, movement, sensitivity };
+        let mut evidence = Evidence { bridge, asked, facts };
+        let checked = checks::run(&evidence);
+        evidence.facts.sensitivity = self.sensitivity(&document, &evidence, &checked)?;
+        Ok(evidence.judged(checked))
     }
 
     /// Takes a finished stage up, or runs it and keeps what it gave.
@@ -182,10 +187,12 @@ impl Stages<'_> {
             let found = chain::service(bridge, asked, chain::Wanted::Everything, &mut Looking(watch));
             let (facts, passages) = match found {
                 Err(error) => return Ran::Failed(error.to_string()),
-                Ok((facts, _)) if facts.loads.iter().any(|load| load.status == "cancelled") => return Ran::Cancelled,
+                Ok((facts, _)) if facts.loads.iter().any(|load| load.status == PassageStatus::Cancelled) => {
+                    return Ran::Cancelled;
+                }
                 Ok(found) => found,
             };
-            if let Some(load) = facts.loads.iter().find(|load| load.status != "completed") {
+            if let Some(load) = facts.loads.iter().find(|load| load.status != PassageStatus::Completed) {
                 let reason = passages.iter().find_map(|passage| passage.reason.clone()).unwrap_or_default();
                 return Ran::Failed(format!("the passage of {} ended with {}: {reason}", load.name, load.status));
             }
@@ -235,30 +242,33 @@ impl Stages<'_> {
         }
         self.stage(NAME, bridge, |watch| match chain::movement(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
-            Ok(found) if found.status == analysis::Status::Cancelled => Ran::Cancelled,
-            Ok(found) => Ran::Made(chain::movement_facts(bridge, &found), pictures::movement(&found.picture)),
+            Ok(found) if found.status == outcome::collapse::Status::Cancelled => Ran::Cancelled,
+            Ok(found) => {
+                let figures = pictures::movement(&found.picture);
+                Ran::Made(chain::movement_facts(bridge, found), figures)
+            }
         })
     }
 
     fn sensitivity(
         &mut self,
         document: &Document,
-        assessment: &Assessment,
+        evidence: &Evidence,
         checked: &[Checked],
     ) -> Result<Stage<SensitivityFacts>, Halt> {
         const NAME: &str = "sensitivity";
         if self.skipped(StageName::Sensitivity) {
             return Ok(self.not_asked(NAME, "left out by --skip sensitivity"));
         }
-        let Some((governing, _)) = checks::governing(checked) else {
+        let Some((worst, _)) = governing(checked) else {
             return Ok(self.not_asked(NAME, "no check could be made, so that none governs"));
         };
-        if checked[governing].card.code == "C401" {
+        if CHECKS[worst].probe() == Probe::Whole {
             let why = "every value takes a whole analysis of the support movement: make them with extrados vary";
             return Ok(self.not_asked(NAME, why));
         }
-        let input = (document.text(), &assessment.bridge, &assessment.asked, checks::governing(checked));
-        self.stage(NAME, &input, |watch| match chain::sensitivity(document, assessment, checked, &mut Looking(watch)) {
+        let input = (document.text(), &evidence.bridge, &evidence.asked, governing(checked));
+        self.stage(NAME, &input, |watch| match chain::sensitivity(document, evidence, checked, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
             Ok(None) => Ran::Cancelled,
             Ok(Some(facts)) => Ran::Made(facts, Vec::new()),
@@ -280,7 +290,10 @@ fn sought(task: &Task<'_>, means: &Means<'_>, watch: &mut Remembering<'_>) -> Ra
         Ok(found) if found.found().is_none() => {
             Ran::Failed(found.reason.clone().unwrap_or_else(|| "no search came to an end".to_owned()))
         }
-        Ok(found) => Ran::Made(chain::update_facts(&found), pictures::update(&found)),
+        Ok(found) => {
+            let figures = pictures::update(&found);
+            Ran::Made(chain::update_facts(found), figures)
+        }
         Err(error) => Ran::Failed(error.to_string()),
     }
 }

@@ -8,9 +8,10 @@ use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::Watch;
-use assess::vary::{self, Analysis, Design, Outcome, Row, Study};
+use assess::vary::{self, Analysis};
 use bridge::Bridge;
 use bridge::vary::{Request, Slip, Varied, find, parse_setting, settle, twice};
+use outcome::study::{self, Design, Outcome, Row, Study};
 use runs::{Runs, Source};
 use work::{Finished, Work};
 
@@ -152,7 +153,7 @@ impl<'a> VaryPlan<'a> {
     /// How many runs there are; none where they cannot be counted.
     pub fn count(&self) -> Option<usize> {
         let values: Vec<usize> = self.varied.iter().map(|one| one.values.len()).collect();
-        vary::count(self.source.design, &values)
+        study::count(self.source.design, &values)
     }
 
     /// Makes the runs that are not on the shelf yet, several at once.
@@ -187,7 +188,7 @@ impl<'a> VaryPlan<'a> {
         let own = self.own();
         let mut study = Study {
             bridge: own.name.clone(),
-            command: self.analysis.name,
+            command: self.analysis.command,
             analysis: own.plan.analysis,
             method: own.plan.method,
             design: self.source.design,

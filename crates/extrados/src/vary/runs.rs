@@ -4,10 +4,11 @@ use crate::choice::Choice;
 use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
-use assess::vary::{Analysis, Design, Run, runs};
+use assess::vary::Analysis;
 use bridge::edit::Document;
 use bridge::vary::Varied;
 use bridge::{Bridge, Diagnostic, Severity};
+use outcome::study::{Design, Run, runs};
 use std::collections::BTreeMap;
 
 /// Refusals shown at once; who has more starts with the first ones.
@@ -156,7 +157,7 @@ fn refused(shown: &str, finding: &Diagnostic) -> Refusal {
 
 /// The name of a run on the shelf. Comments, order and units of the file do not enter; every number does to its last bit.
 fn key(analysis: &Analysis, means: &Means<'_>, bridge: &Bridge) -> String {
-    format!("runs/{}", means.key(analysis.name, bridge))
+    format!("runs/{}", means.key(analysis.command.word(), bridge))
 }
 
 /// Jobs by their keys.

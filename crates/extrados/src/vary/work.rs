@@ -4,8 +4,10 @@ use super::runs::{Job, Runs};
 use crate::means::Means;
 use crate::refusal::Refusal;
 use crate::watch::{Crowd, Watch};
-use assess::vary::{Analysis, Outcome};
-use assess::wire;
+use assess::vary::Analysis;
+use outcome::collapse::Status;
+use outcome::published;
+use outcome::study::Outcome;
 use rayon::prelude::*;
 use std::io;
 
@@ -68,7 +70,7 @@ impl Work<'_> {
     /// One job, from the shelf or computed; nothing where the work was stopped.
     fn one(&self, job: &Job, crowd: &Crowd<'_>) -> Option<(Finished, io::Result<()>)> {
         let mut member = crowd.member();
-        let kept = self.means.shelf.find(&job.key).and_then(|bytes| wire::run_from_record(&bytes));
+        let kept = self.means.shelf.find(&job.key).and_then(|bytes| published::run_from_record(&bytes));
         if let Some((outcome, seconds)) = kept {
             member.finish();
             return Some((Finished { outcome, seconds, cached: true }, Ok(())));
@@ -87,12 +89,12 @@ impl Work<'_> {
                 return Some((Finished { outcome, seconds: seconds(), cached: false }, Ok(())));
             }
         };
-        if outcome.status == "cancelled" {
+        if outcome.status == Status::Cancelled.word() {
             return None;
         }
         member.finish();
         let seconds = seconds();
-        let kept = self.means.shelf.put(&job.key, wire::run_record(&outcome, seconds).as_bytes());
+        let kept = self.means.shelf.put(&job.key, published::run_record(&outcome, seconds).as_bytes());
         Some((Finished { outcome, seconds, cached: false }, kept))
     }
 }

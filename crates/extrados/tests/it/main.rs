@@ -1,6 +1,6 @@
 //! The door as programs use it.
 
-use extrados::results::analysis::Status;
+use extrados::results::collapse::Status;
 use extrados::shelf::Remembered;
 use extrados::{
     Choice, CollapseOptions, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Watch, Wish, collapse,
@@ -113,7 +113,7 @@ fn finished_runs_of_a_study_are_taken_from_the_shelf() {
     let (first, second) = (study(), study());
     assert_eq!(first.rows.iter().filter(|row| row.cached).count(), 0);
     assert_eq!(second.rows.iter().filter(|row| row.cached).count(), second.rows.len());
-    let numbers = |study: &extrados::results::vary::Study| -> Vec<Option<u64>> {
+    let numbers = |study: &extrados::results::study::Study| -> Vec<Option<u64>> {
         study.rows.iter().map(|row| study.number(row).map(f64::to_bits)).collect()
     };
     assert_eq!(numbers(&first), numbers(&second));

@@ -3,7 +3,7 @@
 use crate::elevation::{FAINT, INK, LOAD, THRUST};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, WIDTH};
 use crate::ticks::Ticks;
-use assess::outcome::{Picture, Step};
+use outcome::picture::{Picture, Step};
 
 /// Height that it takes.
 pub const HEIGHT: f64 = 152.0;

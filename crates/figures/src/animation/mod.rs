@@ -13,7 +13,7 @@ use crate::sheet::font::Weight;
 use crate::sheet::{MARGIN, Sheet, Style, TITLE, WIDTH};
 use crate::words;
 use apng::Frame;
-use assess::outcome::Picture;
+use outcome::picture::Picture;
 
 /// Width of the pictures [pixels].
 const PIXELS: u32 = 960;

@@ -4,7 +4,7 @@ use super::STYLES;
 use crate::chart::{Axes, Axis, Entry, key};
 use crate::sheet::{HAIR, Pen, Sheet, Spot};
 use crate::ticks::Ticks;
-use assess::analysis::calibrate::{CalibrationReport, Measured};
+use outcome::calibration::{CalibrationReport, Measured};
 
 const HEIGHT: f64 = 380.0;
 

@@ -4,7 +4,7 @@ mod curves;
 mod moduli;
 mod sample;
 
-use assess::analysis::calibrate::CalibrationReport;
+use outcome::calibration::CalibrationReport;
 
 /// All figures that the report has material for: name without extension, and drawing.
 pub fn calibration(report: &CalibrationReport) -> Vec<(String, String)> {

@@ -7,7 +7,7 @@ use crate::sheet::place::Room;
 use crate::sheet::{MEDIUM, Pen, Sheet, Spot, Style};
 use crate::ticks::Ticks;
 use crate::words;
-use assess::analysis::calibrate::{At, CalibrationReport, Measured, Spread};
+use outcome::calibration::{At, CalibrationReport, Measured, Spread};
 
 const HEIGHT: f64 = 380.0;
 

@@ -2,7 +2,7 @@
 
 use crate::elevation::{INK, LOAD};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH};
-use assess::analysis::calibrate::{CalibrationReport, Confined};
+use outcome::calibration::{CalibrationReport, Confined};
 
 /// Colour of particles, and of those that replace others.
 const GRAIN: &str = "#ece0c8";
@@ -81,7 +81,7 @@ fn cut(sheet: &mut Sheet, place: &Place, report: &CalibrationReport, kept: usize
     let Some(drawn) = &report.drawn else { return };
     for cut in &drawn.cuts {
         let pen = Pen::line(GONE, HAIR).dashed("3 2").class("cut");
-        sheet.circle(place.spot(cut.centre.x, cut.centre.y), place.scale * cut.radius, pen);
+        sheet.circle(place.spot(cut.centre[0], cut.centre[1]), place.scale * cut.radius, pen);
     }
     grains(sheet, place, &drawn.particles, kept);
     sheet.rectangle(place.area([0.0, 0.0], [drawn.size, drawn.size]), Pen::line(LOAD, MEDIUM));

@@ -8,9 +8,9 @@ use crate::geometry::{View, round_down};
 use crate::sheet::{Area, MARGIN, Sheet, Spot, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
-use assess::analysis::passage::Passage;
-use assess::analysis::passage::outcome::Moment;
-use assess::outcome::Point;
+use outcome::passage::Moment;
+use outcome::passage::Passage;
+use outcome::picture::Point;
 
 /// Shades along a scale: neighbours differ by less than the eye sees.
 const SHADES: usize = 48;

@@ -8,7 +8,7 @@ mod vtu;
 
 use crate::all::{File, both};
 use crate::raster::RasterError;
-use assess::analysis::passage::Passage;
+use outcome::passage::Passage;
 
 /// Most moments that are drawn; ParaView files have all.
 const MOST_DRAWN: usize = 8;

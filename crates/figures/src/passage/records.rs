@@ -7,7 +7,7 @@ use crate::sheet::{HAIR, MARGIN, Pen, Sheet, Spot, Style, font::Weight};
 use crate::thinned::thinned;
 use crate::ticks::Ticks;
 use crate::words;
-use assess::analysis::passage::{Channel, Passage};
+use outcome::passage::{Channel, Passage};
 
 /// Height of a panel.
 const HEIGHT: f64 = 92.0;

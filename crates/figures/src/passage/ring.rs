@@ -5,9 +5,9 @@ use crate::elevation::{self as draw, INK, THRUST};
 use crate::geometry::{Extent, View};
 use crate::sheet::{Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THICK, font};
 use crate::words;
-use assess::analysis::passage::Passage;
-use assess::analysis::passage::outcome::{Moment, Pair, PairState, Row, RowKind};
-use assess::outcome::Point;
+use outcome::passage::Passage;
+use outcome::passage::{Moment, Pair, PairState, Row, RowKind};
+use outcome::picture::Point;
 
 /// Colours of the states, told apart in grey print by their size and fill.
 const CLOSED: &str = "#2e6b2e";
@@ -98,18 +98,18 @@ fn counts(moment: &Moment, span: usize) -> String {
 /// Masonry as built, pale.
 fn stones(sheet: &mut Sheet, view: &View, passage: &Passage) {
     let mesh = &passage.mesh;
-    let named = |zone: usize| mesh.zone_names.get(zone).map_or("", String::as_str);
+    let named = |zone: usize| mesh.zones.get(zone).map_or("", |zone| zone.name.as_str());
     for (kinds, colour) in
         [(&["voussoirs"][..], "#f2e8d5"), (&["pier", "abutment left", "abutment right", "backing"][..], "#e2dccd")]
     {
         let of = |zone: usize| kinds.iter().any(|kind| named(zone).starts_with(kind));
-        let quads = mesh.quads.iter().zip(&mesh.zones).filter(|(_, zone)| of(**zone));
+        let quads = mesh.quads.iter().zip(&mesh.zone_of).filter(|(_, zone)| of(**zone));
         let spots: Vec<[Spot; 4]> = quads.map(|(quad, _)| quad.map(|node| view.spot(mesh.nodes[node]))).collect();
         sheet.areas(&spots, colour);
     }
     let masonry = |edge: &[usize; 2], inside: &[bool]| edge.iter().all(|node| inside[*node]);
     let mut inside = vec![false; mesh.nodes.len()];
-    for (quad, zone) in mesh.quads.iter().zip(&mesh.zones) {
+    for (quad, zone) in mesh.quads.iter().zip(&mesh.zone_of) {
         let fill = named(*zone).contains("fill");
         quad.iter().filter(|_| !fill).for_each(|node| inside[*node] = true);
     }

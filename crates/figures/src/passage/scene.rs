@@ -4,9 +4,10 @@ use crate::elevation::{INK, LOAD};
 use crate::geometry::{Extent, View};
 use crate::sheet::{Anchor, HAIR, MEDIUM, Pen, SMALL, Sheet, Spot, Style};
 use crate::words;
-use assess::analysis::passage::Passage;
-use assess::analysis::passage::outcome::{MeshPicture, Moment};
-use assess::outcome::Point;
+use outcome::mesh::MeshPicture;
+use outcome::passage::Moment;
+use outcome::passage::Passage;
+use outcome::picture::Point;
 use std::collections::BTreeMap;
 
 /// Room above the surface for the axles [0.2 mm].
@@ -15,10 +16,10 @@ pub const AXLES: f64 = 44.0;
 /// The part of the mesh that is drawn: masonry from end to end and the fill above it.
 pub fn extent(mesh: &MeshPicture) -> Option<Extent> {
     let masonry = |zone: &usize| {
-        let name = mesh.zone_names.get(*zone).map_or("", String::as_str);
+        let name = mesh.zones.get(*zone).map_or("", |zone| zone.name.as_str());
         ["voussoirs", "pier", "abutment left", "abutment right", "backing"].iter().any(|kind| name.starts_with(kind))
     };
-    let quads = mesh.quads.iter().zip(&mesh.zones).filter(|(_, zone)| masonry(zone));
+    let quads = mesh.quads.iter().zip(&mesh.zone_of).filter(|(_, zone)| masonry(zone));
     let of_masonry = Extent::of(quads.flat_map(|(quad, _)| quad.map(|node| mesh.nodes[node])));
     let whole = Extent::of(mesh.nodes.iter().copied())?;
     let shown = of_masonry.unwrap_or(whole);
@@ -49,7 +50,7 @@ pub fn moved(mesh: &MeshPicture, displacements: &[Point], times: f64) -> Vec<Poi
 pub fn outlines(mesh: &MeshPicture) -> Vec<[usize; 2]> {
     // The zone of the elements at each edge: inside where two of one zone share it.
     let mut edges: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
-    for (quad, zone) in mesh.quads.iter().zip(&mesh.zones) {
+    for (quad, zone) in mesh.quads.iter().zip(&mesh.zone_of) {
         for k in 0..4 {
             let (a, b) = (quad[k], quad[(k + 1) % 4]);
             edges.entry([a.min(b), a.max(b)]).or_default().push(*zone);

@@ -2,8 +2,8 @@
 
 use crate::all::File;
 use crate::vtk::{Array, Grid, series};
-use assess::analysis::passage::Passage;
-use assess::analysis::passage::outcome::{Moment, PairState, RowKind};
+use outcome::passage::Passage;
+use outcome::passage::{Moment, PairState, RowKind};
 
 /// VTK's numbers of a quadrilateral and of a point.
 const QUAD: u8 = 9;
@@ -49,10 +49,10 @@ fn mesh(passage: &Passage, moment: &Moment) -> Option<String> {
     let train = flat(&super::scene::by_train(passage, moment));
     let connectivity: Vec<i64> = mesh.quads.iter().flatten().map(|node| *node as i64).collect();
     let offsets: Vec<i64> = (1..=mesh.quads.len()).map(|k| 4 * k as i64).collect();
-    let zone: Vec<i64> = mesh.zones.iter().map(|zone| *zone as i64).collect();
+    let zone: Vec<i64> = mesh.zone_of.iter().map(|zone| *zone as i64).collect();
     let stress: Vec<f64> = moment.stresses.iter().flat_map(|s| [s[0], s[1], s[3], s[2], 0.0, 0.0]).collect();
     let yielding: Vec<i64> = moment.yielding.iter().map(|yields| i64::from(*yields)).collect();
-    let names: Vec<String> = mesh.zone_names.iter().enumerate().map(|(k, name)| format!("{k} {name}")).collect();
+    let names: Vec<String> = mesh.zones.iter().enumerate().map(|(k, zone)| format!("{k} {}", zone.name)).collect();
     let remark =
         format!("{}; {}. SI units, y up, tension positive. zone: {}.", passage.bridge, moment.name, names.join(", "));
     let mut cells = vec![Array::whole("zone", &zone)];
@@ -87,9 +87,8 @@ fn joints(passage: &Passage, moment: &Moment) -> Option<String> {
     let points: Vec<f64> = pairs.iter().flat_map(|(_, pair)| [pair.at[0], pair.at[1], 0.0]).collect();
     let numbers: Vec<i64> = (0..pairs.len() as i64).collect();
     let offsets: Vec<i64> = (1..=pairs.len() as i64).collect();
-    let of = |value: fn(&assess::analysis::passage::outcome::Pair) -> f64| -> Vec<f64> {
-        pairs.iter().map(|(_, pair)| value(pair)).collect()
-    };
+    let of =
+        |value: fn(&outcome::passage::Pair) -> f64| -> Vec<f64> { pairs.iter().map(|(_, pair)| value(pair)).collect() };
     let state: Vec<i64> = pairs
         .iter()
         .map(|(_, pair)| match pair.state {

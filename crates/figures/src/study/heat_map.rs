@@ -6,7 +6,8 @@ use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
 use crate::ticks::Ticks;
 use crate::words::four_digits;
-use assess::vary::{Row, Setting, Study};
+use bridge::vary::Setting;
+use outcome::study::{Row, Study};
 
 /// More cells than this in a row carry no numbers: they would be smaller than letters.
 const MOST_WITH_NUMBERS: usize = 12;

@@ -5,7 +5,7 @@ use crate::chart::{Axes, Axis, Entry, Mark, key};
 use crate::sheet::place::Room;
 use crate::sheet::{Area, Pen, SMALL, Sheet, Spot, Style};
 use crate::ticks::Ticks;
-use assess::vary::{Row, Study};
+use outcome::study::{Row, Study};
 
 const CURVE: &str = "#0b5394";
 const ALARM: &str = "#a02020";

@@ -4,7 +4,7 @@ use super::{axis_name, honest, name_and_unit, pretty, with_unit};
 use crate::chart::{Axis, Mark};
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
-use assess::vary::{Extreme, Row, Sensitivity, Study, Trend, sensitivity};
+use outcome::study::{Extreme, Row, Sensitivity, Study, Trend, sensitivity};
 
 /// Where the quantity is below its own value, above it, and where it has no order: told apart in grey print too.
 const BELOW: &str = "#9dc3e6";

@@ -6,9 +6,9 @@ use crate::colour::either_way;
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font};
 use crate::words::four_digits;
-use assess::analysis::update::Update;
-use assess::calibrate::Parameter;
-use assess::calibrate::posterior::Posterior;
+use outcome::calibrate::Parameter;
+use outcome::calibrate::posterior::Posterior;
+use outcome::update::Update;
 
 /// More parameters than these have correlations alone: clouds would be smaller than words.
 const MOST_CLOUDS: usize = 7;

@@ -6,7 +6,7 @@ use crate::sheet::{HAIR, MARGIN, Pen, Sheet, Spot, WIDTH};
 use crate::thinned::thinned;
 use crate::ticks::Ticks;
 use crate::words::three_digits;
-use assess::analysis::update::{Histories, Update};
+use outcome::update::{Histories, Update};
 
 /// Height of a panel: six fill a page.
 const HEIGHT: f64 = 112.0;
@@ -86,9 +86,9 @@ fn upright(channel: &Histories) -> Axis<'static> {
     let room = 0.06 * (high - low);
     // A record of nothing is not blown up to look like one of something.
     if room < 1e-9 {
-        Axis::round(channel.unit, Ticks::over(-1.0, 1.0, 2))
+        Axis::round(channel.quantity.unit(), Ticks::over(-1.0, 1.0, 2))
     } else {
-        Axis::exact(channel.unit, low - room, high + room, 5)
+        Axis::exact(channel.quantity.unit(), low - room, high + room, 5)
     }
 }
 
@@ -101,7 +101,7 @@ fn words(update: &Update, k: usize) -> String {
     let before = update.basis.as_ref().and_then(|basis| basis.start.channels.get(k)).map(|one| one.peak);
     let after = update.found().and_then(|found| found.channels.get(k)).map(|one| one.model_peak);
     let Some(measured) = measured else { return String::new() };
-    let mut words = format!("peak of the record {} {}", three_digits(measured), channel.unit);
+    let mut words = format!("peak of the record {} {}", three_digits(measured), channel.quantity.unit());
     for (name, peak) in [("start model", before), ("updated", after)] {
         let error = peak.map(|peak| (peak - measured) / measured).filter(|error| error.is_finite());
         words += &error.map_or(String::new(), |error| format!("; {name} {}", percent(error)));

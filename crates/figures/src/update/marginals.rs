@@ -6,9 +6,9 @@ use crate::elevation::INK;
 use crate::sheet::{Area, GREY_TEXT, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH, font, font::Weight};
 use crate::ticks::Ticks;
 use crate::words::{four_digits, three_digits};
-use assess::analysis::update::Update;
-use assess::calibrate::Parameter;
-use assess::calibrate::posterior::{Marginal, Posterior, Prior, Status};
+use outcome::calibrate::Parameter;
+use outcome::calibrate::posterior::{Marginal, Posterior, Prior, Status};
+use outcome::update::Update;
 
 const HEIGHT: f64 = 96.0;
 const BETWEEN: f64 = 86.0;

@@ -14,9 +14,11 @@ use crate::chart::Axis;
 use crate::raster::RasterError;
 use crate::sheet::{GREY_TEXT, LABEL, SMALL, Sheet, Spot, Style, font};
 use crate::words::three_digits;
-use assess::analysis::update::{PaperSearch, Update};
-use assess::calibrate::misfit::Scaling;
-use assess::calibrate::{Parameter, Scale};
+use outcome::calibrate::Start;
+use outcome::calibrate::misfit::Scaling;
+use outcome::calibrate::search::hierarchical::Variant;
+use outcome::calibrate::{Parameter, Scale};
+use outcome::update::{PaperSearch, Update};
 
 /// As measured.
 const MEASURED: &str = "#222222";
@@ -72,21 +74,20 @@ fn second_line(update: &Update, what: &str) -> String {
 
 /// The paper's search in words: which reading of its rules, from where.
 fn search_words(update: &Update, paper: &PaperSearch) -> String {
-    let start = match paper.start {
-        "stated" => "the file's values",
-        "means" => "the middle of all ranges",
-        "lower-bounds" => "all lower bounds",
-        "upper-bounds" => "all upper bounds",
-        other => other,
+    let start = match &paper.start {
+        Start::Stated => "the file's values",
+        Start::Means => "the middle of all ranges",
+        Start::LowerBounds => "all lower bounds",
+        Start::UpperBounds => "all upper bounds",
+        Start::Values(_) => "values of its own",
     };
     let more = match update.paper.len() {
         0 | 1 => String::new(),
         all => format!("; of {all} such searches the one that ended best"),
     };
     let rules = match paper.variant {
-        "printed" => "as printed",
-        "as-practised" => "as practised",
-        other => other,
+        Variant::Printed => "as printed",
+        Variant::AsPractised => "as practised",
     };
     format!("rules {rules}, started from {start}{more}")
 }

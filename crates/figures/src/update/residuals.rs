@@ -5,8 +5,8 @@ use crate::chart::Axis;
 use crate::elevation::INK;
 use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, Style, THIN, WIDTH, font};
 use crate::words::three_digits;
-use assess::analysis::update::Update;
-use assess::calibrate::misfit::{Compare, Scaling};
+use outcome::calibrate::misfit::{Compare, Scaling};
+use outcome::update::Update;
 
 const ROW: f64 = 48.0;
 const BAR: f64 = 15.0;

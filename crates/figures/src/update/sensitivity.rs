@@ -6,8 +6,8 @@ use crate::elevation::INK;
 use crate::sheet::{Area, HAIR, MARGIN, Pen, Sheet, Spot, WIDTH};
 use crate::ticks::Ticks;
 use crate::words::three_digits;
-use assess::analysis::update::{PaperSearch, Update};
-use assess::calibrate::search::sweep::Sweep;
+use outcome::calibrate::search::sweep::Sweep;
+use outcome::update::{PaperSearch, Update};
 
 /// Height of a panel.
 const HEIGHT: f64 = 108.0;

@@ -9,9 +9,9 @@ use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, Pen, SMALL, Sheet, Spot, Style, WIDTH};
 use crate::ticks::Ticks;
 use crate::words::{four_digits, three_digits};
-use assess::analysis::update::{PaperSearch, Update};
-use assess::calibrate::search::hierarchical::Stage;
-use assess::calibrate::search::surface::{Case, Surface};
+use outcome::calibrate::search::hierarchical::Stage;
+use outcome::calibrate::search::surface::{Case, Surface};
+use outcome::update::{PaperSearch, Update};
 
 const HEIGHT: f64 = 400.0;
 /// Most lines between bands.

@@ -3,7 +3,7 @@
 use super::write::{Array, Grid};
 use crate::geometry::{Turn, centroid, displacement};
 use crate::stress::most_compressive;
-use assess::outcome::{Motion, Picture, Shape, Snapshot};
+use outcome::picture::{Motion, Picture, Shape, Snapshot};
 
 /// VTK's number of a polygon.
 const POLYGON: u8 = 7;

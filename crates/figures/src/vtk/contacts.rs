@@ -1,7 +1,7 @@
 //! Closed contacts as points.
 
 use super::write::{Array, Grid};
-use assess::outcome::{ContactForce, Picture};
+use outcome::picture::{ContactForce, Picture};
 
 /// VTK's number of a single point.
 const VERTEX: u8 = 1;

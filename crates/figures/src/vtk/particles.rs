@@ -3,7 +3,7 @@
 
 use super::write::{Array, Grid};
 use crate::stress::most_compressive;
-use assess::outcome::{DiscState, ParticleForce, Partner, Picture, Snapshot};
+use outcome::picture::{DiscState, ParticleForce, Partner, Picture, Snapshot};
 
 /// VTK's numbers of a single point and of a line.
 const VERTEX: u8 = 1;

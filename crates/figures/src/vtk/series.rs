@@ -1,7 +1,7 @@
 //! A series of files, with the load as time.
 
 use crate::sheet::escape;
-use assess::outcome::Picture;
+use outcome::picture::Picture;
 use std::fmt::Write as _;
 
 /// Time at which each snapshot stands in the series: its load [kN/m], or the support movement [mm]. ParaView takes

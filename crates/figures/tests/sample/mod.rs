@@ -4,7 +4,7 @@
 pub mod studies;
 pub mod updates;
 
-use assess::outcome::*;
+use outcome::picture::*;
 use std::f64::consts::PI;
 
 type Joint = [Point; 2];

@@ -1,6 +1,9 @@
 //! Studies with everything that their figures must cope with.
 
-use assess::vary::{AnalysisKind, Design, MethodKind, Outcome, Path, Row, Setting, Study, Varied, runs};
+use bridge::path::Path;
+use bridge::vary::{Setting, Varied};
+use bridge::{Analysis, Method};
+use outcome::study::{Command, Design, Outcome, Row, Study, runs};
 
 /// A value as the file would have it.
 pub fn setting(text: &str, number: Option<f64>) -> Setting {
@@ -32,9 +35,9 @@ fn study(design: Design, quantities: Vec<Varied>, answer: impl Fn(&[&str]) -> (&
     let mut study = Study {
         bridge: "A bridge with a fairly long name, so that its title needs all the width there is and a little more"
             .into(),
-        command: "collapse",
-        analysis: AnalysisKind::Load,
-        method: MethodKind::Limit,
+        command: Command::Collapse,
+        analysis: Analysis::Load,
+        method: Method::Limit,
         design,
         outcome: "collapse_load_kn_per_m".into(),
         resolution: 0.0,

@@ -1,16 +1,18 @@
 //! Updates of a made-up bridge, searched in earnest: the model is a formula, the searches are those of the program.
 
-use assess::analysis::passage::Quantity;
-use assess::analysis::update::{
-    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update,
-    UpdateStatus,
-};
-use assess::calibrate::posterior::{self, Likelihood};
-use assess::calibrate::search::hierarchical;
-use assess::calibrate::search::jacobian;
-use assess::calibrate::{
+use outcome::calibrate::posterior;
+use outcome::calibrate::posterior::Likelihood;
+use outcome::calibrate::search::hierarchical;
+use outcome::calibrate::search::jacobian;
+use outcome::calibrate::{
     Basis, Channel, Evaluation, Evaluator, Failure, Forward, Log, Misfit, Parameter, Problem, Request, Response,
     Samples, Serial, Start, Unwatched, identify,
+};
+use outcome::passage::Quantity;
+use outcome::calibrate::search::hierarchical::Variant;
+use outcome::update::{
+    Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update,
+    UpdateStatus,
 };
 use std::sync::LazyLock;
 
@@ -148,7 +150,6 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
     let histories = (0..CHANNELS.len()).map(|k| Histories {
         name: CHANNELS[k].0.into(),
         quantity: CHANNELS[k].2,
-        unit: CHANNELS[k].1,
         measured: problem.channels()[k].history.clone().unwrap_or_default(),
         start: begun.get(k).cloned().unwrap_or_default(),
         updated: ended.get(k).cloned().unwrap_or_default(),
@@ -175,7 +176,7 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
         positions: (0..SAMPLES).map(|k| 12.5 * STEP * k as f64).collect(),
         channels: histories.collect(),
         searches: vec![line],
-        paper: vec![PaperSearch { variant: "printed", start: "stated", outcome }],
+        paper: vec![PaperSearch { variant: Variant::Printed, start: Start::Stated, outcome }],
         modern: None,
         referee: None,
         gradient: None,

@@ -1,9 +1,10 @@
 //! Analysis of variance: of one way with repeats, and of blocks without.
 
+use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor, StudentsT};
 
 /// An F test.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Test {
     /// Variance between groups over variance within.
     pub f: f64,

@@ -3,9 +3,10 @@
 use super::anova::{Test, blocks, half_width, mean, one_way};
 use super::{Answer, Testing};
 use crate::peaks::{PeakTable, RunPeak};
+use serde::{Deserialize, Serialize};
 
 /// What the peaks of one channel say.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ChannelTest {
     /// Channel.
     pub name: String,
@@ -22,7 +23,7 @@ pub struct ChannelTest {
 }
 
 /// Whether peaks depend on the speed of the train.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dynamics {
     /// Answer over all channels.
     pub answer: Answer,

@@ -12,9 +12,10 @@ mod plane_strain;
 pub use anova::Test;
 pub use dynamics::{ChannelTest, Dynamics, dynamics};
 pub use plane_strain::{LineTest, PlaneStrain, plane_strain};
+use serde::{Deserialize, Serialize};
 
 /// How it is tested.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Testing {
     /// Chance of seeing an effect where there is none [-].
     pub level: f64,
@@ -32,7 +33,7 @@ impl Default for Testing {
 }
 
 /// An answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Answer {
     /// No effect seen, and one that matters would have been.
     NotSeen,

@@ -4,9 +4,10 @@ use super::anova::{Test, blocks, half_width};
 use super::{Answer, Testing};
 use crate::peaks::{Peak, PeakTable};
 use crate::{Run, Series};
+use serde::{Deserialize, Serialize};
 
 /// What the lines of one channel say.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LineTest {
     /// Channel.
     pub name: String,
@@ -28,7 +29,7 @@ pub struct LineTest {
 }
 
 /// Whether lines across the barrel differ.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlaneStrain {
     /// Answer over all channels.
     pub answer: Answer,

@@ -6,13 +6,11 @@ mod draw;
 mod model;
 
 use super::by_dem::{program, require_stiffness};
-use super::report::{Collapse, FiniteReport, Status};
 use super::{AnalysisError, by_limit, notes, picture};
+use crate::analysis::blank;
 use crate::discretise::ring_mesh::{RingMesh, ring_mesh};
 use crate::discretise::{Discretised, discretise};
-use crate::outcome::{Motion, Step};
-use crate::warning::{self, Warning};
-use bridge::{Analysis, Bridge, Method};
+use bridge::Bridge;
 use draw::Shown;
 use mechanics::blocks::PointForce;
 use mechanics::dem::Program;
@@ -21,6 +19,10 @@ use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::collapse::By;
+use outcome::collapse::{Collapse, FiniteReport, Status};
+use outcome::picture::{Motion, Step};
+use outcome::warning::{self, Warning};
 
 /// Out-of-balance force over acting force. Joints a thousand times stiffer than mortar leave a tenth of it as rounding.
 const TOLERANCE: f64 = 1e-6;
@@ -213,8 +215,16 @@ impl<'a> Run<'a> {
         let mechanism = self.onset.as_deref().filter(|_| status == Status::Collapsed);
         draw::draw(self.d, &self.shown, mechanism, &mut picture);
         picture.path = self.path;
-        let mut c = Collapse::blank(bridge, self.d, Analysis::Load, picture);
-        c.method = Method::Fe;
+        let report = FiniteReport {
+            equations: self.model.equations(),
+            springs_per_joint: self.ring.mesh.interfaces.iter().map(|joint| joint.one.len()).max().unwrap_or(0),
+            iterations_total: self.iterations,
+            softening: match self.flexibility {
+                [Some(start), Some(end)] if start > 0.0 => Some(end / start),
+                _ => None,
+            },
+        };
+        let mut c = blank::of_bridge(bridge, self.d, By::Fe(report), picture);
         c.status = status;
         c.last_stable_load = self.carried.map(load);
         c.collapse_load = self.failed.filter(|_| status == Status::Collapsed).map(load);
@@ -223,15 +233,6 @@ impl<'a> Run<'a> {
         c.contacts = last.map_or(0, |shown| shown.snapshot.contacts.len());
         c.max_compressive_stress =
             last.map(|shown| shown.snapshot.contacts.iter().map(|c| c.stress).fold(0.0, f64::max));
-        c.finite = Some(FiniteReport {
-            equations: self.model.equations(),
-            springs_per_joint: self.ring.mesh.interfaces.iter().map(|joint| joint.one.len()).max().unwrap_or(0),
-            iterations_total: self.iterations,
-            softening: match self.flexibility {
-                [Some(start), Some(end)] if start > 0.0 => Some(end / start),
-                _ => None,
-            },
-        });
         c
     }
 }

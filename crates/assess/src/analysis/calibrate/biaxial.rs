@@ -1,7 +1,6 @@
 //! Squares of fill sheared to their peak: a smooth box whose right side and lid are pressed alike, then the lid until the sample
 //! gives way. Peaks at several confining pressures lie on a line; its slope is the friction angle, its height the cohesion.
 
-use super::moduli::{Spread, scatter};
 use super::sample::Sample;
 use super::settled::Laws;
 use crate::analysis::AnalysisError;
@@ -12,30 +11,9 @@ use mechanics::dem::{self, Model, begin, collapse_from};
 use mechanics::ids::{BlockId, Table};
 use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
 use mechanics::watch::Watch;
-
-/// What contacts between particles resist with.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
-    /// Friction angle [rad].
-    pub friction_angle: f64,
-    /// Cohesion [Pa].
-    pub cohesion: f64,
-}
-
-/// What the fill resists with, over all samples.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Strength {
-    /// Contacts that it was measured with.
-    pub contact: Contact,
-    /// Friction angle of the fill [rad].
-    pub friction_angle: Spread,
-    /// Cohesion of the fill [Pa].
-    pub cohesion: Spread,
-    /// Confining pressure and mean stress at the peak [Pa].
-    pub peaks: Vec<[f64; 2]>,
-    /// Samples that did not come to rest under the confining pressure, or did not give way.
-    pub left_out: usize,
-}
+use outcome::calibration::Spread;
+use outcome::calibration::moduli::scatter;
+use outcome::calibration::{Contact, Strength};
 
 /// Increment of the stress on the lid over the confining pressure.
 const INCREMENT: f64 = 0.1;
@@ -170,25 +148,23 @@ pub fn contacts(laws: &Laws, contact: Contact) -> Laws {
     laws
 }
 
-impl Strength {
-    /// What peaks [Pa] of all samples amount to, test by test of each sample; none where fewer than one sample has all.
-    pub fn of(contact: Contact, samples: &[Sample], pressures: &[f64], peaks: &[Option<f64>]) -> Option<Strength> {
-        let whole: Vec<(u64, Vec<f64>)> = samples
-            .iter()
-            .zip(peaks.chunks(pressures.len()))
-            .filter_map(|(sample, own)| Some((sample.seed, own.iter().copied().collect::<Option<Vec<f64>>>()?)))
-            .collect();
-        let lines: Vec<(u64, f64, f64)> =
-            whole.iter().filter_map(|(seed, own)| line(pressures, own).map(|(phi, c)| (*seed, phi, c))).collect();
-        let mean = |test: usize| scatter(whole.iter().map(|w| w.1[test])).map(|(mean, _)| mean);
-        Some(Strength {
-            contact,
-            friction_angle: Spread::of(&lines.iter().map(|l| (l.0, l.1)).collect::<Vec<_>>())?,
-            cohesion: Spread::of(&lines.iter().map(|l| (l.0, l.2)).collect::<Vec<_>>())?,
-            peaks: pressures.iter().enumerate().filter_map(|(k, &p)| Some([p, mean(k)?])).collect(),
-            left_out: samples.len() - lines.len(),
-        })
-    }
+/// What peaks [Pa] of all samples amount to, test by test of each sample; none where fewer than one sample has all.
+pub fn strength(contact: Contact, samples: &[Sample], pressures: &[f64], peaks: &[Option<f64>]) -> Option<Strength> {
+    let whole: Vec<(u64, Vec<f64>)> = samples
+        .iter()
+        .zip(peaks.chunks(pressures.len()))
+        .filter_map(|(sample, own)| Some((sample.seed, own.iter().copied().collect::<Option<Vec<f64>>>()?)))
+        .collect();
+    let lines: Vec<(u64, f64, f64)> =
+        whole.iter().filter_map(|(seed, own)| line(pressures, own).map(|(phi, c)| (*seed, phi, c))).collect();
+    let mean = |test: usize| scatter(whole.iter().map(|w| w.1[test])).map(|(mean, _)| mean);
+    Some(Strength {
+        contact,
+        friction_angle: Spread::of(&lines.iter().map(|l| (l.0, l.1)).collect::<Vec<_>>())?,
+        cohesion: Spread::of(&lines.iter().map(|l| (l.0, l.2)).collect::<Vec<_>>())?,
+        peaks: pressures.iter().enumerate().filter_map(|(k, &p)| Some([p, mean(k)?])).collect(),
+        left_out: samples.len() - lines.len(),
+    })
 }
 
 /// Friction angle [rad] and cohesion [Pa] of the line of least squares through peaks over confining pressures: with

@@ -4,7 +4,6 @@
 
 mod biaxial;
 mod crowd;
-mod moduli;
 mod press;
 mod report;
 mod sample;
@@ -15,23 +14,19 @@ mod strength;
 #[cfg(test)]
 mod tests;
 
-pub use biaxial::{Contact, Strength};
-pub use moduli::{Curve, CurvePoint, Moduli, Spread};
-pub use press::{Moment, Pressed};
-pub use report::{At, CalibrationReport, Check, Confined, Drawn, Measured, Sheared, Verdict};
-pub use sample::{Cut, Sample};
-
 use super::by_dem::require_stiffness;
 use super::{AnalysisError, LEAST_SAMPLE};
-use crate::warning::{self, Warning};
 use biaxial::{Box2, contacts};
-use bridge::{Bridge, Modulus, Particles, Sizes, Strip};
+use bridge::{Bridge, Particles, Sizes, Strip};
 use crowd::Crowd;
 use mechanics::watch::Watch;
+use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, Wanted};
+use press::Pressed;
 use press::Rig;
+use sample::Sample;
 use search::{Found, search};
 use std::f64::consts::PI;
-use strength::{Fitted, Wanted, fit};
+use strength::{Fitted, fit};
 
 /// Share of the work of one sample's press that one packing takes, for the estimate of the time left.
 const PACKING_WORK: f64 = 30.0;
@@ -54,15 +49,18 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
 
     let Some(mut samples) = samples(&bridge, &particles, &seeds, &mut crowd)? else { return Ok(report.cancelled()) };
     crowd.plan(packings as f64 * PACKING_WORK + samples.len() as f64 * rounds + shears);
-    report.describe(&samples);
+    report::describe(&mut report, &samples);
     report.mean_diameter = samples.iter().map(|s| s.mean_diameter).sum::<f64>() / samples.len() as f64;
     if sheared {
         let first = Contact { friction_angle: particles.joint.friction_angle, cohesion: particles.joint.cohesion };
         let few = spaced(&samples, plan.sheared_samples);
         let fitted = fit(wanted_strength, first, &mut |contact| shear(&bridge, &few, contact, &mut crowd))?;
-        if fitted == Fitted::Stopped {
-            return Ok(report.cancelled());
-        }
+        let fitted = match fitted {
+            Fitted::Contacts(found) => Some((found, true)),
+            Fitted::OutOfReach(found) => Some((found, false)),
+            Fitted::Untested => None,
+            Fitted::Stopped => return Ok(report.cancelled()),
+        };
         let Some(contact) = report.sheared(wanted_strength, fitted) else { return Ok(report) };
         samples.iter_mut().for_each(|sample| sample.laws = contacts(&sample.laws, contact));
         (particles.joint.friction_angle, particles.joint.cohesion) = (contact.friction_angle, contact.cohesion);
@@ -72,7 +70,7 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     let rig = Rig::new(&bridge, &samples[0].laws);
     report.stiffness = rig.stiffness(1.0, report.mean_diameter);
     let Some(table) = measure(&rig, &samples, &plan.multiples, &mut crowd)? else { return Ok(report.cancelled()) };
-    report.tabulate(table, &samples);
+    report::tabulate(&mut report, table, &samples);
     let Some(wanted) = plan.wanted_modulus else {
         if !sheared {
             return Ok(report.without_search());
@@ -131,7 +129,7 @@ fn shear(
     let peaks = crowd.each("shearing", 1.0, &jobs, |&(k, test), watch| sheared.peak(&samples[k], contact, test, watch));
     let Some(peaks) = peaks else { return Ok(None) };
     let peaks = peaks.into_iter().collect::<Result<Vec<Option<f64>>, _>>()?;
-    Ok(Some(Strength::of(contact, samples, &bridge.calibration.confining_pressures, &peaks)))
+    Ok(Some(biaxial::strength(contact, samples, &bridge.calibration.confining_pressures, &peaks)))
 }
 
 /// The strength of other packings with the contacts that were found.
@@ -241,105 +239,7 @@ fn measure(
     let pressed = pressed.into_iter().collect::<Result<Vec<Pressed>, _>>()?;
     let of = |(k, &multiple): (usize, &f64)| {
         let own = &pressed[k * samples.len()..(k + 1) * samples.len()];
-        Measured::new(multiple, samples, own, rig.plan())
+        report::measured(multiple, samples, own, rig.plan())
     };
     Ok(Some(multiples.iter().enumerate().map(of).collect()))
 }
-
-impl CalibrationReport {
-    /// The modulus that is compared with the wanted one.
-    pub fn compared(&self, measured: &Measured) -> Option<Spread> {
-        match self.modulus {
-            Modulus::Tangent => measured.tangent,
-            Modulus::Secant => measured.secant,
-        }
-    }
-
-    /// The word for it.
-    pub fn matched(&self) -> &'static str {
-        match self.modulus {
-            Modulus::Tangent => "tangent",
-            Modulus::Secant => "secant",
-        }
-    }
-
-    /// What the result speaks of: the multiple that was found, or the stiffness of the file where nothing was looked for.
-    pub fn shown(&self) -> Option<&Measured> {
-        let of_file = || self.table.iter().find(|m| m.multiple == 1.0).filter(|_| self.plan.wanted_modulus.is_none());
-        self.found.as_ref().or_else(of_file)
-    }
-
-    /// "16 packings", for sentences.
-    pub fn packings(&self) -> String {
-        let count = self.seeds.len();
-        format!("{count} packing{}", if count == 1 { "" } else { "s" })
-    }
-
-    /// The multiple that was found, where the table does not have it.
-    pub fn found_beside_the_table(&self) -> Option<&Measured> {
-        self.found.as_ref().filter(|found| self.table.iter().all(|m| m.multiple != found.multiple))
-    }
-
-    /// Standard error of the multiple that was found: that of the modulus over the slope of modulus over multiple between
-    /// the two rows of the table around it, in logarithms.
-    pub fn multiple_error(&self) -> Option<f64> {
-        let found = self.found.as_ref()?;
-        let spread = self.compared(found)?;
-        let mut rows: Vec<At> = self.table.iter().filter_map(|m| m.at(self.modulus)).collect();
-        rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
-        let above = rows.iter().position(|at| at.multiple > found.multiple).unwrap_or(rows.len());
-        let above = above.min(rows.len().checked_sub(1)?).max(1);
-        let (a, b) = (rows.get(above.checked_sub(1)?)?, rows.get(above)?);
-        let slope = (b.modulus / a.modulus).ln() / (b.multiple / a.multiple).ln();
-        let error = found.multiple * spread.standard_error / spread.mean / slope;
-        (error.is_finite() && error >= 0.0).then_some(error)
-    }
-
-    /// Says whether the check bears the search out.
-    fn judged(mut self, wanted: f64) -> CalibrationReport {
-        if self.verdict == Verdict::Cancelled {
-            return self;
-        }
-        let check = self.check.as_ref().and_then(|check| self.compared(&check.measured));
-        match check {
-            None => {
-                self.verdict = Verdict::Undetermined;
-                let message = "no sample of the other seeds could be pressed to the last load step";
-                self.warnings.push(Warning::new(warning::CHECK_APART, message));
-            }
-            Some(check) if (check.mean / wanted - 1.0).abs() > CHECKED => {
-                let message = format!(
-                    "other packings have {:.1} MPa ({:+.1} %, standard error {:.1} MPa) where {:.1} MPa is wanted",
-                    check.mean / 1e6,
-                    100.0 * (check.mean / wanted - 1.0),
-                    check.standard_error / 1e6,
-                    wanted / 1e6
-                );
-                self.warnings.push(Warning::new(warning::CHECK_APART, message));
-            }
-            Some(_) => {}
-        }
-        self
-    }
-
-    /// Says how far stiffness alone reaches.
-    fn out_of_reach(mut self, wanted: f64, [low, high]: [At; 2]) -> CalibrationReport {
-        self.verdict = Verdict::Undetermined;
-        let message = format!(
-            "a modulus of {:.1} MPa is out of reach: from {:.3} to {:.1} times the stiffness of the file the fill has {:.1} to \
-             {:.1} MPa",
-            wanted / 1e6,
-            low.multiple,
-            high.multiple,
-            low.modulus / 1e6,
-            high.modulus / 1e6
-        );
-        self.warnings.push(Warning::new(warning::OUT_OF_REACH, message));
-        self.reach = Some([low, high]);
-        self
-    }
-}
-
-/// The check with other packings is to give the wanted modulus within this share: what a modulus of fill is worth knowing
-/// to, a tenth of the step between two rows of the published table.
-const CHECKED: f64 = 0.05;

@@ -10,6 +10,7 @@ use mechanics::dem::{self, Frame, Model, begin, collapse_from};
 use mechanics::ids::{BlockId, GroupId, Table};
 use mechanics::plane::{Polygon, PolygonError, Vec2, vec2};
 use mechanics::watch::Watch;
+use outcome::calibration::AtRest;
 
 /// Everything about the press that is the same for all samples.
 pub struct Rig {
@@ -28,18 +29,9 @@ pub struct Pressed {
     /// Mean stress under the block [Pa] and its sinking since it first rested [m], at the start and after each step.
     pub path: Vec<[f64; 2]>,
     /// The first rest and the last.
-    pub moments: Vec<Moment>,
+    pub moments: Vec<AtRest>,
     /// Iterations.
     pub iterations: u64,
-}
-
-/// The sample at rest.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Moment {
-    /// Centres and radii of the particles [m].
-    pub particles: Vec<[f64; 3]>,
-    /// Level of the block's underside [m].
-    pub block: f64,
 }
 
 impl Rig {
@@ -74,7 +66,7 @@ impl Rig {
             let particles = frame.particles.iter().map(|p| [p.centre.x, p.centre.y, p.radius]).collect();
             let (block, point) = built.watched;
             let sunk = frame.poses[block].position - built.model.blocks[block].outline.centroid();
-            Moment { particles, block: point.y + sunk.y }
+            AtRest { particles, block: point.y + sunk.y }
         };
         Ok(Pressed {
             status: outcome.status,

@@ -5,6 +5,7 @@ use super::settled::{Laws, SettledFill};
 use bridge::Bridge;
 use mechanics::blocks::Particle;
 use mechanics::plane::{Vec2, vec2};
+use outcome::calibration::Cut;
 
 /// Particles of a square, seen from its lower left corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,17 +28,6 @@ pub struct Sample {
     pub laws: Laws,
 }
 
-/// A particle that the cut went through.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cut {
-    /// Its centre, from the lower left corner of the square [m].
-    pub centre: Vec2,
-    /// Its radius [m].
-    pub radius: f64,
-    /// Whether a smaller one stands in its place.
-    pub replaced: bool,
-}
-
 impl Sample {
     /// Cuts the square at `corner` out of the fill; `name` is its seed and number.
     pub fn cut(bridge: &Bridge, fill: &SettledFill, name: (u64, usize), corner: Vec2) -> Sample {
@@ -55,7 +45,7 @@ impl Sample {
         let mut cuts = Vec::new();
         for old in through {
             let new = largest_in(&old, size, &inside).filter(|new| new.radius >= least);
-            cuts.push(Cut { centre: old.centre, radius: old.radius, replaced: new.is_some() });
+            cuts.push(Cut { centre: [old.centre.x, old.centre.y], radius: old.radius, replaced: new.is_some() });
             inside.extend(new);
         }
         let (seed, square) = name;

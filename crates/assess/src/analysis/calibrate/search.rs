@@ -2,9 +2,9 @@
 //! slowly the more the particles move instead of yielding: nearly straight pieces in logarithms, closed in on by the rule
 //! of false position (Illinois variant, Dowell and Jarratt 1971).
 
-use super::report::{At, Measured};
 use crate::analysis::AnalysisError;
 use bridge::Modulus;
+use outcome::calibration::{At, Measured};
 
 /// How a search ended.
 pub enum Found {

@@ -3,17 +3,9 @@
 //! Discs roll past one another, so fill is weaker than its contacts, and beyond some angle of contact it gets no stronger: what
 //! is wanted may be out of reach, and then the answer says so.
 
-use super::biaxial::{Contact, Strength};
 use crate::analysis::AnalysisError;
-
-/// What is wanted of the fill.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted {
-    /// Friction angle [rad].
-    pub friction_angle: Option<f64>,
-    /// Cohesion [Pa].
-    pub cohesion: Option<f64>,
-}
+use outcome::calibration::report::{ANGLE, COHESION, SHARE};
+use outcome::calibration::{Contact, Strength, Wanted};
 
 /// How a search for strength ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,12 +22,6 @@ pub enum Fitted {
 
 /// Friction angles of contacts between which the search moves [rad].
 const ANGLES: [f64; 2] = [0.05, 1.2];
-/// The wanted friction angle is met within this [rad]: half a degree.
-const ANGLE: f64 = 0.0087;
-/// The wanted cohesion is met within this share of itself, and within [`COHESION`] of nothing.
-const SHARE: f64 = 0.05;
-/// Cohesion that counts as none [Pa].
-const COHESION: f64 = 500.0;
 /// Most measurements for one of the two.
 const MOST: usize = 8;
 /// Rounds over both: cohesion of contacts hardly changes the friction angle.
@@ -72,22 +58,6 @@ pub fn fit(wanted: Wanted, first: Contact, measure: &mut Measure<'_>) -> Result<
         }
     }
     Ok(found.map_or(Fitted::Untested, Fitted::Contacts))
-}
-
-impl Wanted {
-    /// Whether the strength of other packings bears out what is wanted: twice what a search leaves.
-    pub fn checked_by(&self, strength: &Strength) -> bool {
-        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 4.0 * ANGLE);
-        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
-        angle && self.cohesion.is_none_or(enough)
-    }
-
-    /// Whether a strength is what is wanted.
-    pub fn met_by(&self, strength: &Strength) -> bool {
-        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 2.0 * ANGLE);
-        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
-        angle && self.cohesion.is_none_or(enough)
-    }
 }
 
 /// One quantity by false position (Illinois variant): strength grows with what contacts have.
@@ -135,8 +105,8 @@ fn one(
 
 #[cfg(test)]
 mod tests {
-    use super::super::moduli::Spread;
     use super::*;
+    use outcome::calibration::Spread;
 
     /// A fill whose angle levels off at 24 degrees, with a third of the contacts' cohesion.
     fn fill(contact: Contact) -> Strength {

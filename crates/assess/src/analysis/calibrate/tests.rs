@@ -1,17 +1,18 @@
 //! The measurement chain on packings whose modulus is known, and the whole on a small bridge.
 
+use super::calibrate_fill;
 use super::press::Rig;
+use super::report;
 use super::sample::Sample;
 use super::settled::Laws;
-use super::{Measured, Verdict, calibrate_fill};
 use crate::samples;
-use crate::wire;
 use bridge::{Bridge, Modulus};
 use mechanics::blocks::{ContactLaw, LawTable, Particle, Stiffness};
 use mechanics::dem;
 use mechanics::ids::{GroupId, Table};
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
+use outcome::calibration::{Measured, Verdict};
 
 const LENGTH: f64 = 0.1;
 
@@ -55,7 +56,7 @@ fn press(sample: &Sample, multiple: f64) -> Measured {
     let rig = Rig::new(&bridge, &sample.laws);
     let pressed = rig.press(sample, multiple, &mut Unwatched).unwrap();
     assert_eq!(pressed.status, dem::Status::StableToLastLoad);
-    Measured::new(multiple, std::slice::from_ref(sample), &[pressed], rig.plan())
+    report::measured(multiple, std::slice::from_ref(sample), &[pressed], rig.plan())
 }
 
 /// Columns of discs are springs in series: n - 1 contacts of stiffness k l among themselves and two of k' l at floor and
@@ -122,7 +123,7 @@ fn stiffer_contacts_make_stiffer_fill_and_the_same_bits() {
     assert!(drawn.pressed[1].block < drawn.pressed[0].block);
     let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let alone = single.install(|| calibrate_fill(&bridge, &mut Unwatched)).unwrap();
-    assert_eq!(wire::calibration_curves(&found), wire::calibration_curves(&alone));
+    assert_eq!(outcome::published::calibration_curves(&found), outcome::published::calibration_curves(&alone));
 }
 
 #[test]

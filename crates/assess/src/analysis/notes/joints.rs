@@ -1,8 +1,8 @@
 //! What is to be said of joints: cohesion and tension in limit analysis, joints between rings that were not described, and a ring
 //! that has none.
 
-use crate::warning::{self, Warning};
 use bridge::{Bridge, Joint};
+use outcome::warning::{self, Warning};
 
 /// A ring in one piece that is thicker than this [m] is thicker than a brick is long.
 const BRICK: f64 = 0.25;

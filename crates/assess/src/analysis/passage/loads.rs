@@ -4,9 +4,9 @@
 //! and `r_s` its reaction [N/m]. The patterns never change, so that a linear part of the bridge answers each once.
 
 use super::rail::Rail;
-use crate::outcome::Point;
 use bridge::passage::Track;
 use bridge::train::Axle;
+use outcome::picture::Point;
 
 /// Nodal forces: an index into the nodes of the surface and a share of the force.
 pub type Pattern = Vec<(usize, f64)>;

@@ -2,23 +2,23 @@
 
 pub mod loads;
 mod model;
-pub mod outcome;
 pub mod rail;
 pub mod record;
 pub mod sensors;
 mod setup;
 mod solve;
 
-pub use outcome::{Channel, Influence, Moment, Passage, PassageStatus, Quantity};
 pub use record::record;
 pub use setup::{Setup, setup};
 pub use solve::{Slices, Solution, WantedSlices, records, slices, solve};
 
 use super::AnalysisError;
-use crate::warning::{self, Warning};
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use mechanics::watch::Watch;
+use outcome::passage::Channel;
+use outcome::passage::{Analysis, Kinematics, Part, Passage, PassageStatus, Path};
+use outcome::warning::{self, Warning};
 use thiserror::Error;
 
 /// Why a passage cannot be set up.
@@ -82,8 +82,8 @@ pub fn passage(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Passage, Analys
 }
 
 /// Steps that were balanced; those of the self-weight know of open joints at their end alone.
-fn kept(log: &[outcome::StepLog]) -> impl Iterator<Item = &outcome::StepLog> {
-    log.iter().filter(|step| step.cuts == 0 || step.stage == "passage")
+fn kept(log: &[outcome::passage::StepLog]) -> impl Iterator<Item = &outcome::passage::StepLog> {
+    log.iter().filter(|step| step.cuts == 0 || step.stage == Part::Passage)
 }
 
 /// The solution in an engineer's words.
@@ -132,9 +132,9 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         bridge: bridge.name.clone(),
         train: setup.train.clone(),
         speed: plan.speed,
-        analysis: if plan.analysis == PassageAnalysis::Transient { "transient" } else { "static" },
-        kinematics: if plan.kinematics == PassageKinematics::Large { "large" } else { "small" },
-        path: if solve::condenses(setup) { "condensed" } else { "plain" },
+        analysis: if plan.analysis == PassageAnalysis::Transient { Analysis::Transient } else { Analysis::Static },
+        kinematics: if plan.kinematics == PassageKinematics::Large { Kinematics::Large } else { Kinematics::Small },
+        path: if solve::condenses(setup) { Path::Condensed } else { Path::Plain },
         status: solution.status,
         reason: solution.reason,
         times: setup.times[..solved].to_vec(),
@@ -151,7 +151,7 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         assumptions,
         warnings,
         log: solution.log,
-        mesh: setup.picture(),
+        mesh: setup.meshed.picture(),
         moments: solution.moments,
         influence: solution.influence,
     }

@@ -1,6 +1,6 @@
 //! A passage as a logger would have written it: a synthetic record with stated noise, labelled as such.
 
-use super::outcome::{Passage, Quantity};
+use outcome::passage::{Passage, Quantity};
 use records::{Exact, Noise, Run, Unit, synthesise};
 
 /// What a logger does to one kind of channel.

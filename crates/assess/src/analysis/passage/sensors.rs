@@ -1,11 +1,11 @@
 //! A sensor as a linear functional of the displacements: nodes and factors. Stresses are asked of the element instead.
 
-use super::outcome::Quantity;
-use crate::outcome::Point;
 use bridge::passage::{Direction, Face, Place, Sensor, SensorKind};
 use mechanics::fem::Mesh;
 use mechanics::ids::{NodeId, QuadId};
 use mechanics::plane::{Vec2, vec2};
+use outcome::passage::Quantity;
+use outcome::picture::Point;
 use thiserror::Error;
 
 /// Nodes of one span's ring.

@@ -2,14 +2,13 @@
 
 use super::PassageError;
 use super::loads::TrackLoads;
-use super::outcome::MeshPicture;
 use super::sensors::{Placed, RingNodes, place};
 use crate::analysis::AnalysisError;
 use crate::discretise::mesh::{Meshed, SpanSets, mesh};
 use bridge::Bridge;
 use bridge::passage::{MOST_POSITIONS, Passage, PassagePlan, default_sensors};
 use mechanics::fem::Mesh;
-use mechanics::ids::{Id, NodeId};
+use mechanics::ids::NodeId;
 
 /// A passage that is ready to be solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,18 +134,5 @@ impl Setup {
     /// Vertical nodal forces on the nodes of the surface, downwards positive [N/m], at a position.
     pub fn forces(&self, position: f64) -> Vec<f64> {
         self.loads.forces(position, self.meshed.sets.surface.len())
-    }
-
-    /// The mesh as figures need it.
-    pub fn picture(&self) -> MeshPicture {
-        let mesh = &self.meshed.mesh;
-        MeshPicture {
-            nodes: mesh.nodes.iter().map(|point| [point.x, point.y]).collect(),
-            quads: mesh.quads.iter().map(|quad| quad.nodes.map(Id::index)).collect(),
-            zones: mesh.quads.iter().map(|quad| quad.zone.index()).collect(),
-            zone_names: mesh.zones.iter().cloned().collect(),
-            surface: self.meshed.sets.surface.iter().map(|node| at(mesh, *node)).collect(),
-            springings: self.meshed.sets.spans.iter().map(|span| span.springings_at.map(|p| [p.x, p.y])).collect(),
-        }
     }
 }

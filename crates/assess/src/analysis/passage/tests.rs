@@ -1,10 +1,11 @@
 //! The parts of a passage together: set-up on a real mesh, report of a made-up solution.
 
-use super::outcome::StepLog;
 use super::*;
 use crate::samples;
 use bridge::passage::{Passage as Asked, Place, Sensor, SensorKind};
 use bridge::train::{Train, built_in, read_toml};
+use outcome::passage::Quantity;
+use outcome::passage::StepLog;
 
 /// Two spans under the short train of the library.
 pub(super) fn railway() -> Bridge {
@@ -21,7 +22,7 @@ fn a_passage_is_set_up_on_the_mesh() {
     let bridge = railway();
     let setup = setup(&bridge).unwrap();
     assert_eq!(setup.sensors.len(), 6, "the channels of Table 1");
-    let surface = &setup.picture().surface;
+    let surface = &setup.meshed.picture().surface;
     assert!((setup.positions[0] - surface[0][0]).abs() < 1e-12, "the first axle starts where the mesh begins");
     let last = setup.positions.last().unwrap() - setup.loads.wheelbase();
     assert!(last >= surface.last().unwrap()[0], "the last axle has left");
@@ -121,9 +122,9 @@ fn a_passage_beside_walls_says_that_they_are_left_out() {
     let setup = setup(&bridge).unwrap();
     let codes =
         |bridge: &Bridge| report(bridge, &setup, solved()).warnings.iter().map(|one| one.code).collect::<Vec<_>>();
-    assert!(!codes(&bridge).contains(&crate::warning::WALLS_LEFT_OUT));
+    assert!(!codes(&bridge).contains(&outcome::warning::WALLS_LEFT_OUT));
     bridge.spandrel_wall = Some(samples::spandrel_wall(&bridge));
-    assert!(codes(&bridge).contains(&crate::warning::WALLS_LEFT_OUT));
+    assert!(codes(&bridge).contains(&outcome::warning::WALLS_LEFT_OUT));
 }
 
 /// A plan for the condensed path that cannot be followed: what was done is told, and why.
@@ -135,11 +136,11 @@ fn the_path_that_was_taken_is_told() {
         let report = report(bridge, &setup, solved());
         (report.path, report.assumptions.iter().any(|line| line.contains("in place of the condensed path")))
     };
-    assert_eq!(told(&bridge), ("condensed", false));
+    assert_eq!(told(&bridge), (Path::Condensed, false));
     bridge.passage.as_mut().unwrap().plan.analysis = PassageAnalysis::Transient;
-    assert_eq!(told(&bridge), ("plain", true));
+    assert_eq!(told(&bridge), (Path::Plain, true));
     bridge.passage.as_mut().unwrap().plan.path = PassagePath::Plain;
-    assert_eq!(told(&bridge), ("plain", false));
+    assert_eq!(told(&bridge), (Path::Plain, false));
 }
 
 /// The names that scripts rely on, in the units that they say.
@@ -155,14 +156,14 @@ fn the_object_has_the_fields_that_scripts_read() {
         degrees_of_freedom: 7,
         condensed_degrees_of_freedom: None,
         taking_part: Vec::new(),
-        log: vec![StepLog { stage: "passage".into(), iterations: 3, plastic_points: 4, ..StepLog::default() }],
+        log: vec![StepLog { stage: Part::Passage, iterations: 3, plastic_points: 4, ..StepLog::default() }],
         moments: Vec::new(),
         influence: None,
         assumptions: Vec::new(),
         warnings: Vec::new(),
     };
     let passage = report(&bridge, &setup, solution);
-    let object = serde_json::to_value(crate::wire::PassageObject::new(&passage)).unwrap();
+    let object = serde_json::to_value(outcome::published::PassageObject::new(&passage)).unwrap();
     let near = |value: &serde_json::Value, wanted: f64| (value.as_f64().unwrap() - wanted).abs() < 1e-9 * wanted.abs();
     let crown = &object["channels"][0];
     assert_eq!((crown["quantity"].as_str(), crown["unit"].as_str()), (Some("displacement"), Some("mm")));
@@ -173,12 +174,12 @@ fn the_object_has_the_fields_that_scripts_read() {
     assert!(near(&strain["peak"], -300.0), "{strain}");
     let counts = ["degrees_of_freedom", "load_positions", "iterations_total", "open_joints", "plastic_points"];
     assert_eq!(counts.map(|key| object[key].as_u64()), [Some(7), Some(4), Some(3), Some(0), Some(4)]);
-    let table = crate::wire::channels_table(&passage);
+    let table = outcome::published::channels_table(&passage);
     let lines: Vec<&str> = table.lines().collect();
     assert!(lines[0].starts_with("time_s,crown_displacement_mm,pier_springing_displacement_mm,"), "{}", lines[0]);
     assert!(lines[2].starts_with("0.005,0.2"), "{}", lines[2]);
     assert_eq!(lines.len(), 5);
-    assert_eq!(crate::wire::passage_log(&passage).lines().count(), 2);
+    assert_eq!(outcome::published::passage_log(&passage).lines().count(), 2);
 }
 
 /// A slice by the condensed path, self-weight included, is what the whole system gives when it goes from the bridge at rest straight

@@ -1,12 +1,13 @@
 //! From tables of loggers to the channels that the model is compared with: read, judged, made ready, brought to its times.
 
 use super::Task;
-use super::outcome::{RecordsUsed, RunUsed, Verdict};
-use crate::analysis::passage::{Quantity, Setup};
+use crate::analysis::passage::Setup;
 use bridge::Bridge;
 use bridge::passage::{Place, default_sensors};
 use bridge::update::{Channel as Said, Update as Asked};
 use calibrate::Channel;
+use outcome::passage::Quantity;
+use outcome::update::{RecordsUsed, RunUsed, Verdict};
 use records::{
     Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Reference, Run, Scrutiny,
     Series, Source, Testing, Zero, dynamics, examine, peaks, plane_strain, prepare, read,

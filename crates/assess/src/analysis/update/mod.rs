@@ -2,52 +2,23 @@
 
 mod forward;
 mod measured;
-mod outcome;
 mod searches;
 
 pub use forward::{Model, Threads};
 pub use measured::RecordFile;
-pub use outcome::{
-    Histories, LinearReport, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, SearchLine,
-    UncertaintyFrom, Update, UpdateStatus, Verdict,
-};
 
 use super::AnalysisError;
 use super::passage::Setup;
 use crate::checkpoint;
-use crate::warning::{self, Warning};
 use bridge::Bridge;
 use bridge::edit::Document;
 use bridge::update::Update as Asked;
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
 use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
+use outcome::update::{Histories, ParameterPlace, RecordsUsed, Update, UpdateStatus};
+use outcome::warning::{self, Warning};
 use searches::Searches;
 use thiserror::Error;
-
-/// A search for parameters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Search {
-    /// The railway paper's, by single sweeps and surfaces of two.
-    Hierarchical,
-    /// Trust-region least squares from many starts.
-    Modern,
-    /// Evolution over the whole ranges.
-    Referee,
-    /// A plain gradient search from one start.
-    Gradient,
-}
-
-impl Search {
-    /// The word that scripts read.
-    pub fn word(self) -> &'static str {
-        match self {
-            Search::Hierarchical => "hierarchical",
-            Search::Modern => "modern",
-            Search::Referee => "referee",
-            Search::Gradient => "gradient",
-        }
-    }
-}
 
 /// Why nothing can be updated.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -315,7 +286,6 @@ fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Opti
     let one = |(k, channel): (usize, &Channel)| Histories {
         name: channel.name.clone(),
         quantity: setup.sensors[k].quantity,
-        unit: setup.sensors[k].quantity.unit(),
         measured: channel.history.clone().unwrap_or_default(),
         start: start[k].clone(),
         updated: updated.map_or_else(Vec::new, |updated| updated[k].clone()),

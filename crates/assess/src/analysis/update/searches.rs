@@ -1,13 +1,13 @@
 //! The searches that a file asks for, one after the other over one log, and what the data can tell where the best one ended.
 
-use super::Search;
-use super::outcome::{LinearReport, PaperSearch, PosteriorReport, SearchLine};
 use bridge::update::Plan;
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::sweep::{Sweep, ranking};
 use calibrate::search::{gradient, hierarchical, modern, referee};
 use calibrate::{Basis, Evaluator, Found, Halt, Linearised, Problem, Serial, Start, linearised, surrogate};
+use outcome::update::Search;
+use outcome::update::{LinearReport, PaperSearch, PosteriorReport, SearchLine};
 
 /// Step of the modern search's differences as a share of a range: joints that open leave answers smooth to a ten-thousandth of a
 /// peak, which a step of the usual ten-thousandth would take for a derivative.
@@ -87,27 +87,24 @@ impl Searches {
 
     /// The paper's search by every reading and from every start that is asked for.
     fn papers(&mut self, plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) {
-        let variants: &[(&'static str, hierarchical::Variant)] =
-            &[("printed", hierarchical::Variant::Printed), ("as-practised", hierarchical::Variant::AsPractised)];
-        let starts: &[(&'static str, Start)] = match plan.start {
-            "stated" => &[("stated", Start::Stated)],
-            "bounds" => &[("lower-bounds", Start::LowerBounds), ("upper-bounds", Start::UpperBounds)],
-            "all" => {
-                &[("means", Start::Means), ("lower-bounds", Start::LowerBounds), ("upper-bounds", Start::UpperBounds)]
-            }
-            _ => &[("means", Start::Means)],
+        let starts: &[Start] = match plan.start {
+            "stated" => &[Start::Stated],
+            "bounds" => &[Start::LowerBounds, Start::UpperBounds],
+            "all" => &[Start::Means, Start::LowerBounds, Start::UpperBounds],
+            _ => &[Start::Means],
         };
-        for (variant, reading) in variants.iter().filter(|(word, _)| plan.variant == "both" || plan.variant == *word) {
-            for (start, from) in starts {
+        let variants = [hierarchical::Variant::Printed, hierarchical::Variant::AsPractised];
+        for variant in variants.into_iter().filter(|one| plan.variant == "both" || plan.variant == one.word()) {
+            for start in starts {
                 let settings = hierarchical::Settings {
-                    variant: *reading,
-                    start: from.clone(),
+                    variant,
+                    start: start.clone(),
                     sweep_points: plan.points as usize,
                     surface_points: plan.points as usize,
                     passes: plan.passes as usize,
                     ..hierarchical::Settings::default()
                 };
-                let words = format!("{variant}, from {start}");
+                let words = format!("{}, from {}", variant.word(), start.word());
                 self.one(Search::Hierarchical, &words, evaluator, clock, |all, evaluator| {
                     let outcome = hierarchical::search(evaluator, basis, &settings);
                     let name = |k: &usize| evaluator.problem.parameters()[*k].name.clone();
@@ -124,7 +121,7 @@ impl Searches {
                         hierarchical::Status::Failed(failure) => End::Failed(failure.message.clone()),
                     };
                     let found = outcome.found.clone();
-                    all.paper.push(PaperSearch { variant, start, outcome });
+                    all.paper.push(PaperSearch { variant, start: start.clone(), outcome });
                     (end, found)
                 });
             }

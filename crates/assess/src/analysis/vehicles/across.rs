@@ -6,26 +6,13 @@
 
 use crate::vehicles::Chosen;
 use bridge::{Bridge, Carriageway};
+use outcome::vehicles::Across;
 use rules::{Rule, Ways};
 
 /// Width of the narrowest lane of a road [m]: that of two vehicles abreast (BD 21, notional lanes).
 const ROAD_LANE: f64 = 2.5;
 /// Distance between the middles of two tracks [m].
 const TRACKS: f64 = 3.4;
-
-/// How vehicles stand across the bridge where that is worst.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Across {
-    /// How many stand abreast.
-    pub abreast: usize,
-    /// Whether the outermost one stands at the edge.
-    pub at_edge: bool,
-    /// Width of the barrel that carries the axles of the first vehicle [m]: the force per metre of width is that of its
-    /// axle over this width, whatever stands beside it, multiple presence included.
-    pub axles: f64,
-    /// The same for each of its uniform loads, in their order, each in the arrangement that is worst for it [m].
-    pub uniform: Vec<f64>,
-}
 
 /// How many vehicles may stand abreast, and how far their middles are apart [m].
 pub fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
@@ -74,16 +61,4 @@ pub fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
         }
     }
     found
-}
-
-impl Across {
-    /// In words: "2 vehicles abreast, the outer one at the edge".
-    pub fn told(&self) -> String {
-        match (self.abreast, self.at_edge) {
-            (1, false) => "one vehicle in the middle of the barrel".to_owned(),
-            (1, true) => "one vehicle at the edge of the barrel".to_owned(),
-            (count, false) => format!("{count} vehicles abreast"),
-            (count, true) => format!("{count} vehicles abreast, the outer one at the edge"),
-        }
-    }
 }

@@ -1,8 +1,8 @@
 //! What may stand where: positions of a vehicle, runs of its axles, runs of half spans with uniform loads.
 
-use super::Direction;
 use crate::discretise::Discretised;
 use bridge::{Bridge, Directions, SweepPlan};
+use outcome::vehicles::Direction;
 use rules::{Pattern, Vehicle};
 
 /// A vehicle in one arrangement, driving one way.

@@ -7,28 +7,11 @@
 //! analysis at its hinges.
 
 use super::super::collapse_by_dem;
-use super::super::report::{Collapse, Status};
 use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
+use outcome::collapse::{Collapse, Status};
+use outcome::vehicles::ByDiscreteElements;
 use rules::Rule;
-
-/// The governing case by discrete elements.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ByDiscreteElements {
-    /// How it ended; none where it could not be made.
-    pub status: Option<Status>,
-    /// Adequacy factor of the last load step that was carried.
-    pub adequacy: Option<f64>,
-    /// The same by limit analysis.
-    pub limit: Option<f64>,
-    /// Load step, as an adequacy factor.
-    pub step: f64,
-    /// How far inside the edges contact points were put for crushing [m], beyond the file's own rounding; none where masonry does
-    /// not crush or blocks are too small for it.
-    pub inset: Option<f64>,
-    /// Why it could not be made.
-    pub reason: Option<String>,
-}
 
 /// Load steps up to the limit load: the last stable step lies within a fortieth of the collapse load.
 const STEPS: f64 = 40.0;
@@ -77,7 +60,7 @@ fn inset(bridge: &Bridge, by_limit: &Collapse) -> Option<f64> {
     let strength = bridge.masonry.compressive_strength?;
     let (mut work, mut turned) = (0.0, 0.0);
     for hinge in &by_limit.hinges {
-        let away = |t: &crate::outcome::ThrustPoint| (t.point[0] - hinge.point[0]).hypot(t.point[1] - hinge.point[1]);
+        let away = |t: &outcome::picture::ThrustPoint| (t.point[0] - hinge.point[0]).hypot(t.point[1] - hinge.point[1]);
         let points = by_limit.picture.thrust_lines.iter().flatten();
         let nearest = points.min_by(|a, b| away(a).total_cmp(&away(b)))?;
         work += nearest.thrust.powi(2) * hinge.rotation.abs() / (2.0 * strength);

@@ -1,10 +1,12 @@
 //! A bridge with the factors of a rule, and with one case of a vehicle as its loads.
 
-use super::across::{self, Across};
-use super::weights::{self, Weights};
-use super::{Case, Direction};
+use super::across;
+use super::weights;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, Dispersal, DispersalRule, Load, LoadKind, Method, SweepPlan};
+use outcome::vehicles::Across;
+use outcome::vehicles::Weights;
+use outcome::vehicles::{Case, Direction};
 use rules::{Pattern, Pressure, Rule};
 
 /// The bridge with the rule's factors on strengths, and one combination of those on weights.

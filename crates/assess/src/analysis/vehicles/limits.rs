@@ -1,9 +1,10 @@
 //! What a sweep of vehicles leaves out, and what its vehicles rest on: said in the result.
 
-use super::{VehicleSweep, across};
+use super::across;
 use crate::vehicles::Chosen;
-use crate::warning::{self, Warning};
 use bridge::Bridge;
+use outcome::vehicles::VehicleSweep;
+use outcome::warning::{self, Warning};
 use rules::{Confidence, Ways};
 
 /// Warnings of what vehicles rest on and of what is left out. `beyond`: load models left out because of their spans.

@@ -2,20 +2,21 @@
 
 use super::super::by_limit;
 use super::super::pieces::{self, Pace, Stage};
-use super::super::report::Status;
+use super::AnalysisError;
 use super::cases::{borders, drives, reach};
 use super::factored::{self, Footprint, footprint};
 use super::sections::{Extremes, watched};
 use super::seeds::seeds;
 use super::standing::{Key, Scene};
 use super::twins::twins;
-use super::weights::Weights;
-use super::{AnalysisError, Case, EnvelopePoint, Swept};
 use crate::discretise::Discretised;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use mechanics::limit::{self, Effect, Ground, Sweeper};
 use mechanics::watch::Watch;
+use outcome::collapse::Status;
+use outcome::vehicles::Weights;
+use outcome::vehicles::{Case, EnvelopePoint, Swept};
 use rules::Rule;
 
 /// Positions that are answered one after the other, each starting from the mechanisms of those before it. Fixed, so that

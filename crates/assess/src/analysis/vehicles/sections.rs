@@ -1,39 +1,10 @@
 //! What critical joints carry while a vehicle passes: extremes, each with the values that go with it.
 
-use super::Case;
 use crate::discretise::{Discretised, Origin};
 use bridge::Bridge;
 use mechanics::limit::{Effect, Ground, Section};
-
-/// An extreme and what goes with it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Extreme {
-    /// Of what: "largest thrust", "smallest thrust", "outermost thrust", "innermost thrust", "largest shear".
-    pub of: &'static str,
-    /// Compression [N/m].
-    pub thrust: f64,
-    /// Distance of the thrust from the middle of the joint [m], outwards positive; on piers to the left.
-    pub eccentricity: f64,
-    /// Whether that lies outside the joint: no ring without tension carries it so; joints open and hinges form.
-    pub outside: bool,
-    /// Shear [N/m].
-    pub shear: f64,
-    /// The case.
-    pub case: Case,
-}
-
-/// A critical joint.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SectionEnvelope {
-    /// Where: "span 1 left springing".
-    pub name: String,
-    /// Middle of the joint [m].
-    pub at: [f64; 2],
-    /// Length of the joint between its contact points [m].
-    pub depth: f64,
-    /// Extremes over all cases.
-    pub extremes: Vec<Extreme>,
-}
+use outcome::vehicles::Case;
+use outcome::vehicles::{Extreme, Of, SectionEnvelope};
 
 /// A joint that is watched.
 #[derive(Debug, Clone)]
@@ -106,7 +77,7 @@ pub fn outside<'a>(envelopes: impl Iterator<Item = &'a SectionEnvelope>) -> Stri
     }
 }
 
-const OF: [&str; 5] = ["largest thrust", "smallest thrust", "outermost thrust", "innermost thrust", "largest shear"];
+const OF: [Of; 5] = [Of::LargestThrust, Of::SmallestThrust, Of::OutermostThrust, Of::InnermostThrust, Of::LargestShear];
 
 /// The size by which extremes are compared, in the order of [`OF`].
 fn sizes(s: &Section) -> [f64; 5] {
@@ -153,7 +124,7 @@ impl<K: Clone> Extremes<K> {
     /// The envelopes.
     pub fn told(self, watched: &[Watched], case: impl Fn(&K) -> Case) -> Vec<SectionEnvelope> {
         let each = watched.iter().zip(self.rows).map(|(w, row)| {
-            let told = OF.iter().zip(row).filter_map(|(of, kept)| {
+            let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {
                 let (_, s, key) = kept?;
                 let (thrust, eccentricity, shear) = (s.compression, s.eccentricity, s.shear);
                 let outside = eccentricity.abs() > 0.5 * w.depth * (1.0 + ROUNDING);
@@ -167,11 +138,12 @@ impl<K: Clone> Extremes<K> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{VehicleSweep, vehicle_sweep};
+    use super::super::vehicle_sweep;
     use crate::samples;
-    use crate::wire::vehicle_sections_table;
     use bridge::{Directions, Method, Ring, Span, SweepPlan};
     use mechanics::watch::Unwatched;
+    use outcome::published::vehicle_sections_table;
+    use outcome::vehicles::VehicleSweep;
 
     /// A span of 6 m with a ring of this thickness [m] under one vehicle.
     fn swept(thickness: f64, vehicle: &str) -> VehicleSweep {

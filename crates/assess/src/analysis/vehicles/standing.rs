@@ -1,14 +1,14 @@
 //! What may stand on the bridge with the first axle at a place: its effects, and each case in words.
 
-use super::Case;
 use super::cases::{Drive, runs};
 use super::factored::{Footprint, clipped};
 use super::sections::Watched;
 use super::twins::Twin;
-use super::weights::Weights;
 use crate::discretise::Discretised;
 use crate::discretise::dispersal::{Strip, spread};
 use mechanics::limit::{Effect, Ground, Sweeper};
+use outcome::vehicles::Case;
+use outcome::vehicles::Weights;
 
 /// One case, by numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]

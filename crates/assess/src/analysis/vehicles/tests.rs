@@ -1,9 +1,11 @@
 //! Sweeps of vehicles against analyses of one case at a time.
 
+use outcome::collapse::Status;
 use super::*;
 use crate::samples;
 use bridge::{Directions, Layer, LayerKind, Method, Pier, Ring, Span, SweepPlan};
 use mechanics::watch::Unwatched;
+use outcome::vehicles::Of;
 
 fn plan(vehicles: &[&str]) -> SweepPlan {
     SweepPlan {
@@ -255,10 +257,10 @@ fn sections_balance_the_load_that_passes() {
         ]
     );
     for s in &v.sections {
-        let of = |word: &str| s.extremes.iter().find(|e| e.of == word).unwrap();
-        let (large, small) = (of("largest thrust"), of("smallest thrust"));
+        let of = |word: Of| s.extremes.iter().find(|e| e.of == word).unwrap();
+        let (large, small) = (of(Of::LargestThrust), of(Of::SmallestThrust));
         assert!(large.thrust > small.thrust && small.thrust > 0.0, "{}", s.name);
-        assert!(of("outermost thrust").eccentricity >= of("innermost thrust").eccentricity);
+        assert!(of(Of::OutermostThrust).eccentricity >= of(Of::InnermostThrust).eccentricity);
         // The thrust of the ring alone is some 700 kN/m; one axle of 30 kN/m adds less than its weight at 1 : 4.
         assert!(large.thrust - small.thrust < 2.0 * large.case.load, "{}: {large:?} {small:?}", s.name);
     }

@@ -1,7 +1,7 @@
 //! The governing case in words, for drawings: which vehicle, how often, which way, and where its axles stand.
 
-use super::{Case, Direction, Swept};
 use bridge::{Bridge, Load, LoadKind};
+use outcome::vehicles::{Case, Direction, Swept};
 
 /// Vehicle, adequacy factor, direction and the places of what stands on the bridge `loaded` with the case.
 pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {

@@ -5,27 +5,8 @@
 //! group has one or the other. Trying those combinations therefore leaves nothing out.
 
 use bridge::{Bridge, LayerKind};
+use outcome::vehicles::Weights;
 use rules::Rule;
-
-/// Factors on the weights of one combination.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Weights {
-    /// On masonry: rings, piers, spandrel walls.
-    pub masonry: f64,
-    /// On fill, backing and sub-base; none where the bridge has no such weight.
-    pub fill: Option<f64>,
-    /// On surfacing and ballast; none where the bridge has no such weight.
-    pub surfacing: Option<f64>,
-}
-
-impl Weights {
-    /// "weights: masonry × 1.15, fill × 1", each pair on one line.
-    pub fn told(&self) -> String {
-        let groups = [("masonry", Some(self.masonry)), ("fill", self.fill), ("surfacing", self.surfacing)];
-        let each = groups.iter().filter_map(|(name, factor)| Some(format!("{name}\u{a0}×\u{a0}{}", (*factor)?)));
-        format!("weights: {}", each.collect::<Vec<_>>().join(", "))
-    }
-}
 
 /// Whether a layer counts as surfacing: laid on top, renewed and thickened over the years.
 fn is_surfacing(layer: LayerKind) -> bool {

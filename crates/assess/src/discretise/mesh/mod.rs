@@ -22,7 +22,6 @@ mod supports;
 
 pub use arch::End;
 pub use options::MeshOptions;
-pub use picture::{MeshPicture, ZonePicture};
 pub use quality::{Quality, corners, quality, scaled_jacobian};
 pub use sets::{NodeSets, Role, Seam, SpanSets, Substance, Voussoir};
 

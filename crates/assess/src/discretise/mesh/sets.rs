@@ -3,6 +3,7 @@
 use bridge::{Backing, Bridge, Masonry, Soil};
 use mechanics::ids::{InterfaceId, NodeId, QuadId};
 use mechanics::plane::Vec2;
+use outcome::mesh::MadeOf;
 
 use super::arch::End;
 
@@ -27,15 +28,15 @@ pub enum Role {
 
 impl Role {
     /// What it is made of, in a word that spans and piers share.
-    pub fn made_of(self) -> &'static str {
+    pub fn made_of(self) -> MadeOf {
         match self {
-            Role::Voussoirs(_) => "voussoirs",
-            Role::Pier(_) => "pier",
-            Role::Abutment(_) => "abutment",
-            Role::Fill => "fill",
-            Role::HaunchFill => "haunch fill",
-            Role::Backing => "backing",
-            Role::AbutmentFill(_) => "abutment fill",
+            Role::Voussoirs(_) => MadeOf::Voussoirs,
+            Role::Pier(_) => MadeOf::Pier,
+            Role::Abutment(_) => MadeOf::Abutment,
+            Role::Fill => MadeOf::Fill,
+            Role::HaunchFill => MadeOf::HaunchFill,
+            Role::Backing => MadeOf::Backing,
+            Role::AbutmentFill(_) => MadeOf::AbutmentFill,
         }
     }
     /// Its name.

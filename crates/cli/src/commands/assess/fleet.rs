@@ -172,19 +172,24 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
     if let Err(failure) = written {
         return Some(refused(failure));
     }
-    let worst = ::assess::checks::governing(&done.checked);
-    let finding = worst.and_then(|(c, k)| done.checked[c].outcome.as_ref().ok()?.get(k).map(|finding| (c, finding)));
-    let all = done.checked.iter().flat_map(|check| check.outcome.iter().flatten());
+    let worst = ::outcome::checked::governing(&done.assessment.checked);
+    let finding =
+        worst.and_then(|(c, k)| done.assessment.checked[c].outcome.as_ref().ok()?.get(k).map(|finding| (c, finding)));
+    let all = done.assessment.checked.iter().flat_map(|check| check.outcome.iter().flatten());
     Some(FleetRow {
-        name: done.assessment.bridge.name.clone(),
+        name: done.assessment.bridge.clone(),
         utilisation: finding.map(|(_, finding)| finding.utilisation),
-        governing: finding
-            .map_or(String::new(), |(c, _)| format!("{} {}", done.checked[c].card.code, done.checked[c].card.title)),
+        governing: finding.map_or(String::new(), |(c, _)| {
+            format!("{} {}", done.assessment.checked[c].code, done.assessment.checked[c].title)
+        }),
         load_model: finding.map_or(String::new(), |(_, finding)| finding.load_model.clone()),
-        finished: done.verdict.finished,
+        finished: done.assessment.verdict.finished,
         broken: all.filter(|finding| !finding.met()).count(),
         report: format!("{}/report.html", web(stem)),
-        ..blank(Status::named(done.verdict.status).unwrap_or(Status::Undetermined), done.verdict.words.clone())
+        ..blank(
+            Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined),
+            done.assessment.verdict.words.clone(),
+        )
     })
 }
 

@@ -1,6 +1,6 @@
 //! report.pdf, where the program was built with the feature `pdf`.
 
-use ::assess::warning;
+use ::outcome::warning;
 use ::report::Material;
 
 /// The report as PDF, or code and words of the warning that stands in its place.

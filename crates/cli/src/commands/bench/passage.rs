@@ -9,10 +9,11 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
-use assess::analysis::passage::{PassageStatus, Setup, Solution, records, setup};
+use assess::analysis::passage::{Setup, Solution, records, setup};
 use bridge::Bridge;
 use bridge::passage::PassagePath;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::passage::PassageStatus;
 
 /// Length of an element near the rings [m] where `--count` does not say: 60,000 unknowns and more.
 const SIZE: f64 = 0.045;
@@ -93,7 +94,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 }
 
 fn iterations(found: &Solution) -> usize {
-    found.log.iter().filter(|step| step.stage == "passage").map(|step| step.iterations).sum()
+    found.log.iter().filter(|step| step.stage == ::outcome::passage::Part::Passage).map(|step| step.iterations).sum()
 }
 
 /// The plain path beside the condensed one.

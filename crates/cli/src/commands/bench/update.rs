@@ -9,8 +9,9 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
-use assess::analysis::passage::{PassageStatus, WantedSlices, setup, slices};
+use assess::analysis::passage::{WantedSlices, setup, slices};
 use mechanics::watch::{Progress, Watch};
+use outcome::passage::PassageStatus;
 
 /// Slices of an evaluation: one for each channel of the railway paper.
 const SLICES: usize = 6;

@@ -3,8 +3,8 @@
 use crate::args::{Logger as Arguments, RecordNoise, Respond};
 use crate::failure::Failure;
 use crate::{folder, quantities};
-use assess::analysis::passage::Passage;
 use assess::analysis::passage::record::{Logger, Scatter, record};
+use outcome::passage::Passage;
 use records::{Quantity, ReadOptions, Run};
 use std::fs;
 use std::io::ErrorKind;

@@ -2,7 +2,8 @@
 
 use super::super::tests::railway;
 use super::*;
-use crate::analysis::passage::{self, PassageStatus, Solution};
+use crate::analysis::passage::{self, Solution};
+use outcome::passage::PassageStatus;
 
 /// A bump in all channels, each as large as its sensor would see it; before and after it nothing moves.
 fn bump() -> Passage {

@@ -3,12 +3,13 @@
 use super::moment::moment;
 use super::{AtRest, Named, Solution, Wanted, functional};
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::outcome::{Influence, PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
 use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Reached, Snapshot, Visited};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::passage::Part;
+use outcome::passage::{Influence, PassageStatus, StepLog};
 
 /// All patterns: the weight, then those of the sleepers.
 pub fn loads(rest: &AtRest<'_>) -> Vec<LoadPattern> {
@@ -50,7 +51,7 @@ pub fn pass(
             values.push(value - own);
         }
         solution.log.push(StepLog {
-            stage: "passage".into(),
+            stage: Part::Passage,
             time: setup.times[k],
             position: setup.positions[k],
             iterations: visited.position.iterations as usize,
@@ -109,7 +110,7 @@ pub fn stand(
     let stood = condensed.solve_positions(steps, &under, &mut Named { watch, stage: "self-weight" })?;
     for (step, visited) in stood.visited.iter().enumerate() {
         log.push(StepLog {
-            stage: "self-weight".into(),
+            stage: Part::SelfWeight,
             time: share(step),
             iterations: visited.position.iterations as usize,
             unbalanced: visited.position.residual,
@@ -121,7 +122,7 @@ pub fn stand(
         });
     }
     if let Some(step) = stood.stopped_at {
-        log.push(StepLog { stage: "self-weight".into(), time: share(step), cuts: 1, ..StepLog::default() });
+        log.push(StepLog { stage: Part::SelfWeight, time: share(step), cuts: 1, ..StepLog::default() });
     }
     Ok((!stood.cancelled && stood.stopped_at.is_none()).then_some(stood.visited))
 }

@@ -8,11 +8,9 @@ mod slices;
 pub use slices::{Slices, Wanted as WantedSlices, slices};
 
 use super::model::{assumptions, model};
-use super::outcome::{Influence, Moment, PassageStatus, StepLog};
 use super::sensors::Reading;
 use super::{PassageError, Setup};
 use crate::analysis::AnalysisError;
-use crate::warning::Warning;
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use mechanics::fem::condensed::{Functional, open_interfaces};
@@ -20,6 +18,9 @@ use mechanics::fem::{Kinematics, Model, Outcome, Settings, State, Status, Step, 
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::passage::Part;
+use outcome::passage::{Influence, Moment, PassageStatus, StepLog};
+use outcome::warning::Warning;
 
 /// What solving gives. Records end at the last position that was solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -198,7 +199,7 @@ fn functional(reading: &Reading) -> Option<Functional> {
 }
 
 fn of_weight(step: &Step) -> StepLog {
-    StepLog { stage: "self-weight".into(), time: step.reached, ..of_step(step) }
+    StepLog { stage: Part::SelfWeight, time: step.reached, ..of_step(step) }
 }
 
 fn of_step(step: &Step) -> StepLog {

@@ -4,13 +4,14 @@ use super::moment::moment;
 use super::{AtRest, Solution, end, of_step, read, with_train};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::PassageError;
-use crate::analysis::passage::outcome::StepLog;
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
 use mechanics::fem::{
     Damping, Integration, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient,
 };
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
+use outcome::passage::Part;
+use outcome::passage::StepLog;
 
 pub fn pass(
     rest: &AtRest<'_>,
@@ -61,7 +62,7 @@ pub fn pass(
             let iterations = outcome.iterations as usize;
             let open_joints = open_interfaces(model, state.bonds.iter());
             solution.log.push(StepLog {
-                stage: "passage".into(),
+                stage: Part::Passage,
                 time,
                 position,
                 cuts,

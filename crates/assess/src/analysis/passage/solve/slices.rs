@@ -7,11 +7,12 @@ use super::condensed::{loads, stand, with_weight};
 use super::{AtRest, functional, self_weight};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::model::model;
-use crate::analysis::passage::{PassageError, PassageStatus, Setup};
+use crate::analysis::passage::{PassageError, Setup};
 use bridge::Bridge;
 use mechanics::fem::condensed::{Condensed, Functional, PerturbedModel, Reached, Visited};
 use mechanics::fem::{Kinematics, State};
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::passage::PassageStatus;
 
 /// Values of the sensors at a few positions.
 #[derive(Debug, Clone, PartialEq)]

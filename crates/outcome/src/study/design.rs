@@ -1,26 +1,20 @@
 //! Which runs there are.
 
-/// How values of several quantities are put together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Design {
-    /// One quantity after the other, all others as the file has them.
-    OneAtATime,
-    /// Every value of each quantity with every value of all others.
-    Grid,
-}
+use crate::words::words;
+use serde::{Deserialize, Serialize};
 
-impl Design {
-    /// The word in results.
-    pub fn word(self) -> &'static str {
-        match self {
-            Design::OneAtATime => "one-at-a-time",
-            Design::Grid => "grid",
-        }
+words! {
+    /// How values of several quantities are put together.
+    pub enum Design {
+        /// One quantity after the other, all others as the file has them.
+        OneAtATime = "one-at-a-time",
+        /// Every value of each quantity with every value of all others.
+        Grid = "grid",
     }
 }
 
 /// The values of one run.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Run {
     /// For each quantity, which of its values; none for the file's own.
     pub choice: Vec<Option<usize>>,

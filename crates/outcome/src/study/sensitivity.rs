@@ -1,42 +1,32 @@
 //! What each quantity does to the answer.
 
 use super::{Row, Setting, Study};
+use crate::words::words;
+use serde::{Deserialize, Serialize};
 
 /// Changes below this share of the answer are the solver's and nobody's finding: its duality gap is closed to 1e-8.
 const NOTHING: f64 = 1e-6;
 /// Steps of a search are equal but for rounding.
 const ROUNDING: f64 = 1.0 + 1e-6;
 
-/// Which way the answer goes as a quantity grows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Trend {
-    /// It never falls.
-    Rising,
-    /// It never rises.
-    Falling,
-    /// It stays.
-    Flat,
-    /// It does both.
-    NotMonotone,
-    /// The quantity has no order, or fewer than two answers.
-    Unknown,
-}
-
-impl Trend {
-    /// The word in results.
-    pub fn word(self) -> &'static str {
-        match self {
-            Trend::Rising => "rising",
-            Trend::Falling => "falling",
-            Trend::Flat => "flat",
-            Trend::NotMonotone => "not-monotone",
-            Trend::Unknown => "unknown",
-        }
+words! {
+    /// Which way the answer goes as a quantity grows.
+    pub enum Trend {
+        /// It never falls.
+        Rising = "rising",
+        /// It never rises.
+        Falling = "falling",
+        /// It stays.
+        Flat = "flat",
+        /// It does both.
+        NotMonotone = "not-monotone",
+        /// The quantity has no order, or fewer than two answers.
+        Unknown = "unknown",
     }
 }
 
 /// An answer and the value that gave it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Extreme {
     /// The value as people write it.
     pub value: String,
@@ -47,7 +37,7 @@ pub struct Extreme {
 }
 
 /// What a quantity does to the answer.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sensitivity {
     /// Which quantity.
     pub quantity: usize,

@@ -1,97 +1,39 @@
 //! What a collapse analysis found.
 
-use super::asked::AskedAxles;
-use crate::discretise::Discretised;
-use crate::outcome::{Hinge, Picture, Point};
+use crate::picture::{Hinge, Picture, Point};
 use crate::warning::Warning;
-use bridge::{Analysis, Bridge, Method};
+use crate::words::words;
+use bridge::{Analysis, Method, Strip};
+use serde::{Deserialize, Serialize};
 
-/// How an analysis ended. All of these are answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// A load was found that makes a mechanism.
-    Collapsed,
-    /// Every load up to the limit was carried.
-    StableToLastLoad,
-    /// A load step neither came to rest nor collapsed.
-    Stalled,
-    /// The bridge does not stand under its own weight.
-    UnstableUnderSelfWeight,
-    /// The limit load is unbounded.
-    Locks,
-    /// A load step used up its iterations.
-    StepLimit,
-    /// The method did not reach its tolerance.
-    NotConverged,
-    /// Stopped by its onlooker.
-    Cancelled,
-    /// An analysis without a collapse load ended as it should.
-    Completed,
-}
-
-impl LimitReport {
-    /// Of an analysis that searches through many loads or shapes and bounds none of them by itself.
-    pub(super) fn without_bounds(iterations: u32) -> LimitReport {
-        LimitReport {
-            friction: "associated",
-            lower_bound: None,
-            upper_bound: None,
-            associated_load: None,
-            non_associated_load: None,
-            without_fill_pressure_load: None,
-            full_fill_pressure_load: None,
-            spread: None,
-            unlimited_strength_load: None,
-            equilibrium_residual: None,
-            yield_violation: None,
-            iterations,
-        }
-    }
-}
-
-impl Collapse {
-    /// A result with nothing found yet, for analyses to fill.
-    pub(super) fn blank(bridge: &Bridge, d: &Discretised, analysis: Analysis, picture: Picture) -> Collapse {
-        Collapse {
-            bridge: bridge.name.clone(),
-            width: bridge.width,
-            method: bridge.plan.method,
-            analysis,
-            status: Status::Completed,
-            collapse_load: None,
-            last_stable_load: None,
-            load_step: None,
-            reference_load: d.reference_load,
-            limit_load: None,
-            crushing_limit_load: None,
-            stalled_load: None,
-            hinges: picture.hinges.clone(),
-            sliding_joints: picture.sliding.clone(),
-            max_compressive_stress: None,
-            blocks: d.model.blocks.len(),
-            particles: d.model.particles.len(),
-            contacts: 0,
-            tolerance: bridge.plan.tolerance,
-            seed: bridge.plan.seed,
-            dem: None,
-            limit: None,
-            finite: None,
-            thickness: None,
-            support: None,
-            packing: None,
-            combination: None,
-            wall_strip: None,
-            asked: super::asked::asked(bridge),
-            block_names: d.origins.iter().map(|o| o.name()).collect(),
-            warnings: Vec::new(),
-            assumptions: Vec::new(),
-            picture,
-        }
+words! {
+    /// How an analysis ended. All of these are answers.
+    #[derive(Default)]
+    pub enum Status {
+        /// A load was found that makes a mechanism.
+        Collapsed = "collapsed",
+        /// Every load up to the limit was carried.
+        StableToLastLoad = "stable-to-last-load",
+        /// A load step neither came to rest nor collapsed.
+        Stalled = "stalled",
+        /// The bridge does not stand under its own weight.
+        UnstableUnderSelfWeight = "unstable-under-self-weight",
+        /// The limit load is unbounded.
+        Locks = "locks",
+        /// A load step used up its iterations.
+        StepLimit = "step-limit",
+        /// The method did not reach its tolerance.
+        #[default]
+        NotConverged = "not-converged",
+        /// Stopped by its onlooker.
+        Cancelled = "cancelled",
+        /// An analysis without a collapse load ended as it should.
+        Completed = "completed",
     }
 }
 
 /// The load that is carried: what leads every result.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Headline {
     /// Per metre of width [N/m].
     pub load: f64,
@@ -105,19 +47,18 @@ impl Collapse {
     /// The headline: the largest load that was carried, or the limit load of the same blocks where that is smaller; the sum of
     /// both strips where both were asked for. None where no load is known to be carried.
     pub fn headline(&self) -> Option<Headline> {
-        if self.analysis != Analysis::Load {
+        if self.sought != Sought::Load {
             return None;
         }
         if let Some(both) = &self.combination {
             let from = "both strips by their widths";
             return both.headline.map(|whole| Headline { load: whole / self.width, whole, from });
         }
-        let own = match self.method {
-            Method::Limit => "limit analysis, lower bound",
-            Method::Dem => "discrete elements, last stable step",
-            Method::Fe => "finite elements, largest load in balance",
+        let (own, rigid) = match self.by {
+            By::Limit(_) => ("limit analysis, lower bound", None),
+            By::Dem(_) => ("discrete elements, last stable step", self.limit_load),
+            By::Fe(_) => ("finite elements, largest load in balance", self.limit_load),
         };
-        let rigid = (self.method != Method::Limit).then_some(self.limit_load).flatten();
         let others = [
             (rigid, "limit analysis, which gives less than the method that was asked for"),
             (
@@ -135,6 +76,49 @@ impl Collapse {
         Some(Headline { load, whole: load * self.width, from })
     }
 
+    /// By which method.
+    pub fn method(&self) -> Method {
+        match self.by {
+            By::Limit(_) => Method::Limit,
+            By::Dem(_) => Method::Dem,
+            By::Fe(_) => Method::Fe,
+        }
+    }
+
+    /// Which analysis.
+    pub fn analysis(&self) -> Analysis {
+        match self.sought {
+            Sought::Load => Analysis::Load,
+            Sought::Thickness(_) => Analysis::Thickness,
+            Sought::SupportMovement(_) => Analysis::SupportMovement,
+        }
+    }
+
+    /// What only discrete elements report.
+    pub fn dem(&self) -> Option<&DemReport> {
+        if let By::Dem(report) = &self.by { report.as_ref() } else { None }
+    }
+
+    /// What only limit analysis reports.
+    pub fn limit(&self) -> Option<&LimitReport> {
+        if let By::Limit(report) = &self.by { Some(report) } else { None }
+    }
+
+    /// What only finite elements report.
+    pub fn finite(&self) -> Option<&FiniteReport> {
+        if let By::Fe(report) = &self.by { Some(report) } else { None }
+    }
+
+    /// The least thickness that stands.
+    pub fn thickness(&self) -> Option<ThicknessReport> {
+        if let Sought::Thickness(report) = self.sought { report } else { None }
+    }
+
+    /// The support movement that makes a mechanism.
+    pub fn support(&self) -> Option<SupportReport> {
+        if let Sought::SupportMovement(report) = self.sought { Some(report) } else { None }
+    }
+
     /// Names of the two blocks whose joint a hinge is.
     pub fn sides(&self, hinge: &Hinge) -> Option<[&str; 2]> {
         let [first, second] = hinge.between.map(|side| self.block_names.get(side).map(String::as_str));
@@ -148,32 +132,6 @@ impl Collapse {
 }
 
 impl Status {
-    /// All of them, for tables and schemas.
-    pub const ALL: [Status; 9] = [
-        Status::Collapsed,
-        Status::StableToLastLoad,
-        Status::Stalled,
-        Status::UnstableUnderSelfWeight,
-        Status::Locks,
-        Status::StepLimit,
-        Status::NotConverged,
-        Status::Cancelled,
-        Status::Completed,
-    ];
-    /// The word in results.
-    pub fn word(self) -> &'static str {
-        match self {
-            Status::Collapsed => "collapsed",
-            Status::StableToLastLoad => "stable-to-last-load",
-            Status::Stalled => "stalled",
-            Status::UnstableUnderSelfWeight => "unstable-under-self-weight",
-            Status::Locks => "locks",
-            Status::StepLimit => "step-limit",
-            Status::NotConverged => "not-converged",
-            Status::Cancelled => "cancelled",
-            Status::Completed => "completed",
-        }
-    }
     /// The exit code of the command: 0 finished, 1 finished and the bridge does not stand, 3 could not finish, 130
     /// interrupted.
     pub fn exit_code(self) -> u8 {
@@ -186,8 +144,18 @@ impl Status {
     }
 }
 
+words! {
+    /// Which length a contact stands for.
+    pub enum ContactLength {
+        /// As built.
+        Fixed = "fixed",
+        /// The compressed part of the joint.
+        Updated = "updated",
+    }
+}
+
 /// What only the discrete element method reports.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DemReport {
     /// Iterations in all.
     pub iterations_total: u64,
@@ -199,8 +167,8 @@ pub struct DemReport {
     pub single_mass_time_step: f64,
     /// Damping, in words.
     pub damping: String,
-    /// Contact length, in words.
-    pub contact_length: &'static str,
+    /// Which length a contact stands for.
+    pub contact_length: ContactLength,
     /// What the energy account leaves unexplained, relative to the work done.
     pub energy_drift: f64,
     /// Where a run broke off: block and iteration.
@@ -208,7 +176,7 @@ pub struct DemReport {
 }
 
 /// The packing of particles, at rest under its own weight.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PackingReport {
     /// Centres and radii as packed [m].
     pub grains: Vec<[f64; 3]>,
@@ -226,11 +194,24 @@ pub struct PackingReport {
     pub seed: Option<u64>,
 }
 
-/// What only limit analysis reports.
-#[derive(Debug, Clone, PartialEq)]
+words! {
+    /// How joints open while they slide.
+    #[derive(Default)]
+    pub enum FlowRule {
+        /// By the friction angle.
+        #[default]
+        Associated = "associated",
+        /// Not at all.
+        NonAssociated = "non-associated",
+    }
+}
+
+/// What only limit analysis reports; [`LimitReport::default`] is that of a search through many loads or shapes, which bounds none of
+/// them by itself.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct LimitReport {
-    /// The flow rule that the numbers belong to: "associated" or "non-associated".
-    pub friction: &'static str,
+    /// The flow rule that the numbers belong to.
+    pub friction: FlowRule,
     /// Lower bound, recomputed from the forces [N/m].
     pub lower_bound: Option<f64>,
     /// Upper bound, recomputed from the mechanism [N/m].
@@ -256,7 +237,7 @@ pub struct LimitReport {
 }
 
 /// What only finite elements report.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FiniteReport {
     /// Free components of displacement.
     pub equations: usize,
@@ -269,7 +250,7 @@ pub struct FiniteReport {
 }
 
 /// The least thickness that stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ThicknessReport {
     /// Share of the given thickness that just stands, and the largest that was seen not to.
     pub factor: [f64; 2],
@@ -280,7 +261,7 @@ pub struct ThicknessReport {
 }
 
 /// The support movement that makes a mechanism.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SupportReport {
     /// Last movement at which the bridge came to rest [m, or rad where only a rotation is given].
     pub last_stable: Option<f64>,
@@ -290,11 +271,35 @@ pub struct SupportReport {
     pub step: f64,
 }
 
+/// A method, and what only it reports.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum By {
+    /// Limit analysis.
+    Limit(LimitReport),
+    /// Discrete elements; none where the run never began.
+    Dem(Option<DemReport>),
+    /// Finite elements.
+    Fe(FiniteReport),
+}
+
+/// What was sought, with its answer where that is no load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sought {
+    /// The load that makes a mechanism.
+    Load,
+    /// The least thickness that stands; none where none was found.
+    Thickness(Option<ThicknessReport>),
+    /// The support movement that makes a mechanism.
+    SupportMovement(SupportReport),
+}
+
 /// One strip's part in the load of the whole width.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Component {
-    /// Which strip: "fill" or "wall".
-    pub strip: &'static str,
+    /// Which strip.
+    pub strip: Strip,
     /// How its analysis ended.
     pub status: Status,
     /// Its load at collapse [N/m].
@@ -308,7 +313,7 @@ pub struct Component {
 }
 
 /// The loads of all strips, added up by their widths.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Combination {
     /// The strips.
     pub components: Vec<Component>,
@@ -323,16 +328,16 @@ pub struct Combination {
 }
 
 /// The result of a collapse analysis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Collapse {
     /// Name of the bridge.
     pub bridge: String,
     /// Width of the barrel [m].
     pub width: f64,
-    /// By which method.
-    pub method: Method,
-    /// Which analysis.
-    pub analysis: Analysis,
+    /// By which method, and what only this method reports.
+    pub by: By,
+    /// What was sought.
+    pub sought: Sought,
     /// How it ended.
     pub status: Status,
     /// Load at collapse [N/m].
@@ -365,16 +370,6 @@ pub struct Collapse {
     pub tolerance: f64,
     /// Seed of whatever is random.
     pub seed: u64,
-    /// Discrete elements only.
-    pub dem: Option<DemReport>,
-    /// Limit analysis only.
-    pub limit: Option<LimitReport>,
-    /// Finite elements only.
-    pub finite: Option<FiniteReport>,
-    /// Thickness analysis only.
-    pub thickness: Option<ThicknessReport>,
-    /// Support movement only.
-    pub support: Option<SupportReport>,
     /// The packing of particles, where the fill is made of them.
     pub packing: Option<PackingReport>,
     /// Both strips together, where walls are analysed beside the fill.
@@ -391,4 +386,27 @@ pub struct Collapse {
     pub assumptions: Vec<String>,
     /// Everything that figures and tables are made from.
     pub picture: Picture,
+}
+
+/// Axles of a load, on a width of their own.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AskedAxles {
+    /// Name of the load.
+    pub name: String,
+    /// Forces of its axles as the file has them [N].
+    pub axles: Vec<f64>,
+    /// Width of the barrel that carries an axle [m].
+    pub effective_width: f64,
+}
+
+impl Collapse {
+    /// How often the loads of the file are carried.
+    pub fn load_factor(&self) -> Option<f64> {
+        Some(self.carried().filter(|_| self.reference_load > 0.0)? / self.reference_load)
+    }
+
+    /// Whether loads have widths of their own, so that a load per metre times the width of the bridge is nothing that was asked for.
+    pub fn has_own_widths(&self) -> bool {
+        self.asked.iter().any(|asked| (asked.effective_width - self.width).abs() > 1e-9)
+    }
 }

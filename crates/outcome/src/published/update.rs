@@ -1,6 +1,6 @@
 //! `extrados.update/1`, and its tables.
 
-use crate::analysis::update::{SearchLine, UncertaintyFrom, Update};
+use crate::update::{SearchLine, UncertaintyFrom, Update};
 use calibrate::Found;
 use calibrate::search::sweep::Sweep;
 use serde::Serialize;
@@ -316,8 +316,8 @@ fn stages(update: &Update) -> Vec<StageObject> {
     for paper in &update.paper {
         for (number, pass) in paper.outcome.passes.iter().enumerate() {
             all.extend(pass.stages.iter().map(|stage| StageObject {
-                variant: paper.variant,
-                start: paper.start,
+                variant: paper.variant.word(),
+                start: paper.start.word(),
                 pass: number + 1,
                 parameters: stage.surface.parameters.map(|k| name(update, k)),
                 case: stage.surface.case.name(),
@@ -345,7 +345,7 @@ fn posterior(update: &Update) -> Option<PosteriorObject> {
 }
 
 fn records(update: &Update) -> RecordsObject {
-    let run = |run: &crate::analysis::update::RunUsed| RunObject {
+    let run = |run: &crate::update::RunUsed| RunObject {
         name: run.name.clone(),
         file: run.file.clone(),
         speed_km_per_h: run.speed.map(|speed| 3.6 * speed),
@@ -419,7 +419,7 @@ pub fn histories_table(update: &Update) -> String {
             head.push(format!(
                 "{}_{kind}_{}",
                 channel.name.replace(' ', "_").to_lowercase(),
-                channel.unit.to_lowercase()
+                channel.quantity.unit().to_lowercase()
             ));
         }
     }
@@ -448,7 +448,8 @@ pub fn sweeps_table(update: &Update) -> String {
                 let unit = update.problem.parameters()[sweep.parameter].unit.clone();
                 for (k, value) in sweep.values.iter().enumerate() {
                     let norm = sweep.norms[k].map_or_else(String::new, |norm| norm.to_string());
-                    let mut cells = vec![paper.variant.to_owned(), paper.start.to_owned(), (number + 1).to_string()];
+                    let mut cells =
+                        vec![paper.variant.word().to_owned(), paper.start.word().to_owned(), (number + 1).to_string()];
                     cells.extend([name(update, sweep.parameter), value.to_string(), unit.clone(), norm]);
                     cells.extend(sweep.errors[k].iter().map(f64::to_string));
                     cells.resize(head.len(), String::new());

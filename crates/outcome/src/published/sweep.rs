@@ -1,7 +1,7 @@
 //! `extrados.sweep/1`.
 
 use super::{Run, WarningObject, kilo};
-use crate::analysis::{Sweep, SweepPoint};
+use crate::sweep::{Sweep, SweepPoint};
 use serde::Serialize;
 
 /// The result of a sweep.

@@ -4,7 +4,6 @@
 mod assess;
 mod calibration;
 mod collapse;
-mod facts;
 mod particles;
 mod passage;
 mod shapes;
@@ -16,12 +15,7 @@ mod vehicles;
 
 pub use assess::{AssessObject, checks_table};
 pub use calibration::{CalibrationObject, calibration_curves, calibration_moduli};
-pub use collapse::CollapseObject;
-pub use facts::{
-    AugmentFacts, ChangeFacts, ChannelFacts, FitFacts, JointFacts, MovementFacts, ParameterFacts, PlaceFacts,
-    SafetyFacts, SensitivityFacts, ServiceFacts, ServiceLoadFacts, SpanAugmentFacts, SweptFacts, UltimateFacts,
-    UpdateFacts, VehicleFacts,
-};
+pub use collapse::{CollapseObject, strip};
 pub use particles::{particle_contacts, particles};
 pub use passage::{PassageObject, channels_table, influence_table, joint_states, passage_log, thrust_lines};
 pub use shapes::{schema_of_rules, schema_of_vehicles};
@@ -79,6 +73,3 @@ pub fn json<T: Serialize>(object: &T) -> String {
 fn kilo(value: f64) -> f64 {
     value / 1e3
 }
-
-#[cfg(test)]
-mod tests;

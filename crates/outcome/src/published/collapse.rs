@@ -1,9 +1,9 @@
 //! `extrados.collapse/1`.
 
 use super::{Run, WarningObject, kilo};
-use crate::analysis::Collapse;
-use crate::outcome::HingeAt;
-use bridge::{Analysis, Method};
+use crate::collapse::Collapse;
+use crate::picture::HingeAt;
+use bridge::{Analysis, Method, Strip};
 use serde::Serialize;
 
 /// The result of a collapse analysis.
@@ -211,7 +211,7 @@ struct Component {
 /// Axles times the factor with which the loads of the file are carried.
 fn axles(c: &Collapse) -> Vec<Axles> {
     let factor = c.load_factor();
-    let one = |asked: &crate::analysis::AskedAxles| Axles {
+    let one = |asked: &crate::collapse::AskedAxles| Axles {
         name: asked.name.clone(),
         axles_kn: asked.axles.iter().copied().map(kilo).collect(),
         effective_width_m: asked.effective_width,
@@ -238,6 +238,15 @@ pub(super) fn analysis(analysis: Analysis) -> &'static str {
     }
 }
 
+/// The word for a strip.
+pub fn strip(strip: Strip) -> &'static str {
+    match strip {
+        Strip::Fill => "fill",
+        Strip::Wall => "wall",
+        Strip::Both => "both",
+    }
+}
+
 /// The word for an edge.
 pub fn edge(edge: HingeAt) -> &'static str {
     match edge {
@@ -253,7 +262,7 @@ impl CollapseObject {
         let total = |load: Option<f64>| load.map(|l| kilo(l * c.width));
         // Of both strips the whole width carries the sum.
         let both = c.combination.as_ref();
-        let whole = |own: Option<f64>, sum: fn(&crate::analysis::Combination) -> Option<f64>| match both {
+        let whole = |own: Option<f64>, sum: fn(&crate::collapse::Combination) -> Option<f64>| match both {
             Some(both) => sum(both).map(kilo),
             None => total(own),
         };
@@ -264,8 +273,8 @@ impl CollapseObject {
             schema: "extrados.collapse/1",
             status: c.status.word(),
             bridge: c.bridge.clone(),
-            method: method(c.method),
-            analysis: analysis(c.analysis),
+            method: method(c.method()),
+            analysis: analysis(c.analysis()),
             headline: c.headline().map(|headline| Headline {
                 headline_kn_per_m: kilo(headline.load),
                 headline_kn: kilo(headline.whole),
@@ -282,7 +291,7 @@ impl CollapseObject {
             limit_load_kn_per_m: per_metre(c.limit_load),
             crushing_limit_load_kn_per_m: per_metre(c.crushing_limit_load),
             width_m: c.width,
-            load_factor: c.load_factor().filter(|_| c.analysis == Analysis::Load),
+            load_factor: c.load_factor().filter(|_| c.analysis() == Analysis::Load),
             axles: axles(c),
             hinges: c
                 .hinges
@@ -300,18 +309,18 @@ impl CollapseObject {
             blocks: c.blocks,
             particles: c.particles,
             contacts: c.contacts,
-            dem: c.dem.as_ref().map(|d| Dem {
+            dem: c.dem().map(|d| Dem {
                 path: path(c),
                 iterations_total: d.iterations_total,
                 time_step_s: d.time_step,
                 critical_time_step_s: d.critical_time_step,
                 single_mass_time_step_s: d.single_mass_time_step,
                 damping: d.damping.clone(),
-                contact_length: d.contact_length,
+                contact_length: d.contact_length.word(),
                 energy_drift: d.energy_drift,
             }),
-            limit: c.limit.as_ref().map(|l| Limit {
-                friction: l.friction,
+            limit: c.limit().map(|l| Limit {
+                friction: l.friction.word(),
                 lower_bound_kn_per_m: per_metre(l.lower_bound),
                 upper_bound_kn_per_m: per_metre(l.upper_bound),
                 associated_load_kn_per_m: per_metre(l.associated_load),
@@ -325,7 +334,7 @@ impl CollapseObject {
                 solver_iterations: l.iterations,
                 thrust_line: thrust_line(c),
             }),
-            finite: c.finite.as_ref().map(|f| Finite {
+            finite: c.finite().map(|f| Finite {
                 path: path(c),
                 degrees_of_freedom: f.equations,
                 springs_per_joint: f.springs_per_joint,
@@ -333,13 +342,13 @@ impl CollapseObject {
                 softening: f.softening,
                 thrust_line: thrust_line(c),
             }),
-            thickness: c.thickness.as_ref().map(|t| Thickness {
+            thickness: c.thickness().map(|t| Thickness {
                 minimum_thickness_m: t.crown_thickness,
                 minimum_thickness_factor: t.factor[1],
                 thickness_factor_that_falls: t.factor[0],
                 minimum_thickness_over_mean_radius: t.over_mean_radius,
             }),
-            support: c.support.as_ref().map(|s| Support {
+            support: c.support().map(|s| Support {
                 last_stable_movement_m: s.last_stable,
                 collapse_movement_m: s.collapse,
                 movement_step_m: s.step,
@@ -371,8 +380,8 @@ impl CollapseObject {
 
 /// The load path.
 fn path(c: &Collapse) -> Vec<Step> {
-    let moves = c.analysis == Analysis::SupportMovement;
-    let step = |s: &crate::outcome::Step| Step {
+    let moves = c.analysis() == Analysis::SupportMovement;
+    let step = |s: &crate::picture::Step| Step {
         load_kn_per_m: (!moves).then(|| kilo(s.load)),
         movement_m: moves.then_some(s.load),
         displacement_mm: 1e3 * s.displacement[0].hypot(s.displacement[1]),
@@ -391,9 +400,9 @@ fn thrust_line(c: &Collapse) -> Vec<Thrust> {
     points.map(|t| Thrust { x_m: t.point[0], y_m: t.point[1], thrust_kn_per_m: kilo(t.thrust) }).collect()
 }
 
-fn combination(c: &crate::analysis::Combination) -> Combination {
-    let component = |part: &crate::analysis::Component| Component {
-        strip: part.strip,
+fn combination(c: &crate::collapse::Combination) -> Combination {
+    let component = |part: &crate::collapse::Component| Component {
+        strip: strip(part.strip),
         status: part.status.word(),
         headline_kn_per_m: part.headline.map(kilo),
         last_stable_load_kn_per_m: part.last_stable_load.map(kilo),

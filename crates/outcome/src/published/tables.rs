@@ -1,13 +1,14 @@
 //! CSV tables: a header with units, a row per item, points as decimal separators, no quoting needed.
 
 use super::collapse::edge;
-use crate::analysis::{Collapse, Sweep};
+use crate::collapse::Collapse;
+use crate::sweep::Sweep;
 use bridge::Analysis;
 use std::fmt::Write;
 
 /// What the states of an analysis are counted by, and what divides its SI unit: a load, or the movement of a support.
 pub(super) fn counted(c: &Collapse) -> (&'static str, f64) {
-    match c.analysis {
+    match c.analysis() {
         Analysis::SupportMovement => ("movement_m", 1.0),
         _ => ("load_kn_per_m", 1e3),
     }

@@ -1,8 +1,8 @@
 //! CSV tables of particles.
 
 use super::tables::{counted, row};
-use crate::analysis::Collapse;
-use crate::outcome::{Partner, Picture, Snapshot};
+use crate::collapse::Collapse;
+use crate::picture::{Partner, Picture, Snapshot};
 
 /// The state that tables of particles show: the last stable one, or the last of all.
 fn shown(picture: &Picture) -> Option<&Snapshot> {

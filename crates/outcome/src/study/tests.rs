@@ -1,6 +1,7 @@
 //! Studies made up from formulas whose sensitivities are known.
 
 use super::*;
+use bridge::path::Path;
 
 fn setting(number: f64) -> Setting {
     Setting { literal: format!("{number:?}"), text: format!("{number}"), number: Some(number) }
@@ -15,7 +16,7 @@ fn quantity(path: &str, own: f64, values: &[f64]) -> Varied {
 fn study(first: Varied, second: Varied, design: Design, answer: fn(f64, f64) -> f64) -> Study {
     let mut study = Study {
         bridge: "formula".into(),
-        command: "formula",
+        command: Command::Collapse,
         analysis: bridge::Analysis::Load,
         method: bridge::Method::Limit,
         design,
@@ -97,21 +98,4 @@ fn a_grid_has_no_quantity_that_varies_alone() {
     assert_eq!(sensitivity(&grid), []);
     let answers: Vec<f64> = grid.rows.iter().filter_map(|row| grid.number(row)).collect();
     assert_eq!(answers, [11.0, 11.0, 21.0, 12.0, 22.0]);
-}
-
-#[test]
-fn the_leading_number_is_one_that_there_is() {
-    let with = |names: &[&str]| Outcome {
-        numbers: names.iter().map(|name| ((*name).to_owned(), 1.0)).collect(),
-        ..Outcome::default()
-    };
-    let (load, stable) = (with(&["collapse_load_kn_per_m"]), with(&["last_stable_load_kn_per_m"]));
-    let all = with(&["collapse_load_kn_per_m", "last_stable_load_kn_per_m", CARRIED]);
-    assert_eq!(leading(&COLLAPSE, &[&all]), Some(CARRIED), "what is carried stands before what is not");
-    let moved = with(&["collapse_movement_m", "last_stable_movement_m"]);
-    assert_eq!(leading(&COLLAPSE, &[&moved]), Some("last_stable_movement_m"));
-    assert_eq!(leading(&COLLAPSE, &[&load, &stable]), Some("collapse_load_kn_per_m"));
-    assert_eq!(leading(&COLLAPSE, &[&stable, &load]), Some("last_stable_load_kn_per_m"));
-    assert_eq!(leading(&COLLAPSE, &[&with(&[]), &load]), Some("collapse_load_kn_per_m"));
-    assert_eq!(leading(&COLLAPSE, &[]), None);
 }

@@ -1,61 +1,42 @@
 //! What came of a train's passage, in SI units; tables, figures and the wire format are made from this alone.
 
-use crate::outcome::{Point, ThrustPoint};
+use crate::mesh::MeshPicture;
+use crate::picture::{Point, ThrustPoint};
 use crate::warning::Warning;
+use crate::words::words;
+use serde::{Deserialize, Serialize};
 
-/// How a passage ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PassageStatus {
-    /// The train has crossed.
-    Completed,
-    /// A step found no equilibrium; what came before it stands.
-    NotConverged,
-    /// Somebody asked to stop.
-    Cancelled,
-}
-
-impl PassageStatus {
-    /// All of them.
-    pub const ALL: [PassageStatus; 3] =
-        [PassageStatus::Completed, PassageStatus::NotConverged, PassageStatus::Cancelled];
-
-    /// The word that scripts read.
-    pub fn word(self) -> &'static str {
-        match self {
-            PassageStatus::Completed => "completed",
-            PassageStatus::NotConverged => "not-converged",
-            PassageStatus::Cancelled => "cancelled",
-        }
+words! {
+    /// How a passage ended.
+    #[derive(Default)]
+    pub enum PassageStatus {
+        /// The train has crossed.
+        Completed = "completed",
+        /// A step found no equilibrium; what came before it stands.
+        #[default]
+        NotConverged = "not-converged",
+        /// Somebody asked to stop.
+        Cancelled = "cancelled",
     }
 }
 
-/// What a channel records.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// Displacement [m], in mm.
-    Displacement,
-    /// Strain [-], in microstrain.
-    Strain,
-    /// Opening of a joint [m], in mm.
-    JointOpening,
-    /// Sliding of a joint [m], in mm.
-    JointSliding,
-    /// Stress [Pa], in MPa.
-    Stress,
+words! {
+    /// What a channel records.
+    pub enum Quantity {
+        /// Displacement [m], in mm.
+        Displacement = "displacement",
+        /// Strain [-], in microstrain.
+        Strain = "strain",
+        /// Opening of a joint [m], in mm.
+        JointOpening = "joint-opening",
+        /// Sliding of a joint [m], in mm.
+        JointSliding = "joint-sliding",
+        /// Stress [Pa], in MPa.
+        Stress = "stress",
+    }
 }
 
 impl Quantity {
-    /// The word that scripts read.
-    pub fn word(self) -> &'static str {
-        match self {
-            Quantity::Displacement => "displacement",
-            Quantity::Strain => "strain",
-            Quantity::JointOpening => "joint-opening",
-            Quantity::JointSliding => "joint-sliding",
-            Quantity::Stress => "stress",
-        }
-    }
-
     /// The unit in tables and figures.
     pub fn unit(self) -> &'static str {
         match self {
@@ -76,7 +57,7 @@ impl Quantity {
 }
 
 /// The record of one sensor.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Channel {
     /// Its name.
     pub name: String,
@@ -109,10 +90,10 @@ impl Channel {
 }
 
 /// One step of the run: of the self-weight, then one position after the other.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct StepLog {
-    /// What it is: "self-weight" or "passage".
-    pub stage: String,
+    /// Which part of the run it belongs to.
+    pub stage: Part,
     /// Time since the train started [s]; the share of the load in the self-weight's steps.
     pub time: f64,
     /// Place of the first axle [m].
@@ -133,30 +114,20 @@ pub struct StepLog {
     pub sliding_pairs: usize,
 }
 
-/// State of a pair of facing points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PairState {
-    /// In contact.
-    Closed,
-    /// Apart.
-    Open,
-    /// In contact, and sliding.
-    Sliding,
-}
-
-impl PairState {
-    /// The word in tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            PairState::Closed => "closed",
-            PairState::Open => "open",
-            PairState::Sliding => "sliding",
-        }
+words! {
+    /// State of a pair of facing points.
+    pub enum PairState {
+        /// In contact.
+        Closed = "closed",
+        /// Apart.
+        Open = "open",
+        /// In contact, and sliding.
+        Sliding = "sliding",
     }
 }
 
 /// A pair of facing points of a joint or a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pair {
     /// Where, as built [m].
     pub at: Point,
@@ -175,7 +146,7 @@ pub struct Pair {
 }
 
 /// What a row of pairs belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum RowKind {
     /// A joint of the ring of a span (both from 0): joint 0 is the left springing.
     Joint {
@@ -189,7 +160,7 @@ pub enum RowKind {
 }
 
 /// A joint or a contact: its pairs in order, joints from the intrados to the extrados.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// What it belongs to.
     pub kind: RowKind,
@@ -198,7 +169,7 @@ pub struct Row {
 }
 
 /// The bridge at one moment.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Moment {
     /// Why it is kept: "self-weight", "peak of crown displacement", "first axle at 3.00 m".
     pub name: String,
@@ -218,25 +189,8 @@ pub struct Moment {
     pub rows: Vec<Row>,
 }
 
-/// The mesh as figures need it.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MeshPicture {
-    /// Nodes as built [m].
-    pub nodes: Vec<Point>,
-    /// Corners of every quadrilateral, counter-clockwise.
-    pub quads: Vec<[usize; 4]>,
-    /// Zone of every quadrilateral.
-    pub zones: Vec<usize>,
-    /// Names of the zones.
-    pub zone_names: Vec<String>,
-    /// Top of the fill, from left to right [m].
-    pub surface: Vec<Point>,
-    /// Left and right springing of each span, at the intrados [m].
-    pub springings: Vec<[Point; 2]>,
-}
-
 /// What one axle does that is moved over the bridge.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Influence {
     /// Its force [N], on the effective width.
     pub force: f64,
@@ -246,8 +200,50 @@ pub struct Influence {
     pub values: Vec<Vec<f64>>,
 }
 
+words! {
+    /// Whether positions are at rest.
+    pub enum Analysis {
+        /// Every position at rest.
+        Static = "static",
+        /// With inertia and damping.
+        Transient = "transient",
+    }
+}
+
+words! {
+    /// Which shape equilibrium is written on.
+    pub enum Kinematics {
+        /// The bridge as built.
+        Small = "small",
+        /// The deformed bridge.
+        Large = "large",
+    }
+}
+
+words! {
+    /// How positions are solved.
+    pub enum Path {
+        /// Linear zones condensed to what iterates.
+        Condensed = "condensed",
+        /// All degrees of freedom at every position.
+        Plain = "plain",
+    }
+}
+
+words! {
+    /// Which part of a run a step belongs to.
+    #[derive(Default)]
+    pub enum Part {
+        /// The weight of the bridge is put on.
+        #[default]
+        SelfWeight = "self-weight",
+        /// The train crosses.
+        Passage = "passage",
+    }
+}
+
 /// The passage of a train over a bridge.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Passage {
     /// Name of the bridge.
     pub bridge: String,
@@ -255,12 +251,12 @@ pub struct Passage {
     pub train: String,
     /// Its speed [m/s].
     pub speed: f64,
-    /// "static" or "transient".
-    pub analysis: &'static str,
-    /// "small" or "large".
-    pub kinematics: &'static str,
-    /// "condensed" or "plain".
-    pub path: &'static str,
+    /// At rest at every position, or with inertia.
+    pub analysis: Analysis,
+    /// On the bridge as built, or deformed.
+    pub kinematics: Kinematics,
+    /// How positions were solved.
+    pub path: Path,
     /// How it ended.
     pub status: PassageStatus,
     /// Why, where it did not complete.

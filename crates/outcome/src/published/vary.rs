@@ -1,8 +1,8 @@
 //! `extrados.vary/1`, its table, and the record of one run.
 
 use super::kilo;
-use crate::analysis::Collapse;
-use crate::vary::{Outcome, Row, Sensitivity, Study, sensitivity};
+use crate::collapse::Collapse;
+use crate::study::{Outcome, Row, Sensitivity, Study, sensitivity};
 use bridge::vary::{Setting, Varied};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 /// The numbers of a collapse analysis, by the names they have in `extrados.collapse/1`.
 pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
-    let limit = c.limit.as_ref();
+    let limit = c.limit();
     let numbers = [
         ("last_stable_load_kn_per_m", c.last_stable_load.map(kilo)),
         ("collapse_load_kn_per_m", c.collapse_load.map(kilo)),
@@ -18,16 +18,16 @@ pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
         ("limit_load_kn_per_m", c.limit_load.map(kilo)),
         ("lower_bound_kn_per_m", limit.and_then(|l| l.lower_bound).map(kilo)),
         ("upper_bound_kn_per_m", limit.and_then(|l| l.upper_bound).map(kilo)),
-        ("minimum_thickness_m", c.thickness.map(|t| t.crown_thickness)),
-        ("minimum_thickness_factor", c.thickness.map(|t| t.factor[1])),
-        ("thickness_factor_that_falls", c.thickness.map(|t| t.factor[0])),
-        ("last_stable_movement_m", c.support.as_ref().and_then(|s| s.last_stable)),
-        ("collapse_movement_m", c.support.as_ref().and_then(|s| s.collapse)),
+        ("minimum_thickness_m", c.thickness().map(|t| t.crown_thickness)),
+        ("minimum_thickness_factor", c.thickness().map(|t| t.factor[1])),
+        ("thickness_factor_that_falls", c.thickness().map(|t| t.factor[0])),
+        ("last_stable_movement_m", c.support().and_then(|s| s.last_stable)),
+        ("collapse_movement_m", c.support().and_then(|s| s.collapse)),
         ("max_compressive_stress_mpa", c.max_compressive_stress.map(|stress| stress / 1e6)),
         ("hinges", Some(c.hinges.len() as f64)),
         ("sliding_joints", Some(c.sliding_joints.len() as f64)),
         ("blocks", Some(c.blocks as f64)),
-        ("iterations_total", c.dem.as_ref().map(|d| d.iterations_total as f64)),
+        ("iterations_total", c.dem().map(|d| d.iterations_total as f64)),
     ];
     let found = numbers.into_iter().filter_map(|(name, number)| Some((name.to_owned(), number?)));
     found.filter(|(_, number)| number.is_finite()).collect()
@@ -152,7 +152,7 @@ impl VaryObject {
         let baseline = if rows.is_empty() { None } else { Some(rows.remove(0)) };
         VaryObject {
             bridge: study.bridge.clone(),
-            command: study.command,
+            command: study.command.word(),
             method: super::collapse::method(study.method),
             analysis: super::collapse::analysis(study.analysis),
             design: study.design.word(),
@@ -189,7 +189,7 @@ fn value_of(study: &Study, row: &Row, quantity: usize) -> (String, Value) {
 }
 
 fn sensitivity_object(study: &Study, one: &Sensitivity) -> SensitivityObject {
-    let extreme = |end: &Option<crate::vary::Extreme>| {
+    let extreme = |end: &Option<crate::study::Extreme>| {
         end.as_ref().map(|end| ExtremeObject {
             value: end.value.clone(),
             outcome: end.outcome,

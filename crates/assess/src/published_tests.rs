@@ -1,9 +1,9 @@
 //! The formats hold what the interface promises.
 
-use super::*;
 use crate::analysis::collapse_by_limit;
 use crate::samples::bridgemill;
 use bridge::Method;
+use outcome::published::*;
 
 #[test]
 fn the_object_of_a_limit_analysis_has_every_promised_key() {

@@ -1,7 +1,8 @@
 //! `extrados.respond/1`, and its tables.
 
 use super::tables::row;
-use crate::analysis::passage::outcome::{Channel, MeshPicture, Passage, RowKind, StepLog};
+use crate::mesh::MeshPicture;
+use crate::passage::{Channel, Passage, RowKind, StepLog};
 use serde::Serialize;
 
 /// The result of a train's passage. Status, warnings and times are those of the command.
@@ -73,9 +74,9 @@ impl PassageObject {
             bridge: passage.bridge.clone(),
             train: passage.train.clone(),
             speed_km_per_h: 3.6 * passage.speed,
-            analysis: passage.analysis,
-            kinematics: passage.kinematics,
-            path: passage.path,
+            analysis: passage.analysis.word(),
+            kinematics: passage.kinematics.word(),
+            path: passage.path.word(),
             reason: passage.reason.clone(),
             channels: channels(passage),
             degrees_of_freedom: passage.degrees_of_freedom,
@@ -121,13 +122,11 @@ fn channels(passage: &Passage) -> Vec<ChannelObject> {
 }
 
 fn zones(mesh: &MeshPicture) -> Vec<ZoneObject> {
-    let count = |zone: usize| mesh.zones.iter().filter(|of| **of == zone).count();
-    let one = |(k, name): (usize, &String)| ZoneObject { name: name.clone(), elements: count(k) };
-    mesh.zone_names.iter().enumerate().map(one).collect()
+    mesh.zones.iter().map(|zone| ZoneObject { name: zone.name.clone(), elements: zone.quads }).collect()
 }
 
 fn moments(passage: &Passage) -> Vec<MomentObject> {
-    let one = |moment: &crate::analysis::passage::Moment| MomentObject {
+    let one = |moment: &crate::passage::Moment| MomentObject {
         name: moment.name.clone(),
         time_s: moment.time,
         position_m: moment.position,

@@ -1,12 +1,31 @@
 //! Warnings of an analysis, each with a card that explains it.
 
-/// A warning.
-#[derive(Debug, Clone, PartialEq, Eq)]
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// A warning; in files it is a pair, code and words.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(into = "(String, String)")]
 pub struct Warning {
     /// Stable code, `A…`.
     pub code: &'static str,
     /// What was found, with numbers.
     pub message: String,
+}
+
+impl From<Warning> for (String, String) {
+    fn from(warning: Warning) -> (String, String) {
+        (warning.code.to_owned(), warning.message)
+    }
+}
+
+impl<'de> Deserialize<'de> for Warning {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Warning, D::Error> {
+        let (code, message) = <(String, String)>::deserialize(from)?;
+        let card = CARDS.iter().find(|card| card.code == code);
+        let unknown = || D::Error::custom(format!("there is no warning {code}"));
+        Ok(Warning { code: card.ok_or_else(unknown)?.code, message })
+    }
 }
 
 /// What a code means.

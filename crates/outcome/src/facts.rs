@@ -1,8 +1,52 @@
 //! What the stages of an assessment leave behind: plain numbers with their units in their names. Checks and reports read
 //! nothing else, and a finished stage is kept in this form.
 
+use crate::collapse::{Collapse, Status};
+use crate::passage::PassageStatus;
+use crate::update::{Update, UpdateStatus};
+use crate::warning::Warning;
+use crate::words::words;
+use bridge::passage::Face;
+use rules::Confidence;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+
+words! {
+    /// Places of a ring that checks look at.
+    #[derive(Default)]
+    pub enum Place {
+        /// A crown.
+        #[default]
+        Crown = "crown",
+        /// A springing on an abutment.
+        Abutment = "abutment",
+        /// A springing on a pier.
+        Pier = "pier",
+    }
+}
+
+words! {
+    /// What is watched at a place.
+    #[derive(Default)]
+    pub enum Watched {
+        /// Displacement upwards [mm].
+        #[default]
+        Deflection = "deflection",
+        /// Stress along the ring [MPa], tension positive.
+        Stress = "stress",
+    }
+}
+
+words! {
+    /// Coefficients of dynamic augment by which a live load is increased.
+    #[derive(Default)]
+    pub enum Reading {
+        /// As the cushion of fill lessens it.
+        #[default]
+        Design = "design",
+        /// In full.
+        Total = "total",
+    }
+}
 
 /// The train in service: what the bridge answers to each load.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -15,8 +59,8 @@ pub struct ServiceFacts {
     pub loads: Vec<ServiceLoadFacts>,
     /// What the analysis assumes.
     pub assumptions: Vec<String>,
-    /// What a reader should look at: code and words.
-    pub warnings: Vec<[String; 2]>,
+    /// What a reader should look at.
+    pub warnings: Vec<Warning>,
 }
 
 /// Coefficients of dynamic augment and where they are from.
@@ -69,7 +113,7 @@ pub struct ServiceLoadFacts {
     /// Where the load is from.
     pub source: Option<String>,
     /// How its passage ended.
-    pub status: String,
+    pub status: PassageStatus,
     /// The file's own sensors.
     pub channels: Vec<ChannelFacts>,
     /// Deflections and stresses at the places that are checked.
@@ -98,16 +142,16 @@ pub struct ChannelFacts {
 /// A quantity at a place of the ring: displacement upwards [mm] or stress along the ring [MPa], tension positive.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaceFacts {
-    /// "crown", "abutment" or "pier".
-    pub place: String,
-    /// "deflection" or "stress".
-    pub quantity: String,
+    /// Which place.
+    pub place: Place,
+    /// What is watched there.
+    pub quantity: Watched,
     /// The place in words, with span and face.
     pub about: String,
     /// Span, from 1.
     pub span: usize,
-    /// "intrados" or "extrados".
-    pub face: String,
+    /// On which face.
+    pub face: Face,
     /// Under self-weight.
     pub self_weight: f64,
     /// Least value of the passage, self-weight taken off.
@@ -129,8 +173,8 @@ pub struct PlaceFacts {
 /// The worst joints of a passage, live load increased by an augment.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct JointFacts {
-    /// "design" or "total".
-    pub reading: String,
+    /// Which coefficient of dynamic augment.
+    pub reading: Reading,
     /// Its coefficient on the longest span.
     pub augment: f64,
     /// Its coefficient where the shear is largest.
@@ -159,7 +203,7 @@ pub struct UltimateFacts {
     /// What the loads are called.
     pub load: String,
     /// How the analysis ended.
-    pub status: String,
+    pub status: Status,
     /// Method in words.
     pub method: String,
     /// Least factor on the loads of the file; none where a position found no answer.
@@ -185,10 +229,10 @@ pub struct UltimateFacts {
     pub positions_not_converged: usize,
     /// Assumptions.
     pub assumptions: Vec<String>,
-    /// Warnings: code and words.
-    pub warnings: Vec<[String; 2]>,
-    /// The object of `extrados collapse` at the governing position.
-    pub object: Value,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// The collapse at the governing position.
+    pub collapse: Option<Box<Collapse>>,
 }
 
 /// Vehicles moved over the bridge under the factors of a rule.
@@ -218,8 +262,8 @@ pub struct VehicleFacts {
     pub positions_not_converged: usize,
     /// Assumptions.
     pub assumptions: Vec<String>,
-    /// Warnings: code and words.
-    pub warnings: Vec<[String; 2]>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
 }
 
 /// What safety a rule holds.
@@ -229,14 +273,14 @@ pub struct SafetyFacts {
     pub rule: String,
     /// Factor on live loads, without impact.
     pub live_load: f64,
-    /// How sure it is: "read", "calculated", "recalled" or "assumed".
-    pub live_load_confidence: String,
+    /// How sure it is.
+    pub live_load_confidence: Confidence,
     /// Model factor that the adequacy factors already hold.
     pub model: f64,
     /// How sure it is.
-    pub model_confidence: String,
+    pub model_confidence: Confidence,
     /// Every factor as "name value", and how sure it is.
-    pub factors: Vec<(String, String)>,
+    pub factors: Vec<(String, Confidence)>,
 }
 
 /// A vehicle that was moved over the bridge.
@@ -247,7 +291,7 @@ pub struct SweptFacts {
     /// Its name.
     pub title: String,
     /// How the governing case ended.
-    pub status: String,
+    pub status: Status,
     /// What all its factored loads may be multiplied by; 1 is just enough. None where a position found no answer.
     pub adequacy: Option<f64>,
     /// The same with fill that presses, where the file has it; `adequacy` is the lower end.
@@ -272,33 +316,33 @@ pub struct SweptFacts {
     /// Cases that the interior-point method answered one by one.
     #[serde(default)]
     pub slow_cases: usize,
-    /// How sure its loads and distances are: "read", "calculated", "recalled" or "assumed".
+    /// How sure its loads and distances are.
     #[serde(default)]
-    pub loads_confidence: String,
+    pub loads_confidence: Confidence,
 }
 
 /// The movement of a support that makes a mechanism.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MovementFacts {
     /// How the analysis ended.
-    pub status: String,
+    pub status: Status,
     /// Last movement at which the bridge stood [mm].
     pub last_stable_mm: Option<f64>,
     /// Movement at which it fell [mm].
     pub collapse_mm: Option<f64>,
     /// Which support, in words.
     pub support: String,
-    /// Warnings: code and words.
-    pub warnings: Vec<[String; 2]>,
-    /// The object of `extrados collapse`.
-    pub object: Value,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// The whole analysis.
+    pub collapse: Option<Box<Collapse>>,
 }
 
 /// What updating found.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct UpdateFacts {
     /// How it ended.
-    pub status: String,
+    pub status: UpdateStatus,
     /// Parameters.
     pub parameters: Vec<ParameterFacts>,
     /// Error norm of the start model.
@@ -315,10 +359,10 @@ pub struct UpdateFacts {
     pub told: Vec<String>,
     /// Assumptions.
     pub assumptions: Vec<String>,
-    /// Warnings: code and words.
-    pub warnings: Vec<[String; 2]>,
-    /// The object of `extrados update`.
-    pub object: Value,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// The whole update.
+    pub update: Option<Box<Update>>,
 }
 
 /// A parameter that was sought.

@@ -1,40 +1,34 @@
 //! What came of model updating: figures, summary and the wire format are made from this alone. Values of channels and of
 //! parameters carry the units that they are shown in, named beside them.
 
-use super::Search;
-use crate::analysis::passage::Quantity;
+use crate::passage::Quantity;
 use crate::warning::Warning;
+use crate::words::words;
 use calibrate::identify::Identifiability;
 use calibrate::linearised::Left;
 use calibrate::posterior::{Likelihood, Posterior, Summary};
+use calibrate::search::hierarchical::Variant;
 use calibrate::search::sweep::Sweep;
 use calibrate::search::{gradient, hierarchical, modern, referee};
-use calibrate::{Basis, Found, Problem};
+use calibrate::{Basis, Found, Problem, Start};
+use serde::{Deserialize, Serialize};
 
-/// How an update ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum UpdateStatus {
-    /// Every search that was asked for came to its end.
-    Completed,
-    /// A search, or the start model, found no end; the reason says which and why.
-    NotConverged,
-    /// Somebody asked to stop; the log holds what was done.
-    Cancelled,
-}
-
-impl UpdateStatus {
-    /// The word that scripts read.
-    pub fn word(self) -> &'static str {
-        match self {
-            UpdateStatus::Completed => "completed",
-            UpdateStatus::NotConverged => "not-converged",
-            UpdateStatus::Cancelled => "cancelled",
-        }
+words! {
+    /// How an update ended.
+    #[derive(Default)]
+    pub enum UpdateStatus {
+        /// Every search that was asked for came to its end.
+        Completed = "completed",
+        /// A search, or the start model, found no end; the reason says which and why.
+        #[default]
+        NotConverged = "not-converged",
+        /// Somebody asked to stop; the log holds what was done.
+        Cancelled = "cancelled",
     }
 }
 
 /// One parameter beside what `Problem` says of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ParameterPlace {
     /// Its name in results.
     pub name: String,
@@ -43,14 +37,12 @@ pub struct ParameterPlace {
 }
 
 /// A channel's histories over the passage at `Update::times`, self-weight taken off [unit of the channel].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Histories {
     /// Name of the sensor.
     pub name: String,
     /// What it records.
     pub quantity: Quantity,
-    /// Unit of the values: mm, microstrain, MPa.
-    pub unit: &'static str,
     /// As measured, brought to the model's times; empty where nothing was.
     pub measured: Vec<f64>,
     /// Of the start model.
@@ -62,18 +54,32 @@ pub struct Histories {
 }
 
 /// The paper's search by one reading of its rules, from one start.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PaperSearch {
-    /// "printed" or "as-practised".
-    pub variant: &'static str,
-    /// "stated", "means", "lower-bounds" or "upper-bounds".
-    pub start: &'static str,
+    /// Which reading of its rules.
+    pub variant: Variant,
+    /// Where it starts.
+    pub start: Start,
     /// Sweeps, surfaces, stages and the path taken.
     pub outcome: hierarchical::Outcome,
 }
 
+words! {
+    /// A search.
+    pub enum Search {
+        /// The railway paper's, by single sweeps and surfaces of two.
+        Hierarchical = "hierarchical",
+        /// Trust-region least squares from many starts.
+        Modern = "modern",
+        /// Evolution over the whole ranges.
+        Referee = "referee",
+        /// A plain gradient search from one start.
+        Gradient = "gradient",
+    }
+}
+
 /// One line of the table of searches.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SearchLine {
     /// Which.
     pub search: Search,
@@ -90,7 +96,7 @@ pub struct SearchLine {
 }
 
 /// The posterior and what it was sampled from.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PosteriorReport {
     /// The posterior; parameters in their units.
     pub posterior: Posterior,
@@ -105,7 +111,7 @@ pub struct PosteriorReport {
 }
 
 /// What the records leave open, with the model as a straight line about the answer.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LinearReport {
     /// Parameters with their intervals.
     pub left: Left,
@@ -115,27 +121,18 @@ pub struct LinearReport {
     pub ranking: Vec<usize>,
 }
 
-/// Where intervals and correlations come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum UncertaintyFrom {
-    /// The model as a straight line about the answer.
-    Linearised,
-    /// The sampled posterior.
-    Posterior,
-}
-
-impl UncertaintyFrom {
-    /// The word that scripts read.
-    pub fn word(self) -> &'static str {
-        match self {
-            UncertaintyFrom::Linearised => "linearised",
-            UncertaintyFrom::Posterior => "posterior",
-        }
+words! {
+    /// Where intervals and correlations come from.
+    pub enum UncertaintyFrom {
+        /// The model as a straight line about the answer.
+        Linearised = "linearised",
+        /// The sampled posterior.
+        Posterior = "posterior",
     }
 }
 
 /// A run of records.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunUsed {
     /// Its name.
     pub name: String,
@@ -150,7 +147,7 @@ pub struct RunUsed {
 }
 
 /// The records that were compared with.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RecordsUsed {
     /// Runs.
     pub runs: Vec<RunUsed>,
@@ -172,7 +169,7 @@ impl RecordsUsed {
 }
 
 /// What the peaks of all runs and lines tell.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// Peaks by run and line.
     pub peaks: records::PeakTable,
@@ -183,7 +180,7 @@ pub struct Verdict {
 }
 
 /// From records to a calibrated bridge.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Update {
     /// Name of the bridge.
     pub bridge: String,

@@ -3,7 +3,7 @@
 use super::collapse::CollapseObject;
 use super::tables::row;
 use super::{Run, WarningObject, kilo};
-use crate::analysis::vehicles::{ByDiscreteElements, Case, Extreme, SectionEnvelope, Swept, VehicleSweep, Weights};
+use crate::vehicles::{ByDiscreteElements, Case, Extreme, SectionEnvelope, Swept, VehicleSweep, Weights};
 use rules::{Factor, Source};
 use serde::Serialize;
 
@@ -273,7 +273,7 @@ fn section(s: &SectionEnvelope) -> SectionObject {
 
 fn extreme(e: &Extreme) -> ExtremeObject {
     ExtremeObject {
-        of: e.of,
+        of: e.of.word(),
         thrust_kn_per_m: kilo(e.thrust),
         eccentricity_m: e.eccentricity,
         outside_section: e.outside,

@@ -1,11 +1,12 @@
 //! `extrados.assess/1`.
 
-use super::{SensitivityFacts, ServiceFacts, VehicleFacts};
-use crate::assessment::{Assessment, Stage};
-use crate::checks::{Checked, Finding, Verdict, governing};
+use super::{CollapseObject, Run, UpdateObject};
+use crate::assessment::Assessment;
+use crate::checked::{Checked, Comparison, governing};
+use crate::collapse::Collapse;
 use crate::condition::Condition;
+use crate::facts::{SensitivityFacts, ServiceFacts, VehicleFacts};
 use serde::Serialize;
-use serde_json::Value;
 
 /// The result of an assessment. Status, warnings and times are those of the command.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -25,20 +26,20 @@ pub struct AssessObject {
     #[serde(skip_serializing_if = "Option::is_none")]
     service: Option<ServiceFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    collapse: Option<Value>,
+    collapse: Option<CollapseObject>,
     #[serde(skip_serializing_if = "Option::is_none")]
     vehicles: Option<VehicleFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    support_movement: Option<Value>,
+    support_movement: Option<CollapseObject>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    update: Option<Value>,
+    update: Option<UpdateObject>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct CheckObject {
-    code: &'static str,
-    title: &'static str,
-    clause: &'static str,
+    code: String,
+    title: String,
+    clause: String,
     load_model: String,
     value: f64,
     limit: f64,
@@ -63,16 +64,16 @@ struct ColumnsObject {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct NotMadeObject {
-    code: &'static str,
-    title: &'static str,
+    code: String,
+    title: String,
     why: String,
     analysis_failed: bool,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct GoverningObject {
-    code: &'static str,
-    title: &'static str,
+    code: String,
+    title: String,
     load_model: String,
     utilisation: f64,
     met: bool,
@@ -92,59 +93,58 @@ struct ConditionObject {
 
 impl AssessObject {
     /// The object for a report.
-    pub fn new(a: &Assessment, checked: &[Checked], verdict: &Verdict, condition: &[Condition]) -> AssessObject {
+    pub fn new(a: &Assessment) -> AssessObject {
+        let Assessment { facts, checked, verdict, .. } = a;
+        let collapse = |found: &Option<Box<Collapse>>| found.as_ref().map(|c| CollapseObject::new(c, &Run::default()));
         let found = checked.iter().flat_map(|check| {
             let list = check.outcome.as_ref().map_or(&[][..], |list| list);
             list.iter().map(|finding| object(check, finding))
         });
         let not_made = checked.iter().filter_map(|check| {
             let why = check.outcome.as_ref().err()?;
-            let (code, title) = (check.card.code, check.card.title);
+            let (code, title) = (check.code.clone(), check.title.clone());
             Some(NotMadeObject { code, title, why: why.why.clone(), analysis_failed: why.failed })
         });
         let worst = governing(checked).and_then(|(check, finding)| {
             let finding = checked[check].outcome.as_ref().ok()?.get(finding)?;
             Some(GoverningObject {
-                code: checked[check].card.code,
-                title: checked[check].card.title,
+                code: checked[check].code.clone(),
+                title: checked[check].title.clone(),
                 load_model: finding.load_model.clone(),
                 utilisation: finding.utilisation,
                 met: finding.met(),
             })
         });
         AssessObject {
-            bridge: a.bridge.name.clone(),
+            bridge: a.bridge.clone(),
             verdict: verdict.words.clone(),
-            headline: verdict.headline,
+            headline: verdict.headline.word(),
             strength_assessed: verdict.strength.assessed,
             missing: verdict.strength.missing.clone(),
             qualifications: verdict.strength.qualifications.clone(),
             checks: found.collect(),
             not_made: not_made.collect(),
             governing: worst,
-            condition: condition.iter().map(judged).collect(),
-            sensitivity: a.sensitivity.made().cloned(),
-            service: a.service.made().cloned(),
-            collapse: a.ultimate.made().map(|facts| facts.object.clone()),
-            vehicles: a.vehicles.made().cloned(),
-            support_movement: a.movement.made().map(|facts| facts.object.clone()),
-            update: match &a.update {
-                Stage::Made(facts) => Some(facts.object.clone()),
-                _ => None,
-            },
+            condition: a.condition.iter().map(judged).collect(),
+            sensitivity: facts.sensitivity.made().cloned(),
+            service: facts.service.made().cloned(),
+            collapse: facts.ultimate.made().and_then(|facts| collapse(&facts.collapse)),
+            vehicles: facts.vehicles.made().cloned(),
+            support_movement: facts.movement.made().and_then(|facts| collapse(&facts.collapse)),
+            update: facts.update.made().and_then(|facts| facts.update.as_deref()).map(UpdateObject::new),
         }
     }
 }
 
-fn object(check: &Checked, finding: &Finding) -> CheckObject {
+fn object(check: &Checked, finding: &Comparison) -> CheckObject {
     CheckObject {
-        code: check.card.code,
-        title: check.card.title,
-        clause: check.card.clause,
+        code: check.code.clone(),
+        title: check.title.clone(),
+        clause: check.clause.clone(),
         load_model: finding.load_model.clone(),
         value: finding.value,
         limit: finding.limit,
-        unit: finding.unit,
+        unit: finding.unit.word(),
         utilisation: finding.utilisation,
         met: finding.met(),
         basis: finding.basis.clone(),
@@ -180,8 +180,8 @@ pub fn checks_table(checked: &[Checked]) -> String {
         for finding in check.outcome.iter().flatten() {
             csv += &format!(
                 "{},{},{},{},{},{},{},{},{}\n",
-                check.card.code,
-                quoted(check.card.title),
+                check.code.clone(),
+                quoted(&check.title),
                 quoted(&finding.load_model),
                 finding.value,
                 finding.limit,

@@ -1,14 +1,16 @@
 //! Moduli of a stress-strain curve, and their scatter over samples.
 
+use serde::{Deserialize, Serialize};
+
 /// One sample's curve. Its first point is the first result: the block at rest under its own weight.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
     /// Points in the order of the load.
     pub points: Vec<CurvePoint>,
 }
 
 /// One load step at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CurvePoint {
     /// Mean stress under the block [Pa], compression positive.
     pub stress: f64,
@@ -16,6 +18,20 @@ pub struct CurvePoint {
     pub strain: f64,
     /// Sinking since the first result [m].
     pub displacement: f64,
+}
+
+/// Mean and scatter over samples.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Spread {
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation of one sample; zero for one sample alone.
+    pub standard_deviation: f64,
+    /// Standard error of the mean: over packings where there are several, for squares of one packing are neighbours;
+    /// otherwise over squares.
+    pub standard_error: f64,
+    /// Samples.
+    pub count: usize,
 }
 
 /// Moduli of one curve [Pa].
@@ -66,20 +82,6 @@ impl Curve {
         let square: f64 = self.points.iter().map(|p| (p.stress - stress).powi(2)).sum();
         square / mixed
     }
-}
-
-/// Mean and scatter over samples.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spread {
-    /// Mean.
-    pub mean: f64,
-    /// Standard deviation of one sample; zero for one sample alone.
-    pub standard_deviation: f64,
-    /// Standard error of the mean: over packings where there are several, for squares of one packing are neighbours;
-    /// otherwise over squares.
-    pub standard_error: f64,
-    /// Samples.
-    pub count: usize,
 }
 
 impl Spread {

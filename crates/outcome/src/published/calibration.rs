@@ -1,7 +1,7 @@
 //! `extrados.calibrate-fill/1`, and its tables.
 
 use super::tables::row;
-use crate::analysis::calibrate::{At, CalibrationReport, Measured, Sheared, Spread};
+use crate::calibration::{At, CalibrationReport, Measured, Sheared, Spread};
 use serde::Serialize;
 
 /// The result of a calibration of fill. Status, warnings and times are those of the command.
@@ -179,7 +179,7 @@ fn modulus_row(report: &CalibrationReport, k: usize, m: &Measured) -> Row {
 }
 
 fn curve(m: &Measured) -> Vec<Point> {
-    let point = |(p, deviation): &(crate::analysis::calibrate::CurvePoint, f64)| Point {
+    let point = |(p, deviation): &(crate::calibration::CurvePoint, f64)| Point {
         stress_kpa: p.stress / 1e3,
         strain: p.strain,
         strain_standard_deviation: *deviation,

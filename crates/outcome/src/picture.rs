@@ -1,11 +1,13 @@
 //! Results as an engineer reads them: in metres, newtons and pascals, on the bridge as drawn. Figures, tables and the
 //! wire format are made from these values alone.
 
+use serde::{Deserialize, Serialize};
+
 /// A point or vector [m] unless said otherwise.
 pub type Point = [f64; 2];
 
 /// A block as it was built.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Shape {
     /// Outline, counter-clockwise [m].
     pub outline: Vec<Point>,
@@ -16,7 +18,7 @@ pub struct Shape {
 }
 
 /// A particle as it was packed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Disc {
     /// Centre [m].
     pub centre: Point,
@@ -27,7 +29,7 @@ pub struct Disc {
 }
 
 /// A particle at one load.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct DiscState {
     /// Centre [m].
     pub centre: Point,
@@ -40,7 +42,7 @@ pub struct DiscState {
 }
 
 /// What a particle touches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Partner {
     /// Index into the shapes.
     Shape(usize),
@@ -49,7 +51,7 @@ pub enum Partner {
 }
 
 /// A force on a particle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ParticleForce {
     /// Index into the particles.
     pub particle: usize,
@@ -70,7 +72,7 @@ pub struct ParticleForce {
 }
 
 /// How a block has moved: translation of its centroid [m] and rotation [rad].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Motion {
     /// Translation [m].
     pub translation: Point,
@@ -79,7 +81,7 @@ pub struct Motion {
 }
 
 /// Where a hinge opens.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HingeAt {
     /// The joint turns about its intrados edge.
     Intrados,
@@ -90,7 +92,7 @@ pub enum HingeAt {
 }
 
 /// A hinge of the mechanism.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Hinge {
     /// Where, on the bridge as built [m].
     pub point: Point,
@@ -103,7 +105,7 @@ pub struct Hinge {
 }
 
 /// A force between two blocks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactForce {
     /// Indices into the shapes.
     pub blocks: [usize; 2],
@@ -122,7 +124,7 @@ pub struct ContactForce {
 }
 
 /// The bridge at one load.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Snapshot {
     /// Load [N/m].
     pub load: f64,
@@ -141,7 +143,7 @@ pub struct Snapshot {
 }
 
 /// A point of the line of thrust.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ThrustPoint {
     /// Where the resultant crosses a joint [m].
     pub point: Point,
@@ -150,7 +152,7 @@ pub struct ThrustPoint {
 }
 
 /// One load step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// Load [N/m] (support movement: [m]).
     pub load: f64,
@@ -165,7 +167,7 @@ pub struct Step {
 }
 
 /// A load as drawn: a trapezoid of pressure on the extrados, or an arrow.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LoadArrow {
     /// Where it acts on the blocks [m].
     pub at: Point,
@@ -174,7 +176,7 @@ pub struct LoadArrow {
 }
 
 /// A layer of the cover, or backing, as drawn behind the ring.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Band {
     /// What it is: "fill", "surfacing", "backing".
     pub name: String,
@@ -185,7 +187,7 @@ pub struct Band {
 }
 
 /// What a dimension measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Measure {
     /// Horizontal distance between two springings at the intrados.
     Span,
@@ -202,7 +204,7 @@ pub enum Measure {
 }
 
 /// A dimension to be drawn on the bridge as built.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dimension {
     /// What it measures.
     pub measure: Measure,
@@ -213,7 +215,7 @@ pub struct Dimension {
 }
 
 /// Everything that figures and files of a collapse analysis are made from.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Picture {
     /// Title: bridge and analysis.
     pub title: String,

@@ -1,0 +1,33 @@
+//! Everything that is known of a bridge when it is judged. Checks and condition read this and nothing else.
+
+use crate::checks::verdict;
+use crate::condition::condition;
+use bridge::Bridge;
+use bridge::assess::Assess;
+use outcome::assessment::{Assessment, Facts};
+use outcome::checked::Checked;
+
+/// A bridge with the facts of its stages.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evidence {
+    /// The bridge that was analysed: with updated parameters where records gave them.
+    pub bridge: Bridge,
+    /// What the file asks for.
+    pub asked: Assess,
+    /// The facts.
+    pub facts: Facts,
+}
+
+impl Evidence {
+    /// What its checks amount to.
+    pub fn judged(self, checked: Vec<Checked>) -> Assessment {
+        Assessment {
+            bridge: self.bridge.name.clone(),
+            verdict: verdict(&self, &checked),
+            condition: condition(&self),
+            limits_source: self.asked.limits.source,
+            facts: self.facts,
+            checked,
+        }
+    }
+}

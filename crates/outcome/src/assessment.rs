@@ -1,0 +1,89 @@
+//! An assessment: the facts of every stage, the checks that read them, and the verdict. Reports read nothing else.
+
+use crate::checked::{Checked, Verdict};
+use crate::condition::Condition;
+use crate::facts::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
+use crate::warning::Warning;
+use serde::{Deserialize, Serialize};
+
+/// What became of a stage.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Stage<T> {
+    /// It was made.
+    Made(T),
+    /// The file does not ask for it, or has not what it needs: in words.
+    NotAsked(String),
+    /// It was asked for and came to no end: in words.
+    Failed(String),
+}
+
+impl<T> Stage<T> {
+    /// Its facts.
+    pub fn made(&self) -> Option<&T> {
+        match self {
+            Stage::Made(facts) => Some(facts),
+            _ => None,
+        }
+    }
+
+    /// Why there are none.
+    pub fn why_not(&self) -> Option<&str> {
+        match self {
+            Stage::Made(_) => None,
+            Stage::NotAsked(why) | Stage::Failed(why) => Some(why),
+        }
+    }
+
+    /// Whether it was asked for and came to no end.
+    pub fn failed(&self) -> bool {
+        matches!(self, Stage::Failed(_))
+    }
+}
+
+/// The facts of every stage.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Facts {
+    /// Model updating.
+    pub update: Stage<UpdateFacts>,
+    /// Loads in service.
+    pub service: Stage<ServiceFacts>,
+    /// The file's loads at collapse.
+    pub ultimate: Stage<UltimateFacts>,
+    /// Vehicles moved over the bridge.
+    pub vehicles: Stage<VehicleFacts>,
+    /// A support that moves.
+    pub movement: Stage<MovementFacts>,
+    /// What changes the governing utilisation; it can only be made once there is one.
+    pub sensitivity: Stage<SensitivityFacts>,
+}
+
+impl Facts {
+    /// Warnings of every stage, each with the stage's name.
+    pub fn warnings(&self) -> impl Iterator<Item = (&'static str, &Warning)> {
+        let lists: [(&str, &[Warning]); 5] = [
+            ("update", self.update.made().map_or(&[], |facts| &facts.warnings)),
+            ("service", self.service.made().map_or(&[], |facts| &facts.warnings)),
+            ("collapse", self.ultimate.made().map_or(&[], |facts| &facts.warnings)),
+            ("vehicles", self.vehicles.made().map_or(&[], |facts| &facts.warnings)),
+            ("support movement", self.movement.made().map_or(&[], |facts| &facts.warnings)),
+        ];
+        lists.into_iter().flat_map(|(stage, list)| list.iter().map(move |warning| (stage, warning)))
+    }
+}
+
+/// A bridge that was judged.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Assessment {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// Where the file has its limits from.
+    pub limits_source: Option<String>,
+    /// The facts of its stages.
+    pub facts: Facts,
+    /// Its checks.
+    pub checked: Vec<Checked>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Its condition.
+    pub condition: Vec<Condition>,
+}

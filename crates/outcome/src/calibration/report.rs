@@ -1,0 +1,252 @@
+//! A report as it grows: what is taken in, and what is said of it.
+
+use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, Verdict, Wanted};
+use crate::warning::{self, Warning};
+use bridge::{Bridge, Modulus};
+
+/// The wanted friction angle is met within this [rad]: half a degree.
+pub const ANGLE: f64 = 0.0087;
+/// The wanted cohesion is met within this share of itself, and within [`COHESION`] of nothing.
+pub const SHARE: f64 = 0.05;
+/// Cohesion that counts as none [Pa].
+pub const COHESION: f64 = 500.0;
+
+impl Wanted {
+    /// Whether the strength of other packings bears out what is wanted: twice what a search leaves.
+    pub fn checked_by(&self, strength: &Strength) -> bool {
+        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 4.0 * ANGLE);
+        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
+        angle && self.cohesion.is_none_or(enough)
+    }
+
+    /// Whether a strength is what is wanted.
+    pub fn met_by(&self, strength: &Strength) -> bool {
+        let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 2.0 * ANGLE);
+        let enough = |c: f64| (strength.cohesion.mean - c).abs() <= 2.0 * (SHARE * c).max(COHESION);
+        angle && self.cohesion.is_none_or(enough)
+    }
+}
+
+impl CalibrationReport {
+    /// Nothing found yet.
+    pub fn blank(bridge: &Bridge, seeds: &[u64]) -> CalibrationReport {
+        CalibrationReport {
+            verdict: Verdict::Completed,
+            bridge: bridge.name.clone(),
+            modulus: bridge.calibration.modulus,
+            plan: bridge.calibration.clone(),
+            stiffness: [0.0; 2],
+            seeds: seeds.to_vec(),
+            squares: 0,
+            particles: 0,
+            mean_diameter: 0.0,
+            solid_fraction: 0.0,
+            cut: 0,
+            replaced: 0,
+            table: Vec::new(),
+            found: None,
+            reach: None,
+            check: None,
+            strength: None,
+            drawn: None,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Stopped by the onlooker.
+    pub fn cancelled(mut self) -> CalibrationReport {
+        self.verdict = Verdict::Cancelled;
+        self
+    }
+
+    /// The table was all that was wanted.
+    pub fn without_search(self) -> CalibrationReport {
+        self
+    }
+
+    /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
+    pub fn sheared(&mut self, wanted: Wanted, fitted: Option<(Strength, bool)>) -> Option<Contact> {
+        let Some((found, reached)) = fitted else {
+            self.verdict = Verdict::Undetermined;
+            let message = "no sample rested and gave way under every confining pressure";
+            self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
+            return None;
+        };
+        if found.left_out > 0 {
+            let message = format!("{} samples do not count in the strength", found.left_out);
+            self.warnings.push(Warning::new(warning::NOT_SHEARED, message));
+        }
+        if !reached || !wanted.met_by(&found) {
+            self.verdict = Verdict::Undetermined;
+            let message = format!(
+                "with contacts of {:.1} degrees and {:.1} kPa the fill has {:.1} degrees and {:.1} kPa, which is the nearest to what is \
+                 wanted",
+                found.contact.friction_angle.to_degrees(),
+                found.contact.cohesion / 1e3,
+                found.friction_angle.mean.to_degrees(),
+                found.cohesion.mean / 1e3
+            );
+            self.warnings.push(Warning::new(warning::STRENGTH_OUT_OF_REACH, message));
+        }
+        let contact = found.contact;
+        self.strength = Some(Sheared { wanted, found, reached, check: None });
+        Some(contact)
+    }
+
+    /// Takes in the strength of other packings.
+    pub fn strength_checked(mut self, again: Option<Strength>) -> CalibrationReport {
+        let Some(sheared) = &mut self.strength else { return self };
+        let apart = match (&again, sheared.reached) {
+            (None, _) => Some("no sample of the other seeds could be sheared".to_owned()),
+            (Some(again), true) if !sheared.wanted.checked_by(again) => Some(format!(
+                "other packings have {:.1} degrees (standard error {:.1}) and {:.1} kPa (standard error {:.1})",
+                again.friction_angle.mean.to_degrees(),
+                again.friction_angle.standard_error.to_degrees(),
+                again.cohesion.mean / 1e3,
+                again.cohesion.standard_error / 1e3
+            )),
+            _ => None,
+        };
+        sheared.check = again;
+        if let Some(message) = apart {
+            self.verdict = Verdict::Undetermined;
+            self.warnings.push(Warning::new(warning::STRENGTH_CHECK_APART, message));
+        }
+        self
+    }
+
+    /// Warns of samples that do not count.
+    pub fn leave_out(&mut self, measured: &Measured) {
+        if measured.left_out > 0 {
+            let (out, all) = (measured.left_out, measured.samples.len());
+            let message = format!(
+                "{out} of {all} samples do not count at {:.4} times the stiffness of the file",
+                measured.multiple
+            );
+            self.warnings.push(Warning::new(warning::LEFT_OUT, message));
+        }
+    }
+}
+
+impl CalibrationReport {
+    /// The modulus that is compared with the wanted one.
+    pub fn compared(&self, measured: &Measured) -> Option<Spread> {
+        match self.modulus {
+            Modulus::Tangent => measured.tangent,
+            Modulus::Secant => measured.secant,
+        }
+    }
+
+    /// The word for it.
+    pub fn matched(&self) -> &'static str {
+        match self.modulus {
+            Modulus::Tangent => "tangent",
+            Modulus::Secant => "secant",
+        }
+    }
+
+    /// What the result speaks of: the multiple that was found, or the stiffness of the file where nothing was looked for.
+    pub fn shown(&self) -> Option<&Measured> {
+        let of_file = || self.table.iter().find(|m| m.multiple == 1.0).filter(|_| self.plan.wanted_modulus.is_none());
+        self.found.as_ref().or_else(of_file)
+    }
+
+    /// "16 packings", for sentences.
+    pub fn packings(&self) -> String {
+        let count = self.seeds.len();
+        format!("{count} packing{}", if count == 1 { "" } else { "s" })
+    }
+
+    /// The multiple that was found, where the table does not have it.
+    pub fn found_beside_the_table(&self) -> Option<&Measured> {
+        self.found.as_ref().filter(|found| self.table.iter().all(|m| m.multiple != found.multiple))
+    }
+
+    /// Standard error of the multiple that was found: that of the modulus over the slope of modulus over multiple between
+    /// the two rows of the table around it, in logarithms.
+    pub fn multiple_error(&self) -> Option<f64> {
+        let found = self.found.as_ref()?;
+        let spread = self.compared(found)?;
+        let mut rows: Vec<At> = self.table.iter().filter_map(|m| m.at(self.modulus)).collect();
+        rows.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
+        let above = rows.iter().position(|at| at.multiple > found.multiple).unwrap_or(rows.len());
+        let above = above.min(rows.len().checked_sub(1)?).max(1);
+        let (a, b) = (rows.get(above.checked_sub(1)?)?, rows.get(above)?);
+        let slope = (b.modulus / a.modulus).ln() / (b.multiple / a.multiple).ln();
+        let error = found.multiple * spread.standard_error / spread.mean / slope;
+        (error.is_finite() && error >= 0.0).then_some(error)
+    }
+
+    /// Says whether the check bears the search out.
+    pub fn judged(mut self, wanted: f64) -> CalibrationReport {
+        if self.verdict == Verdict::Cancelled {
+            return self;
+        }
+        let check = self.check.as_ref().and_then(|check| self.compared(&check.measured));
+        match check {
+            None => {
+                self.verdict = Verdict::Undetermined;
+                let message = "no sample of the other seeds could be pressed to the last load step";
+                self.warnings.push(Warning::new(warning::CHECK_APART, message));
+            }
+            Some(check) if (check.mean / wanted - 1.0).abs() > CHECKED => {
+                let message = format!(
+                    "other packings have {:.1} MPa ({:+.1} %, standard error {:.1} MPa) where {:.1} MPa is wanted",
+                    check.mean / 1e6,
+                    100.0 * (check.mean / wanted - 1.0),
+                    check.standard_error / 1e6,
+                    wanted / 1e6
+                );
+                self.warnings.push(Warning::new(warning::CHECK_APART, message));
+            }
+            Some(_) => {}
+        }
+        self
+    }
+
+    /// Says how far stiffness alone reaches.
+    pub fn out_of_reach(mut self, wanted: f64, [low, high]: [At; 2]) -> CalibrationReport {
+        self.verdict = Verdict::Undetermined;
+        let message = format!(
+            "a modulus of {:.1} MPa is out of reach: from {:.3} to {:.1} times the stiffness of the file the fill has {:.1} to \
+             {:.1} MPa",
+            wanted / 1e6,
+            low.multiple,
+            high.multiple,
+            low.modulus / 1e6,
+            high.modulus / 1e6
+        );
+        self.warnings.push(Warning::new(warning::OUT_OF_REACH, message));
+        self.reach = Some([low, high]);
+        self
+    }
+}
+
+/// The check with other packings is to give the wanted modulus within this share: what a modulus of fill is worth knowing
+/// to, a tenth of the step between two rows of the published table.
+const CHECKED: f64 = 0.05;
+
+impl Measured {
+    /// The modulus that is compared, where samples have one.
+    pub fn at(&self, modulus: Modulus) -> Option<At> {
+        let spread = if modulus == Modulus::Tangent { self.tangent } else { self.secant };
+        spread.map(|spread| At { multiple: self.multiple, modulus: spread.mean })
+    }
+
+    /// Nothing but a modulus, for tests of the search.
+    pub fn bare(multiple: f64, modulus: f64) -> Measured {
+        let spread = Spread::of(&[(0, modulus)]);
+        Measured {
+            multiple,
+            tangent: spread,
+            least_squares: spread,
+            secant: spread,
+            late_secant: spread,
+            left_out: 0,
+            curve: Vec::new(),
+            samples: Vec::new(),
+            iterations: 0,
+            drawn: None,
+        }
+    }
+}

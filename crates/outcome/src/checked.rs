@@ -1,0 +1,148 @@
+//! Checks and the verdict: what was compared with what.
+
+use crate::words::words;
+use serde::{Deserialize, Serialize};
+
+words! {
+    /// Units of comparisons.
+    pub enum Unit {
+        /// A bare number.
+        Ratio = "",
+        /// Millimetres.
+        Millimetre = "mm",
+        /// Megapascals.
+        Megapascal = "MPa",
+        /// Tonnes.
+        Tonne = "t",
+        /// A share of a ring's depth.
+        OfTheDepth = "of the depth",
+        /// A share of a strength.
+        OfTheStrength = "of the strength",
+        /// A share of the load at collapse.
+        OfTheUltimateLoad = "of the ultimate load",
+    }
+}
+
+/// A number and its limit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// The load that it is for.
+    pub load_model: String,
+    /// The number.
+    pub value: f64,
+    /// Its limit.
+    pub limit: f64,
+    /// Unit of both.
+    pub unit: Unit,
+    /// How much of the limit is used; above one it is not met.
+    pub utilisation: f64,
+    /// What was computed, where and how.
+    pub basis: String,
+    /// Place of the first axle that it belongs to [m], where there is one.
+    pub position: Option<f64>,
+    /// Self-weight, live load with design augment, their sum, live load with total augment, their sum: the columns of the
+    /// railway paper's Table 7, where the check has them.
+    pub columns: Option<[f64; 5]>,
+    /// Whether this is a check of strength: at ultimate, under factors with a source.
+    pub strength: bool,
+}
+
+impl Comparison {
+    /// Whether the limit is met.
+    pub fn met(&self) -> bool {
+        self.utilisation <= 1.0
+    }
+}
+
+/// Why a check could not be made.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct NotMade {
+    /// In words.
+    pub why: String,
+    /// Whether an analysis that it rests on was asked for and failed: then nothing is settled.
+    pub failed: bool,
+}
+
+impl NotMade {
+    /// For a reason that is no failure.
+    pub fn because(why: impl Into<String>) -> NotMade {
+        NotMade { why: why.into(), failed: false }
+    }
+}
+
+/// A check and what came of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Checked {
+    /// Code, `C…`; its card is in the checks.
+    pub code: String,
+    /// In a few words.
+    pub title: String,
+    /// The clause that it follows, in short.
+    pub clause: String,
+    /// What came of it.
+    pub outcome: Result<Vec<Comparison>, NotMade>,
+}
+
+words! {
+    /// A verdict in a word.
+    pub enum Judgement {
+        /// Everything was met, strength among it.
+        Adequate = "adequate",
+        /// Something was not met.
+        Inadequate = "inadequate",
+        /// Neither can be said.
+        Undetermined = "undetermined",
+    }
+}
+
+words! {
+    /// Rungs of the ladder of verdicts.
+    pub enum Rung {
+        /// A limit is not met.
+        NotAdequate = "Not adequate",
+        /// An analysis came to no end.
+        Undetermined = "Undetermined",
+        /// Nothing could be compared.
+        NothingCompared = "Undetermined: strength not assessed",
+        /// Limits are met and strength was not assessed.
+        LimitsMet = "Limits met; strength not assessed",
+        /// Limits are met, strength among them.
+        Adequate = "Adequate",
+    }
+}
+
+/// The verdict.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// What it is in a word.
+    pub status: Judgement,
+    /// The rung of the ladder, in a few words.
+    pub headline: Rung,
+    /// In a sentence or two.
+    pub words: String,
+    /// Whether every analysis that a check rests on came to an end.
+    pub finished: bool,
+    /// Whether strength was assessed, what is missing, and what qualifies it.
+    pub strength: Strength,
+}
+
+/// The finding with the largest utilisation: indices of its check and of itself.
+pub fn governing(checked: &[Checked]) -> Option<(usize, usize)> {
+    let all = checked.iter().enumerate().flat_map(|(c, check)| {
+        let list: &[Comparison] = check.outcome.as_ref().map_or(&[], |list| list);
+        list.iter().enumerate().map(move |(k, finding)| (c, k, finding.utilisation))
+    });
+    let worst = all.reduce(|worst, next| if next.2 > worst.2 { next } else { worst });
+    worst.map(|(check, finding, _)| (check, finding))
+}
+
+/// Whether strength was assessed.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Strength {
+    /// Whether an ultimate check was made under factors with a source, and none came to no end.
+    pub assessed: bool,
+    /// What is missing, in words; empty where it was assessed.
+    pub missing: Vec<String>,
+    /// What qualifies a check that was made, in words.
+    pub qualifications: Vec<String>,
+}

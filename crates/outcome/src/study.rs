@@ -1,0 +1,129 @@
+//! An analysis repeated over ranges of a bridge's quantities: what each run gave.
+
+mod design;
+mod sensitivity;
+
+pub use design::{Design, Run, count, runs};
+pub use sensitivity::{Extreme, Sensitivity, Trend, sensitivity};
+
+use crate::words::words;
+use bridge::vary::{Setting, Varied};
+use serde::{Deserialize, Serialize};
+
+/// The load that is carried: the headline of `extrados collapse`.
+pub const CARRIED: &str = "headline_kn_per_m";
+
+/// What one run gave. That it did not converge, or did not stand, is an outcome too.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Outcome {
+    /// How it ended.
+    pub status: String,
+    /// Numbers by name, with the unit at the end of the name; those that the run did not find are left out.
+    pub numbers: Vec<(String, f64)>,
+    /// Codes of what a reader should look at.
+    pub warnings: Vec<String>,
+    /// Why there is no more to tell, where the analysis could not be set up.
+    pub message: Option<String>,
+}
+
+impl Outcome {
+    /// A number of this name.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        self.numbers.iter().find(|(known, _)| known == name).map(|(_, number)| *number)
+    }
+}
+
+words! {
+    /// A command that can be repeated.
+    pub enum Command {
+        /// `extrados collapse`.
+        Collapse = "collapse",
+        /// `extrados collapse --sweep`.
+        Sweep = "sweep",
+    }
+}
+
+/// A run and what it gave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Which values it had.
+    pub run: Run,
+    /// What it gave.
+    pub outcome: Outcome,
+    /// How long it took when it was computed [s].
+    pub seconds: f64,
+    /// Whether it was taken from an earlier command.
+    pub cached: bool,
+}
+
+/// All runs of one command.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Study {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// The command that was repeated.
+    pub command: Command,
+    /// Which analysis the file's own plan has it make.
+    pub analysis: bridge::Analysis,
+    /// By which method, likewise.
+    pub method: bridge::Method,
+    /// One at a time, or all against all.
+    pub design: Design,
+    /// Name of the number that figures and sensitivities are about.
+    pub outcome: String,
+    /// Changes of that number up to this are the search's and not the bridge's.
+    pub resolution: f64,
+    /// What was varied.
+    pub quantities: Vec<Varied>,
+    /// The bridge as its file has it, then every run in the order of the design.
+    pub rows: Vec<Row>,
+}
+
+impl Study {
+    /// The method in words.
+    pub fn method_in_words(&self) -> &'static str {
+        match self.method {
+            bridge::Method::Dem => "discrete elements",
+            bridge::Method::Limit => "limit analysis",
+            bridge::Method::Fe => "finite elements",
+        }
+    }
+
+    /// The bridge as its file has it.
+    pub fn baseline(&self) -> Option<&Row> {
+        self.rows.first()
+    }
+
+    /// The leading number of a row.
+    pub fn number(&self, row: &Row) -> Option<f64> {
+        row.outcome.number(&self.outcome)
+    }
+
+    /// The value of a quantity in a row; none where it is the file's own and the file gives none.
+    pub fn setting(&self, row: &Row, quantity: usize) -> Option<&Setting> {
+        let varied = self.quantities.get(quantity)?;
+        match row.run.choice.get(quantity)? {
+            Some(value) => varied.values.get(*value),
+            None => varied.own.as_ref(),
+        }
+    }
+
+    /// Rows in which this quantity alone was varied, in the order of its values.
+    pub fn rows_of(&self, quantity: usize) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(move |row| row.run.varied == Some(quantity))
+    }
+
+    /// Names of all numbers, in the order in which runs gave them.
+    pub fn numbers(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for (name, _) in self.rows.iter().flat_map(|row| &row.outcome.numbers) {
+            if !names.contains(&name.as_str()) {
+                names.push(name);
+            }
+        }
+        names
+    }
+}
+
+#[cfg(test)]
+mod tests;

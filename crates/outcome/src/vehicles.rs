@@ -1,0 +1,327 @@
+//! Vehicles moved over the bridge under the factors of a rule: what was found.
+
+use crate::collapse::{Collapse, Status};
+use crate::sweep::Ended;
+use crate::warning::Warning;
+use crate::words::words;
+use bridge::Method;
+use rules::{Acting, Rule, Source};
+use serde::{Deserialize, Serialize};
+
+words! {
+    /// Which way a vehicle drives.
+    pub enum Direction {
+        /// To the right.
+        Right = "right",
+        /// To the left.
+        Left = "left",
+    }
+}
+
+/// What stands where.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Case {
+    /// Place of the vehicle's first axle, from the left springing of the first span [m].
+    pub position: f64,
+    /// Which way it drives.
+    pub direction: Direction,
+    /// Which arrangement: distances and lift-off; empty where there is only one.
+    pub arrangement: String,
+    /// First and last axle that stands on the bridge, counted from 0 from the front of the vehicle; none where uniform
+    /// loads stand alone.
+    pub axles: Option<[usize; 2]>,
+    /// The axle with the rule's factor for the critical one.
+    pub critical_axle: Option<usize>,
+    /// Factors on the weights of the bridge meanwhile.
+    pub weights: Weights,
+    /// From where to where uniform loads stand [m].
+    pub uniform: Option<[f64; 2]>,
+    /// Sum of the loads with their factors on the effective width [N/m].
+    pub load: f64,
+}
+
+/// The least adequacy factor with a vehicle at a place.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EnvelopePoint {
+    /// Which arrangement.
+    pub arrangement: String,
+    /// Which way it drives.
+    pub direction: Direction,
+    /// Place of the vehicle's first axle [m].
+    pub position: f64,
+    /// Whether every case there was answered.
+    pub converged: bool,
+    /// Least adequacy factor over what may stand there; none where a case was not answered or nothing collapses.
+    pub adequacy: Option<f64>,
+    /// First and last axle of what governs.
+    pub axles: Option<[usize; 2]>,
+    /// Factors on the weights of what governs.
+    pub weights: Option<Weights>,
+}
+
+/// What was found for one vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Swept {
+    /// Its code.
+    pub code: String,
+    /// Its name.
+    pub title: String,
+    /// Code of its load model.
+    pub model: String,
+    /// How the governing case ended.
+    pub status: Status,
+    /// Adequacy factor: what all its axle loads may be multiplied by; 1 is just enough. None where nothing makes a mechanism, and
+    /// where a position was not answered.
+    pub adequacy: Option<f64>,
+    /// Where positions were not answered: the least factor that the others leave. It bounds the adequacy factor from above and is no
+    /// answer.
+    pub adequacy_at_most: Option<f64>,
+    /// At how many positions a case was not answered.
+    pub positions_not_converged: usize,
+    /// Bounds of the governing case with dilatant friction.
+    pub bounds: Option<[f64; 2]>,
+    /// Adequacy factor without dilation, of the worst cases in which joints slide; none where none does.
+    pub without_dilation: Option<f64>,
+    /// The governing case.
+    pub case: Option<Case>,
+    /// Factors on weights with which it governs, or with which the bridge does not stand.
+    pub weights: Option<Weights>,
+    /// Worst case at every position.
+    pub envelope: Vec<EnvelopePoint>,
+    /// What critical joints carry under the vehicle, as elastic ones.
+    pub sections: Vec<SectionEnvelope>,
+    /// Width of the barrel that carries an axle [m].
+    pub effective_width: f64,
+    /// How vehicles stand across the bridge.
+    pub across: Across,
+    /// Factor on axles: live load and impact, the largest of all spans; and what the critical axle has besides.
+    pub load_factors: [f64; 2],
+    /// The first of these span by span: motion adds by the length of the loaded span.
+    pub span_factors: Vec<f64>,
+    /// What the rule does with its loads.
+    pub acting: Acting,
+    /// Where the vehicle is from.
+    pub source: Source,
+    /// How many cases were answered.
+    pub cases: usize,
+    /// How many of them had to be left to the interior-point method.
+    pub by_interior_point: usize,
+}
+
+impl Swept {
+    /// A position at which joints slide, answered again without dilation.
+    pub fn slides_at(&mut self, at: &EnvelopePoint, level: Option<f64>) {
+        let same = |p: &&mut EnvelopePoint| {
+            p.position == at.position && p.direction == at.direction && p.arrangement == at.arrangement
+        };
+        for point in self.envelope.iter_mut().filter(|p| same(p)) {
+            point.converged &= level.is_some();
+            point.adequacy = point.adequacy.zip(level).map(|(old, level)| old.min(level));
+        }
+    }
+
+    /// Says how it ended, with the least factor of what was answered: an adequacy factor only where everything was.
+    pub fn end(&mut self, whole: bool, least: Option<f64>) {
+        self.positions_not_converged = self.envelope.iter().filter(|p| !p.converged).count();
+        self.status = match (whole, self.positions_not_converged, least) {
+            (false, _, _) => Status::Cancelled,
+            (true, 1.., _) => Status::NotConverged,
+            (true, 0, Some(_)) => Status::Collapsed,
+            (true, 0, None) => Status::Locks,
+        };
+        let answered = self.status == Status::Collapsed;
+        (self.adequacy, self.adequacy_at_most) = if answered { (least, None) } else { (None, least) };
+    }
+
+    /// Takes the result of the governing case by itself: where it carries less, the smaller factor counts, and where it
+    /// found none, nothing is settled.
+    pub fn governed_by(&mut self, run: &Collapse, capacity: f64) {
+        // What is carried where no load was found bounds nothing from above.
+        let answered = run.status == Status::Collapsed;
+        let by_itself = run.carried().filter(|_| answered).map(|load| load / run.reference_load * capacity);
+        match by_itself {
+            Some(factor) => {
+                let smaller = |found: f64| if factor < found * (1.0 - SAME) { factor } else { found };
+                self.adequacy = self.adequacy.map(smaller);
+                self.adequacy_at_most = self.adequacy_at_most.map(smaller);
+            }
+            None if self.adequacy.is_some() => {
+                self.adequacy_at_most = self.adequacy.take();
+                self.status = Status::NotConverged;
+                self.positions_not_converged = self.positions_not_converged.max(1);
+            }
+            None => {}
+        }
+    }
+
+    /// The adequacy factor, or what bounds it from above.
+    pub fn factor(&self) -> Option<f64> {
+        self.adequacy.or(self.adequacy_at_most)
+    }
+}
+
+/// The sweep and a case by itself agree to this: both bounds of either do.
+const SAME: f64 = 1e-6;
+
+/// What was found for all vehicles.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct VehicleSweep {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// The rule.
+    pub rule: Rule,
+    /// The combinations of factors on weights that were tried.
+    pub weights: Vec<Weights>,
+    /// Every vehicle, in the order of the plan.
+    pub vehicles: Vec<Swept>,
+    /// The vehicle with the least adequacy factor, or the least bound on it.
+    pub governing: Option<usize>,
+    /// The governing case as a collapse analysis with its picture.
+    pub collapse: Option<Box<Collapse>>,
+    /// The governing case by discrete elements, where the plan asks for it.
+    pub discrete_elements: Option<ByDiscreteElements>,
+    /// Distance between positions [m].
+    pub step: f64,
+    /// What a reader should look at.
+    pub warnings: Vec<Warning>,
+    /// What was assumed.
+    pub assumptions: Vec<String>,
+}
+
+impl VehicleSweep {
+    /// How it ended: completed only where every position of every vehicle was answered.
+    pub fn status(&self) -> Ended {
+        let ended = |status| self.vehicles.iter().any(|v| v.status == status);
+        match self.governing {
+            _ if ended(Status::Cancelled) => Ended::Cancelled,
+            _ if ended(Status::NotConverged) => Ended::Undetermined,
+            None => Ended::Undetermined,
+            Some(_) => Ended::Completed,
+        }
+    }
+
+    /// At how many positions a case was not answered, over all vehicles.
+    pub fn positions_not_converged(&self) -> usize {
+        self.vehicles.iter().map(|v| v.positions_not_converged).sum()
+    }
+
+    /// The headline: the governing vehicle's factor by the method that gives less, and that method. None where it is not known.
+    pub fn headline(&self) -> Option<(f64, Method)> {
+        let by_limit = self.vehicles.get(self.governing?)?.adequacy?;
+        let second = self.discrete_elements.as_ref().and_then(|second| second.adequacy);
+        Some(match second {
+            Some(second) if second < by_limit => (second, Method::Dem),
+            _ => (by_limit, Method::Limit),
+        })
+    }
+}
+
+/// How vehicles stand across the bridge where that is worst.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Across {
+    /// How many stand abreast.
+    pub abreast: usize,
+    /// Whether the outermost one stands at the edge.
+    pub at_edge: bool,
+    /// Width of the barrel that carries the axles of the first vehicle [m]: the force per metre of width is that of its
+    /// axle over this width, whatever stands beside it, multiple presence included.
+    pub axles: f64,
+    /// The same for each of its uniform loads, in their order, each in the arrangement that is worst for it [m].
+    pub uniform: Vec<f64>,
+}
+
+impl Across {
+    /// In words: "2 vehicles abreast, the outer one at the edge".
+    pub fn told(&self) -> String {
+        match (self.abreast, self.at_edge) {
+            (1, false) => "one vehicle in the middle of the barrel".to_owned(),
+            (1, true) => "one vehicle at the edge of the barrel".to_owned(),
+            (count, false) => format!("{count} vehicles abreast"),
+            (count, true) => format!("{count} vehicles abreast, the outer one at the edge"),
+        }
+    }
+}
+
+/// Factors on the weights of one combination.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Weights {
+    /// On masonry: rings, piers, spandrel walls.
+    pub masonry: f64,
+    /// On fill, backing and sub-base; none where the bridge has no such weight.
+    pub fill: Option<f64>,
+    /// On surfacing and ballast; none where the bridge has no such weight.
+    pub surfacing: Option<f64>,
+}
+
+impl Weights {
+    /// "weights: masonry × 1.15, fill × 1", each pair on one line.
+    pub fn told(&self) -> String {
+        let groups = [("masonry", Some(self.masonry)), ("fill", self.fill), ("surfacing", self.surfacing)];
+        let each = groups.iter().filter_map(|(name, factor)| Some(format!("{name}\u{a0}×\u{a0}{}", (*factor)?)));
+        format!("weights: {}", each.collect::<Vec<_>>().join(", "))
+    }
+}
+
+words! {
+    /// What is extreme.
+    pub enum Of {
+        /// Largest compression.
+        LargestThrust = "largest thrust",
+        /// Smallest compression.
+        SmallestThrust = "smallest thrust",
+        /// Thrust farthest outwards.
+        OutermostThrust = "outermost thrust",
+        /// Thrust farthest inwards.
+        InnermostThrust = "innermost thrust",
+        /// Largest shear.
+        LargestShear = "largest shear",
+    }
+}
+
+/// An extreme and what goes with it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Extreme {
+    /// Of what.
+    pub of: Of,
+    /// Compression [N/m].
+    pub thrust: f64,
+    /// Distance of the thrust from the middle of the joint [m], outwards positive; on piers to the left.
+    pub eccentricity: f64,
+    /// Whether that lies outside the joint: no ring without tension carries it so; joints open and hinges form.
+    pub outside: bool,
+    /// Shear [N/m].
+    pub shear: f64,
+    /// The case.
+    pub case: Case,
+}
+
+/// A critical joint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SectionEnvelope {
+    /// Where: "span 1 left springing".
+    pub name: String,
+    /// Middle of the joint [m].
+    pub at: [f64; 2],
+    /// Length of the joint between its contact points [m].
+    pub depth: f64,
+    /// Extremes over all cases.
+    pub extremes: Vec<Extreme>,
+}
+
+/// The governing case by discrete elements.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ByDiscreteElements {
+    /// How it ended; none where it could not be made.
+    pub status: Option<Status>,
+    /// Adequacy factor of the last load step that was carried.
+    pub adequacy: Option<f64>,
+    /// The same by limit analysis.
+    pub limit: Option<f64>,
+    /// Load step, as an adequacy factor.
+    pub step: f64,
+    /// How far inside the edges contact points were put for crushing [m], beyond the file's own rounding; none where masonry does
+    /// not crush or blocks are too small for it.
+    pub inset: Option<f64>,
+    /// Why it could not be made.
+    pub reason: Option<String>,
+}
