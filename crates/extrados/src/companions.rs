@@ -3,9 +3,9 @@
 use crate::files::Files;
 use crate::refusal::Refusal;
 use assess::analysis::update::RecordFile;
-use assess::packing_file;
 use bridge::{Particles, Read, Severity, SweepPlan, train};
 use std::path::{Path, PathBuf};
+use structure::packing_file;
 
 /// Reads what the bridge of a file takes from other files.
 pub fn take(read: &mut Read, path: &Path, files: &dyn Files) -> Result<(), Refusal> {

@@ -5,8 +5,8 @@ use crate::collapse::planned;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use assess::analysis::by_dem::stepping;
-use assess::discretise::Discretised;
 use mechanics::dem;
+use structure::discretise::Discretised;
 
 /// A run that goes on when it is told to. Its numbers are those of [`collapse`](crate::collapse()) by discrete elements.
 pub struct Stepping {

@@ -6,9 +6,9 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
 use assess::analysis::{self, Places};
-use assess::discretise::bridge_length;
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
+use structure::discretise::bridge_length;
 
 /// How a sweep is made.
 #[derive(Debug, Clone, Default)]

@@ -2,10 +2,10 @@
 //! of real ones. Nothing is solved here.
 
 use assess::analysis::passage::{Setup, Solution, report, setup};
-use assess::discretise::mesh::Seam;
 use bridge::Bridge;
-use outcome::passage::{Part, Influence, Moment, Pair, PairState, Row, RowKind, StepLog};
+use outcome::passage::{Influence, Moment, Pair, PairState, Part, Row, RowKind, StepLog};
 use outcome::passage::{Passage, PassageStatus};
+use structure::discretise::mesh::Seam;
 
 fn example() -> Bridge {
     let text = include_str!("../../../examples/railway-arch/passage.toml");
@@ -31,7 +31,7 @@ fn axles(setup: &Setup, position: f64) -> Vec<(f64, f64)> {
 fn moment(bridge: &Bridge, setup: &Setup, name: &str, position: Option<f64>) -> Moment {
     let mesh = &setup.meshed.mesh;
     let above = position.map(|at| axles(setup, at)).unwrap_or_default();
-    let end = assess::discretise::bridge_length(bridge);
+    let end = structure::discretise::bridge_length(bridge);
     let displacements: Vec<[f64; 2]> = mesh
         .nodes
         .iter()

@@ -1,11 +1,11 @@
 //! Layers of the cover and backing as areas of the elevation, with their depths in words.
 
 use super::places::point;
-use crate::discretise::extrados::Extrados;
-use crate::discretise::{Discretised, cover};
 use bridge::{BackingBody, Bridge};
 use mechanics::plane::{Vec2, vec2};
 use outcome::picture::{Band, Point};
+use structure::discretise::extrados::Extrados;
+use structure::discretise::{Discretised, cover};
 
 /// Layers that are weight alone, and backing that is: particles, slabs and blocks are drawn as what they are. Backing comes last,
 /// to lie over the fill.

@@ -1,10 +1,10 @@
 //! Results with nothing found yet, for analyses to fill.
 
 use super::asked::asked;
-use crate::discretise::Discretised;
 use bridge::{Bridge, Plan};
 use outcome::collapse::{By, Collapse, Sought, Status};
 use outcome::picture::Picture;
+use structure::discretise::Discretised;
 
 /// Of a bridge.
 pub(super) fn of_bridge(bridge: &Bridge, d: &Discretised, by: By, picture: Picture) -> Collapse {

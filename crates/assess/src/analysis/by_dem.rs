@@ -3,7 +3,6 @@
 use super::blank;
 use super::places::{lines, moving, point, scaled};
 use super::{AnalysisError, by_limit, notes, picture};
-use crate::discretise::{Discretised, discretise, laws};
 use bridge::{Bridge, ContactLength, Damping, Plan, Strip};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
@@ -16,6 +15,7 @@ use outcome::collapse::By;
 use outcome::collapse::{Collapse, DemReport, Status};
 use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
 use outcome::warning::{self, Warning};
+use structure::discretise::{Discretised, discretise, laws};
 
 /// How the plan wants the method done.
 pub fn settings(bridge: &Bridge) -> dem::Settings {

@@ -3,7 +3,6 @@
 use super::blank;
 use super::places::{between_rings, edge_at, lines, point, scaled};
 use super::{AnalysisError, notes, picture};
-use crate::discretise::{Discretised, discretise, pressure};
 use bridge::{Bridge, ContactPoints, Friction, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
@@ -11,6 +10,7 @@ use mechanics::limit;
 use outcome::collapse::{By, FlowRule};
 use outcome::collapse::{Collapse, LimitReport, Status};
 use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
+use structure::discretise::{Discretised, discretise, pressure};
 
 /// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
 pub fn settings(bridge: &Bridge) -> limit::Settings {

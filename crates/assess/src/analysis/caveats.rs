@@ -1,11 +1,11 @@
 //! What the pages of `docs/` say against a method, said in every result that it concerns. The table of all such sentences is
 //! `docs/theory/limits.md`.
 
-use crate::discretise::{Discretised, Origin};
 use bridge::{Bridge, DispersalRule};
 use outcome::collapse::Collapse;
 use outcome::collapse::FlowRule;
 use outcome::warning::{self, Warning};
+use structure::discretise::{Discretised, Origin};
 
 /// Fill under a wheel is not asked whether it bears the wheel.
 pub const FILL_UNDER_WHEELS: &str =

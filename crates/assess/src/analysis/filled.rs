@@ -3,8 +3,6 @@
 use super::blank;
 use super::by_dem::{loads, report, require_stiffness, settings};
 use super::{AnalysisError, by_limit, notes};
-use crate::discretise::fill::FillRegion;
-use crate::discretise::{Discretised, Origin, discretise};
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{Block, BlockModel, Loading, ModelError, Particle};
 use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begin, pack, take_over};
@@ -14,6 +12,8 @@ use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{By, Status};
 use outcome::collapse::{Collapse, PackingReport};
+use structure::discretise::fill::FillRegion;
+use structure::discretise::{Discretised, Origin, discretise};
 
 /// Packs the fill, lets ring and fill come to rest, puts the loading blocks on it and raises the loads in steps until
 /// the ring collapses or the fill gives way.

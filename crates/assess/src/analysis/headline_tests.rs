@@ -79,7 +79,7 @@ fn discrete_elements_say_that_joints_bear_on_two_points_and_that_crushing_is_lef
 #[test]
 fn a_stalled_run_has_no_collapse_load() {
     use mechanics::dem;
-    let d = crate::discretise::discretise(&short()).unwrap();
+    let d = structure::discretise::discretise(&short()).unwrap();
     let program = dem::Program { increment: 1.0, limit: 1.0, resolution: None, watched: d.watched };
     let mut outcome =
         dem::collapse(&d.model, &d.loading, &program, &by_dem::settings(&short()), None, &mut Unwatched).unwrap();
@@ -219,7 +219,7 @@ fn the_worst_position_is_sought_between_the_positions_until_every_axle_has_cross
     assert!((coarse_least / fine_least - 1.0).abs() < 2e-3, "{coarse_least} {fine_least}");
     // Both quarters are reached by the heavy axle, whichever side of the first load it stands.
     let places: Vec<f64> = coarse.points.iter().map(|p| p.position).collect();
-    let offset = crate::discretise::dispersal::strips(&b.loads[0].kind, 0.0)[1].middle;
+    let offset = structure::discretise::dispersal::strips(&b.loads[0].kind, 0.0)[1].middle;
     let reached = |x: f64| places.iter().any(|p| p + offset <= x) && places.iter().any(|p| p + offset >= x);
     assert!(reached(0.01) && reached(18.29), "{places:?} {offset}");
     assert!(places.windows(2).all(|pair| pair[0] <= pair[1]));

@@ -34,13 +34,13 @@ pub use sweep::{Places, sweep};
 pub use thickness::thickness;
 pub use vehicles::vehicle_sweep;
 
-use crate::discretise::{DiscretiseError, fill};
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::dem::PackingError;
 use mechanics::watch::Watch;
 use outcome::collapse::Collapse;
 use outcome::picture::Picture;
+use structure::discretise::{DiscretiseError, fill};
 use thiserror::Error;
 
 /// Why an analysis cannot be set up. What the file must change is in the words.

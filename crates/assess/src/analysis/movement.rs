@@ -3,7 +3,6 @@
 use super::blank;
 use super::places::point;
 use super::{AnalysisError, by_dem, by_limit, notes, picture};
-use crate::discretise::{Discretised, discretise};
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::ids::{BlockId, Table};
@@ -13,6 +12,7 @@ use mechanics::watch::Watch;
 use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, SupportReport};
 use outcome::picture::{Motion, Snapshot};
+use structure::discretise::{Discretised, discretise};
 
 /// Limit analysis narrows the movement to this share of the increment.
 const FINE: f64 = 1e-3;

@@ -1,12 +1,12 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
-use crate::discretise::{Discretised, Origin, pressure};
 use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule};
 use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
 use outcome::collapse::{Collapse, Status};
 use outcome::warning::{self, Warning};
+use structure::discretise::{Discretised, Origin, pressure};
 
 mod joints;
 

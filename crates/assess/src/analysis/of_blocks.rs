@@ -1,8 +1,6 @@
 //! Collapse of a block model that a file lists or a drawing holds.
 
 use super::{AnalysisError, by_dem, by_limit};
-use crate::blocks::Scene;
-use crate::discretise::{Discretised, laws};
 use bridge::{Method, Plan};
 use mechanics::dem::Body;
 use mechanics::ids::{GroupId, Id};
@@ -13,6 +11,8 @@ use outcome::collapse::{Collapse, Status};
 use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Point, Shape, Snapshot, ThrustPoint};
 use outcome::warning::{self, Warning};
 use std::collections::BTreeMap;
+use structure::blocks::Scene;
+use structure::discretise::{Discretised, laws};
 
 /// The blocks as they are drawn. Nothing is computed.
 pub fn blocks_as_built(scene: &Scene) -> Picture {
@@ -194,8 +194,11 @@ fn blank(scene: &Scene, d: &Discretised, by: By, status: Status, picture: Pictur
 }
 
 fn built(scene: &Scene, title: &str) -> Picture {
-    let shape =
-        |body: &crate::blocks::Body| Shape { outline: body.outline.clone(), role: "block".to_owned(), held: body.held };
+    let shape = |body: &structure::blocks::Body| Shape {
+        outline: body.outline.clone(),
+        role: "block".to_owned(),
+        held: body.held,
+    };
     let variable = scene.forces.iter().filter(|force| !force.permanent);
     Picture {
         title: format!("{}: {title}", scene.name),
@@ -278,3 +281,7 @@ fn joints(contacts: &[ContactForce]) -> Vec<([usize; 2], ThrustPoint)> {
     };
     pairs.into_iter().map(resultant).collect()
 }
+
+#[cfg(test)]
+#[path = "of_blocks_tests.rs"]
+mod tests;

@@ -3,12 +3,12 @@
 use super::bands::bands;
 use super::dimensions::dimensions;
 use super::places::point;
-use crate::discretise::{Discretised, cover};
 use bridge::Bridge;
 use mechanics::blocks::{Particle, PointForce};
 use mechanics::ids::BlockId;
 use mechanics::plane::Vec2;
 use outcome::picture::{ContactForce, Disc, LoadArrow, Picture, Shape};
+use structure::discretise::{Discretised, cover};
 
 /// Blocks, surface and loads of a bridge as built.
 pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {

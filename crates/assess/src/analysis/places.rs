@@ -1,10 +1,10 @@
 //! Joints of a discretised bridge: where they stand in it, how their sides move, which are hinges.
 
-use crate::discretise::{Discretised, Origin};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::plane::{Vec2, vec2};
 use outcome::picture::{Hinge, HingeAt, Motion, Point};
+use structure::discretise::{Discretised, Origin};
 
 /// A vector as results show it.
 pub fn point(v: Vec2) -> Point {

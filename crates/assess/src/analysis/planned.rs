@@ -2,11 +2,11 @@
 
 use super::by_dem::require_stiffness;
 use super::{AnalysisError, by_limit, filled, thickness};
-use crate::discretise::fill;
-use crate::discretise::ring_mesh::ring_mesh;
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::dem::PackingError;
 use mechanics::watch::{Progress, Watch, Wish};
+use structure::discretise::fill;
+use structure::discretise::ring_mesh::ring_mesh;
 
 /// Refuses what the collapse analysis of the file's plan would refuse. A file that describes no load plans none.
 pub fn planned(bridge: &Bridge) -> Result<(), AnalysisError> {

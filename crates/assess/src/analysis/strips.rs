@@ -13,7 +13,7 @@ use outcome::warning::{self, Warning};
 /// held sideways and would hold a wall too, so the bricks of the walls are loaded themselves. A kept state starts with the number of
 /// the strip that was at work; on resuming the first strip is run again, to the same bits.
 pub fn both(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let wall = bridge.spandrel_wall.as_ref().ok_or(crate::discretise::DiscretiseError::NoWall)?;
+    let wall = bridge.spandrel_wall.as_ref().ok_or(structure::discretise::DiscretiseError::NoWall)?;
     let kept = match resume.map(<[u64]>::split_first) {
         None => [None, None],
         Some(Some((&0, words))) => [Some(words), None],

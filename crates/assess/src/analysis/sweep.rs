@@ -6,7 +6,6 @@
 use super::pieces::{self, Pace, Stage};
 use super::vehicles::{DILATANCY, REFINEMENTS};
 use super::{AnalysisError, by_limit};
-use crate::discretise::{Discretised, bridge_length, dispersal};
 use bridge::{Bridge, LoadKind};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Sweeper};
@@ -14,6 +13,7 @@ use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
+use structure::discretise::{Discretised, bridge_length, dispersal};
 
 /// Where the first load's reference point stands [m].
 #[derive(Debug, Clone, Copy, PartialEq)]

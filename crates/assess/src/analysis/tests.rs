@@ -1,11 +1,11 @@
 //! Analyses of published bridges.
 
 use super::*;
-use crate::discretise::discretise;
 use crate::samples::{bridgemill, case_two, semicircle, spandrel_wall};
 use bridge::{ContactPoints, Method};
 use outcome::collapse::Status;
 use outcome::picture::HingeAt;
+use structure::discretise::discretise;
 
 fn limit_load(mut b: Bridge, points: ContactPoints) -> f64 {
     b.plan.method = Method::Limit;
@@ -436,7 +436,7 @@ fn backing_of_blocks_stands_on_the_ring_and_helps() {
     };
     let (weight, blocks) = (with(bridge::BackingBody::Weight), with(bridge::BackingBody::Blocks));
     let d = discretise(&blocks).unwrap();
-    let columns = d.origins.iter().filter(|o| matches!(o, crate::discretise::Origin::Backing { .. })).count();
+    let columns = d.origins.iter().filter(|o| matches!(o, structure::discretise::Origin::Backing { .. })).count();
     assert!(columns > 10 && columns % 2 == 0, "{columns}");
     // What was weight on backs is now weight of blocks and of what lies on them: over the ring the same sum, but for the
     // slivers below 5 cm that stay without a column.

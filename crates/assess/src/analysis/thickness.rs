@@ -2,7 +2,6 @@
 
 use super::blank;
 use super::{AnalysisError, by_dem, by_limit, notes, picture};
-use crate::discretise::{Discretised, discretise};
 use bridge::ring::Profile;
 use bridge::{Bridge, Method};
 use mechanics::dem;
@@ -11,6 +10,7 @@ use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, ThicknessReport};
 use std::cell::RefCell;
+use structure::discretise::{Discretised, discretise};
 
 /// Limit analysis narrows the thickness to this share of the given one.
 const EXACT: f64 = 1e-7;

@@ -1,12 +1,12 @@
 //! A sweep as an analysis that is repeated: adequacy under vehicles, load factor, and where it governs.
 
 use crate::analysis::{self, AnalysisError, Places};
-use crate::discretise::bridge_length;
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::study::Outcome;
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
+use structure::discretise::bridge_length;
 
 /// Makes it: vehicles where the file has [sweep], its loads otherwise.
 pub fn run(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Outcome, AnalysisError> {

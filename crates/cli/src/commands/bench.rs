@@ -15,10 +15,10 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use assess::analysis::{AnalysisError, by_dem, by_limit};
-use assess::discretise::discretise;
 use bridge::Bridge;
 use mechanics::watch::Unwatched;
 use mechanics::{dem, limit};
+use structure::discretise::discretise;
 
 /// Measures.
 pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {

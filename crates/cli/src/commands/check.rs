@@ -8,10 +8,10 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use assess::analysis::{self, AnalysisError, calibrate, passage};
-use assess::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
 use bridge::{Bridge, Strip};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use structure::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
 
 /// Reads the file and draws the bridge.
 pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
@@ -77,7 +77,7 @@ fn planned(bridge: &Bridge) -> Result<(), Failure> {
     if bridge.passage.is_none() {
         return Ok(());
     }
-    match assess::discretise::mesh::mesh_with(bridge, options(bridge)) {
+    match structure::discretise::mesh::mesh_with(bridge, options(bridge)) {
         // What is too large to draw is not made here; what is too large to answer is refused.
         Err(MeshError::TooFine { nodes, .. }) if nodes <= MOST_NODES => Ok(()),
         Err(MeshError::TooFine { nodes, .. }) => {
@@ -98,7 +98,7 @@ fn options(bridge: &Bridge) -> MeshOptions {
 /// The finite element mesh of a file that describes what only that model reads.
 fn mesh(bridge: &Bridge) -> Option<Result<Meshed, MeshError>> {
     (bridge.service != bridge::Service::of_cover(&bridge.cover))
-        .then(|| assess::discretise::mesh::mesh_with(bridge, options(bridge)))
+        .then(|| structure::discretise::mesh::mesh_with(bridge, options(bridge)))
 }
 
 fn quality(meshed: &Meshed) -> Value {

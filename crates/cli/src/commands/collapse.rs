@@ -144,7 +144,7 @@ fn tables(found: &Collapse) -> Vec<figures::File> {
         ("contacts", published::contacts(found)),
         ("particles", published::particles(found)),
         ("particle-contacts", published::particle_contacts(found)),
-        ("packing", assess::packing_file::write(found)),
+        ("packing", structure::packing_file::write(found)),
     ];
     let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
     filled.map(|(name, text)| table(name, text)).collect()

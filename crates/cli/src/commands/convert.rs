@@ -10,11 +10,11 @@ use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::results;
 use crate::status::Status;
-use assess::blocks::{Scene, Skeleton, of_bridge, skeleton, toml};
 use drawing::{Drawing, Item, Options, Sheet};
 use outcome::picture::{Motion, Picture, Shape, Snapshot};
 use std::f64::consts::TAU;
 use std::path::Path;
+use structure::blocks::{Scene, Skeleton, of_bridge, skeleton, toml};
 
 /// What was read: a model that can be analysed, or the bare geometry of a drawing.
 enum Content {
@@ -91,7 +91,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
     }
     let source = Source::open(desk, &arguments.from)?;
     let Some(bridge) = source.bridge() else { return Ok((source.report(Status::UnusableInput), None, inputs)) };
-    let cut = assess::discretise::discretise(bridge).map_err(|error| results::not_set_up(&error.into()))?;
+    let cut = structure::discretise::discretise(bridge).map_err(|error| results::not_set_up(&error.into()))?;
     let scene = Box::new(of_bridge(bridge, &cut));
     Ok((source.report(Status::Completed), Some(Content::Model(scene)), inputs))
 }

@@ -11,7 +11,6 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use assess::analysis;
-use assess::blocks::{Scene, assemble};
 use bridge::blocks::{DrawingPart, Role};
 use bridge::{Diagnostic, Method, Severity};
 use extrados::Looking;
@@ -22,6 +21,7 @@ use std::fmt::Write;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use structure::blocks::{Scene, assemble};
 
 /// A block model file that was read, with its drawing.
 pub struct Model {

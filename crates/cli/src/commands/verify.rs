@@ -8,11 +8,11 @@ use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher;
-use assess::verify::{self, Case, Class, Judged, Kind, TableRow, Verdict};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use verification::{Case, Class, Judged, Kind, TableRow, Verdict};
 
 /// Kinds of evidence; their counts are never added up.
 const KINDS: [(Kind, &str, &str); 5] = [
@@ -35,7 +35,7 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
     let judged: Vec<Option<Judged>> = chosen
         .par_iter()
         .map(|case| {
-            let judged = (!watcher::asked_to_stop()).then(|| verify::run(case));
+            let judged = (!watcher::asked_to_stop()).then(|| verification::run(case));
             watcher::counted(&bar, "cases");
             judged
         })
@@ -43,7 +43,7 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
     bar.finish_and_clear();
     let complete = judged.iter().all(Option::is_some);
     let judged: Vec<Judged> = judged.into_iter().flatten().collect();
-    let tables = verify::tables()
+    let tables = verification::tables()
         .map_err(|wrong| Failure::input("F112", wrong, "this program was built with a library that cannot be used"))?;
     let well = judged.iter().all(|one| one.verdict.is_well()) && tables.iter().all(TableRow::agrees);
     let status = match (complete, well) {
@@ -52,7 +52,7 @@ pub fn run(desk: &mut Desk, arguments: &Verify) -> Result<Report, Failure> {
         (true, false) => Status::Inadequate,
     };
     if let Some(path) = arguments.manual.as_ref().filter(|_| complete) {
-        let written = folder::write_whole(path, verify::manual(&judged).as_bytes());
+        let written = folder::write_whole(path, verification::manual(&judged).as_bytes());
         written.map_err(|error| Failure::not_written(path, &error))?;
     }
     Ok(Report::new(status)
@@ -84,7 +84,7 @@ fn read(folder: &Path) -> Result<Vec<Case>, Failure> {
             "the cases stand in verification/ of the source: run the command in a clone of it, or name the folder";
         return Err(Failure::input("F111", message, help));
     }
-    let found = verify::discover(folder).map_err(|error| Failure::unreadable(folder, &error))?;
+    let found = verification::discover(folder).map_err(|error| Failure::unreadable(folder, &error))?;
     if found.is_empty() {
         let message = format!("{} holds no folder with a case.toml", folder.display());
         return Err(Failure::input("F111", message, "name the folder of the verification cases"));
@@ -188,7 +188,7 @@ fn summary(judged: &[Judged], tables: &[TableRow], left: &[Case], status: Status
         }
         let holds = of_kind.iter().filter(|one| one.verdict == Verdict::Holds).count();
         let _ = writeln!(page, "{words}: {holds} of {} hold", of_kind.len());
-        for line in verify::table(&of_kind).lines() {
+        for line in verification::table(&of_kind).lines() {
             let _ = writeln!(page, "  {line}");
         }
         page.push('\n');

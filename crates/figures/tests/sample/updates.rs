@@ -3,13 +3,13 @@
 use outcome::calibrate::posterior;
 use outcome::calibrate::posterior::Likelihood;
 use outcome::calibrate::search::hierarchical;
+use outcome::calibrate::search::hierarchical::Variant;
 use outcome::calibrate::search::jacobian;
 use outcome::calibrate::{
     Basis, Channel, Evaluation, Evaluator, Failure, Forward, Log, Misfit, Parameter, Problem, Request, Response,
     Samples, Serial, Start, Unwatched, identify,
 };
 use outcome::passage::Quantity;
-use outcome::calibrate::search::hierarchical::Variant;
 use outcome::update::{
     Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update,
     UpdateStatus,

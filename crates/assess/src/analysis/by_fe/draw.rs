@@ -1,14 +1,14 @@
 //! States of the ring as pictures show them: stones as blocks that move, springs as contacts, resultants of the joints.
 
 use super::super::places::{lines, moving, point, scaled};
-use crate::discretise::Discretised;
-use crate::discretise::ring_mesh::RingMesh;
 use mechanics::blocks::interfaces;
 use mechanics::fem::joint::PairState;
 use mechanics::fem::{Model, State};
 use mechanics::ids::{BlockId, Id, NodeId};
 use mechanics::plane::{Vec2, vec2};
 use outcome::picture::{ContactForce, Motion, Picture, Snapshot, ThrustPoint};
+use structure::discretise::Discretised;
+use structure::discretise::ring_mesh::RingMesh;
 
 /// Blocks as built share a joint where their gap is at most this [m]: round-off of the outlines.
 const TOUCHING: f64 = 1e-6;

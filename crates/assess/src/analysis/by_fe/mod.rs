@@ -8,8 +8,6 @@ mod model;
 use super::by_dem::{program, require_stiffness};
 use super::{AnalysisError, by_limit, notes, picture};
 use crate::analysis::blank;
-use crate::discretise::ring_mesh::{RingMesh, ring_mesh};
-use crate::discretise::{Discretised, discretise};
 use bridge::Bridge;
 use draw::Shown;
 use mechanics::blocks::PointForce;
@@ -23,6 +21,8 @@ use outcome::collapse::By;
 use outcome::collapse::{Collapse, FiniteReport, Status};
 use outcome::picture::{Motion, Step};
 use outcome::warning::{self, Warning};
+use structure::discretise::ring_mesh::{RingMesh, ring_mesh};
+use structure::discretise::{Discretised, discretise};
 
 /// Out-of-balance force over acting force. Joints a thousand times stiffer than mortar leave a tenth of it as rounding.
 const TOLERANCE: f64 = 1e-6;

@@ -1,14 +1,14 @@
 //! What stones and joints are made of: together as stiff as the contacts of discrete elements.
 
 use super::AnalysisError;
-use crate::discretise::Discretised;
-use crate::discretise::laws;
-use crate::discretise::ring_mesh::RingMesh;
 use bridge::Bridge;
 use mechanics::blocks::Stiffness;
 use mechanics::fem::joint::{JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Elastic, Material, Plane, Solid};
 use mechanics::fem::{Element, Kinematics, Model, Section};
+use structure::discretise::Discretised;
+use structure::discretise::laws;
+use structure::discretise::ring_mesh::RingMesh;
 
 /// Stiffness of stones over that of the joints, where the file gives the stones no share in the deformation: what they add to it, one
 /// percent, is less than any joint's stiffness is known to.

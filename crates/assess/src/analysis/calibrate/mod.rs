@@ -157,7 +157,7 @@ const EXPECTED_SQUARES: f64 = 12.0;
 pub fn planned(bridge: &Bridge) -> Result<(), AnalysisError> {
     let (bridge, particles) = prepared(bridge)?;
     require_stiffness(&bridge)?;
-    let d = crate::discretise::discretise(&bridge)?;
+    let d = structure::discretise::discretise(&bridge)?;
     let Some(region) = &d.fill else { return Err(AnalysisError::NoParticles) };
     let size = bridge.calibration.sample_size;
     let diameter = match particles.sizes {

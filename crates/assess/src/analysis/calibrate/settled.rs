@@ -3,14 +3,14 @@
 use super::super::filled::{fill, packing, without_loading_blocks};
 use super::AnalysisError;
 use crate::analysis::by_dem::settings;
-use crate::discretise::fill::FillRegion;
-use crate::discretise::{Origin, discretise};
 use bridge::{Bridge, Particles};
 use mechanics::blocks::{LawTable, Loading, Particle};
 use mechanics::dem::{self, Model, PackingError, begin};
 use mechanics::ids::{GroupId, Table};
 use mechanics::plane::Vec2;
 use mechanics::watch::Watch;
+use structure::discretise::fill::FillRegion;
+use structure::discretise::{Origin, discretise};
 
 /// Fill at rest.
 pub struct SettledFill {

@@ -1,7 +1,7 @@
 //! Where squares fit into the fill without touching one another, the rings, the end walls or the road.
 
-use crate::discretise::fill::FillRegion;
 use mechanics::plane::{Vec2, vec2};
+use structure::discretise::fill::FillRegion;
 
 /// Lower left corners [m] of squares of side `size` that lie at least `margin` inside the region: particles beside smooth
 /// walls stand in rows and are no sample of the fill. From both ends towards the middle, and upwards.
@@ -64,8 +64,8 @@ fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discretise::fill::FillLayer;
     use mechanics::ids::GroupId;
+    use structure::discretise::fill::FillLayer;
 
     fn region(outline: &[(f64, f64)], top: f64) -> FillRegion {
         let layer = FillLayer { group: GroupId(0), top, density: 1890.0, friction_angle: None, cohesion: None };

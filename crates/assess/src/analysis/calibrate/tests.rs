@@ -105,7 +105,7 @@ fn small() -> Bridge {
 fn the_first_estimate_is_that_of_the_paper() {
     let bridge = small();
     let particles = bridge.particles.as_ref().unwrap();
-    let law = crate::discretise::fill::law(particles, &particles.joint);
+    let law = structure::discretise::fill::law(particles, &particles.joint);
     assert!((law.normal.at(0.15) / 1e9 - 0.266).abs() < 0.0005, "{}", law.normal.at(0.15));
     assert!((law.shear.at(0.15) / 1e9 - 0.111).abs() < 0.0005, "{}", law.shear.at(0.15));
 }

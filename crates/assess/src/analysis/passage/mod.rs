@@ -53,7 +53,7 @@ pub enum PassageError {
     Sensor(#[from] sensors::SensorError),
     /// The bridge has no mesh.
     #[error(transparent)]
-    Mesh(#[from] crate::discretise::mesh::MeshError),
+    Mesh(#[from] structure::discretise::mesh::MeshError),
     /// Values that the finite element model needs.
     #[error("the finite element model needs {0}")]
     Missing(String),

@@ -1,12 +1,12 @@
 //! What the zones and interfaces of a mesh are made of: the finite element model of a bridge.
 
 use super::PassageError;
-use crate::discretise::mesh::{Meshed, Role, Substance};
 use bridge::{Bridge, Cone as FileCone, Joint, Soil, SoilLaw};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
 use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane, Solid};
 use mechanics::fem::{Element, Kinematics, Model, Section, Support};
 use mechanics::ids::NodeId;
+use structure::discretise::mesh::{Meshed, Role, Substance};
 
 /// Stiffness of the contact of fill with masonry over that of an element of fill next to it.
 const PENALTY: f64 = 20.0;

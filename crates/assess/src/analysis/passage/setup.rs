@@ -4,11 +4,11 @@ use super::PassageError;
 use super::loads::TrackLoads;
 use super::sensors::{Placed, RingNodes, place};
 use crate::analysis::AnalysisError;
-use crate::discretise::mesh::{Meshed, SpanSets, mesh};
 use bridge::Bridge;
 use bridge::passage::{MOST_POSITIONS, Passage, PassagePlan, default_sensors};
 use mechanics::fem::Mesh;
 use mechanics::ids::NodeId;
+use structure::discretise::mesh::{Meshed, SpanSets, mesh};
 
 /// A passage that is ready to be solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +46,7 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
     let surface: Vec<[f64; 2]> = meshed.sets.surface.iter().map(|node| at(&meshed.mesh, *node)).collect();
     let effective_width = asked.track.effective_width.unwrap_or(bridge.width);
     let axles = asked.train.axles(bridge.gravity);
-    let middle = 0.5 * crate::discretise::bridge_length(bridge);
+    let middle = 0.5 * structure::discretise::bridge_length(bridge);
     let loads = TrackLoads::new(&asked.track, &axles, effective_width, &surface, middle);
     let pressure = asked.track.dead_load + meshed.ballast_pressure;
     let dead_load = even(&surface, pressure);

@@ -1,9 +1,9 @@
 //! What may stand where: positions of a vehicle, runs of its axles, runs of half spans with uniform loads.
 
-use crate::discretise::Discretised;
 use bridge::{Bridge, Directions, SweepPlan};
 use outcome::vehicles::Direction;
 use rules::{Pattern, Vehicle};
+use structure::discretise::Discretised;
 
 /// A vehicle in one arrangement, driving one way.
 pub struct Drive {

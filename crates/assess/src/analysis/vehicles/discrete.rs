@@ -32,11 +32,11 @@ pub fn carried(
     if let Some(inset) = inset(&b, by_limit) {
         let mut with = b.clone();
         with.masonry.rounding += inset;
-        if crate::discretise::discretise(&with).is_ok() {
+        if structure::discretise::discretise(&with).is_ok() {
             (b, found.inset) = (with, Some(inset));
         }
     }
-    let reference: f64 = crate::discretise::discretise(&b).map_or(0.0, |d| d.reference_load);
+    let reference: f64 = structure::discretise::discretise(&b).map_or(0.0, |d| d.reference_load);
     b.plan.load_step = Some(reference * factor / STEPS);
     b.plan.load_limit = Some(1.5 * reference * factor);
     found.step = factor * capacity / STEPS;

@@ -9,7 +9,6 @@ use super::sections::{Extremes, watched};
 use super::seeds::seeds;
 use super::standing::{Key, Scene};
 use super::twins::twins;
-use crate::discretise::Discretised;
 use crate::vehicles::Chosen;
 use bridge::{Bridge, SweepPlan};
 use mechanics::limit::{self, Effect, Ground, Sweeper};
@@ -18,6 +17,7 @@ use outcome::collapse::Status;
 use outcome::vehicles::Weights;
 use outcome::vehicles::{Case, EnvelopePoint, Swept};
 use rules::Rule;
+use structure::discretise::Discretised;
 
 /// Positions that are answered one after the other, each starting from the mechanisms of those before it. Fixed, so that
 /// the numbers do not depend on the number of threads.

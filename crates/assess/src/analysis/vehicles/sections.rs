@@ -1,10 +1,10 @@
 //! What critical joints carry while a vehicle passes: extremes, each with the values that go with it.
 
-use crate::discretise::{Discretised, Origin};
 use bridge::Bridge;
 use mechanics::limit::{Effect, Ground, Section};
 use outcome::vehicles::Case;
 use outcome::vehicles::{Extreme, Of, SectionEnvelope};
+use structure::discretise::{Discretised, Origin};
 
 /// A joint that is watched.
 #[derive(Debug, Clone)]

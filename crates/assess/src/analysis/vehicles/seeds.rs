@@ -1,10 +1,10 @@
 //! Mechanisms that bound slow cases before any was answered.
 
 use super::factored::Footprint;
-use crate::discretise::Discretised;
-use crate::discretise::dispersal::{Strip, spread};
 use bridge::Bridge;
 use mechanics::limit::Ground;
+use structure::discretise::Discretised;
+use structure::discretise::dispersal::{Strip, spread};
 
 /// Places in a span under which an axle gives the mechanisms to begin with.
 const SEEDS: usize = 12;

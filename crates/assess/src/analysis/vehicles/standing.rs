@@ -4,11 +4,11 @@ use super::cases::{Drive, runs};
 use super::factored::{Footprint, clipped};
 use super::sections::Watched;
 use super::twins::Twin;
-use crate::discretise::Discretised;
-use crate::discretise::dispersal::{Strip, spread};
 use mechanics::limit::{Effect, Ground, Sweeper};
 use outcome::vehicles::Case;
 use outcome::vehicles::Weights;
+use structure::discretise::Discretised;
+use structure::discretise::dispersal::{Strip, spread};
 
 /// One case, by numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]

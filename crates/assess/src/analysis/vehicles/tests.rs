@@ -1,10 +1,10 @@
 //! Sweeps of vehicles against analyses of one case at a time.
 
-use outcome::collapse::Status;
 use super::*;
 use crate::samples;
 use bridge::{Directions, Layer, LayerKind, Method, Pier, Ring, Span, SweepPlan};
 use mechanics::watch::Unwatched;
+use outcome::collapse::Status;
 use outcome::vehicles::Of;
 
 fn plan(vehicles: &[&str]) -> SweepPlan {

@@ -9,9 +9,9 @@ use crate::folder::{Folder, Purpose};
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
-use assess::disks::{Disks, SOLID_FRACTION, disks, mean_radius, settings};
 use mechanics::dem::{State, Workspace, begin, step};
 use mechanics::watch::{Progress, Watch, Wish};
+use verification::disks::{Disks, SOLID_FRACTION, disks, mean_radius, settings};
 
 /// Steps of one repeat: at least as many as there may be between two searches for neighbours, and enough for a clock.
 const STEPS: u64 = 1_000;

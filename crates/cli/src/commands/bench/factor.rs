@@ -5,8 +5,8 @@ use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use assess::footing::{Footing, FootingError, Ground, footing};
 use mechanics::fem::{Element, Pattern, State, Workspace};
+use verification::footing::{Footing, FootingError, Ground, footing};
 
 /// Elements along the ground where `--count` does not say: 99,793 degrees of freedom.
 const COLUMNS: u32 = 316;

@@ -7,8 +7,8 @@ use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
 use crate::watcher::{Spectator, asked_to_stop};
-use assess::footing::{Ground, footing, prandtl, settings};
 use mechanics::fem;
+use verification::footing::{Ground, footing, prandtl, settings};
 
 /// Elements along the ground where `--count` does not say.
 const COLUMNS: u32 = 142;
@@ -25,7 +25,8 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchGround::NonAssociated => (Ground::NonAssociated, "non-associated"),
         BenchGround::MohrCoulomb => (Ground::MohrCoulomb, "mohr-coulomb"),
     };
-    let refused = |error: assess::footing::FootingError| Failure::input("F108", error.to_string(), "ask for less");
+    let refused =
+        |error: verification::footing::FootingError| Failure::input("F108", error.to_string(), "ask for less");
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {

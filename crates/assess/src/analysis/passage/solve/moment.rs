@@ -2,11 +2,11 @@
 
 use super::mean_stress;
 use crate::analysis::passage::Setup;
-use crate::discretise::mesh::Seam;
 use mechanics::fem::joint;
 use mechanics::fem::{Model, Spring, State};
 use mechanics::ids::Id;
 use outcome::passage::{Moment, Pair, PairState, Row, RowKind};
+use structure::discretise::mesh::Seam;
 
 /// What stands where in a state; `at` is time [s] and place of the first axle [m] while a train is there.
 pub fn moment(setup: &Setup, model: &Model, state: &State, name: &str, at: Option<(f64, f64)>) -> Moment {

@@ -2,7 +2,6 @@
 //! (`docs/verification/three-engines.md`). With EXTRADOS_WRITE_DOCS=1 the numbers of that page are written beside it.
 
 use assess::analysis::{collapse_by_dem, collapse_by_fe, collapse_by_limit};
-use assess::discretise::{Discretised, discretise};
 use bridge::{Bridge, ContactPoints, JointStiffness};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{self, thrust_zone};
@@ -12,6 +11,7 @@ use outcome::collapse::{Collapse, Status};
 use outcome::picture::HingeAt;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use structure::discretise::{Discretised, discretise};
 
 /// Limit load of the full ring [N/m], by two solvers of linear programs.
 const LIMIT: f64 = 231.46e3;

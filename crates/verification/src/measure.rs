@@ -1,7 +1,7 @@
 //! Runs a case's input and finds the quantities it speaks of.
 
 use super::blocks::Blocks;
-use crate::analysis;
+use assess::analysis;
 use mechanics::watch::Unwatched;
 use outcome::published::{CalibrationObject, CollapseObject, Run};
 use serde_json::Value as Json;
@@ -43,7 +43,7 @@ fn block_model(text: &str) -> Result<Json, String> {
     let Some(file) = read.file else { return Err(said(&read.diagnostics)) };
     let path = file.drawing.as_ref().map(|part| part.file.clone());
     let dxf = path.map(|path| std::fs::read(&path).map_err(|e| format!("{path}: {e}"))).transpose()?;
-    let assembled = crate::blocks::assemble(&file, dxf.as_deref());
+    let assembled = structure::blocks::assemble(&file, dxf.as_deref());
     let Some(scene) = assembled.scene else {
         let errors = assembled.findings.iter().filter(|f| f.severity == drawing::Severity::Error);
         let drawn = errors.map(|f| format!("{} {} ({})", f.code, f.message, f.place.words()));

@@ -1,14 +1,14 @@
 //! Block models from files and drawings.
 
-use super::{Assembled, assemble, of_bridge, toml};
 use crate::analysis::{blocks_as_built, collapse, collapse_of_blocks};
-use crate::discretise::discretise;
 use crate::samples::bridgemill;
 use bridge::{Method, Severity};
 use drawing::{Item, Sheet};
 use mechanics::watch::Unwatched;
 use outcome::collapse::Status;
 use outcome::picture::Partner;
+use structure::blocks::{Assembled, assemble, of_bridge, toml};
+use structure::discretise::discretise;
 
 /// Three blocks of a metre in a column between a floor and nothing.
 const COLUMN: &str = r#"

@@ -8,6 +8,8 @@
 mod against;
 mod blocks;
 mod case;
+pub mod disks;
+pub mod footing;
 mod judge;
 mod manual;
 mod measure;

@@ -2,12 +2,12 @@
 
 use super::case::Run;
 use super::measure::said;
-use crate::analysis;
-use crate::analysis::passage;
-use crate::analysis::passage::record::{Logger, record};
-use crate::analysis::update::{self, Means, RecordFile, Task, Threads};
-use crate::evidence::Evidence;
-use crate::{chain, checks};
+use assess::analysis;
+use assess::analysis::passage;
+use assess::analysis::passage::record::{Logger, record};
+use assess::analysis::update::{self, Means, RecordFile, Task, Threads};
+use assess::evidence::Evidence;
+use assess::{chain, checks};
 use bridge::edit::Document;
 use mechanics::watch::Unwatched;
 use outcome::assessment::{Facts, Stage};
@@ -92,15 +92,17 @@ fn updated(file: &File, twin: Option<&toml::Table>) -> Result<Json, String> {
             bridge::UPDATE_SECTIONS.iter().for_each(|section| drop(truth.remove(*section)));
             let found =
                 File::read(&truth).and_then(|twin| twin.crossed()).map_err(|reason| format!("twin: {reason}"))?;
-            records::write(&record(&found, "twin", "a verification case", &Logger::NONE)).into_bytes()
+            outcome::records::write(&record(&found, "twin", "a verification case", &Logger::NONE)).into_bytes()
         }
         None => std::fs::read(&asked.records.place).map_err(|e| format!("{}: {e}", asked.records.place))?,
     };
     let files = [RecordFile { name: "records.csv".to_owned(), bytes: records }];
     let task = Task { bridge: &file.bridge, document: &document, asked, files: &files };
     let start = Instant::now();
-    let means = Means { map: &Threads, watch: &mut calibrate::Unwatched, clock: &|| start.elapsed().as_secs_f64() };
-    let found = update::update(&task, calibrate::Log::new(&task.identity()), means).map_err(|e| e.to_string())?;
+    let means =
+        Means { map: &Threads, watch: &mut outcome::calibrate::Unwatched, clock: &|| start.elapsed().as_secs_f64() };
+    let found =
+        update::update(&task, outcome::calibrate::Log::new(&task.identity()), means).map_err(|e| e.to_string())?;
     object(&UpdateObject::new(&found), found.status.word(), Vec::new())
 }
 

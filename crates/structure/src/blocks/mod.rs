@@ -195,6 +195,3 @@ impl Scene {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,0 +1,9 @@
+//! From what an engineer wrote or drew to models of it: rings, piers, walls and fill become blocks, forces and meshes. Nothing is
+//! analysed here.
+
+pub mod blocks;
+pub mod discretise;
+pub mod packing_file;
+
+#[cfg(test)]
+mod samples;
