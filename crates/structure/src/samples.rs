@@ -1,4 +1,5 @@
-//! Bridges for tests, as values.
+//! Bridges for tests, as values; the tests of other crates use them too, and each uses some.
+#![allow(dead_code)]
 
 use bridge::ring::Profile;
 use bridge::*;
