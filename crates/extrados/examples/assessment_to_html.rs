@@ -10,8 +10,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let command = "assessment_to_html".to_owned();
     let options = AssessOptions { skip: vec![StageName::Vehicles], command, day: "2026-01-01".to_owned() };
     let Some(done) = assess(&project, &options, &Means::default(), &mut Unwatched)? else { return Ok(()) };
-    println!("{}: {}", done.assessment.bridge.name, done.verdict.status);
-    for missing in &done.verdict.strength.missing {
+    let verdict = &done.assessment.verdict;
+    println!("{}: {}", done.assessment.bridge, verdict.status);
+    for missing in &verdict.strength.missing {
         println!("missing: {missing}");
     }
     std::fs::create_dir_all("out")?;

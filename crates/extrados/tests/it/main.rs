@@ -1,5 +1,7 @@
 //! The door as programs use it.
 
+mod written;
+
 use extrados::results::collapse::Status;
 use extrados::shelf::Remembered;
 use extrados::{
