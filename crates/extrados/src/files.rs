@@ -1,7 +1,7 @@
 //! Where files come from: a disk, or bytes that a caller holds. Nothing else in this crate reads a file.
 
 use std::collections::BTreeMap;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// Gives the bytes of files by their paths.
@@ -13,6 +13,9 @@ pub trait Files {
     fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>>;
 }
 
+/// No file of a bridge is longer [bytes]; reading ends there, whatever a path leads to.
+const LONGEST: u64 = 1 << 30;
+
 /// The files of this machine.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Disk;
@@ -22,7 +25,12 @@ impl Files for Disk {
         if path.is_dir() {
             return Err(folder());
         }
-        std::fs::read(path)
+        let mut bytes = Vec::new();
+        std::fs::File::open(path)?.take(LONGEST + 1).read_to_end(&mut bytes)?;
+        match bytes.len() as u64 > LONGEST {
+            true => Err(io::Error::other("it is longer than 1 GiB")),
+            false => Ok(bytes),
+        }
     }
 
     fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>> {

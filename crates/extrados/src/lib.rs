@@ -21,15 +21,19 @@
 //! | Function | Answer |
 //! |---|---|
 //! | [`collapse`] | the load, the thickness or the support movement that makes a mechanism |
+//! | [`collapse_of_blocks`] | the same for blocks that are listed or drawn |
 //! | [`sweep`] | the same for loads or vehicles at every position |
 //! | [`respond`] | displacements, strains and stresses as a train passes |
 //! | [`update`], [`judge`] | parameters from records of a passage; the records alone |
 //! | [`vary`] | an analysis over ranges of the file's quantities |
+//! | [`calibrate_fill`] | contacts of particles for a wanted fill |
 //! | [`assess`] | the bridge against the limits of its file, with a report |
 //!
 //! Collapse and non-convergence are answers with names. Errors are [`Refusal`]s: what is wrong, where, and what to write instead.
 
 mod assess;
+mod blocks;
+mod calibrate_fill;
 mod choice;
 mod collapse;
 mod companions;
@@ -47,6 +51,8 @@ mod vary;
 mod watch;
 
 pub use crate::assess::{AssessOptions, Assessed, StageName, assess};
+pub use crate::blocks::{Blocks, collapse_of_blocks};
+pub use crate::calibrate_fill::{CalibrateFillOptions, calibrate_fill};
 pub use crate::choice::Choice;
 pub use crate::collapse::{CollapseOptions, collapse, planned};
 pub use crate::files::{Disk, Files, Memory};

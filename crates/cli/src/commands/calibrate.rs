@@ -9,23 +9,24 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use assess::analysis::calibrate;
-use bridge::Bridge;
-use extrados::Looking;
+use extrados::{CalibrateFillOptions, calibrate_fill};
 use outcome::calibration::{CalibrationReport, Verdict};
 use outcome::published;
 
 /// Reads the file, packs, presses, searches, checks, writes what was found.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let source = Source::open(desk, &arguments.file)?;
-    let Some(mut bridge) = source.bridge().cloned() else { return Ok(source.report(Status::UnusableInput)) };
-    plan(&mut bridge, arguments)?;
+    if source.bridge().is_none() {
+        return Ok(source.report(Status::UnusableInput));
+    }
+    let modulus = arguments.modulus.as_ref().map(|text| quantities::stress("--modulus", text)).transpose()?;
+    let options = CalibrateFillOptions { modulus, seeds: arguments.seeds.map(u64::from) };
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = source.folder(&out, "calibrate-fill")?;
     let mut watcher = Watcher::without_checkpoint(desk.screen.quiet);
-    let found = calibrate::calibrate_fill(&bridge, &mut Looking(&mut watcher));
+    let found = calibrate_fill(&source.project, &options, &mut watcher);
     watcher.finish();
-    let found = found.map_err(|error| results::not_set_up(&error))?;
+    let found = found?;
     let mut report = source.report(Status::named(found.verdict.word()).unwrap_or(Status::Undetermined));
     if found.verdict == Verdict::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
@@ -36,16 +37,6 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     report.fields = report::fields_of(published::CalibrationObject::new(&found));
     report.summary = summary::calibration(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
-}
-
-/// Sets what the command line says in place of the file.
-fn plan(bridge: &mut Bridge, arguments: &Arguments) -> Result<(), Failure> {
-    let plan = &mut bridge.calibration;
-    if let Some(text) = &arguments.modulus {
-        plan.wanted_modulus = Some(quantities::stress("--modulus", text)?);
-    }
-    plan.seeds = arguments.seeds.map_or(plan.seeds, u64::from);
-    Ok(())
 }
 
 fn write(desk: &mut Desk, found: &CalibrationReport, report: Report, folder: &Folder) -> Result<Report, Failure> {

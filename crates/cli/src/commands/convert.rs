@@ -1,6 +1,6 @@
 //! `extrados convert`: bridge files, block model files, drawings and ParaView files, by extension.
 
-use super::model::{self, Model};
+use super::model::Model;
 use super::{Desk, Source, read_text};
 use crate::args::Convert;
 use crate::failure::Failure;
@@ -11,6 +11,7 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use drawing::{Drawing, Item, Options, Sheet};
+use extrados::{Disk, Files};
 use outcome::picture::{Motion, Picture, Shape, Snapshot};
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -83,9 +84,9 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
     }
     let mut inputs = vec![arguments.from.clone()];
     if bridge::is_block_file(&read_text(&arguments.from)?) {
-        let mut model = Model::open(desk, &arguments.from)?;
-        inputs.extend(model.drawing.clone());
-        let scene = model.scene.take();
+        let model = Model::open(desk, &arguments.from)?;
+        inputs.extend(model.0.drawing().map(|(place, _)| place.to_owned()));
+        let scene = model.0.scene().cloned();
         let status = if scene.is_some() { Status::Completed } else { Status::UnusableInput };
         return Ok((model.report(status), scene.map(|scene| Content::Model(Box::new(scene))), inputs));
     }
@@ -97,7 +98,7 @@ fn read_model(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
 }
 
 fn read_drawing(desk: &mut Desk, arguments: &Convert) -> Result<ReadIn, Failure> {
-    let bytes = model::bytes(&arguments.from).map_err(|error| Failure::unreadable(&arguments.from, &error))?;
+    let bytes = Disk.read(&arguments.from).map_err(|error| Failure::unreadable(&arguments.from, &error))?;
     let length = |option: &str, text: &Option<String>, default: f64| match text {
         Some(text) => quantities::length(option, text),
         None => Ok(default),

@@ -1,6 +1,6 @@
 //! Block model files: blocks that are listed, or drawn in a DXF file.
 
-use super::{Desk, read_text};
+use super::Desk;
 use crate::args::{Check, Collapse};
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
@@ -10,115 +10,54 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
-use assess::analysis;
-use bridge::blocks::{DrawingPart, Role};
-use bridge::{Diagnostic, Method, Severity};
-use extrados::Looking;
-use mechanics::blocks::ModelError;
+use bridge::blocks::Role;
+use extrados::{Blocks, CollapseOptions, Disk, collapse_of_blocks};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::fs::File;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use structure::blocks::{Scene, assemble};
+use structure::blocks::Scene;
 
-/// A block model file that was read, with its drawing.
-pub struct Model {
-    /// As the command line names it.
-    name: String,
-    text: Vec<u8>,
-    diagnostics: Vec<Diagnostic>,
-    /// Path of its drawing, where it names one.
-    pub drawing: Option<PathBuf>,
-    findings: Vec<drawing::Finding>,
-    /// The model, unless something is wrong with it.
-    pub scene: Option<Scene>,
-}
+/// A block model file that was read, and shown what was found in it.
+pub struct Model(pub Blocks);
 
 impl Model {
     /// Reads a file and its drawing, and shows what was found in them.
     pub fn open(desk: &mut Desk, path: &Path) -> Result<Model, Failure> {
-        let text = read_text(path)?;
-        let bridge::ReadBlocks { file, mut diagnostics } = bridge::read_blocks(&text);
-        let name = path.display().to_string();
-        let (mut findings, mut scene, mut place) = (Vec::new(), None, None);
-        if let Some(file) = file {
-            let part = file.drawing.as_ref();
-            place = part.map(|part| beside(path, &part.file));
-            match place.as_deref().map(bytes).transpose() {
-                Ok(bytes) => {
-                    let assembled = assemble(&file, bytes.as_deref());
-                    (findings, scene) = (assembled.findings, assembled.scene);
-                    diagnostics.extend(assembled.diagnostics);
-                }
-                Err(error) => diagnostics.extend(part.map(|part| unreadable(part, place.as_deref(), &error))),
-            }
-        }
-        let model = Model { name, text, diagnostics, drawing: place, findings, scene };
-        if model.scene.is_none() || !desk.screen.quiet {
+        let blocks = Blocks::read(path, &Disk)?;
+        if blocks.scene().is_none() || !desk.screen.quiet {
             let paint = Paint::for_stderr();
-            if let Some(place) = &model.drawing {
-                desk.screen.remark(&render::drawing(&place.display().to_string(), &model.findings, &paint));
+            if let Some((place, findings)) = blocks.drawing() {
+                desk.screen.remark(&render::drawing(&place.display().to_string(), findings, &paint));
             }
-            desk.screen.remark(&render::findings(&model.name, &model.text, &model.diagnostics, &paint));
+            desk.screen.remark(&render::findings(blocks.name(), blocks.text(), blocks.findings(), &paint));
         }
-        Ok(model)
+        Ok(Model(blocks))
     }
 
     /// The folder for the results of a run of this kind.
     fn folder(&self, path: &Path, kind: &str) -> Result<Folder, Failure> {
-        let inputs: Vec<PathBuf> = self.drawing.iter().cloned().collect();
-        Folder::prepare(path, Purpose::new(kind, Path::new(&self.name), &inputs))
+        let inputs: Vec<PathBuf> = self.0.drawing().map(|(place, _)| place.to_owned()).into_iter().collect();
+        Folder::prepare(path, Purpose::new(kind, Path::new(self.0.name()), &inputs))
     }
 
     /// An answer with what was found.
     pub fn report(&self, status: Status) -> Report {
         let mut report = Report::new(status);
-        if let Some(place) = &self.drawing {
-            report.add_drawing(&place.display().to_string(), &self.findings);
+        if let Some((place, findings)) = self.0.drawing() {
+            report.add_drawing(&place.display().to_string(), findings);
         }
-        report.add_findings(&self.name, &self.text, &self.diagnostics);
+        report.add_findings(self.0.name(), self.0.text(), self.0.findings());
         report
-    }
-}
-
-/// A path inside a file is relative to it.
-fn beside(file: &Path, name: &str) -> PathBuf {
-    file.parent().unwrap_or(Path::new("")).join(name)
-}
-
-/// No drawing is longer [bytes]; reading stops there, whatever the path leads to.
-const LONGEST: u64 = 65 << 20;
-
-/// The bytes of a drawing.
-pub fn bytes(path: &Path) -> io::Result<Vec<u8>> {
-    if path.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
-    }
-    let mut bytes = Vec::new();
-    File::open(path)?.take(LONGEST).read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-fn unreadable(part: &DrawingPart, path: Option<&Path>, error: &io::Error) -> Diagnostic {
-    let reason = Failure::unreadable(path.unwrap_or(Path::new(&part.file)), error);
-    Diagnostic {
-        code: "D101",
-        severity: Severity::Error,
-        message: reason.message,
-        range: part.range,
-        label: "path of the drawing, relative to this file".to_owned(),
-        note: None,
-        help: Some("check the path".to_owned()),
     }
 }
 
 /// Reads the model and draws it.
 pub fn check(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
     let model = Model::open(desk, &arguments.file)?;
-    let Some(scene) = &model.scene else { return Ok(model.report(Status::UnusableInput)) };
-    let picture = analysis::blocks_as_built(scene);
+    let (Some(scene), Some(picture)) = (model.0.scene(), model.0.as_built()) else {
+        return Ok(model.report(Status::UnusableInput));
+    };
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = model.folder(&out, "check")?;
     let drawing = figures::both("bridge", &figures::bridge_as_drawn(&picture));
@@ -187,24 +126,19 @@ fn summary(scene: &Scene, out: &str) -> String {
 
 /// Reads the model, makes the analysis, writes its results.
 pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure> {
-    let mut model = Model::open(desk, &arguments.file)?;
-    let Some(mut scene) = model.scene.take() else { return Ok(model.report(Status::UnusableInput)) };
+    let model = Model::open(desk, &arguments.file)?;
+    let Some(scene) = model.0.scene() else { return Ok(model.report(Status::UnusableInput)) };
     let arch = "this analysis needs an arch: a block model has no ring";
     let remedy = "leave the option out, or describe the arch in a bridge file";
     if arguments.sweep || arguments.choice.analysis.is_some_and(|analysis| analysis != crate::args::Analysis::Load) {
         return Err(Failure::input("F108", arch, remedy));
     }
-    super::collapse::choice(scene.width, arguments)?.apply(&mut scene.plan);
-    if !scene.particles.is_empty() && scene.plan.method == Method::Limit {
-        let message = ModelError::ParticlesInLimitAnalysis(scene.particles.len()).to_string();
-        let help = "say --method dem, or give their layers role = \"ignore\" to analyse the blocks alone";
-        return Err(Failure::input("D406", message, help));
-    }
+    let choice = super::collapse::choice(scene.width, arguments)?;
+    let scene = model.0.planned(&CollapseOptions { choice, resume: None })?;
     let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
     let folder = model.folder(&out, &super::collapse::kind(&scene.plan, None))?;
     let run = |resume: Option<Vec<u64>>, watcher: &mut Watcher| {
-        analysis::collapse_of_blocks(&scene, resume.as_deref(), &mut Looking(watcher))
-            .map_err(|error| results::not_set_up(&error))
+        Ok(collapse_of_blocks(&model.0, &CollapseOptions { choice, resume }, watcher)?)
     };
     let checkpoint = Checkpoint::of(&scene, &folder);
     super::collapse::analyse(desk, arguments, model.report(Status::Completed), checkpoint, &folder, run)

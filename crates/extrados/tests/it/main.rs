@@ -5,8 +5,8 @@ mod written;
 use extrados::results::collapse::Status;
 use extrados::shelf::Remembered;
 use extrados::{
-    Choice, CollapseOptions, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Watch, Wish, collapse,
-    settings, vary,
+    Blocks, Choice, CollapseOptions, Disk, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Watch,
+    Wish, collapse, collapse_of_blocks, settings, vary,
 };
 
 fn memory() -> Memory {
@@ -136,4 +136,24 @@ fn the_page_of_the_library_names_what_there_is() {
     for name in names {
         assert!(page.contains(&format!("`{name}`")), "docs/api.md does not name {name}");
     }
+}
+
+/// Blocks that are listed: the same load as by the bridge that they are of.
+#[test]
+fn block_models_come_through_the_door() {
+    let text = "[model]\nname = \"Column\"\n[masonry]\ndensity = \"2000 kg/m3\"\n";
+    let files = Memory::default().with("blocks.toml", text);
+    let blocks = Blocks::read("blocks.toml", &files).expect("a file with mistakes is read");
+    assert!(blocks.scene().is_none() && !blocks.findings().is_empty() && blocks.as_built().is_none());
+    let refusal = collapse_of_blocks(&blocks, &CollapseOptions::default(), &mut Unwatched).expect_err("no model");
+    assert_eq!(refusal.code, "F108");
+    let drawn = Blocks::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/drawing/bridge.toml"), &Disk);
+    let drawn = drawn.expect("the example is read");
+    assert!(drawn.drawing().is_some_and(|(place, found)| place.ends_with("arch.dxf") && found.is_empty()));
+    let choice = Choice { method: Some(extrados::bridge::Method::Limit), ..Choice::default() };
+    let found = collapse_of_blocks(&drawn, &CollapseOptions { choice, resume: None }, &mut Unwatched).expect("a load");
+    assert_eq!(found.status, Status::Collapsed);
+    let missing = Memory::default().with("a/b.toml", drawn.text());
+    let missing = Blocks::read("a/b.toml", &missing).expect("a file without its drawing is read");
+    assert!(missing.findings().iter().any(|one| one.code == "D101" && one.message.contains("a/arch.dxf")));
 }
