@@ -85,7 +85,7 @@ fn assessment() -> Evidence {
 
 /// A vehicle that was moved over the bridge.
 fn vehicle(code: &str, adequacy: Option<f64>, status: Status) -> SweptFacts {
-    SweptFacts { code: code.into(), status, adequacy, ..SweptFacts::default() }
+    SweptFacts { code: code.into(), status, adequacy, loads_confidence: Confidence::Read, ..SweptFacts::default() }
 }
 
 /// A rule's factor on live loads and its model factor, each with how sure it is.
