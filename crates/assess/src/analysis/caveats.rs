@@ -9,16 +9,16 @@ use structure::discretise::{Discretised, Origin};
 
 /// Fill under a wheel is not asked whether it bears the wheel.
 pub const FILL_UNDER_WHEELS: &str =
-    "Dispersal is a rule: whether the fill under a wheel or a loading beam fails in bearing is not looked at.";
+    "Dispersal is a rule: bearing failure of the fill under a wheel or a loading beam is not checked.";
 /// Supports carry whatever reaches them.
-pub const SUPPORTS_HOLD: &str = "Abutments and the ground below foundations are rigid and hold whatever reaches them: spreading, \
-     settlement, bearing and scour are not looked at, and each of them lowers the load.";
+pub const SUPPORTS_HOLD: &str = "Abutments and the ground below foundations are rigid and resist any force: spreading, \
+                                 settlement, bearing and scour are not checked, and each of them lowers the load.";
 /// The load of sliding joints is found by an iteration.
-pub const NO_BOUND: &str = "Where joints slide without dilation the load is one that the iteration found, the lowest of its starts, \
-     and no bound: other states of self-stress may carry less.";
+pub const NO_BOUND: &str = "Where joints slide without dilation the load is the lowest that the iteration found from \
+                            its starts, and no bound: other states of self-stress may carry less.";
 /// A mechanism that is not in the plane.
-pub const OUT_OF_PLANE: &str = "Spandrel walls that lean or slide outwards, cracks along the barrel and edges that part are no part of \
-     a plane model.";
+pub const OUT_OF_PLANE: &str = "A plane model does not include spandrel walls that lean or slide outwards, cracks \
+                                along the barrel, or edges that separate from it.";
 
 /// Adds what concerns this analysis of a bridge.
 pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
@@ -32,8 +32,8 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         c.assumptions.push(NO_BOUND.into());
     }
     if c.limit().is_some() && several_rings(d) && !c.sliding_joints.is_empty() {
-        let message = "rings slide on one another: the limit load takes the state of self-stress that carries most, and discrete \
-             elements lay at 0.66 to 0.82 of it for nine bridges with two rings";
+        let message = "rings slide on one another: limit analysis takes the state of self-stress that carries most; \
+                       for nine bridges with two rings discrete elements gave 0.66 to 0.82 of its load";
         c.warnings.push(Warning::new(warning::RINGS_SHARE, message));
     }
     if let Some(seed) = c.packing.as_ref().map(|p| p.seed) {

@@ -33,13 +33,14 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             warnings.push(Warning::new(
                 warning::ASSOCIATED_SLIDING,
                 format!(
-                    "{} joints slide in the mechanism, and the iteration for friction that does not dilate did not converge: the \
-                     associated load{bound} is an upper bound and no answer",
+                    "{} joints slide in the mechanism, and the iteration for friction without dilation did not \
+                     converge: the associated load{bound} is only an upper bound",
                     c.sliding_joints.len()
                 ),
             ));
         }
-        (FlowRule::Associated, _) => assumptions.push("Friction is associated; no joint slides in the mechanism, which forms without dilation as well.".into()),
+        (FlowRule::Associated, _) => assumptions.push("Friction is associated; no joint slides in the mechanism, so it forms \
+                                               without dilation too.".into()),
         (FlowRule::NonAssociated, Some(load)) => assumptions.push(format!(
             "Friction is non-associated, found by iteration (Gilbert, Casapulla and Ahmed 2006); the associated load is {:.2} kN/m.",
             load / 1e3
@@ -53,8 +54,9 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         warnings.push(Warning::new(
             warning::WITHOUT_FRICTION,
             format!(
-                "no load without dilation was found; {:.2} kN/m are carried without friction in the joints that slide. No mechanism in \
-                 which only these slide forms below that load; one in which others slide is not excluded",
+                "no load without dilation was found; {:.2} kN/m are carried without friction in the joints that slide. \
+                 No mechanism in which only these joints slide forms below that load; one in which others slide is not \
+                 excluded",
                 carried / 1e3
             ),
         ));
@@ -82,7 +84,8 @@ pub fn pressed(bridge: &Bridge, without: Option<f64>, full: Option<f64>, c: &mut
     c.warnings.push(Warning::new(
         warning::PRESSURE_RANGE,
         format!(
-            "{} by weight alone, {} with {:.0} % of the passive pressure, {} with all of it; a verdict rests on the lower end",
+            "{} by weight alone, {} with {:.0} % of the passive pressure, {} with all of it; a verdict uses the lower \
+             end",
             told(without),
             told(c.collapse_load),
             100.0 * fill.mobilisation,
@@ -91,9 +94,9 @@ pub fn pressed(bridge: &Bridge, without: Option<f64>, full: Option<f64>, c: &mut
     ));
     let without = without.map_or("no load is found".to_owned(), |load| format!("the load is {:.2} kN/m", load / 1e3));
     c.assumptions.push(format!(
-        "Fill presses sideways on the backs with {:.2} of its vertical stress, and with up to {:.2} of it and {:.1} kPa where a \
-         back moves against it: {:.0} % of Rankine's passive pressure of {:.1} degrees and {:.0} % of that of cohesion. It acts at \
-         once; real fill needs movement. Without it {without}.",
+        "Fill presses sideways on the backs with {:.2} of its vertical stress, and with up to {:.2} of it plus {:.1} \
+         kPa where a back moves against it: {:.0} % of Rankine's passive pressure for {:.1} degrees and {:.0} % of \
+         that for cohesion. It acts at once; real fill needs movement. Without it {without}.",
         k.least,
         k.most,
         k.cohesion / 1e3,
@@ -103,15 +106,15 @@ pub fn pressed(bridge: &Bridge, without: Option<f64>, full: Option<f64>, c: &mut
     ));
     if bridge.spans.len() > 1 {
         c.assumptions.push(
-            "Between two spans each level of fill pushes both rings with one force, the same on either side; where only one of \
-             them has a back at a level, pressure at rest acts alone."
+            "Between two spans each level of fill pushes both rings with the same force; where only one of them has a \
+             back at a level, only pressure at rest acts."
                 .into(),
         );
     }
     if bridge.cover.backing.is_some_and(|b| b.body == BackingBody::Weight) {
         c.assumptions.push(
-            "Backing presses and resists no more than the fill in its place: its own strength is left out. as = \"blocks\" in \
-             [backing] counts on it."
+            "Backing presses and resists no more than fill in its place: its own strength is left out. as = \"blocks\" \
+             in [backing] includes it."
                 .into(),
         );
     }
@@ -215,8 +218,9 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
 /// Notes on fill that is particles.
 pub fn filled(bridge: &Bridge, c: &mut Collapse) {
     c.assumptions.push(
-        "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of the \
-         region that they cover. Discs roll, so that the fill as a whole is weaker than the friction of its contacts."
+        "Fill is rigid discs in deformable point contact; their density is that of the layer divided by the share of \
+         the region that they cover. Discs roll, so the friction angle of the fill is smaller than that of its \
+         contacts."
             .into(),
     );
     if let Some(p) = &c.packing {
@@ -274,7 +278,7 @@ pub fn crushed(c: &mut Collapse) {
     let rigid = c.limit_load.map_or(String::new(), |load| format!(" in place of {:.2} kN/m", load / 1e3));
     c.warnings.push(Warning::new(
         warning::CRUSHING_LEFT_OUT,
-        format!("contact points at the edges leave crushing out of collapse; of joints that crush {crushing}{rigid}"),
+        format!("contact points at the edges leave crushing out of collapse; with joints that crush {crushing}{rigid}"),
     ));
     if let (Some(stable), Some(crushing)) = (c.last_stable_load, c.crushing_limit_load)
         && stable > crushing
@@ -306,8 +310,8 @@ pub fn corrected(c: &mut Collapse, load: Option<f64>) {
         report.non_associated_load = load;
     }
     let message = match load {
-        Some(load) => format!("walls of blocks: with friction that does not dilate the load is {:.2} kN/m", load / 1e3),
-        None => "walls of blocks: no load was found with friction that does not dilate".into(),
+        Some(load) => format!("walls of blocks: with friction without dilation the load is {:.2} kN/m", load / 1e3),
+        None => "walls of blocks: no load was found with friction without dilation".into(),
     };
     c.warnings.push(Warning::new(warning::ASSOCIATED_SLIDING, message));
 }
@@ -321,8 +325,8 @@ fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     let ends = if wall.end_walls { "fixed walls stand at both ends" } else { "its ends are free" };
     c.assumptions.push(format!(
-        "A metre of the spandrel walls' own thickness: {pieces} pieces of bricks of {:.3} x {:.3} m stand on the ring from \
-         x = {:.3} to {:.3} m, up to {:.3} m above the crown; {ends}; cover does not act here.",
+        "The strip is a metre of the spandrel walls' own thickness: {pieces} pieces of bricks of {:.3} x {:.3} m stand \
+         on the ring from x = {:.3} to {:.3} m, up to {:.3} m above the crown; {ends}; cover does not act here.",
         wall.brick_length,
         wall.brick_height,
         road.line[0].x,
@@ -331,11 +335,11 @@ fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     ));
     let bearer = match wall.loaded_bricks {
         _ if d.counted_weight > 0.0 => {
-            "through a block that is held upright, whose weight counts in the load".to_string()
+            "through a block that cannot rotate, whose weight is part of the load".to_string()
         }
         None => "as forces on the bricks of the uppermost course under them, by their loaded length".to_string(),
         Some(count) => {
-            format!("as forces on the {count} nearest bricks of the uppermost course, without shifting them")
+            format!("as forces on the {count} nearest bricks of the uppermost course, with the same resultant")
         }
     };
     c.assumptions.push(format!("Loads act {bearer}; walls do not lean out of their plane."));
@@ -376,7 +380,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     if bridge.masonry.compressive_strength.is_none() {
         c.warnings
-            .push(Warning::new(warning::UNLIMITED_STRENGTH, "compressive strength has no limit: crushing is left out"));
+            .push(Warning::new(warning::UNLIMITED_STRENGTH, "compressive strength is unlimited: crushing is left out"));
     }
     c.warnings.extend(joints::between_rings(bridge));
     let unlimited = c.limit().and_then(|l| l.unlimited_strength_load);
@@ -384,7 +388,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         (c.collapse_load, unlimited, bridge.masonry.compressive_strength)
     {
         c.assumptions.push(format!(
-            "Joints crush at {:.1} MPa, which takes {:.1} % off the load of {:.2} kN/m that they would carry without crushing.",
+            "Joints crush at {:.1} MPa, which lowers the load by {:.1} % from the {:.2} kN/m without crushing.",
             strength / 1e6,
             100.0 * (1.0 - load / without),
             without / 1e3
@@ -393,7 +397,7 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
     if bridge.spans.len() > 1 {
         c.assumptions
-            .push("All springings lie at one level; piers stand on fixed foundations that carry no tension.".into());
+            .push("All springings are at one level; piers stand on fixed foundations that carry no tension.".into());
     }
     if d.road.is_some() {
         walled(bridge, d, c);
@@ -406,12 +410,12 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             warning::FILL_AS_WEIGHT,
             match bridge.cover.backing.map(|b| b.body) {
                 Some(BackingBody::Blocks) => {
-                    "fill acts by its weight alone; its resistance is left out, and so is what makes rings weaker than rigid \
-                     blocks: tests carried 0.88 to 1.98 of such predictions"
+                    "fill acts by its weight alone: its resistance is left out, and so are effects that make rings \
+                     weaker than rigid blocks; tests carried 0.88 to 1.98 times such predictions"
                 }
                 _ => {
-                    "fill and backing act by their weight alone; their resistance is left out, and so is what makes rings weaker \
-                     than rigid blocks: tests carried 0.88 to 1.98 of such predictions"
+                    "fill and backing act by their weight alone: their resistance is left out, and so are effects that \
+                     make rings weaker than rigid blocks; tests carried 0.88 to 1.98 times such predictions"
                 }
             },
         ));

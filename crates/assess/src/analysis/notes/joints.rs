@@ -16,11 +16,12 @@ pub fn cohesive(bridge: &Bridge) -> Option<Warning> {
     if cohesion > 0.0 {
         told.push(match bridge.masonry.compressive_strength {
             Some(strength) => format!(
-                "cohesion of {:.1} kPa acts where joints are pressed, as friction that is {:.4} larger",
+                "cohesion of {:.1} kPa acts where joints are compressed, as a friction coefficient that is {:.4} \
+                 larger",
                 cohesion / 1e3,
                 cohesion / strength
             ),
-            None => format!("cohesion of {:.1} kPa is left out, since joints turn about an edge", cohesion / 1e3),
+            None => format!("cohesion of {:.1} kPa is left out, because joints turn about an edge", cohesion / 1e3),
         });
     }
     if tension > 0.0 {
@@ -48,7 +49,8 @@ pub fn between_rings(bridge: &Bridge) -> Vec<Warning> {
     let single = bridge.spans.iter().filter(|span| span.rings.len() == 1);
     let thickest = single.map(|span| span.rings[0].crown_thickness).fold(0.0, f64::max);
     if thickest > BRICK {
-        let message = format!("a ring of {thickest:.3} m in one piece: rings of brick that part are not looked at");
+        let message = format!("a ring of {thickest:.3} m is modelled in one piece: separation of brick rings is not \
+                               checked");
         told.push(Warning::new(warning::ONE_PIECE, message));
     }
     told
