@@ -7,8 +7,8 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B651",
         title: "no such train",
-        meaning: "A train without vehicles and without a file is one of the library, by its name.",
-        why: "Axle loads and spacings decide every peak; none is assumed.",
+        meaning: "A train without vehicles and without a file must have the name of a train of the library.",
+        why: "Axle loads and spacings determine every peak; they are never assumed.",
         wrong: r#"name = "paper-long""#,
         right: r#"name = "paper-short""#,
         source: "the format of bridge files",
@@ -16,8 +16,9 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B652",
         title: "axles that do not add up",
-        meaning: "A vehicle has one load for each axle, or one for all, and one spacing between each two axles; a train has 20,000 axles at most.",
-        why: "An axle too many or too few moves every load behind it.",
+        meaning: "A vehicle has one load for each axle, or one for all, and one spacing between every two adjacent \
+                  axles; a train has 20,000 axles at most.",
+        why: "An extra or a missing axle shifts every load behind it.",
         wrong: r#"axle_loads = ["20 t", "21 t", "22 t"]"#,
         right: r#"axle_loads = ["20 t", "21 t"]"#,
         source: "the format of bridge files",
@@ -33,27 +34,30 @@ pub(super) const CARDS: &[Card] = &[
     },
     Card {
         code: "B654",
-        title: "no two frequencies",
-        meaning: "Rayleigh damping has the given ratio at two frequencies, the lower first.",
-        why: "Mass and stiffness share the damping; two frequencies fix the two shares.",
+        title: "damping without two frequencies in order",
+        meaning: "Rayleigh damping has the given ratio at two frequencies; give the lower one first.",
+        why: "Damping is proportional to mass and to stiffness; two frequencies determine the two coefficients.",
         wrong: r#"damping_frequencies = ["40 Hz", "8 Hz"]"#,
         right: r#"damping_frequencies = ["8 Hz", "40 Hz"]"#,
         source: "R. W. Clough and J. Penzien, Dynamics of Structures: Rayleigh damping",
     },
     Card {
         code: "B655",
-        title: "a way that leads nowhere",
-        meaning: "The first axle starts left of where it ends, and there are at most 720,000 positions between.",
-        why: "Trains drive to the right; a record of more positions is probably a slip of unit.",
+        title: "a passage that ends before it starts, or has too many positions",
+        meaning: "The first axle starts to the left of its end position, and there are at most 720,000 positions \
+                  between the two.",
+        why: "Trains travel to the right; more positions are probably an error of unit.",
         wrong: r#"to = "-60 m""#,
         right: r#"to = "60 m""#,
         source: "the format of bridge files",
     },
     Card {
         code: "B656",
-        title: "a place that the bridge lacks",
-        meaning: "A sensor sits on a span that is there, at one of its springings, and a strain gauge fits on one stone.",
-        why: "A gauge across a joint would measure the movement of two stones, and one on another span another record.",
+        title: "a sensor position that the bridge does not have",
+        meaning: "A sensor is on an existing span, at a springing that this span has, and a strain gauge fits on one \
+                  voussoir.",
+        why: "A gauge across a joint would measure the relative movement of two voussoirs, and a sensor on another \
+              span would give another record.",
         wrong: r#"gauge_length = "900 mm""#,
         right: r#"gauge_length = "100 mm""#,
         source: "the railway paper, section 3.2",
@@ -61,7 +65,8 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B657",
         title: "channels that cannot be told apart",
-        meaning: "Every sensor has a name of its own that can head a column of a table, and there are 1000 sensors at most.",
+        meaning: "Every sensor has a unique name that can be a column heading of a table, and there are 1000 sensors \
+                  at most.",
         why: "Records are compared by the names of their channels.",
         wrong: r#"name = "crown, strain""#,
         right: r#"name = "crown strain""#,
@@ -69,7 +74,7 @@ pub(super) const CARDS: &[Card] = &[
     },
     Card {
         code: "B660",
-        title: "a vehicle beyond the middle",
+        title: "an edge distance beyond the middle of the barrel",
         meaning: "edge_distance of [carriageway] is at most half the width of the barrel.",
         why: "It is measured from the nearer edge of the barrel to the nearest wheel or rail.",
         wrong: r#"edge_distance = "80 m""#,
@@ -79,8 +84,9 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B661",
         title: "more vehicles abreast than fit",
-        meaning: "The vehicles of [carriageway] stand on the barrel: lanes - 1 distances of lane_width are not more than its width.",
-        why: "Each vehicle is carried by its part of the barrel.",
+        meaning: "The vehicles of [carriageway] must fit on the barrel: (lanes - 1) times lane_width is not more than \
+                  its width.",
+        why: "Each vehicle needs its part of the barrel to carry it.",
         wrong: r#"lanes = 20"#,
         right: r#"lanes = 2"#,
         source: "the format of bridge files",
@@ -88,8 +94,9 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "P051",
         title: "an unusual axle load",
-        meaning: "Axles bring 1 to 45 t onto rails.",
-        why: "Tonnes, kilograms and kilonewtons are easily exchanged, and every peak is nearly proportional to the load.",
+        meaning: "Railway axles carry 1 to 45 t.",
+        why: "Tonnes, kilograms and kilonewtons are easily confused, and every peak is nearly proportional to the \
+              load.",
         wrong: r#"axle_loads = ["200 kg", "21 t"]"#,
         right: r#"axle_loads = ["20 t", "21 t"]"#,
         source: "EN 15528 (axle loads of line categories, up to 25 t); heavy haul lines up to 40 t",
@@ -97,8 +104,9 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "P052",
         title: "an unusual track",
-        meaning: "Track moduli are 5 to 200 MPa for one rail, rails have 0.5 to 10 MNm^2, sleepers stand 0.4 to 1 m apart.",
-        why: "They decide over how many sleepers an axle spreads.",
+        meaning: "Track moduli are 5 to 200 MPa for one rail, bending stiffnesses of rails 0.5 to 10 MNm^2, and \
+                  sleepers are 0.4 to 1 m apart.",
+        why: "They determine over how many sleepers an axle load spreads.",
         wrong: r#"track_modulus = "30 GPa""#,
         right: r#"track_modulus = "30 MPa""#,
         source: "A. D. Kerr, Fundamentals of Railway Track Engineering, 2003; C. Esveld, Modern Railway Track, 2001",
@@ -107,16 +115,16 @@ pub(super) const CARDS: &[Card] = &[
         code: "P053",
         title: "an unusual speed",
         meaning: "Trains cross masonry bridges at 1 to 250 km/h.",
-        why: "m/s and km/h are easily exchanged; the speed sets the distance between positions.",
+        why: "m/s and km/h are easily confused; the speed sets the distance between positions.",
         wrong: r#"speed = "150 m/s""#,
         right: r#"speed = "45 km/h""#,
         source: "common range",
     },
     Card {
         code: "P054",
-        title: "an effective width below the sleepers",
+        title: "an effective width smaller than the sleepers",
         meaning: "The effective width of an axle is less than the length of its sleepers.",
-        why: "An axle is spread over its sleepers before anything else; every peak is inversely proportional to the width.",
+        why: "An axle load first spreads over its sleepers; every peak is inversely proportional to the width.",
         wrong: r#"effective_width = "1.0 m""#,
         right: r#"effective_width = "3.9 m""#,
         source: "NR/GN/CIV/025 and CS 454: load spreads from the sleeper's ends outwards",
@@ -125,9 +133,10 @@ pub(super) const CARDS: &[Card] = &[
         code: "P060",
         title: "a skew bridge",
         meaning: "The bridge is skew by more than 10 degrees; every model here is plane and square.",
-        why: "Skew barrels carry along the shorter way between obtuse corners, twist, and part along the spandrels: what a plane \
-              model says of them is not a bound. Spans measured along the road are longer than square to the springings and carry less: they are \
-              the careful ones. A verdict needs another model or a test, named as skew_source in [assess].",
+        why: "Skew barrels carry along the shorter path between obtuse corners, twist, and separate along the \
+              spandrels: the result of a plane model is not a bound for them. Spans measured along the road are longer \
+              than those square to the springings and carry less, so they are conservative. A verdict needs another \
+              model or a test, named as skew_source in [assess].",
         wrong: r#"skew = "40 deg""#,
         right: r#"skew = "5 deg""#,
         source: "CIRIA C656, Masonry arch bridges, 2006 [recalled]; common limit of plane analysis",

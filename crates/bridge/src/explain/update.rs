@@ -6,9 +6,9 @@ use super::Card;
 pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B670",
-        title: "no range to seek in",
-        meaning: "A parameter has a number in the file, and its range holds that number: it is the start model.",
-        why: "A search that starts outside its range compares with a model that nobody holds possible.",
+        title: "no range to search in",
+        meaning: "A parameter has a number in the file, the start model, and its range contains that number.",
+        why: "A search that starts outside its range starts from a model that is considered impossible.",
         wrong: r#"lower = "300 MPa""#,
         right: r#"lower = "20 MPa""#,
         source: "the format of bridge files",
@@ -16,17 +16,18 @@ pub(super) const CARDS: &[Card] = &[
     Card {
         code: "B671",
         title: "no such channel",
-        meaning: "A [[channel]] speaks of one sensor, by its name, and no other does; clocks are aligned by a sensor that there is.",
-        why: "A reason or an uncertainty that reaches no channel would look as if it had.",
+        meaning: "A [[channel]] names one sensor, and only one [[channel]] names it; clocks are aligned by an existing \
+                  sensor.",
+        why: "A reason or an uncertainty without a channel would have no effect, unnoticed.",
         wrong: r#"sensor = "quarter strain""#,
         right: r#"sensor = "crown strain""#,
         source: "the format of bridge files",
     },
     Card {
         code: "B672",
-        title: "a parameter is there twice, or too many are",
-        meaning: "Every quantity is sought once, under a name of its own, and twenty are the most.",
-        why: "Two values for one quantity are no model; twenty are more than any record tells.",
+        title: "a parameter is there twice, or there are too many",
+        meaning: "Every quantity is a parameter only once, with its own name, and there are twenty parameters at most.",
+        why: "One quantity cannot have two values; twenty parameters are more than any record can determine.",
         wrong: r##"quantity = "track.track_modulus" # the other one"##,
         right: r##"quantity = "track.dead_load" # the other one"##,
         source: "the format of bridge files",
