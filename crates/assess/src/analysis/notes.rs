@@ -126,14 +126,15 @@ fn backed(bridge: &Bridge, d: &Discretised) -> Option<String> {
     let pieces = d.origins.iter().filter(|o| matches!(o, Origin::Backing { .. })).count();
     let [left, right] = bridge.abutments.map(|a| a.top_width);
     let behind = if d.loading.restraints.is_empty() {
-        "nothing behind it presses or resists"
+        "there is no fill pressure behind it"
     } else {
         "fill behind it presses and resists as on the backs"
     };
     Some(format!(
-        "Backing is {pieces} blocks of whole masonry with joints as between voussoirs: stones with level beds on backs steeper than 45 \
-         degrees, a column on every flatter one. It reaches over the tops of the abutments ({left:.2} m and {right:.2} m), where friction \
-         alone holds it; {behind}. That it is sound and reaches so far must be known, by a trial pit or a core."
+        "Backing is {pieces} blocks of sound masonry with joints as between voussoirs: stones with level beds on backs \
+         steeper than 45 degrees, a column on every flatter one. It reaches over the tops of the abutments ({left:.2} \
+         m and {right:.2} m), where friction alone holds it; {behind}. A trial pit or a core must confirm that it is \
+         sound and reaches so far."
     ))
 }
 
@@ -142,7 +143,8 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     common(bridge, d, c);
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) && d.fill.is_none() {
         c.assumptions.push(
-            "[fill_pressure] belongs to limit analysis: here the fill is weight and does not press sideways.".into(),
+            "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press \
+             sideways.".into(),
         );
     }
     c.assumptions.push(
@@ -199,10 +201,12 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     common(bridge, d, c);
     let springs = c.finite().map_or(0, |finite| finite.springs_per_joint);
     c.assumptions.push(format!(
-        "Each joint is {springs} springs from edge to edge, without tension, which shear elastically and do not slide; displacements are large. {parts}"
+        "Each joint has {springs} springs from edge to edge, without tension, which shear elastically and do not \
+         slide; displacements are large. {parts}"
     ));
     c.assumptions.push(
-        "collapse_load is the smallest load tried for which there is no balance; last_stable_load is the largest with one.".into(),
+        "collapse_load is the smallest load tried without equilibrium; last_stable_load is the largest with \
+         equilibrium.".into(),
     );
     if bridge.joint.tensile_strength > 0.0 {
         c.assumptions.push("The tensile strength of the joints is left out.".into());

@@ -8,7 +8,7 @@ const ROLES: &[Word] = &[
     Word { word: "block", doc: "closed outlines are free blocks" },
     Word { word: "support", doc: "closed outlines are blocks that do not move" },
     Word { word: "particles", doc: "circles are particles" },
-    Word { word: "ignore", doc: "nothing of it is read" },
+    Word { word: "ignore", doc: "the layer is not read" },
 ];
 
 const BLOCK_ROLES: &[Word] =
@@ -24,7 +24,7 @@ const UNITS: &[Word] = &[
 ];
 
 const CONCAVE: &[Word] = &[
-    Word { word: "refuse", doc: "an error that names the hollow corner" },
+    Word { word: "refuse", doc: "an error that names the concave corner" },
     Word { word: "cut", doc: "convex pieces, each a block of its own; a warning says so" },
 ];
 
@@ -61,7 +61,7 @@ static DRAWING: Section = Section {
     fields: &[
         Field::new("file", Kind::Text, "path of the drawing, relative to this file", "bridge.dxf"),
         Field::new("unit", Kind::Word(UNITS), "unit of the drawing, in place of what its header says", "mm")
-            .optional("the header of the drawing says it, or an error asks for it"),
+            .optional("the unit in the header of the drawing; an error asks for it if there is none"),
         Field::new("chord_tolerance", Kind::Quantity(Length), "how far a chord may lie from its curve", "1 mm")
             .positive()
             .at_most(1.0)
@@ -69,13 +69,13 @@ static DRAWING: Section = Section {
         Field::new(
             "gap_tolerance",
             Kind::Quantity(Length),
-            "how far apart ends may lie that are meant to meet",
+            "largest distance of ends that are meant to meet",
             "1 mm",
         )
         .positive()
         .at_most(1.0)
         .default("1 mm"),
-        Field::new("concave", Kind::Word(CONCAVE), "what becomes of an outline that is not convex", "refuse")
+        Field::new("concave", Kind::Word(CONCAVE), "how an outline that is not convex is treated", "refuse")
             .default("refuse"),
         Field::new("layer", Kind::Tables(&LAYER), "What is on its layers.", ""),
     ],

@@ -7,15 +7,15 @@ const KINDS: &[Word] = &[
     Word { word: "knife-edge", doc: "a strip across the whole width" },
     Word { word: "patch", doc: "a pressure across the whole width" },
     Word { word: "axle", doc: "one axle" },
-    Word { word: "axles", doc: "a pattern of axles, driving to the right" },
+    Word { word: "axles", doc: "a pattern of axles, travelling to the right" },
 ];
 
 pub(super) static LOAD: Section = Section {
     path: "load",
     doc: "A load on the surface, downwards. Place it by `position` or `at`. A file that plans a passage and has no [analysis] needs none.",
     fields: &[
-        Field::new("name", Kind::Text, "what the load is called", "knife edge at the quarter point")
-            .optional("called after its kind"),
+        Field::new("name", Kind::Text, "name of the load", "knife edge at the quarter point")
+            .optional("named after its kind"),
         Field::new("kind", Kind::Word(KINDS), "shape of the load", "knife-edge"),
         Field::new("force", Kind::LineLoad, "force of the strip, per metre of width or over the whole width", "1 kN/m")
             .positive()
@@ -40,7 +40,7 @@ pub(super) static LOAD: Section = Section {
         Field::new(
             "axle_spacings",
             Kind::Quantities(Length),
-            "distances between the axles, one fewer than there are",
+            "distances between the axles, one fewer than the axles",
             "[\"3.0 m\"]",
         )
         .positive()
@@ -81,7 +81,7 @@ pub(super) static LOAD: Section = Section {
 
 const BEARERS: &[Word] = &[
     Word { word: "cover", doc: "as a pressure that spreads through the cover, or as forces on the bricks of a wall" },
-    Word { word: "block", doc: "through a rigid block that stands on a wall, held upright" },
+    Word { word: "block", doc: "through a rigid block that stands on a wall and cannot rotate" },
 ];
 
 const RULES: &[Word] = &[

@@ -80,7 +80,7 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
     Field::new(
         "fixed_length",
         Kind::Quantity(Length),
-        "length of joint that one contact point stands for when it is kept fixed",
+        "length of joint that one contact point represents when it is kept fixed",
         "0.3455 m",
     )
     .positive()

@@ -246,7 +246,7 @@ pub static FILE: Section = Section {
         Field::new(
             "pier",
             Kind::Tables(&structure::PIER),
-            "The piers between the spans, from left to right; one alone stands for all.",
+            "The piers between the spans, from left to right; a single one describes all.",
             "",
         )
         .optional("a bridge of one span has none"),
@@ -264,7 +264,7 @@ pub static FILE: Section = Section {
         Field::new("spandrel_wall", Kind::Table(&wall::SPANDREL_WALL), "Spandrel walls that stand on the rings.", "")
             .optional("no walls"),
         Field::new("wall_joint", Kind::Table(&material::WALL_JOINT), "Joints of the spandrel walls.", "")
-            .optional("bricks are joined as voussoirs are, each contact point standing for half its own joint"),
+            .optional("bricks are joined as voussoirs are; each contact point represents half its own joint"),
         Field::new("particles", Kind::Table(&particles::PARTICLES), "Fill as particles.", "")
             .optional("no layer is modelled as particles"),
         Field::new("particle_joint", Kind::Table(&material::PARTICLE_JOINT), "Contacts between particles.", "")
@@ -295,14 +295,14 @@ pub static FILE: Section = Section {
             "Horizontal pressure of the fill against movement, in limit analysis.",
             "",
         )
-        .optional("fill is weight and spreads loads, and does not press sideways"),
+        .optional("fill has weight and spreads loads, but does not press sideways"),
         Field::new(
             "carriageway",
             Kind::Table(&sweep::CARRIAGEWAY),
-            "Where vehicles of [sweep] may stand across the bridge.",
+            "Possible positions of vehicles of [sweep] across the bridge.",
             "",
         )
-        .optional("a vehicle stands in the middle; on roads two abreast where they fit"),
+        .optional("one vehicle in the middle; on roads two abreast where they fit"),
         Field::new(
             "sweep",
             Kind::Table(&sweep::SWEEP),
@@ -313,7 +313,7 @@ pub static FILE: Section = Section {
         Field::new(
             "load",
             Kind::Tables(&loading::LOAD),
-            "Loads on the surface; together they make the pattern that grows to collapse.",
+            "Loads on the surface; together they form the pattern that grows to collapse.",
             "",
         )
         .optional("possible only for analyses without a load"),
@@ -325,7 +325,7 @@ pub static FILE: Section = Section {
         Field::new("fill", Kind::Table(&service::FILL), "Fill above the rings, in the finite element model.", "")
             .optional("not needed for collapse"),
         Field::new("haunch_fill", Kind::Table(&service::HAUNCH_FILL), "Fill of the haunches.", "")
-            .optional("the haunches are filled as the rest"),
+            .optional("the haunches have the same fill as the rest"),
         Field::new("abutment_fill", Kind::Table(&service::ABUTMENT_FILL), "Fill behind the abutments.", "")
             .optional("as the rest of the fill"),
         Field::new("mortar", Kind::Table(&service::MORTAR), "Mortar of the joints, in the finite element model.", "")
@@ -344,19 +344,19 @@ pub static FILE: Section = Section {
         Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
             .optional("nothing is varied"),
         Field::new("records", Kind::Table(&update::RECORDS), "Records that `extrados update` compares with.", "")
-            .optional("possible only where nothing is sought"),
+            .optional("possible only without parameters"),
         Field::new("channel", Kind::Tables(&update::CHANNEL), "What is known of the records' channels.", "")
             .optional("all sensors are compared, by their names"),
-        Field::new("parameter", Kind::Tables(&update::PARAMETER), "What `extrados update` seeks.", "")
-            .optional("nothing is sought"),
-        Field::new("update", Kind::Table(&update::UPDATE), "How `extrados update` seeks it.", "")
+        Field::new("parameter", Kind::Tables(&update::PARAMETER), "What `extrados update` searches for.", "")
+            .optional("there is no search"),
+        Field::new("update", Kind::Table(&update::UPDATE), "How `extrados update` searches for it.", "")
             .optional("the defaults"),
         Field::new("assess", Kind::Table(&assess::ASSESS), "Limits that `extrados assess` compares with.", "")
-            .optional("nothing is compared that needs a limit"),
+            .optional("checks that need a limit are not made"),
         Field::new("service_load", Kind::Tables(&assess::SERVICE_LOAD), "Loads in service.", "")
             .optional("the train as it is"),
         Field::new("mexe", Kind::Table(&assess::MEXE), "Factors of the modified MEXE method.", "")
-            .optional("MEXE is not made"),
+            .optional("the MEXE check is not made"),
         Field::new("expected", Kind::Tables(&assess::EXPECTED), "Where identified parameters are expected.", "")
             .optional("identified parameters are listed without a verdict"),
     ],

@@ -12,7 +12,7 @@ pub(super) static PARTICLES: Section = Section {
         Field::new("count", Kind::Count, "number of particles", "1984")
             .at_least(10.0)
             .at_most(4e6)
-            .optional("as many as `smallest_diameter` and `largest_diameter` ask for"),
+            .optional("the number that follows from `smallest_diameter` and `largest_diameter`"),
         Field::new("size_ratio", Kind::Number, "largest over smallest diameter, where `count` is given", "1.5")
             .at_least(1.0)
             .at_most(20.0)
@@ -34,9 +34,9 @@ pub(super) static PARTICLES: Section = Section {
         Field::new("solid_fraction", Kind::Number, "share of the region that the particles cover", "0.84")
             .at_least(0.5)
             .at_most(0.92)
-            .optional("what `packing_stress` leads to"),
+            .optional("the fraction that follows from `packing_stress`"),
         Field::new("file", Kind::Text, "a packing that was saved, in place of a new one", "packing.csv")
-            .optional("the region is filled anew"),
+            .optional("a new packing is made"),
         Field::new("elastic_modulus", Kind::Quantity(Stress), "modulus of the particles in the series rule", "40 MPa")
             .positive()
             .optional("needed for `mortar_…_stiffness` of [particle_joint]"),

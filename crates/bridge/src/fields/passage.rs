@@ -14,13 +14,14 @@ const KINEMATICS: &[Word] = &[
 ];
 
 const PATHS: &[Word] = &[
-    Word { word: "condensed", doc: "linear zones are condensed once to what iterates; the same numbers, much faster" },
+    Word { word: "condensed", doc: "linear parts are condensed once, and only nonlinear parts iterate; the same \
+                                    numbers, much faster" },
     Word { word: "plain", doc: "all degrees of freedom at every position" },
 ];
 
 pub(super) static PASSAGE: Section = Section {
     path: "passage",
-    doc: "How the train crosses, and how that is analysed. Self-weight comes first and is taken off afterwards.",
+    doc: "How the train crosses, and how that is analysed. Self-weight is applied first and subtracted afterwards.",
     fields: &[
         Field::new("speed", Kind::Quantity(Speed), "speed of the train", "45 km/h").at_least(0.01),
         Field::new("time_step", Kind::Quantity(Time), "time from one position to the next", "0.005 s")
@@ -29,17 +30,17 @@ pub(super) static PASSAGE: Section = Section {
         Field::new(
             "from",
             Kind::Quantity(Length),
-            "where the first axle stands at the start, from the left springing of the first span",
+            "position of the first axle at the start, from the left springing of the first span",
             "-10 m",
         )
         .optional("where the mesh begins"),
-        Field::new("to", Kind::Quantity(Length), "where the first axle stands at the end", "60 m")
+        Field::new("to", Kind::Quantity(Length), "position of the first axle at the end", "60 m")
             .optional("where the last axle leaves the mesh"),
-        Field::new("analysis", Kind::Word(ANALYSES), "whether masses take part", "static").default("static"),
+        Field::new("analysis", Kind::Word(ANALYSES), "whether inertia is included", "static").default("static"),
         Field::new("damping_ratio", Kind::Number, "share of critical damping at `damping_frequencies`", "0.03")
             .at_least(0.0)
             .at_most(0.5)
-            .optional("no damping but friction and yielding"),
+            .optional("no damping except by friction and yielding"),
         Field::new(
             "damping_frequencies",
             Kind::Quantities(Frequency),
@@ -51,7 +52,8 @@ pub(super) static PASSAGE: Section = Section {
         Field::new(
             "numerical_damping",
             Kind::Number,
-            "of time integration: 0 is Newmark's average acceleration, more is the method of Hilber, Hughes and Taylor",
+            "numerical damping of time integration: 0 is Newmark's average acceleration, larger values are the method \
+             of Hilber, Hughes and Taylor",
             "0.05",
         )
         .at_least(0.0)
@@ -89,7 +91,7 @@ pub(super) static PASSAGE: Section = Section {
 
 const KINDS: &[Word] = &[
     Word { word: "displacement", doc: "movement of a point" },
-    Word { word: "strain", doc: "mean strain of one stone along the ring over a gauge length; tension is positive" },
+    Word { word: "strain", doc: "mean strain of one voussoir along the ring over a gauge length; tension is positive" },
     Word { word: "joint-opening", doc: "how far a joint opens at a face; apart is positive" },
     Word {
         word: "joint-sliding",
@@ -126,7 +128,7 @@ pub(super) static SENSOR: Section = Section {
         Field::new(
             "gauge_length",
             Kind::Quantity(Length),
-            "length over which strain is measured, on one stone",
+            "length over which strain is measured, within one voussoir",
             "120 mm",
         )
         .positive()
@@ -136,9 +138,9 @@ pub(super) static SENSOR: Section = Section {
             .at_least(1.0)
             .at_most(200.0)
             .optional("the first"),
-        Field::new("place", Kind::Word(PLACES), "which place of the span", "crown")
+        Field::new("place", Kind::Word(PLACES), "position on the span, by name", "crown")
             .optional("given by `at`, or `x` and `y`"),
-        Field::new("at", Kind::Share, "the place as a share of a span", "1/4 of span 1")
+        Field::new("at", Kind::Share, "position as a share of a span", "1/4 of span 1")
             .optional("given by `place`, or `x` and `y`"),
         Field::new("x", Kind::Quantity(Length), "distance from the left springing of the first span", "3.0 m")
             .optional("given by `place` or `at`"),

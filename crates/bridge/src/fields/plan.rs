@@ -51,7 +51,8 @@ pub(super) static ANALYSIS: Section = Section {
     doc: "What to analyse, and how exactly. Only `load_step` has no default: the discrete element method needs it.",
     fields: &[
         Field::new("method", Kind::Word(METHODS), "method for the collapse load", "dem").default("limit"),
-        Field::new("analysis", Kind::Word(ANALYSES), "what is made to collapse", "load").default("load"),
+        Field::new("analysis", Kind::Word(ANALYSES), "what is increased or reduced until \
+                                                      collapse", "load").default("load"),
         Field::new("strip", Kind::Word(STRIPS), "strip of the bridge's width that is analysed", "both").default("fill"),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
             .positive()
@@ -86,7 +87,7 @@ pub(super) static ANALYSIS: Section = Section {
             .at_most(1.0)
             .only("damping", &["local", "viscous"])
             .default("0.8"),
-        Field::new("contact_length", Kind::Word(LENGTHS), "length that a contact point stands for", "fixed")
+        Field::new("contact_length", Kind::Word(LENGTHS), "length of joint that a contact point represents", "fixed")
             .default("fixed"),
         Field::new("time_step_factor", Kind::Number, "share of the critical time step", "0.8")
             .above(0.0)
@@ -97,7 +98,7 @@ pub(super) static ANALYSIS: Section = Section {
         Field::new(
             "contact_points",
             Kind::Word(CONTACT_POINTS),
-            "where limit analysis puts the contact points of a joint",
+            "position of the contact points of a joint in limit analysis",
             "rounded",
         )
         .default("rounded"),

@@ -33,10 +33,10 @@ pub(super) static MESH: Section = Section {
 };
 
 const CONES: &[Word] = &[
-    Word { word: "compression", doc: "meets the pyramid of Mohr and Coulomb in triaxial compression" },
-    Word { word: "extension", doc: "meets it in triaxial extension" },
-    Word { word: "plane-strain", doc: "gives its failure load in plane strain" },
-    Word { word: "inner", doc: "touches it from inside" },
+    Word { word: "compression", doc: "matches Mohr-Coulomb in triaxial compression" },
+    Word { word: "extension", doc: "matches it in triaxial extension" },
+    Word { word: "plane-strain", doc: "matches its failure load in plane strain" },
+    Word { word: "inner", doc: "inscribed in it" },
 ];
 
 const LAWS: &[Word] = &[
@@ -64,10 +64,10 @@ const CUTOFF: Field =
 const CONE: Field = Field::new(
     "cone",
     Kind::Word(CONES),
-    "where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb",
+    "how the Drucker-Prager cone is matched to Mohr-Coulomb",
     "inner",
 );
-const LAW: Field = Field::new("law", Kind::Word(LAWS), "when the fill yields", "mohr-coulomb");
+const LAW: Field = Field::new("law", Kind::Word(LAWS), "yield criterion of the fill", "mohr-coulomb");
 
 const AS_FILL: &str = "as [fill] says";
 
@@ -81,7 +81,7 @@ pub(super) static FILL: Section = Section {
         FRICTION.optional("unknown; `respond` needs it unless the fill is elastic"),
         COHESION.optional("unknown; `respond` needs it unless the fill is elastic"),
         DILATANCY.default("0 deg"),
-        CUTOFF.optional("no bound but the apex of cone or pyramid"),
+        CUTOFF.optional("no limit except the apex of cone or pyramid"),
         CONE.default("plane-strain"),
         LAW.default("drucker-prager"),
     ],
@@ -153,7 +153,7 @@ pub(super) static MORTAR: Section = Section {
         .default("0 kN"),
         Field::new("shear_strength", Kind::Quantity(Stress), "shear strength of the mortar", "1 MPa")
             .at_least(0.0)
-            .optional("friction and cohesion of [joint] decide"),
+            .optional("friction and cohesion of [joint]"),
         Field::new("springs", Kind::Word(SPRINGS), "how the stress across a joint is summed", "interface")
             .default("equal"),
     ],
@@ -167,7 +167,7 @@ pub(super) static FILL_CONTACT: Section = Section {
             .at_least(0.0)
             .at_most(10.0)
             .optional("unknown; `respond` needs it"),
-        Field::new("separation", Kind::Flag, "whether fill and masonry may part", "false").default("true"),
+        Field::new("separation", Kind::Flag, "whether fill and masonry may separate", "false").default("true"),
         Field::new("stiffness", Kind::Quantity(JointStiffness), "normal stiffness per area of the contact", "1 GPa/m")
             .positive()
             .optional("from the fill's modulus and the size of its elements"),

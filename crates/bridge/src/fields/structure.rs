@@ -30,7 +30,7 @@ pub(super) const PROFILES: &[Word] = &[
 
 pub(super) static SPAN: Section = Section {
     path: "span",
-    doc: "One span. Span and rise are measured at the intrados, always.",
+    doc: "One span. Span and rise are always measured at the intrados.",
     fields: &[
         Field::new("profile", Kind::Word(PROFILES), "shape of the intrados", "segmental"),
         Field::new(
@@ -61,7 +61,7 @@ pub(super) static SPAN: Section = Section {
             "[[\"0 m\", \"0 m\"], [\"2.0 m\", \"1.1 m\"], [\"4.0 m\", \"0 m\"]]",
         )
         .only("profile", &["measured"]),
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, everywhere the same", "0.711 m")
+        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.711 m")
             .positive()
             .at_most(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`, or by [[span.ring]]"),
@@ -95,7 +95,7 @@ pub(super) static RING: Section = Section {
     path: "span.ring",
     doc: "One ring of a span with several, from the intrados up.",
     fields: &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, everywhere the same", "0.225 m")
+        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.225 m")
             .positive()
             .at_most(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`"),
@@ -140,7 +140,8 @@ pub(super) static PIER: Section = Section {
 
 pub(super) static ABUTMENT: Section = Section {
     path: "abutment",
-    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is drawn, and bounds what may lean on them.",
+    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is used for drawings and limits what \
+          can rest on them.",
     fields: &[
         Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
             .positive()

@@ -5,9 +5,10 @@ use crate::quantity::Dimension::{BendingStiffness, Force, Length, Mass, Stress};
 
 pub(crate) static VEHICLE: Section = Section {
     path: "train.vehicle",
-    doc: "A vehicle of the train, or several alike; the first one leads and drives to the right. Give `axle_loads` or `axle_forces`.",
+    doc: "A vehicle of the train, or several equal ones; the first one leads, and the train travels to the right. Give \
+          `axle_loads` or `axle_forces`.",
     fields: &[
-        Field::new("name", Kind::Text, "what the vehicle is called", "locomotive").optional("vehicle"),
+        Field::new("name", Kind::Text, "name of the vehicle", "locomotive").optional("vehicle"),
         Field::new("count", Kind::Count, "how many of them follow one another", "2")
             .at_least(1.0)
             .at_most(1000.0)
@@ -15,7 +16,7 @@ pub(crate) static VEHICLE: Section = Section {
         Field::new(
             "axle_loads",
             Kind::Quantities(Mass),
-            "mass that each axle brings onto the rails, from the first one back; one alone stands for all",
+            "mass on each axle, from the first one back; a single value is for all",
             r#"["20.5 t"]"#,
         )
         .positive()
@@ -24,7 +25,7 @@ pub(crate) static VEHICLE: Section = Section {
         Field::new(
             "axle_forces",
             Kind::Quantities(Force),
-            "force of each axle, from the first one back; one alone stands for all",
+            "force of each axle, from the first one back; a single value is for all",
             r#"["250 kN"]"#,
         )
         .positive()
@@ -33,7 +34,7 @@ pub(crate) static VEHICLE: Section = Section {
         Field::new(
             "axle_spacings",
             Kind::Quantities(Length),
-            "distances between the axles, one fewer than there are",
+            "distances between the axles, one fewer than the axles",
             r#"["2.0 m", "4.524 m", "2.0 m"]"#,
         )
         .positive(),
@@ -46,16 +47,16 @@ pub(crate) static VEHICLE: Section = Section {
 
 pub(super) static TRAIN: Section = Section {
     path: "train",
-    doc: "The train that crosses in `extrados respond`, driving to the right: one of the library by its `name`, vehicles from a \
-          `file`, or vehicles written here as [[train.vehicle]].",
+    doc: "The train that crosses in `extrados respond`, travelling to the right: one of the library by its `name`, \
+          vehicles from a `file`, or vehicles written here as [[train.vehicle]].",
     fields: &[
         Field::new(
             "name",
             Kind::Text,
-            "a train of the library (paper-short, paper-full, paper-short-light), or what the train is called",
+            "a train of the library (paper-short, paper-full, paper-short-light), or a name for the train",
             "paper-short",
         )
-        .optional("called after its file, or \"train\""),
+        .optional("named after its file, or \"train\""),
         Field::new(
             "file",
             Kind::Text,
@@ -77,8 +78,8 @@ pub(crate) static FILE: Section = Section {
 
 pub(super) static TRACK: Section = Section {
     path: "track",
-    doc: "How an axle reaches the fill: half of it bears on each rail, a beam on the springs under its sleepers; each sleeper's \
-          share spreads through the ballast and presses on the top of the fill.",
+    doc: "How an axle load reaches the fill: half of it bears on each rail, a beam on the springs under its sleepers; \
+          each sleeper's share spreads through the ballast and presses on the top of the fill.",
     fields: &[
         Field::new(
             "rail_bending_stiffness",
@@ -91,7 +92,7 @@ pub(super) static TRACK: Section = Section {
         Field::new(
             "track_modulus",
             Kind::Quantity(Stress),
-            "stiffness of what bears one rail, per metre of rail (force per length and settlement)",
+            "stiffness of the support of one rail, per metre of rail (force per length and settlement)",
             "30 MPa",
         )
         .at_least(1e4)

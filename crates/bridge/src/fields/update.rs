@@ -15,34 +15,34 @@ pub(super) static RECORDS: Section = Section {
         Field::new(
             "place",
             Kind::Text,
-            "a table (.csv), or a folder all of whose tables are runs; beside this file",
+            "a table (.csv), or a folder in which every table is a run; beside this file",
             "table-6.csv",
         ),
-        Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
-        Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
+        Field::new("zero", Kind::Flag, "whether the level before the train is subtracted", "true").default("true"),
+        Field::new("drift", Kind::Flag, "whether the line between the levels before and after is subtracted", "false")
             .default("false"),
         Field::new(
             "low_pass",
             Kind::Quantity(Frequency),
-            "frequency above which records are cut off, forward and backward so that nothing moves in time; a peak is the largest of \
-             many samples, and noise adds to it",
+            "frequency above which records are filtered, forward and backward so that nothing shifts in time; noise \
+             raises a peak, which is the largest of many samples",
             "10 Hz",
         )
         .positive()
         .optional("as recorded"),
         Field::new("align", Kind::Text, "the channel by which clocks are aligned", "crown displacement")
             .optional("the records' clock is that of [passage]: zero where the first axle starts"),
-        Field::new("align_by", Kind::Word(ALIGNED_BY), "what that channel is laid on", "model").default("model"),
+        Field::new("align_by", Kind::Word(ALIGNED_BY), "what that channel is aligned with", "model").default("model"),
     ],
 };
 
 pub(super) static CHANNEL: Section = Section {
     path: "channel",
-    doc: "What is known of a channel of the records; sensors without one are compared as they are.",
+    doc: "Information on a channel of the records; sensors without a [[channel]] are compared as they are.",
     fields: &[
         Field::new("sensor", Kind::Text, "name of the sensor", "crown strain"),
         Field::new("column", Kind::Text, "name of the column in the records", "SG 4").optional("the sensor's name"),
-        Field::new("reversed", Kind::Flag, "whether the records count the other way", "false").default("false"),
+        Field::new("reversed", Kind::Flag, "whether the sign of the records is reversed", "false").default("false"),
         Field::new("uncertainty", Kind::Number, "standard deviation of one value, in mm, microstrain or MPa", "0.01")
             .positive()
             .optional("not known; needed by the posterior and by `by_uncertainty`"),
@@ -52,10 +52,10 @@ pub(super) static CHANNEL: Section = Section {
         Field::new(
             "leave_out",
             Kind::Text,
-            "why it takes no part; it is still shown",
+            "reason for which it is left out; it is still shown",
             "a gauge on a stone sees no opening",
         )
-        .optional("it takes part"),
+        .optional("it is compared"),
     ],
 };
 
@@ -66,10 +66,11 @@ const SPACINGS: &[Word] = &[
 
 pub(super) static PARAMETER: Section = Section {
     path: "parameter",
-    doc: "A quantity of this file that `extrados update` seeks between bounds. Its own value is the start.",
+    doc: "A quantity of this file that `extrados update` searches for between bounds. The search starts at its own \
+          value.",
     fields: &[
         Field::new("quantity", Kind::Text, "path of the quantity, as in [[vary]]", "fill.elastic_modulus"),
-        Field::new("name", Kind::Text, "what results call it", "fill").optional("its path"),
+        Field::new("name", Kind::Text, "name in results", "fill").optional("its path"),
         Field::new("lower", Kind::Value, "lower end of the acceptable range", "20 MPa"),
         Field::new("upper", Kind::Value, "upper end of the acceptable range", "200 MPa"),
         Field::new("spacing", Kind::Word(SPACINGS), "how the range is divided", "linear").default("linear"),
@@ -77,9 +78,9 @@ pub(super) static PARAMETER: Section = Section {
 };
 
 const SEARCHES: &[Word] = &[
-    Word { word: "hierarchical", doc: "the railway paper's, by single sweeps and surfaces of two" },
+    Word { word: "hierarchical", doc: "the railway paper's search, by sweeps of one parameter and surfaces of two" },
     Word { word: "modern", doc: "trust-region least squares from many starts" },
-    Word { word: "referee", doc: "evolution over the whole ranges" },
+    Word { word: "referee", doc: "evolutionary search (CMA-ES) over the whole ranges" },
     Word { word: "gradient", doc: "a plain gradient search from one start" },
     Word { word: "all", doc: "one after the other, with a table" },
 ];
@@ -110,7 +111,7 @@ const WEIGHTS: &[Word] = &[
 
 pub(super) static UPDATE: Section = Section {
     path: "update",
-    doc: "How `extrados update` seeks the parameters.",
+    doc: "How `extrados update` searches for the parameters.",
     fields: &[
         Field::new("search", Kind::Word(SEARCHES), "which search", "modern").default("modern"),
         Field::new("variant", Kind::Word(VARIANTS), "reading of the hierarchical search", "printed").default("printed"),
@@ -128,12 +129,13 @@ pub(super) static UPDATE: Section = Section {
             .at_most(201.0)
             .default("11"),
         Field::new("compare", Kind::Word(COMPARED), "what is compared", "peaks").default("peaks"),
-        Field::new("slices", Kind::Flag, "whether peaks are sought in static slices, not in full passages", "true")
+        Field::new("slices", Kind::Flag, "whether peaks are compared in static slices instead of full passages", "true")
             .default("true"),
         Field::new("weights", Kind::Word(WEIGHTS), "where weights come from", "shapes").default("shapes"),
-        Field::new("by_uncertainty", Kind::Flag, "whether errors are counted in `uncertainty`", "false")
+        Field::new("by_uncertainty", Kind::Flag, "whether errors are expressed in multiples of `uncertainty`", "false")
             .default("false"),
-        Field::new("posterior", Kind::Flag, "whether what the records leave open is sampled", "false").default("false"),
+        Field::new("posterior", Kind::Flag, "whether the posterior of the parameters is \
+                                             sampled", "false").default("false"),
         Field::new(
             "model_error",
             Kind::Number,

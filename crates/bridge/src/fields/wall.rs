@@ -6,7 +6,7 @@ use crate::quantity::Dimension::{Density, Length};
 const BONDS: &[Word] = &[
     Word { word: "half", doc: "every other course is shifted by half a brick" },
     Word { word: "third", doc: "every other course is shifted by a third of a brick" },
-    Word { word: "stack", doc: "head joints stand above one another" },
+    Word { word: "stack", doc: "head joints are above one another" },
 ];
 
 const STARTS: &[Word] = &[
