@@ -10,13 +10,12 @@ use crate::tree::title;
 /// The reference as Markdown.
 pub fn reference() -> String {
     let mut out = String::from(
-        "# The bridge file\n\n\
-         Generated from the field cards of the reader; a test keeps it up to date.\n\n\
-         A bridge file is TOML: `[section]` headers and `key = value` lines. Quantities are text with a unit, \
-         `\"18.30 m\"`; bare numbers are refused where there is a dimension. Span and rise are measured at the \
-         intrados, always. Values that belong to the bridge have no defaults, numerical settings have. A section that \
-         may stand several times is written `[[section]]`. `extrados schema` prints the same as a JSON Schema, \
-         `extrados explain CODE` tells what a message means.\n\n",
+        "# The bridge file\n\nGenerated from the field cards of the reader; a test keeps it up to date.\n\nA bridge \
+         file is TOML: `[section]` headers and `key = value` lines. Quantities are text with a unit, `\"18.30 m\"`; \
+         bare numbers are refused where there is a dimension. Span and rise are always measured at the intrados. \
+         Properties of the bridge have no defaults; numerical settings have. A section that may occur several times is \
+         written `[[section]]`. `extrados schema` prints the same as a JSON Schema; `extrados explain CODE` explains a \
+         message.\n\n",
     );
     units(&mut out);
     for section in sections().into_iter().filter(|section| !section.path.is_empty()) {
@@ -28,10 +27,9 @@ pub fn reference() -> String {
 /// The reference of block model files as Markdown, `docs/input/blocks.md`.
 pub fn blocks_reference() -> String {
     let mut out = String::from(
-        "# The block model file, key by key\n\n\
-         Generated from the field cards of the reader; a test keeps it up to date. [Drawings](drawings.md) tells how to \
-         write such a file, [reference.md](reference.md) lists the units, and `[analysis]` is that of a bridge file, \
-         without the analyses that need an arch.\n\n",
+        "# The block model file, key by key\n\nGenerated from the field cards of the reader; a test keeps it up to \
+         date. [Drawings](drawings.md) says how to write such a file, [reference.md](reference.md) lists the units, \
+         and `[analysis]` is that of a bridge file, without the analyses that need an arch.\n\n",
     );
     for section in sections_of(&blocks::FILE).into_iter().filter(|s| !s.path.is_empty() && s.path != "analysis") {
         describe(section, &mut out);
@@ -42,10 +40,9 @@ pub fn blocks_reference() -> String {
 /// All cards of messages as Markdown, `docs/input/messages.md`.
 pub fn messages() -> String {
     let mut out = String::from(
-        "# Messages\n\n\
-         Generated from the cards of the reader; a test keeps it up to date. Codes that start with B are errors: the \
-         file cannot be used. Codes that start with P are warnings: possible, but worth a question. \
-         `extrados explain CODE` prints the same.\n",
+        "# Messages\n\nGenerated from the cards of the reader; a test keeps it up to date. Codes that start with B are \
+         errors: the file cannot be used. Codes that start with P are doubts: the value is possible but unlikely, and \
+         the file is used. `extrados explain CODE` prints the same.\n",
     );
     for card in cards() {
         line(&mut out, &format!("\n## {}: {}\n\n{} {}\n", card.code, card.title, card.meaning, card.why));
