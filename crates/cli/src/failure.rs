@@ -33,14 +33,15 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F101",
         title: "the file cannot be read",
-        text: "The path given does not lead to a readable file: it does not exist, is a folder, or permissions forbid it. Paths are \
-               relative to the folder in which the command runs.\n\nExample: `extrados check bridge.toml` in a folder without bridge.toml.",
+        text: "The path is not a readable file: it does not exist, is a folder, or permissions forbid reading. Paths \
+               are relative to the folder in which the command runs.\n\nExample: `extrados check bridge.toml` in a \
+               folder without bridge.toml.",
     },
     Card {
         code: "F102",
         title: "the folder for results cannot be written",
-        text: "Results go to out/NAME beside the current folder, NAME being the file's name without its ending, or to the folder after \
-               --out. The place is tried before anything is computed, so that no run is lost for want of a folder.",
+        text: "Results go to out/NAME in the current folder, where NAME is the file's name without its extension, or \
+               to the folder after --out. The folder is tested before anything is computed, so that no run is lost.",
     },
     Card {
         code: "F103",
@@ -61,8 +62,9 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F106",
         title: "the checkpoint belongs to another run",
-        text: "A checkpoint can only be taken up by the run that left it: the same bridge, the same analysis, the same settings. \
-               Otherwise the numbers would be those of neither. Run without --resume to start anew.",
+        text: "A checkpoint can only be used by the run that wrote it: the same bridge, the same analysis, the same \
+               settings. Otherwise the numbers would belong to neither run. Run without --resume to start from the \
+               beginning.",
     },
     Card {
         code: "F107",
@@ -72,20 +74,20 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F108",
         title: "the analysis cannot be set up",
-        text: "The file can be read, but this analysis needs something that it does not say or cannot work with, as the message tells: \
-               a load step, a stiffness, a support movement.",
+        text: "The file can be read, but this analysis needs something that the file does not have, or cannot use what \
+               it has. The message says what: a load step, a stiffness, a support movement.",
     },
     Card {
         code: "F109",
         title: "the results could not be written",
-        text: "The analysis finished, but writing its files failed: the disk is full or the folder went away. Nothing half-written is \
-               left behind. Run again with --out elsewhere.",
+        text: "The analysis finished, but writing its files failed: the disk is full or the folder was removed. No \
+               incomplete file remains. Run again with another --out folder.",
     },
     Card {
         code: "F110",
         title: "the checkpoint cannot be used",
-        text: "The checkpoint is damaged or cannot be read. Checkpoints are written whole or not at all, so this is most often a copy \
-               that broke off. Run without --resume to start anew.",
+        text: "The checkpoint is damaged or cannot be read. Checkpoints are written whole or not at all, so this is \
+               most often an incomplete copy. Run without --resume to start from the beginning.",
     },
     Card {
         code: "F111",
@@ -109,22 +111,23 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F114",
         title: "a varied value is refused",
-        text: "With this value the bridge file cannot be used, for the reason that the message quotes; its code has a card of its own. \
-               Every value is read by the reader of bridge files before anything is computed, so that no run is lost. Where a key \
-               means something only with a certain word of another, vary the two in files of their own.",
+        text: "With this value the bridge file cannot be used, for the reason that the message quotes; its code has a \
+               card of its own. Every value is read by the reader of bridge files before anything is computed, so that \
+               no run is lost. Where a key applies only with a certain word of another key, vary the two in separate \
+               files.",
     },
     Card {
         code: "F115",
         title: "too many runs",
-        text: "A grid of all values against all grows fast: five values of five quantities are 3125 runs. The message counts them and \
-               estimates the time from the bridge as its file has it, which was run once and is kept. --most-runs N allows more; \
-               fewer values, or one quantity after the other (without --grid), need less.",
+        text: "A grid of all combinations grows fast: five values of five quantities are 3125 runs. The message counts \
+               them and estimates the time from the bridge as its file has it, which was run once and is kept. \
+               --most-runs N allows more; fewer values, or one quantity at a time (without --grid), need fewer runs.",
     },
     Card {
         code: "F116",
         title: "the command line fixes what is varied",
-        text: "A flag such as --method or --friction stands above the file, and so above the values that the file would be given: \
-               every run would be the same. Leave the flag or the quantity away.",
+        text: "A flag such as --method or --friction overrides the file, and so the varied values of the file: every \
+               run would be the same. Leave out the flag or the quantity.",
     },
     Card {
         code: "F117",
@@ -135,9 +138,9 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F118",
         title: "no conversion between these files",
-        text: "`extrados convert FROM TO` goes by the extensions: a bridge file or block model file (.toml) becomes a drawing (.dxf), a \
-               ParaView file (.vtu) or a block model file with every block listed (.toml); a drawing becomes a block model file, a \
-               ParaView file, or a cleaned drawing in metres.",
+        text: "`extrados convert FROM TO` chooses the conversion by the extensions: a bridge file or block model file \
+               (.toml) becomes a drawing (.dxf), a ParaView file (.vtu) or a block model file with every block listed \
+               (.toml); a drawing becomes a block model file, a ParaView file, or a cleaned drawing in metres.",
     },
     Card {
         code: "F119",
@@ -149,9 +152,10 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F120",
         title: "a saved packing cannot be used",
-        text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the columns x_m, y_m and \
-               radius_m, then a row per particle; lines that begin with # are remarks. The message names each line that cannot be \
-               read. Every run writes its packing as packing.csv into its folder of results.",
+        text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the \
+               columns x_m, y_m and radius_m, then a row per particle; lines that begin with # are comments. The \
+               message names each line that cannot be read. Every run writes its packing as packing.csv into its \
+               folder of results.",
     },
     Card {
         code: "F121",
@@ -163,8 +167,9 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F122",
         title: "an output would replace an input",
-        text: "A file that the command reads stands where a result of the same name goes: with --out . beside a drawing model.dxf, say. \
-               Nothing was computed and nothing was written. Name a folder of its own with --out DIR.",
+        text: "A result would replace a file of the same name that the command reads: for example a drawing model.dxf \
+               with --out . in its folder. Nothing was computed and nothing was written. Name another folder with \
+               --out DIR.",
     },
     Card {
         code: "F123",
@@ -176,29 +181,30 @@ pub const CARDS: &[Card] = &[
     Card {
         code: "F124",
         title: "the model is too large",
-        text: "The size of the model was estimated before it was made, and is beyond what can be answered: the message gives the number and \
-               what it may be at the most. Most often a length such as `size` in [mesh] was meant in another unit.",
+        text: "The size of the model was estimated before it was made, and it is too large: the message gives the \
+               number and its limit. Most often a length such as `size` in [mesh] was meant in another unit.",
     },
     Card {
         code: "F125",
         title: "results of another run were kept",
-        text: "The folder held the answer of another run (another analysis or method, a sweep, a grid) or of another file of the same \
-               name. It was moved to `earlier` in that folder before the new answer took its place. --out DIR gives each run a folder of \
-               its own.",
+        text: "The folder held the results of another run (another analysis or method, a sweep, a grid) or of another \
+               file of the same name. They were moved to `earlier` in that folder before the new results were written. \
+               --out DIR gives each run its own folder.",
     },
     Card {
         code: "F126",
         title: "no vehicle, load model or rule of this name",
-        text: "`extrados vehicles NAME` knows the vehicles, load models and rules of the library; `extrados vehicles` without a name lists them \
-               all. Vehicles and rules of your own stand in files that the bridge file names (`vehicle_files` and `rule_file` in [sweep]).",
+        text: "`extrados vehicles NAME` knows the vehicles, load models and rules of the library; `extrados vehicles` \
+               without a name lists them all. Your own vehicles and rules are in files that the bridge file names \
+               (`vehicle_files` and `rule_file` in [sweep]).",
     },
     Card {
         code: "F130",
         title: "nothing can be updated",
-        text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] with `place`, a table or a \
-               folder beside the file) and at least one [[parameter]] with a range. At least one channel of the records must be fit \
-               for use: the message lists what was found in them. Columns are named after sensors, or tied to them by `column` in \
-               [[channel]].",
+        text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] \
+               with `place`, a table or a folder beside the file) and at least one [[parameter]] with a range. At \
+               least one channel of the records must be usable: the message lists what was found in them. Columns are \
+               named after sensors, or assigned to them by `column` in [[channel]].",
     },
 ];
 

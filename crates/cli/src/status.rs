@@ -77,7 +77,7 @@ impl Status {
             Status::Collapsed => (
                 "collapsed",
                 0,
-                "A load was found that makes a mechanism of the bridge: the answer of a collapse analysis.",
+                "A load was found that turns the bridge into a mechanism: the result of a collapse analysis.",
             ),
             Status::StableToLastLoad => (
                 "stable-to-last-load",
@@ -87,20 +87,22 @@ impl Status {
             Status::Stalled => (
                 "stalled",
                 0,
-                "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. The last \
-                 stable load is sound, and no collapse load is given. Another damping, or a smaller time step factor, often decides.",
+                "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. \
+                 The last stable load is valid, and no collapse load is given. Another damping, or a smaller time step \
+                 factor, often gives a clear result.",
             ),
             Status::UnstableUnderSelfWeight => (
                 "unstable-under-self-weight",
                 1,
-                "The blocks do not stand before any load is applied. Look at thickness, supports and densities, and at the picture. A thin \
-                 ring under deep fill may stand only because the fill resists: see [fill_pressure], and as = \"blocks\" in [backing].",
+                "The blocks do not stand under their own weight, before any load is applied. Check thickness, supports \
+                 and densities, and look at the picture. A thin ring under deep fill may stand only because the fill \
+                 resists: see [fill_pressure], and as = \"blocks\" in [backing].",
             ),
             Status::Locks => (
                 "locks",
                 0,
-                "The limit load has no bound: as rigid blocks with these joints the bridge cannot become a mechanism under this load. \
-                 Give the masonry a compressive strength, or let a support move.",
+                "The limit load is infinite: as rigid blocks with these joints the bridge cannot become a mechanism \
+                 under this load. Give the masonry a compressive strength, or let a support move.",
             ),
             Status::StepLimit => (
                 "step-limit",
@@ -110,22 +112,23 @@ impl Status {
             Status::NotConverged => (
                 "not-converged",
                 3,
-                "The method found no answer it can vouch for: a number stopped being finite, or the solver stopped short. The message \
-                 says where.",
+                "The method found no reliable result: a number stopped being finite, or the solver stopped early. The \
+                 message says where.",
             ),
             Status::Cancelled => (
                 "cancelled",
                 130,
-                "The run was interrupted. Its state is in the checkpoint; the same command with --resume goes on to the same numbers. \
-                 `vary` keeps finished runs, and the same command takes them up by itself. A sweep holds what was answered by then.",
+                "The run was interrupted. Its state is in the checkpoint; the same command with --resume continues to \
+                 the same numbers. `vary` keeps finished runs, and the same command uses them automatically. A sweep \
+                 holds the positions solved by then.",
             ),
             Status::Completed => ("completed", 0, "The command did what it was asked."),
             Status::Adequate => (
                 "adequate",
                 0,
-                "An assessment finished, an ultimate check was made under factors with a source, and every check that could be made is met. \
-                 Checks without a limit in the file are listed as not made and do not count; what qualifies the verdict stands beside it. \
-                 extrados explain A190 has the ladder of verdicts.",
+                "An assessment finished, an ultimate check was made under factors with a source, and every check that \
+                 could be made is met. Checks without a limit in the file are listed as not made and do not count; the \
+                 result also lists what qualifies the verdict. extrados explain A190 has the ladder of verdicts.",
             ),
             Status::Inadequate => (
                 "inadequate",
@@ -135,11 +138,12 @@ impl Status {
             Status::Undetermined => (
                 "undetermined",
                 3,
-                "The command finished without an answer: an analysis that a check rests on came to no end; no position of the loads makes a mechanism of the bridge, a \
-                 position of a sweep was not answered, no run of many found \
-                 the number that was asked for, or no contact stiffness gives the fill the wanted modulus. An \
-                 assessment whose analyses all finished, but which made no ultimate check under factors with a source, is undetermined too \
-                 and ends with exit code 1: its limits may be met, its strength was not assessed, and `missing` says what to write.",
+                "The command finished without a result: an analysis on which a check depends did not finish, no \
+                 position of the loads turns the bridge into a mechanism, a position of a sweep has no result, no run \
+                 of `vary` found the requested number, or no contact stiffness gives the fill the wanted modulus. An \
+                 assessment whose analyses all finished, but which made no ultimate check under factors with a source, \
+                 is undetermined too and ends with exit code 1: its limits may be met, its strength was not assessed, \
+                 and `missing` says what to write.",
             ),
             Status::UnusableInput => (
                 "unusable-input",

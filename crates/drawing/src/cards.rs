@@ -19,28 +19,28 @@ const fn card(code: &'static str, title: &'static str, text: &'static str) -> Ca
 pub const CARDS: &[Card] = &[
     card(
         "D101",
-        "no drawing that can be read",
-        "The file is empty, binary, breaks off, or is no DXF file at all; or nothing in it is an outline or a circle. Save the \
-         drawing as DXF with text (ASCII), version R2000 or later, with the outlines of the blocks in model space.",
+        "not a readable drawing",
+        "The file is empty, binary, incomplete, or not a DXF file; or it has no outline or circle. Save the drawing as \
+         DXF with text (ASCII), version R2000 or later, with the outlines of the blocks in model space.",
     ),
     card(
         "D102",
         "the unit of the drawing is not known",
-        "The header of a DXF file says in $INSUNITS in which unit it is drawn. Where it does not, a bridge of 18 m may as well be \
-         one of 18 mm, so nothing is assumed: state unit = \"mm\" in [drawing], or --unit mm with `extrados convert`.",
+        "The header of a DXF file gives the unit in $INSUNITS. Without it a bridge of 18 m might be one of 18 mm, so \
+         nothing is assumed: state unit = \"mm\" in [drawing], or --unit mm with `extrados convert`.",
     ),
     card(
         "D103",
         "an entity has values that cannot be read",
-        "A coordinate is missing, is no number or is infinite, or a spline has knots or weights that make no curve. The entity is \
-         left out and the drawing refused, for a block would be missing. Draw the entity again.",
+        "A coordinate is missing, not a number or infinite, or a spline has knots or weights that do not define a \
+         curve. The drawing is refused, because a block would be missing. Draw the entity again.",
     ),
     card(
         "D104",
         "entities left out",
-        "Texts, dimensions, hatches, points, solids and the like are no outlines. They are counted by layer and kind and left out. \
-         Where one of them is meant to be a block, draw its outline as a closed polyline. Layers with role = \"ignore\" are passed \
-         over without a word.",
+        "Texts, dimensions, hatches, points, solids and similar entities are not outlines. They are counted by layer \
+         and kind and left out. If one of them is meant to be a block, draw its outline as a closed polyline. Layers \
+         with role = \"ignore\" are not read.",
     ),
     card(
         "D105",
@@ -51,9 +51,9 @@ pub const CARDS: &[Card] = &[
     card(
         "D106",
         "more than a drawing of a bridge holds",
-        "Files above 64 MB, more than 200 000 entities or 5000 layers, references that multiply without end, outlines of thousands of points, and \
-         coordinates beyond 1000 km are no drawing of blocks, and may be one meant to do harm. Export only the outlines, near the \
-         origin.",
+        "Files above 64 MB, more than 200 000 entities or 5000 layers, references that multiply without end, outlines \
+         of thousands of points, and coordinates beyond 1000 km are not a drawing of blocks, and may be meant to do \
+         harm. Export only the outlines, near the origin.",
     ),
     card(
         "D107",
@@ -74,7 +74,7 @@ pub const CARDS: &[Card] = &[
     card(
         "D202",
         "points on straight edges dropped",
-        "A point within a micrometre of the line between its neighbours is no corner. Nothing has to be done.",
+        "A point within a micrometre of the line between its neighbours is not a corner. Nothing has to be done.",
     ),
     card(
         "D203",
@@ -85,8 +85,8 @@ pub const CARDS: &[Card] = &[
     card(
         "D204",
         "a gap closed",
-        "Two ends that lie within gap_tolerance of one another were joined in the middle of the gap. Look whether they are meant to \
-         meet.",
+        "Two ends within gap_tolerance of one another were joined in the middle of the gap. Check that they are meant \
+         to meet.",
     ),
     card(
         "D205",
@@ -103,8 +103,9 @@ pub const CARDS: &[Card] = &[
     card(
         "D301",
         "an outline that is not closed",
-        "A chain of lines ends without meeting its start, or three and more ends of a layer meet in one point, so that nobody can tell \
-         which belong together. Close the outline, or draw each block as a closed polyline; a larger gap_tolerance closes larger gaps.",
+        "A chain of lines ends without meeting its start, or three and more ends of a layer meet in one point, so that \
+         it is not clear which belong together. Close the outline, or draw each block as a closed polyline; a larger \
+         gap_tolerance closes larger gaps.",
     ),
     card(
         "D302",
@@ -122,8 +123,8 @@ pub const CARDS: &[Card] = &[
     card(
         "D305",
         "outlines that overlap",
-        "Two blocks cannot be in one place. They may touch, and be drawn into one another by round-off: a hundred-thousandth of the \
-         smaller one's half diagonal. The same outline drawn twice is reported as such.",
+        "Two blocks cannot overlap, except by rounding: by a hundred-thousandth of the smaller one's half diagonal. \
+         The same outline drawn twice is reported as such.",
     ),
     card(
         "D401",
@@ -134,37 +135,38 @@ pub const CARDS: &[Card] = &[
     card(
         "D402",
         "a layer that is not in the drawing",
-        "A [[drawing.layer]] names a layer on which nothing is drawn. Names do not tell capitals apart, but every other letter counts.",
+        "A [[drawing.layer]] names a layer on which nothing is drawn. Names are not case-sensitive, but must otherwise \
+         be the same.",
     ),
     card(
         "D403",
         "circles and outlines on the wrong layer",
-        "Circles stand for particles, outlines for blocks and supports. A circle on a layer of blocks, or an outline on a layer of \
-         particles, is most likely on the wrong layer. To have a round block, draw it as a polygon.",
+        "Circles stand for particles, outlines for blocks and supports. A circle on a layer of blocks, or an outline \
+         on a layer of particles, is most likely on the wrong layer. Draw a round block as a polygon.",
     ),
     card(
         "D404",
         "a load that finds no block",
-        "A load at a point acts on the block that holds this point, or on whose edge it lies. Where it finds none, or a support, it \
-         would vanish. The message names the nearest block.",
+        "A load at a point acts on the block that holds this point, or on whose edge it lies. If there is none, or \
+         only a support, the load would have no effect. The message names the nearest block.",
     ),
     card(
         "D405",
         "the model cannot be built",
-        "The outlines are sound and still make no model: there is no free block, a rounding leaves nothing of an edge, a block file \
-         names a block twice, or an analysis was asked for that needs an arch.",
+        "The outlines are valid, but do not form a model: there is no free block, a rounding leaves nothing of an \
+         edge, a block file names a block twice, or the chosen analysis needs an arch.",
     ),
     card(
         "D406",
         "particles need discrete elements",
-        "Limit analysis knows blocks only. A model with circles on layers with role = \"particles\" is analysed with method = \"dem\" \
-         and a load_step; role = \"ignore\" leaves the circles out.",
+        "Limit analysis has blocks only. A model with circles on layers with role = \"particles\" is analysed with \
+         method = \"dem\" and a load_step; role = \"ignore\" leaves the circles out.",
     ),
     card(
         "D407",
         "circles drawn over other bodies",
-        "Particles touch, or overlap by the little that they press on one another. A circle that reaches into another, or into a \
-         block, by more than a tenth of the smaller radius would be thrown out when the model is let go.",
+        "Particles touch, or overlap slightly where they press on one another. A circle that overlaps another, or a \
+         block, by more than a tenth of the smaller radius would be thrown out when the run starts.",
     ),
     card(
         "D408",

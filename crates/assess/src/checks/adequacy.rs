@@ -14,12 +14,15 @@ impl Check for Adequacy {
             code: "C201",
             title: "adequacy factor",
             clause: "factor on loads at collapse",
-            text: "The factor by which the loads of the file must grow to make a mechanism of the bridge, by limit analysis, over all positions \
-                   and over every run of neighbouring axles: an axle on the far side helps an arch. It is compared with adequacy_factor of \
-                   [assess]. Loads count as the file has them: no partial factor and no impact is added here. The check assesses strength only where adequacy_source \
-                   names the document of the factor, and the factor, times load_factor_included of the loads, is above 1, and only from model_factor times the \
-                   limit on (A191); otherwise it is compared and no verdict of adequacy rests on it. Where it is not met, ask the discrete element method for a second \
-                   opinion (extrados collapse --method dem), and look at what fill and backing could add.",
+            text: "The least factor on the loads of the file at which the bridge becomes a mechanism, by limit \
+                   analysis, over all positions and every group of neighbouring axles: an axle on the far side is \
+                   favourable for an arch. It is compared with adequacy_factor of [assess]. Loads are those of the \
+                   file: no partial factor and no impact is added here. The check assesses strength only if \
+                   adequacy_source names the document of the factor, the factor times load_factor_included of the \
+                   loads is above 1, and the value reaches model_factor times the limit (A191); otherwise the \
+                   comparison is made, but no verdict of adequacy rests on it. If it is not met, use the discrete \
+                   element method for a second opinion (extrados collapse --method dem), and check what fill and \
+                   backing could add.",
             source: "plastic theory of masonry arches: Heyman, The Safety of Masonry Arches (1969)",
         }
     }

@@ -15,11 +15,13 @@ impl Check for CrownDeflection {
             code: "C101",
             title: "crown deflection",
             clause: "deflection of the crown, self-weight and live load",
-            text: "The vertical displacement of every crown under self-weight and under the train, which is increased by the coefficient of \
-                   dynamic augment: once the design value, lessened by the cushion, and once the total. The increase multiplies what the train \
-                   adds at rest; the analysis is not repeated with heavier axles. The sum is compared with deflection_limit of [assess]. \
-                   Self-weight counts from the bare, stress-free bridge, which no record can show: read the columns of the report apart. Where the \
-                   check is not met, look at the moduli first: a record of a train (extrados update) tells more than any table.",
+            text: "The vertical displacement of every crown under self-weight and under the train, which is increased \
+                   by the coefficient of dynamic augment: once the design value, reduced by the cushion, and once the \
+                   total. The increase multiplies the static effect of the train; the analysis is not repeated with \
+                   heavier axles. The sum is compared with deflection_limit of [assess]. Self-weight is applied to the \
+                   stress-free bridge, which no record can show: read the columns of the report separately. If the \
+                   check is not met, check the moduli first: a record of a train (extrados update) is better evidence \
+                   than any table.",
             source: "Table 7 of the railway paper, row 1, for the bridge of that paper",
         }
     }

@@ -20,10 +20,11 @@ impl Check for StressRange {
             code: "C203",
             title: "range of stress",
             clause: "permissible limit: fatigue of masonry in compression",
-            text: "The root of the range of compressive stress times its maximum, over the compressive strength of the masonry, at every watched \
-                   place of the ring with the design coefficient of dynamic augment. It is compared with 0.7 - 0.05 log10 N, the lower bound of \
-                   tests on brickwork; N is load_cycles of [assess]: a passing train is one cycle of its largest range or more. The strength is \
-                   that of [masonry]; without one the check cannot be made.",
+            text: "The root of the range of compressive stress times its maximum, over the compressive strength of the \
+                   masonry, at every watched point of the ring, with the design coefficient of dynamic augment. It is \
+                   compared with 0.7 - 0.05 log10 N, the lower bound of tests on brickwork; N is load_cycles of \
+                   [assess]: a passing train is one cycle of its largest range or more. The strength is that of \
+                   [masonry]; without one the check cannot be made.",
             source: "Roberts, Hughes, Dandamudi and Bell, Quasi-static and high cycle fatigue strength of brick masonry, Construction and Building \
                      Materials 20 (2006) [recalled]",
         }

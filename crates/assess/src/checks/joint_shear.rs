@@ -13,10 +13,11 @@ impl Check for JointShear {
             code: "C105",
             title: "joint shear",
             clause: "shear stress in joints of the ring",
-            text: "The largest shear stress of any point of any joint of the ring, at the moments at which a sensor or a place of the checks \
-                   peaks; what the train adds is increased by the coefficient of dynamic augment. It is compared with joint_shear_limit of \
-                   [assess]. Points are compared and not the mean over the joint, which is lower. Where it is not met, look whether the joint \
-                   carries compression there: friction, not adhesion, then holds it.",
+            text: "The largest shear stress at any point of any joint of the ring, at the moments at which a sensor or \
+                   a point of the checks has its peak; the effect of the train is increased by the coefficient of \
+                   dynamic augment. It is compared with joint_shear_limit of [assess]. Values at points are compared, \
+                   not the mean over the joint, which is lower. If the check is not met, see whether the joint is in \
+                   compression there: then friction, not adhesion, holds it.",
             source: "the railway paper, section 3.4, which takes a shear strength for the joints of its own bridge",
         }
     }

@@ -14,14 +14,18 @@ impl Check for MexeAxle {
             code: "C301",
             title: "modified MEXE",
             clause: "modified axle load of the MEXE method",
-            text: "A load that experience allows: 740 (d + h)^2 / L^1.3 tonnes, at most 70, with ring thickness d, fill h (no more than d) and span \
-                   L in metres, times factors for span/rise, profile, material, joints and condition. The factors stand in [mexe]; the condition factor \
-                   is the inspector's judgement, and most of the answer. It is the load on each axle of a bogie of two axles that keep \
-                   on the ground; times the axle factor A_f it is compared with axle_load of [mexe], the mass on each of axles that must be allowed. A_f is 1 for \
-                   such a bogie and is taken as 1 for a single axle, which does no more; three axles, and axles that may lift off, need axle_factor from the \
-                   method's figure (BA 16/97, Figures 3/5). Beyond a span of four rises the span/rise factor falls along a curve of the method; it is recalled to some 0.03 and ends at \
-                   eight, and span_rise_factor of [mexe] goes before it. The method is for single spans up to 18 m in fair order, and tells nothing of piers. For short spans it is known \
-                   to allow too much: never rely on it against a mechanism that limit analysis finds.",
+            text: "The axle load of an empirical method: 740 (d + h)^2 / L^1.3 tonnes, at most 70, with ring thickness \
+                   d, fill h (no more than d) and span L in metres, times factors for span/rise, profile, material, \
+                   joints and condition. The factors are in [mexe]; the condition factor is the inspector's judgement \
+                   and has the largest influence. The result is the load on each axle of a two-axle bogie without \
+                   lift-off; times the axle factor A_f it is compared with axle_load of [mexe], the required mass on \
+                   each of `axles`. A_f is 1 for such a bogie and is taken as 1 for a single axle, whose effect is no \
+                   larger; three axles, and axles that may lift off, need axle_factor from the method's figure (BA \
+                   16/97, Figures 3/5). Beyond a ratio of span to rise of four the span/rise factor falls along a \
+                   curve of the method; it is recalled to some 0.03 and ends at eight, and span_rise_factor of [mexe] \
+                   replaces it. The method is for single spans up to 18 m in fair condition, and says nothing about \
+                   piers. For short spans it is known to allow too much: never rely on it against a mechanism that \
+                   limit analysis finds.",
             source: "CS 454 and BA 16/97 of the British highway authorities, after the Military Engineering Experimental Establishment",
         }
     }

@@ -14,9 +14,10 @@ impl Check for SupportMovement {
             code: "C401",
             title: "settlement tolerance",
             clause: "support movement over the movement that makes a mechanism",
-            text: "expected_movement of [assess], times movement_factor, over the last movement of [support_movement] at which the bridge still stood. \
-                   Masonry arches follow large movements of their supports by opening joints: what this check guards is collapse, not cracks. \
-                   Where it is not met, measure again and look for the cause of the movement.",
+            text: "expected_movement of [assess], times movement_factor, over the last movement of [support_movement] \
+                   at which the bridge still stood. Masonry arches follow large movements of their supports by opening \
+                   joints: this check is about collapse, not cracks. If it is not met, measure again and find the \
+                   cause of the movement.",
             source: "McInerney and DeJong, Discrete element modeling of groin vault displacement capacity (2015), for the method [recalled]",
         }
     }

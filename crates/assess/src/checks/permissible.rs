@@ -14,9 +14,10 @@ impl Check for PermissibleShare {
             code: "C202",
             title: "share of the ultimate load",
             clause: "permissible limit: load in service over load at collapse",
-            text: "The reciprocal of the adequacy factor of the file's loads: how much of the collapse load is there in service. It is compared \
-                   with permissible_share of [assess]. Above about half of the ultimate load repeated loading harms masonry arches: joints open \
-                   and close, mortar falls out, rings part.",
+            text: "The reciprocal of the adequacy factor of the file's loads: the load in service as a share of the \
+                   collapse load. It is compared with permissible_share of [assess]. Above about half of the ultimate \
+                   load repeated loading damages masonry arches: joints open and close, mortar falls out, rings \
+                   separate.",
             source: "Melbourne, Wang and Tomor, A new masonry arch bridge assessment strategy (SMART), Proc. ICE Bridge Engineering 160 (2007): \
                      about 50 % of the ultimate load [recalled]",
         }

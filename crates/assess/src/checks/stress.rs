@@ -12,12 +12,13 @@ pub struct Abutment;
 /// At springings on piers.
 pub struct Pier;
 
-const TEXT: &str = "The stress along the ring on the faces of the stones at this place, tension positive: from the strain of a stone, times \
-     E / (1 - nu^2), under self-weight and under the train, which is increased by the design and by the total coefficient of dynamic augment. \
-     The largest compression and the largest tension over all spans and both faces are compared with compression_limit and tension_limit of \
-     [assess]. A stone between joints that carry no tension sees little tension whatever the load; where this check shows tension of more than \
-     the mortar can take, the gauge looks at a stone that bends between its joints. Where compression is not met, look at the line of thrust: \
-     it runs close to a face.";
+const TEXT: &str = "The stress along the ring on the faces of the voussoirs at this position, tension positive: the \
+     strain of a voussoir times E / (1 - nu^2), under self-weight and under the train, whose effect is increased by \
+     the design and by the total coefficient of dynamic augment. The largest compression and the largest tension over \
+     all spans and both faces are compared with compression_limit and tension_limit of [assess]. A voussoir between \
+     joints without tensile strength has little tension whatever the load; if this check shows more tension than the \
+     mortar can carry, the voussoir bends between its joints. If the compression limit is not met, look at the thrust \
+     line: it is close to a face.";
 
 const SOURCE: &str = "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 2.64 in tension";
 

@@ -13,11 +13,13 @@ impl Check for ThrustZone {
             code: "C106",
             title: "line of thrust",
             clause: "thrust within the middle third or the middle half of the ring",
-            text: "The distance of the resultant from the middle of a joint over the joint's depth, from the tractions of the finite element \
-                   model, at the moments at which a sensor or a place of the checks peaks; what the train adds is increased by the coefficient \
-                   of dynamic augment. Within the middle third (0.167) a joint stays closed; within the middle half (0.25) it stays closed over \
-                   three quarters of its depth. thrust_zone of [assess] says which is asked for. Many sound arches leave the middle third under \
-                   a heavy axle: this is a check on cracking and on the life of joints, not on strength.",
+            text: "The distance of the resultant from the middle of a joint over the joint's depth, from the tractions \
+                   of the finite element model, at the moments at which a sensor or a point of the checks has its \
+                   peak; the effect of the train is increased by the coefficient of dynamic augment. Within the middle \
+                   third (0.167) a joint stays closed; within the middle half (0.25) it stays closed over three \
+                   quarters of its depth. thrust_zone of [assess] says which is required. In many sound arches the \
+                   thrust leaves the middle third under a heavy axle: this is a check on cracking and on the life of \
+                   joints, not on strength.",
             source: "Heyman, The Masonry Arch (1982): middle third rule; the middle half is the serviceability rule of UIC practice [recalled]",
         }
     }

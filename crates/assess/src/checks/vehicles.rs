@@ -17,14 +17,16 @@ impl Check for Vehicles {
             code: "C204",
             title: "adequacy of vehicles",
             clause: "adequacy factor of every vehicle under the factors of its rule",
-            text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit analysis over every position, \
-                   both ways and every run of neighbouring axles. Partial factors, impact, dispersal, effective width and condition are those of \
-                   the rule of [sweep], each with its source in the report; the limit is therefore 1. A rule without a factor above 1 on \
-                   live loads, or without a source of it (\"characteristic\", rules of working stresses), is compared only to find what fails even so: that nominal \
-                   loads are carried is no verdict. Where the rule's model factor was not read in its source, strength is assessed only from the program's own model factor \
-                   on (A191). Where it is not met, look at the governing case: \
-                   its position, its axles, and which factors are recalled and not read. \
-                   With discrete_elements = true in [sweep] the governing case is made by discrete elements too, and the smaller number counts.",
+            text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit \
+                   analysis over every position, both directions and every group of neighbouring axles. Partial \
+                   factors, impact, dispersal, effective width and condition are those of the rule of [sweep], each \
+                   with its source in the report; the limit is therefore 1. A rule without a factor above 1 on live \
+                   loads, or without a source of it (\"characteristic\", rules of working stresses), is compared only \
+                   to find vehicles that fail even so: a bridge that carries nominal loads has no verdict of adequacy. \
+                   Where the rule's model factor was not read in its source, strength is assessed only if the \
+                   program's own model factor is met (A191). If the check is not met, study the governing case: its \
+                   position, its axles, and which factors are recalled and not read. With discrete_elements = true in \
+                   [sweep] the governing case is also analysed by discrete elements, and the smaller number counts.",
             source: "the rule of [sweep]; plastic theory of masonry arches (Heyman 1969)",
         }
     }
