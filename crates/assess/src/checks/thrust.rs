@@ -11,7 +11,7 @@ impl Check for ThrustZone {
     fn card(&self) -> Card {
         Card {
             code: "C106",
-            title: "line of thrust",
+            title: "thrust line",
             clause: "thrust within the middle third or the middle half of the ring",
             text: "The distance of the resultant from the middle of a joint over the joint's depth, from the tractions \
                    of the finite element model, at the moments at which a sensor or a point of the checks has its \
