@@ -38,19 +38,21 @@ fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
     };
     let range = wanted.map(|wanted| [wanted.lower / size, wanted.upper / size]);
     let (standing, words) = match (one.value, range, wanted) {
-        (None, _, _) => (Standing::Untold, "No value was found that fits the measurements, so that nothing is known of it.".to_owned()),
+        (None, _, _) => (Standing::Untold, "No value was found that fits the measurements, so nothing is known about \
+                                            it.".to_owned()),
         (Some(_), _, _) if one.at_bound => (
             Standing::Untold,
-            "The measurements led to the end of the range that was allowed for it, so that its true value is not known. Nothing is concluded \
-             from it: have the range reviewed, or this part inspected."
+            "The measurements led to the end of its allowed range, so its true value is not known. Nothing is \
+             concluded from it: have the range reviewed, or this part inspected."
                 .to_owned(),
         ),
         (Some(_), _, _) if one.identifiable == Some(false) => (
             Standing::Untold,
-            "The measurements cannot tell: very different values of it would fit them as well. Nothing is concluded from it, neither good \
-             nor bad; sensors closer to this part would tell more.".to_owned(),
+            "The measurements do not determine it: very different values would fit them equally well. Nothing is \
+             concluded from it, neither good nor bad; sensors closer to this part would give more \
+             information.".to_owned(),
         ),
-        (Some(_), None, _) => (Standing::NothingExpected, "The file says nothing of what is expected of it.".to_owned()),
+        (Some(_), None, _) => (Standing::NothingExpected, "The file gives no expected range for it.".to_owned()),
         (Some(value), Some([lower, _]), Some(wanted)) if value < lower => (
             Standing::Lower,
             wanted.below.clone().unwrap_or_else(|| {
@@ -63,7 +65,7 @@ fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
                 "It is higher than expected: the bridge is stiffer here than was assumed. Ask why before relying on it.".to_owned()
             }),
         ),
-        _ => (Standing::AsExpected, "It is what is expected of a sound bridge of this kind.".to_owned()),
+        _ => (Standing::AsExpected, "It is as expected in a sound bridge of this kind.".to_owned()),
     };
     Condition {
         parameter: one.name.clone(),

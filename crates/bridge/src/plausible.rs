@@ -67,7 +67,7 @@ const USUAL: &[Usual] = &[
     usual("P008", "bridge", "width", 1.0, 40.0, "bridges are usually 1 to 40 m wide"),
     usual("P052", "track", "track_modulus", 5e6, 200e6, "track moduli are usually 5 to 200 MPa for one rail"),
     usual("P052", "track", "rail_bending_stiffness", 0.5e6, 10e6, "rails usually have 0.5 to 10 MNm^2"),
-    usual("P052", "track", "sleeper_spacing", 0.4, 1.0, "sleepers usually stand 0.4 to 1 m apart"),
+    usual("P052", "track", "sleeper_spacing", 0.4, 1.0, "sleepers are usually 0.4 to 1 m apart"),
     usual("P053", "passage", "speed", 1.0 / 3.6, 250.0 / 3.6, "trains usually cross bridges at 1 to 250 km/h"),
 ];
 
@@ -313,11 +313,11 @@ fn few_voussoirs(file: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings
                 .warning(
                     "P026",
                     *place,
-                    format!("a ring of {fewest} voussoirs hardly has places for hinges"),
-                    "four hinges and two springings ask for at least seven",
-                    "give the number of voussoirs that the ring has; 20 and more draw a ring of brick well",
+                    format!("a ring of {fewest} voussoirs has too few joints for hinges"),
+                    "four hinges and two springings need at least seven",
+                    "give the true number of voussoirs; for a ring of brick 20 and more are enough",
                 )
-                .because("fewer joints than the true ring has make an arch too strong: mechanisms that it could form are left out");
+                .because("an arch with fewer joints than the real one is too strong: possible mechanisms are left out");
         }
     }
     if !spans.is_empty() && spans.iter().all(|placed| placed.span.rings.len() == 1) {
@@ -326,7 +326,7 @@ fn few_voussoirs(file: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings
                 "P027",
                 table.range,
                 "joints between rings are described, and every span has one ring",
-                "[ring_joint] acts nowhere",
+                "[ring_joint] has no effect",
                 "describe the rings of a span in [[span.ring]], or remove [ring_joint]",
             );
         }
@@ -372,9 +372,9 @@ fn settings(file: &Table<'_>, findings: &mut Findings) {
             findings.warning(
                 "P020",
                 table.place("tolerance"),
-                "the tolerance is loose: a bridge on its way down may pass for one at rest",
+                "the tolerance is loose: a bridge that is collapsing may be taken for one at rest",
                 "out-of-balance force over acting forces",
-                "write 1e-4 or less, and see that a tenth of it changes no load step",
+                "write 1e-4 or less, and check that a tenth of it changes no load step",
             );
         }
     }
@@ -410,8 +410,8 @@ fn axles(file: &Table<'_>, findings: &mut Findings) {
     let Some(train) = file.table("train", &mut unheard) else { return };
     for table in train.tables("vehicle", &mut unheard) {
         for (key, least, most, says) in [
-            ("axle_loads", 1e3, 45e3, "axles usually bring 1 to 45 t onto the rails"),
-            ("axle_forces", 10e3, 450e3, "axles usually bring 10 to 450 kN onto the rails"),
+            ("axle_loads", 1e3, 45e3, "axles usually carry 1 to 45 t"),
+            ("axle_forces", 10e3, 450e3, "axles usually carry 10 to 450 kN"),
         ] {
             let Some(loads) = table.quantities(key, &mut unheard) else { continue };
             if loads.value.iter().any(|load| !(least..=most).contains(load)) {
@@ -437,7 +437,7 @@ fn effective_width(file: &Table<'_>, findings: &mut Findings) {
             findings.warning(
                 "P054",
                 table.place("effective_width"),
-                "an axle is carried by less width than its sleepers have",
+                "the effective width of an axle is less than the length of its sleepers",
                 format!("sleepers are {sleeper} m long"),
                 "leave it out for the width of the barrel, or give the width reached at the depth of the ring",
             );

@@ -137,7 +137,7 @@ impl<'t> Table<'t> {
         };
         findings
             .error("B011", self.range, message, field.doc, help)
-            .because("values that belong to the bridge are never assumed");
+            .because("properties of the bridge are never assumed");
     }
 
     fn raw(&self, key: &str) -> Option<Raw<'t>> {
@@ -164,7 +164,7 @@ impl<'t> Table<'t> {
         findings.error(
             "B015",
             range,
-            format!("`{}` means nothing in this {}", field.key, self.title()),
+            format!("`{}` has no effect in this {}", field.key, self.title()),
             format!("belongs to `{selector}` = {list}"),
             format!("remove this line, or set `{selector}` to {list}"),
         );

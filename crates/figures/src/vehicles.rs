@@ -38,7 +38,7 @@ fn curves(v: &Swept) -> Vec<Sweep> {
     // Beside the spans factors grow without bound; far above the governing one they are only a line that leaves the frame.
     let least = v.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
     let drawn = |a: Option<f64>| a.map_or(f64::NAN, |a| a.min(8.0 * least));
-    let ways = [(Direction::Right, "driving to the right"), (Direction::Left, "driving to the left")];
+    let ways = [(Direction::Right, "travelling to the right"), (Direction::Left, "driving to the left")];
     let mut curves = Vec::new();
     for (way, words) in ways {
         let mut points: Vec<(f64, f64)> =

@@ -247,7 +247,7 @@ fn collapse(a: &Assessment) -> Vec<[String; 2]> {
     put("factor on the loads of the file", facts.load_factor, "");
     put("factor on the loads of the file, at most", facts.load_factor_at_most, "");
     if facts.positions_not_converged > 0 {
-        put("positions without an answer", Some(facts.positions_not_converged as f64), "");
+        put("positions without a result", Some(facts.positions_not_converged as f64), "");
     }
     put("worst position of the first load or axle", facts.position_m, "m");
     put("load carried there, per metre of width", facts.last_stable_load_kn_per_m, "kN/m");

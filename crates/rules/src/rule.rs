@@ -206,7 +206,7 @@ impl Rule {
             ("weight of masonry, adverse", &f.masonry_weight),
             ("weight of fill, adverse", &f.fill_weight),
             ("weight of surfacing, adverse", &f.surfacing_weight),
-            ("weight that helps", &f.weight_favourable),
+            ("favourable weight", &f.weight_favourable),
             ("live load", &f.live_load),
             ("strength of masonry", &f.masonry_strength),
             ("friction of joints", &f.friction),

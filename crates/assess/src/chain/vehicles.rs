@@ -159,7 +159,7 @@ fn swept(one: &Swept) -> SweptFacts {
         let beside = uniform.map_or(String::new(), |[from, to]| {
             format!(", uniform load from {from:.2} to {to:.2}\u{a0}m").replace('-', "\u{2212}")
         });
-        let which = format!("driving to the {}{arrangement}{critical}{beside}", case.direction.word());
+        let which = format!("travelling to the {}{arrangement}{critical}{beside}", case.direction.word());
         format!("{axles}, {which}; {}", case.weights.told())
     });
     let fallen =

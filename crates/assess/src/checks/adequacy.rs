@@ -37,7 +37,7 @@ impl Check for Adequacy {
         let value = match (facts.load_factor, facts.status) {
             (Some(factor), _) => factor,
             (None, Status::Locks) => {
-                return Err(NotMade::because("no load makes a mechanism of the bridge: the factor has no bound"));
+                return Err(NotMade::because("no load turns the bridge into a mechanism: the factor is unbounded"));
             }
             (None, Status::UnstableUnderSelfWeight) => 0.0,
             (None, status) => return Err(NotMade { why: format!("limit analysis ended with {status}"), failed: true }),

@@ -42,7 +42,7 @@ impl Check for MexeAxle {
         let basis = found.map_or(String::new(), |found| basis(&inputs, &found));
         if let Some(outside) = mexe::outside(&inputs) {
             let regardless = found.map(|found| {
-                format!(". Carried on regardless it would allow {:.1} t on an axle ({basis})", found.modified)
+                format!(". Extrapolated, it would allow {:.1} t on an axle ({basis})", found.modified)
             });
             return Err(NotMade::because(format!("{outside}{}", regardless.unwrap_or_default())));
         }
@@ -50,8 +50,8 @@ impl Check for MexeAxle {
             .ok_or_else(|| NotMade::because("the span/rise factor is not known: write span_rise_factor in [mexe]"))?;
         let axle = mexe::axle_factor(factors).ok_or_else(|| {
             NotMade::because(format!(
-                "the method allows {:.1} t on each axle of a bogie of two that keep on the ground ({basis}); for {} write axle_factor in [mexe], A_f of \
-                 BA 16/97, Figures 3/5",
+                "the method allows {:.1} t on each axle of a two-axle bogie without lift-off ({basis}); for {} write \
+                 axle_factor in [mexe], A_f of BA 16/97, Figures 3/5",
                 found.modified,
                 axles(factors)
             ))

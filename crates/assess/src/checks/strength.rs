@@ -58,8 +58,8 @@ fn skew(a: &Evidence) -> Option<String> {
     let skew = a.bridge.carriageway.and_then(|asked| asked.skew).filter(|skew| *skew > bridge::DOUBTFUL_SKEW)?;
     a.asked.limits.skew_source.is_none().then(|| {
         format!(
-            "the bridge is skew by {:.0} degrees and the model is square, which is no bound for it: name the model in three dimensions or \
-             the test that confirms it as skew_source in [assess]",
+            "the bridge is skew by {:.0} degrees, and the square model is not a bound for it: name the \
+             three-dimensional model or the test that confirms it as skew_source in [assess]",
             skew.to_degrees()
         )
     })
@@ -73,7 +73,8 @@ fn of_assumed_loads(a: &Evidence) -> Option<String> {
         carried.filter(|one| one.loads_confidence == Confidence::Assumed).map(|one| one.code.as_str()).collect();
     (!assumed.is_empty()).then(|| {
         format!(
-            "axle loads or distances of {} are assumed: write those of the loading's own diagram in vehicle_files of [sweep]",
+            "axle loads or distances of {} are assumed: write those of the loading diagram into a file of \
+             vehicle_files in [sweep]",
             assumed.join(", ")
         )
     })
@@ -85,8 +86,8 @@ pub(super) fn of_the_file(a: &Evidence) -> Option<String> {
     let asked = limits.adequacy_factor?;
     if asked * limits.load_factor_included <= 1.0 {
         return Some(format!(
-            "a factor of {asked} on loads that carry a factor of {} is no safety: write the factor of a rule as adequacy_factor, or \
-             load_factor_included where the forces of the file carry it, in [assess]",
+            "a factor of {asked} on loads that carry a factor of {} gives no safety: write the factor of a rule as \
+             adequacy_factor, or load_factor_included where the forces of the file carry it, in [assess]",
             limits.load_factor_included
         ));
     }
@@ -112,7 +113,8 @@ fn within(found: &[Comparison], wanted: f64, key: &str) -> Option<String> {
         .collect();
     (!list.is_empty()).then(|| {
         format!(
-            "met, but by less than the uncertainty of the model asks for: {}; {}; write {key} where a source has another",
+            "met, but with less margin than the uncertainty of the model requires: {}; {}; write {key} if a source has \
+             another",
             list.join(", "),
             model_factor::words()
         )

@@ -77,7 +77,7 @@ fn run(a: &Evidence, place: Place) -> Result<Vec<Comparison>, NotMade> {
         }
     }
     match list.is_empty() {
-        true => Err(NotMade::because(format!("the bridge has no {place} of this kind that was watched"))),
+        true => Err(NotMade::because(format!("no {place} of the bridge was watched"))),
         false => Ok(list),
     }
 }

@@ -49,12 +49,12 @@ impl Check for Vehicles {
         // What fails at some position fails; what passes at the others passes only where no position is left open.
         let open: Vec<&str> = bounded.filter(|one| one.status == OPEN).map(|one| one.code.as_str()).collect();
         if !open.is_empty() && broken.is_empty() {
-            let why = format!("limit analysis of {} came to no end at every position", open.join(", "));
+            let why = format!("limit analysis of {} has no result at some positions", open.join(", "));
             return Err(NotMade { why, failed: true });
         }
         match (strength, met.first(), broken.is_empty()) {
             (_, None, true) => {
-                Err(NotMade::because("no vehicle makes a mechanism of the bridge: the factors have no bound"))
+                Err(NotMade::because("no vehicle turns the bridge into a mechanism: the factors are unbounded"))
             }
             (false, Some(_), true) => Err(NotMade::because(without_safety(&facts.safety, &met))),
             // Without safety only what fails even so is a comparison.
@@ -95,8 +95,8 @@ fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
         false => format!("rule \"{}\" has no factor on live loads", safety.rule),
     };
     format!(
-        "{lacks}: that loads without safety are carried {least:.2} times is no verdict; write rule = \"cs-454\" (roads), \
-         rule = \"nr-civ-025\" (railways), or rule_file with the factors of yours, in [sweep]"
+        "{lacks}: carrying loads without safety factors {least:.2} times gives no verdict; write rule = \"cs-454\" \
+         (roads), rule = \"nr-civ-025\" (railways), or rule_file with the factors of yours, in [sweep]"
     )
 }
 

@@ -38,7 +38,7 @@ pub fn verdict(a: &Evidence, checked: &[Checked]) -> Verdict {
         (0, false, _) => (
             Judgement::Undetermined,
             Rung::Undetermined,
-            format!("An analysis came to no end, so that nothing is settled: {} open.", failed.join(", ")),
+            format!("An analysis did not finish, so the verdict is undetermined: {} open.", failed.join(", ")),
         ),
         (0, true, true) => (
             Judgement::Undetermined,
@@ -50,8 +50,8 @@ pub fn verdict(a: &Evidence, checked: &[Checked]) -> Verdict {
             Judgement::Undetermined,
             Rung::LimitsMet,
             format!(
-                "The bridge meets every limit that it was compared with ({comparisons}), but nothing says that it is safe: no \
-                 ultimate check was made under factors with a source. {most}."
+                "The bridge meets every limit that it was compared with ({comparisons}), but its safety is not shown: \
+                 no ultimate check was made under factors with a source. {most}."
             ),
         ),
         (0, true, false) => (

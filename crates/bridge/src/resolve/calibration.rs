@@ -72,7 +72,7 @@ fn check(table: &Table<'_>, calibration: &Calibration, findings: &mut Findings) 
     if ignored_steps + 2 > *steps {
         refuse(
             if table.has("ignored_steps") { "ignored_steps" } else { "steps" },
-            format!("of {steps} load steps {ignored_steps} are ignored, which leaves no two to measure between"),
+            format!("of {steps} load steps {ignored_steps} are ignored, which leaves fewer than two"),
             "a secant needs two steps",
             format!("write ignored_steps = {} or fewer", steps.saturating_sub(2)),
         );

@@ -124,7 +124,7 @@ fn rings(
             findings.error(
                 "B208",
                 place("joint", "fixed_length"),
-                "a contact point stands for more than the whole joint",
+                "a contact point represents more than the whole joint",
                 format!("the thinnest joint has {thinnest} m"),
                 "give a `fixed_length` in [joint] of about half the thickness, or leave it out",
             );
@@ -181,13 +181,13 @@ fn check_piers(file: &Table<'_>, spans: &[PlacedSpan], piers: &[Pier], skewbacks
         let help = match needed {
             0 => "remove [[pier]], or describe the second span with [[span]]".to_owned(),
             1 => "describe the pier with one [[pier]] section".to_owned(),
-            _ => format!("describe {needed} piers with [[pier]] sections, or one that stands for all"),
+            _ => format!("describe {needed} piers with [[pier]] sections, or one for all"),
         };
         findings.error(
             "B209",
             range,
             format!("{} need {}, found {}", count(spans.len(), "span"), count(needed, "pier"), piers.len()),
-            "one pier between each two spans",
+            "one pier between every two adjacent spans",
             help,
         );
         return;

@@ -152,7 +152,7 @@ fn shape(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Opti
                     "B302",
                     spacings.range,
                     format!("{} axles have {} spacings", forces.value.len(), spacings.value.len()),
-                    "one spacing between each two axles",
+                    "one spacing between every two adjacent axles",
                     format!("give as many spacings as axles, less one: {}", forces.value.len().saturating_sub(1)),
                 );
                 return None;
@@ -298,10 +298,10 @@ fn check_place(table: &Table<'_>, load: &Load, layout: &Layout, findings: &mut F
             .warning(
                 "P009",
                 range,
-                "part of the load stands beside the bridge",
+                "part of the load is beside the bridge",
                 format!("the bridge runs from 0 m to {end} m"),
                 "move the load onto the bridge if all of it is meant to act",
             )
-            .because("what stands behind the springings does not act on the rings");
+            .because("load behind the springings does not act on the rings");
     }
 }

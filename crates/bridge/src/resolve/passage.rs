@@ -105,7 +105,7 @@ fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool
             findings.error(
                 "B655",
                 table.place("to"),
-                "the train does not drive to the right",
+                "the train does not travel to the right",
                 format!("the first axle starts at {from} m"),
                 "give a larger `to`, or leave both out",
             );
@@ -117,7 +117,7 @@ fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool
                 table.place("to"),
                 format!("more than {MOST_POSITIONS} positions"),
                 format!("a position every {step:.2e} m"),
-                "give a larger `time_step`, or a shorter way",
+                "give a larger `time_step`, or a shorter distance",
             );
             return false;
         }

@@ -82,9 +82,9 @@ fn sensor(
         findings.error(
             "B657",
             name.range,
-            "this is no name for a channel",
+            "this is not a valid name for a channel",
             "it heads a column of channels.csv",
-            "write a word or some, without commas, quotes and line ends",
+            "write one or more words, without commas, quotes and line ends",
         );
         return None;
     }
@@ -179,12 +179,12 @@ fn stone(table: &Table<'_>, sensor: &Sensor, spans: &[PlacedSpan], findings: &mu
         .error(
             "B656",
             table.place("gauge_length"),
-            format!("a gauge of {:.0} mm is longer than the stone it sits on", 1e3 * gauge_length),
-            format!("stones are {:.0} mm long at the intrados", 1e3 * stone),
+            format!("a gauge of {:.0} mm is longer than its voussoir", 1e3 * gauge_length),
+            format!("voussoirs are {:.0} mm long at the intrados", 1e3 * stone),
             "give a shorter `gauge_length`, or fewer voussoirs; a gauge across a joint measures its opening",
         )
         .because(
-            "strain measured across a joint is mostly movement of its two stones (the railway paper, section 3.2)",
+            "strain measured across a joint is mostly movement of its two voussoirs (the railway paper, section 3.2)",
         );
     false
 }

@@ -76,7 +76,7 @@ pub(super) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
             file.place("span"),
             format!("the bridge has {blocks} voussoirs"),
             format!("more than {MOST_VOUSSOIRS} are too many to analyse as one structure"),
-            "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs draw a good ring",
+            "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs describe a ring well",
         );
         return None;
     }
@@ -175,7 +175,7 @@ fn report(
             "B204",
             "a measured profile needs at least three points".to_owned(),
             "left springing, one or more in between, right springing".to_owned(),
-            "add points of the survey; ten or more draw a good curve".to_owned(),
+            "add points of the survey; ten or more give a good curve".to_owned(),
         ),
         Misfit::NotLeftToRight(index) => (
             nth(index),

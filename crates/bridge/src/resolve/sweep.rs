@@ -83,7 +83,7 @@ pub(super) fn carriageway(
         findings.error(
             "B660",
             table.place("edge_distance"),
-            "the nearest wheel stands beyond the middle of the barrel",
+            "the nearest wheel is beyond the middle of the barrel",
             format!("the barrel is {width} m wide"),
             format!("write a distance of at most {} m, half the width", 0.5 * width),
         );
@@ -94,9 +94,9 @@ pub(super) fn carriageway(
         findings.error(
             "B661",
             table.place("lanes"),
-            format!("{lanes} vehicles {lane} m apart do not stand on a barrel of {width} m"),
+            format!("{lanes} vehicles {lane} m apart do not fit on a barrel of {width} m"),
             "vehicles abreast on this bridge",
-            "write fewer lanes, or the distance that they have",
+            "write fewer lanes, or their true distance",
         );
     }
     if found.skew.is_some_and(|skew| skew > DOUBTFUL_SKEW) {

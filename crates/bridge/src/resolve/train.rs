@@ -100,7 +100,7 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
                 given.range,
                 format!("{other} loads for {axles} axles"),
                 "one for each axle, or one for all",
-                format!("give {axles} loads or one; there is one spacing between each two axles"),
+                format!("give {axles} loads or one; there is one spacing between every two adjacent axles"),
             );
             return None;
         }
@@ -140,7 +140,7 @@ pub(super) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
         findings.error(
             "B653",
             breadth.range,
-            "sleepers are broader than the distance between them",
+            "sleepers are wider than the distance between them",
             format!("their middles are {} m apart", spacing.value),
             "check whether `sleeper_breadth` and `sleeper_spacing` are swapped",
         );

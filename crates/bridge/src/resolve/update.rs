@@ -77,7 +77,7 @@ fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings)
         if let (Some(channel), Some(names)) = (&channel, names) {
             let known = names.contains(&channel.sensor);
             if !known || seen.contains(&channel.sensor) {
-                let message = if known { "two tables speak of one channel" } else { "there is no such sensor" };
+                let message = if known { "two tables name the same channel" } else { "there is no such sensor" };
                 let help = format!("the sensors are {}", names.join(", "));
                 findings.error("B671", table.place("sensor"), message, "name of a [[sensor]]", help);
             }
@@ -107,14 +107,14 @@ fn parameters(file: &Table<'_>, document: Option<&Document>, findings: &mut Find
     let tables = file.tables("parameter", findings);
     if let Some(beyond) = tables.get(MOST_PARAMETERS) {
         let message = format!("there are {} parameters", tables.len());
-        findings.error("B672", beyond.range, message, "twenty are the most", "seek fewer at a time");
+        findings.error("B672", beyond.range, message, "there are twenty at most", "search for fewer at a time");
         return None;
     }
     let list: Vec<Option<Parameter>> = tables.iter().map(|table| parameter(table, document, findings)).collect();
     let list: Vec<Parameter> = list.into_iter().collect::<Option<_>>()?;
     for (k, one) in list.iter().enumerate() {
         if list[..k].iter().any(|other| other.name == one.name || other.path == one.path) {
-            let help = "seek every quantity once, under a name of its own";
+            let help = "name every quantity once, with its own name";
             findings.error("B672", tables[k].place("quantity"), "a parameter is there twice", "path or name", help);
         }
     }
@@ -143,12 +143,12 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
     let continuous =
         matches!(found.field.kind, Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::Number | Kind::Quantities(_));
     let (true, (Some(start), Some(lower), Some(upper))) = (continuous, numbers) else {
-        let help = "seek a quantity that has a number in this file, between two others of its kind";
-        findings.error("B670", table.place("quantity"), "there is no range of numbers", "not continuous", help);
+        let help = "name a quantity that has a number in this file, between two bounds of the same dimension";
+        findings.error("B670", table.place("quantity"), "this is not a range of numbers", "not continuous", help);
         return None;
     };
     if !(lower < upper && lower <= start && start <= upper && (lower > 0.0 || !logarithmic)) {
-        let message = format!("{lower} to {upper} is no range about {start} {}", varied.unit);
+        let message = format!("{lower} to {upper} is not a range that contains {start} {}", varied.unit);
         let help =
             "write a lower bound below the upper one, with the file's own value between; above zero where logarithmic";
         findings.error("B670", table.place("lower"), message, "lower end of the acceptable range", help);

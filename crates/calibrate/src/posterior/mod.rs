@@ -285,8 +285,8 @@ fn words(posterior: &Posterior, parameters: &[crate::parameter::Parameter]) -> V
             words.push(bounded(parameter, marginal.summary.interval_95));
         } else if !marginal.identifiable {
             words.push(format!(
-                "{} is hardly told by the data: 95 % of what is left lies between {low:.4} and {high:.4} {}, of a range \
-                 of {} to {}.",
+                "{} is hardly determined by the data: its 95 % interval lies between {low:.4} and {high:.4} {}, of a \
+                 range of {} to {}.",
                 marginal.name, parameter.unit, parameter.lower, parameter.upper
             ));
         }

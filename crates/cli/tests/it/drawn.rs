@@ -65,7 +65,7 @@ fn drawings_of_a_sweep_say_which_vehicle_stands_where() {
         let svg = stage.read(&format!("drawn/{figure}.svg"));
         // Lines are broken where they are full.
         let text = svg.replace("</text>", " ");
-        for word in ["driving to the", "on the bridge"] {
+        for word in ["travelling to the", "on the bridge"] {
             assert!(text.contains(word), "{figure}: {word}");
         }
     }

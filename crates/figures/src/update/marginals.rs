@@ -94,7 +94,7 @@ fn panel(
     frame: Area,
 ) {
     let bold = Style { weight: Weight::Bold, ..Style::default() };
-    let alarm = if marginal.identifiable { "" } else { "hardly told by the records" };
+    let alarm = if marginal.identifiable { "" } else { "hardly determined by the records" };
     let room = frame.right - frame.left - 14.0 - font::width(alarm, SMALL, Weight::Regular);
     let lines = font::wrap(&marginal.name, bold.size, bold.weight, room);
     let name = match &lines[..] {

@@ -535,8 +535,8 @@ pub fn sweeps() -> Vec<figures::Sweep> {
             .collect()
     };
     vec![
-        figures::Sweep { label: "driving to the right".into(), points: curve(0.0) },
-        figures::Sweep { label: "driving to the left".into(), points: curve(0.7) },
+        figures::Sweep { label: "travelling to the right".into(), points: curve(0.0) },
+        figures::Sweep { label: "travelling to the left".into(), points: curve(0.7) },
     ]
 }
 

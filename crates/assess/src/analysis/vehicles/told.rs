@@ -7,13 +7,13 @@ use outcome::vehicles::{Case, Direction, Swept};
 pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
     let factor = swept.adequacy.map_or(String::new(), |a| format!(" \u{d7} {a:.3}"));
     let way = match case.direction {
-        Direction::Right => "driving to the right",
-        Direction::Left => "driving to the left",
+        Direction::Right => "travelling to the right",
+        Direction::Left => "travelling to the left",
     };
     let mut parts = vec![format!("{}{factor}, {way}", swept.title)];
     parts.extend(case.axles.map(|[first, last]| axles(first, last, &loaded.loads)));
     parts.extend(case.uniform.map(|[from, to]| format!("uniform load from {from:.2} m to {to:.2} m")));
-    format!("{}. Places are measured from the left springing of the first span.", parts.join("; "))
+    format!("{}. Positions are measured from the left springing of the first span.", parts.join("; "))
 }
 
 /// "axles 2 to 5 of it on the bridge, at 8.39, 6.87, 5.34 and 3.82 m".
