@@ -144,7 +144,8 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) && d.fill.is_none() {
         c.assumptions.push(
             "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press \
-             sideways.".into(),
+             sideways."
+                .into(),
         );
     }
     c.assumptions.push(
@@ -206,7 +207,8 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     ));
     c.assumptions.push(
         "collapse_load is the smallest load tried without equilibrium; last_stable_load is the largest with \
-         equilibrium.".into(),
+         equilibrium."
+            .into(),
     );
     if bridge.joint.tensile_strength > 0.0 {
         c.assumptions.push("The tensile strength of the joints is left out.".into());

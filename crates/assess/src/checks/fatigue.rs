@@ -31,8 +31,7 @@ impl Check for StressRange {
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        let cycles =
-            limit(a.asked.limits.load_cycles, "load_cycles = …", "from the traffic in the required life")?;
+        let cycles = limit(a.asked.limits.load_cycles, "load_cycles = …", "from the traffic in the required life")?;
         let facts = of(&a.facts.service)?;
         let strength = a.bridge.masonry.compressive_strength.ok_or_else(|| {
             NotMade::because("the masonry has no compressive strength: write compressive_strength in [masonry]")

@@ -41,9 +41,8 @@ impl Check for MexeAxle {
         let found = mexe::allowed(&inputs);
         let basis = found.map_or(String::new(), |found| basis(&inputs, &found));
         if let Some(outside) = mexe::outside(&inputs) {
-            let regardless = found.map(|found| {
-                format!(". Extrapolated, it would allow {:.1} t on an axle ({basis})", found.modified)
-            });
+            let regardless = found
+                .map(|found| format!(". Extrapolated, it would allow {:.1} t on an axle ({basis})", found.modified));
             return Err(NotMade::because(format!("{outside}{}", regardless.unwrap_or_default())));
         }
         let found = found

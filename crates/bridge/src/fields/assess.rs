@@ -22,14 +22,24 @@ pub(super) static ASSESS: Section = Section {
             .optional("the report says that the file names no source"),
         Field::new("rule", Kind::Text, "rule of the library whose dynamic augment counts", "irs-bridge-rules")
             .optional("no dynamic augment is added, and the report says so"),
-        Field::new("loaded_length", Kind::Quantity(Length), "loaded length for the coefficient of dynamic \
-                                                             augment", "6 m")
-            .positive()
-            .optional("the longest span"),
-        Field::new("cushion", Kind::Quantity(Length), "depth between load and ring that reduces the dynamic \
-                                                       augment", "0.48 m")
-            .at_least(0.0)
-            .optional("the cover's depth"),
+        Field::new(
+            "loaded_length",
+            Kind::Quantity(Length),
+            "loaded length for the coefficient of dynamic \
+                                                             augment",
+            "6 m",
+        )
+        .positive()
+        .optional("the longest span"),
+        Field::new(
+            "cushion",
+            Kind::Quantity(Length),
+            "depth between load and ring that reduces the dynamic \
+                                                       augment",
+            "0.48 m",
+        )
+        .at_least(0.0)
+        .optional("the cover's depth"),
         Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "5 mm")
             .positive()
             .optional("deflections are not checked"),
@@ -53,8 +63,10 @@ pub(super) static ASSESS: Section = Section {
             "document and clause that `adequacy_factor` is from",
             "BS 5400-2, Table 1",
         )
-        .optional("the check against `adequacy_factor` is made, but does not assess strength: no verdict of adequacy \
-                   rests on it"),
+        .optional(
+            "the check against `adequacy_factor` is made, but does not assess strength: no verdict of adequacy \
+                   rests on it",
+        ),
         Field::new(
             "skew_source",
             Kind::Text,

@@ -66,15 +66,10 @@ static DRAWING: Section = Section {
             .positive()
             .at_most(1.0)
             .default("1 mm"),
-        Field::new(
-            "gap_tolerance",
-            Kind::Quantity(Length),
-            "largest distance of ends that are meant to meet",
-            "1 mm",
-        )
-        .positive()
-        .at_most(1.0)
-        .default("1 mm"),
+        Field::new("gap_tolerance", Kind::Quantity(Length), "largest distance of ends that are meant to meet", "1 mm")
+            .positive()
+            .at_most(1.0)
+            .default("1 mm"),
         Field::new("concave", Kind::Word(CONCAVE), "how an outline that is not convex is treated", "refuse")
             .default("refuse"),
         Field::new("layer", Kind::Tables(&LAYER), "What is on its layers.", ""),

@@ -14,8 +14,11 @@ const KINEMATICS: &[Word] = &[
 ];
 
 const PATHS: &[Word] = &[
-    Word { word: "condensed", doc: "linear parts are condensed once, and only nonlinear parts iterate; the same \
-                                    numbers, much faster" },
+    Word {
+        word: "condensed",
+        doc: "linear parts are condensed once, and only nonlinear parts iterate; the same \
+                                    numbers, much faster",
+    },
     Word { word: "plain", doc: "all degrees of freedom at every position" },
 ];
 

@@ -51,8 +51,14 @@ pub(super) static ANALYSIS: Section = Section {
     doc: "What to analyse, and how exactly. Only `load_step` has no default: the discrete element method needs it.",
     fields: &[
         Field::new("method", Kind::Word(METHODS), "method for the collapse load", "dem").default("limit"),
-        Field::new("analysis", Kind::Word(ANALYSES), "what is increased or reduced until \
-                                                      collapse", "load").default("load"),
+        Field::new(
+            "analysis",
+            Kind::Word(ANALYSES),
+            "what is increased or reduced until \
+                                                      collapse",
+            "load",
+        )
+        .default("load"),
         Field::new("strip", Kind::Word(STRIPS), "strip of the bridge's width that is analysed", "both").default("fill"),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
             .positive()

@@ -61,12 +61,8 @@ const DILATANCY: Field =
         .at_most(1.2);
 const CUTOFF: Field =
     Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa").at_least(0.0);
-const CONE: Field = Field::new(
-    "cone",
-    Kind::Word(CONES),
-    "how the Drucker-Prager cone is matched to Mohr-Coulomb",
-    "inner",
-);
+const CONE: Field =
+    Field::new("cone", Kind::Word(CONES), "how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner");
 const LAW: Field = Field::new("law", Kind::Word(LAWS), "yield criterion of the fill", "mohr-coulomb");
 
 const AS_FILL: &str = "as [fill] says";

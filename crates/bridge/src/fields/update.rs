@@ -129,13 +129,24 @@ pub(super) static UPDATE: Section = Section {
             .at_most(201.0)
             .default("11"),
         Field::new("compare", Kind::Word(COMPARED), "what is compared", "peaks").default("peaks"),
-        Field::new("slices", Kind::Flag, "whether peaks are compared in static slices instead of full passages", "true")
-            .default("true"),
+        Field::new(
+            "slices",
+            Kind::Flag,
+            "whether peaks are compared in static slices instead of full passages",
+            "true",
+        )
+        .default("true"),
         Field::new("weights", Kind::Word(WEIGHTS), "where weights come from", "shapes").default("shapes"),
         Field::new("by_uncertainty", Kind::Flag, "whether errors are expressed in multiples of `uncertainty`", "false")
             .default("false"),
-        Field::new("posterior", Kind::Flag, "whether the posterior of the parameters is \
-                                             sampled", "false").default("false"),
+        Field::new(
+            "posterior",
+            Kind::Flag,
+            "whether the posterior of the parameters is \
+                                             sampled",
+            "false",
+        )
+        .default("false"),
         Field::new(
             "model_error",
             Kind::Number,

@@ -49,8 +49,10 @@ pub fn between_rings(bridge: &Bridge) -> Vec<Warning> {
     let single = bridge.spans.iter().filter(|span| span.rings.len() == 1);
     let thickest = single.map(|span| span.rings[0].crown_thickness).fold(0.0, f64::max);
     if thickest > BRICK {
-        let message = format!("a ring of {thickest:.3} m is modelled in one piece: separation of brick rings is not \
-                               checked");
+        let message = format!(
+            "a ring of {thickest:.3} m is modelled in one piece: separation of brick rings is not \
+                               checked"
+        );
         told.push(Warning::new(warning::ONE_PIECE, message));
     }
     told
