@@ -2,8 +2,8 @@
 
 use crate::raster::RasterError;
 use crate::{
-    animation, bridge_as_drawn, collapse_frames, displacement, fill_stress, force_chains, load_displacement, mechanism,
-    packing, png, stress, thrust_line, vtk,
+    animation, chains, displaced, drawn, figure::Figure, fill_stress, frames, load_path, mechanism, packing, png,
+    stress, thrust, vtk,
 };
 use outcome::picture::Picture;
 
@@ -19,23 +19,24 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
+/// Every figure of a collapse, in the order of its files.
+pub const FIGURES: &[Figure] = &[
+    drawn::FIGURE,
+    mechanism::FIGURE,
+    thrust::FIGURE,
+    stress::FIGURE,
+    load_path::FIGURE,
+    frames::FIGURE,
+    packing::FIGURE,
+    chains::FIGURE,
+    displaced::FIGURE,
+    fill_stress::FIGURE,
+];
+
 /// All figures that the picture has material for, as SVG: name without extension, and drawing.
 pub fn drawings(picture: &Picture) -> Vec<(String, String)> {
-    let shown = picture.last_stable.or_else(|| picture.snapshots.len().checked_sub(1));
-    let optional = [
-        ("mechanism", mechanism(picture)),
-        ("thrust-line", thrust_line(picture)),
-        ("stress", shown.and_then(|k| stress(picture, k))),
-        ("load-displacement", load_displacement(picture)),
-        ("collapse", collapse_frames(picture)),
-        ("packing", packing(picture)),
-        ("force-chains", force_chains(picture)),
-        ("displacement", displacement(picture)),
-        ("fill-stress", fill_stress(picture)),
-    ];
-    let mut out = vec![("bridge".to_string(), bridge_as_drawn(picture))];
-    out.extend(optional.into_iter().filter_map(|(name, svg)| Some((name.to_string(), svg?))));
-    out
+    let draw = |figure: &Figure| Some((figure.name.to_owned(), (figure.draw)(picture)?));
+    FIGURES.iter().filter_map(draw).collect()
 }
 
 /// A drawing as the two files it is written to.

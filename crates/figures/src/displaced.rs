@@ -4,6 +4,7 @@ use crate::bar::{Scale, quantile};
 use crate::colour::blue_for_much;
 use crate::discs;
 use crate::elevation::{self as draw, INK, LOAD};
+use crate::figure::Figure;
 use crate::geometry::{Extent, View, as_built, centroid};
 use crate::near::cells;
 use crate::panels::{fits, load, outline, panel, shown};
@@ -11,6 +12,10 @@ use crate::sheet::{MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure =
+    Figure { name: "displacement", caption: "Displacement of particles and blocks.", draw: displacement };
 
 /// Side of a square of the sheet that gets one arrow.
 const GRID: f64 = 27.0;

@@ -4,6 +4,7 @@ use crate::bar::{Scale, quantile};
 use crate::colour::{blue_for_much, red_for_much};
 use crate::discs;
 use crate::elevation::{self as draw, INK};
+use crate::figure::Figure;
 use crate::near::means;
 use crate::panels::{load, outline, panel, shown};
 use crate::sheet::{MARGIN, Pen, Sheet, WIDTH};
@@ -12,6 +13,10 @@ use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
 use std::f64::consts::PI;
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure =
+    Figure { name: "fill-stress", caption: "Mean stress in the fill.", draw: fill_stress };
 
 /// Stresses of particles are averaged over neighbours within so many mean diameters.
 const REACH: f64 = 3.0;

@@ -2,11 +2,19 @@
 
 use crate::chart::{Axes, Axis, Entry, Mark, key};
 use crate::elevation::INK;
+use crate::figure::Figure;
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Step};
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure = Figure {
+    name: "load-displacement",
+    caption: "Load over displacement of the watched point.",
+    draw: load_displacement,
+};
 
 const CURVE: &str = "#0b5394";
 const HEIGHT: f64 = 360.0;

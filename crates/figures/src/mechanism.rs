@@ -2,11 +2,15 @@
 
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
+use crate::figure::Figure;
 use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved};
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
 use crate::words;
 use outcome::picture::{Hinge, HingeAt, Picture, Point, Shape};
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure = Figure { name: "mechanism", caption: "Mechanism at collapse.", draw: mechanism };
 
 /// Share of the larger dimension of the bridge that the largest displacement is drawn with.
 const SHARE: f64 = 0.05;

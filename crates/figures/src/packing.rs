@@ -3,12 +3,16 @@
 use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
+use crate::figure::Figure;
 use crate::geometry::{Extent, View};
 use crate::panels::{blocks, fits};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Style};
 use crate::words;
 use outcome::picture::{Dimension, Measure, Picture, Shape};
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure = Figure { name: "packing", caption: "Particles as packed.", draw: packing };
 
 /// Thickness of the lid in the drawing [m].
 const LID: f64 = 0.25;

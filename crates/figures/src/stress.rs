@@ -4,6 +4,7 @@ use crate::bar::Scale;
 use crate::colour::dark_for_much;
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign};
+use crate::figure::Figure;
 use crate::geometry::{
     Extent, Turn, View, as_built, back, centroid, exaggerated, largest_displacement, moved, round_down,
 };
@@ -11,6 +12,16 @@ use crate::sheet::{Area, MARGIN, Pen, Sheet, WIDTH};
 use crate::ticks::Ticks;
 use crate::words;
 use outcome::picture::{Picture, Point, Snapshot};
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure = Figure {
+    name: "stress",
+    caption: "Largest compression in every block, at the last stable load.",
+    draw: |picture| {
+        let last = picture.last_stable.or_else(|| picture.snapshots.len().checked_sub(1));
+        last.and_then(|k| stress(picture, k))
+    },
+};
 
 /// Share of the larger dimension of the bridge that displacements are drawn with, at most.
 const SHARE: f64 = 0.012;

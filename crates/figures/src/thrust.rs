@@ -2,12 +2,17 @@
 
 use crate::discs;
 use crate::elevation::{self as draw, INK, Sign, THRUST};
+use crate::figure::Figure;
 use crate::geometry::{View, as_built};
 use crate::mechanism::mark_hinges;
 use crate::sheet::place::Room;
 use crate::sheet::{Area, Pen, Sheet, Style, THICK};
 use crate::words;
 use outcome::picture::{Picture, Point, ThrustPoint};
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure =
+    Figure { name: "thrust-line", caption: "Thrust line at collapse.", draw: thrust_line };
 
 /// The ring with its line of thrust, hinges, loads, and the size of the thrust at springings and crown. None
 /// without a line of thrust.

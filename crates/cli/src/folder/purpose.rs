@@ -1,5 +1,6 @@
 //! What a folder of results is for: which run, of which file, and which names it may write.
 
+use figures::{FIGURES, UPDATE_FIGURES};
 use std::path::{Path, PathBuf};
 
 /// A run that wants a folder.
@@ -11,8 +12,10 @@ pub struct Purpose {
     pub of: PathBuf,
     /// Every file that it reads.
     inputs: Vec<PathBuf>,
-    /// Stems of the files that it may write, in lists; `*` at the end stands for anything.
+    /// Stems of the files that it may write; `*` at the end stands for anything.
     stems: [&'static [&'static str]; 2],
+    /// Names of its figures, or how they begin.
+    figures: Vec<&'static str>,
 }
 
 /// Endings of files of results.
@@ -21,37 +24,14 @@ const ENDINGS: [&str; 9] = ["json", "csv", "svg", "png", "dxf", "vtu", "pvd", "h
 /// Folders below the folder of results whose files are all results.
 pub const BELOW: [&str; 3] = ["paraview", "wall", "wall/paraview"];
 
-/// What both a collapse and a sweep draw of the mechanism.
-const DRAWN: &[&str] = &[
-    "result",
-    "bridge",
-    "mechanism",
-    "thrust-line",
-    "stress",
-    "load-displacement",
-    "collapse",
-    "packing",
-    "force-chains",
-    "displacement",
-    "fill-stress",
-    "animation",
-];
+/// What a collapse and a sweep share beside their figures.
+const SHARED: &[&str] = &["result", "animation"];
 const COLLAPSE: &[&str] =
     &["model", "deformed", "path", "hinges", "blocks", "contacts", "particles", "particle-contacts"];
 const SWEEP: &[&str] = &["envelope", "adequacy", "sweep", "vehicles", "sections"];
 const RESPOND: &[&str] =
     &["result", "records", "influence-lines", "moment-*", "influence", "channels", "log", "joints", "thrust-lines"];
-const UPDATE: &[&str] = &[
-    "result",
-    "histories",
-    "residuals",
-    "sensitivity-*",
-    "surface-*",
-    "posterior",
-    "correlation",
-    "sweeps",
-    "samples",
-];
+const UPDATE: &[&str] = &["result", "sweeps", "samples"];
 const VARY: &[&str] = &["result", "tornado", "curve-*", "heat-map", "vary"];
 const ASSESS: &[&str] = &["result", "report", "checks"];
 const FLEET: &[&str] = &["result", "fleet"];
@@ -62,8 +42,8 @@ impl Purpose {
     /// A run of this kind on a file, which reads these files too. The kind begins with the command.
     pub fn new(kind: &str, file: &Path, inputs: &[PathBuf]) -> Purpose {
         let stems = match kind.split('-').next().unwrap_or_default() {
-            "collapse" => [DRAWN, COLLAPSE],
-            "sweep" => [DRAWN, SWEEP],
+            "collapse" => [SHARED, COLLAPSE],
+            "sweep" => [SHARED, SWEEP],
             "respond" => [RESPOND, &[]],
             "update" => [UPDATE, &[]],
             "vary" => [VARY, &[]],
@@ -72,10 +52,15 @@ impl Purpose {
             "calibrate" => [CALIBRATE, &[]],
             _ => [CHECK, &[]],
         };
+        let figures = match kind.split('-').next() {
+            Some("collapse" | "sweep") => FIGURES.iter().map(|figure| figure.name).collect(),
+            Some("update") => UPDATE_FIGURES.iter().map(|(kind, _)| *kind).collect(),
+            _ => Vec::new(),
+        };
         let mut all: Vec<PathBuf> = inputs.iter().filter_map(|input| input.canonicalize().ok()).collect();
         let of = file.canonicalize().unwrap_or_else(|_| file.to_owned());
         all.push(of.clone());
-        Purpose { kind: kind.to_owned(), of, inputs: all, stems }
+        Purpose { kind: kind.to_owned(), of, inputs: all, stems, figures }
     }
 
     /// Whether the run may write a file of this name. Letters are compared as file systems that do not tell small from capital
@@ -85,7 +70,9 @@ impl Purpose {
         let Some((stem, ending)) = name.rsplit_once('.') else { return false };
         let fits = |known: &str| known.strip_suffix('*').map_or(stem == known, |start| stem.starts_with(start));
         ENDINGS.contains(&ending)
-            && (stem.contains('/') || self.stems.iter().copied().flatten().any(|known| fits(known)))
+            && (stem.contains('/')
+                || self.figures.iter().any(|known| stem.strip_prefix(known).is_some_and(numbered))
+                || self.stems.iter().copied().flatten().any(|known| fits(known)))
     }
 
     /// Whether a file is one that the run reads.
@@ -97,6 +84,11 @@ impl Purpose {
     pub fn of(&self) -> String {
         self.of.display().to_string()
     }
+}
+
+/// Whether the rest of a figure's name is nothing, or numbers such as "-1-2".
+fn numbered(rest: &str) -> bool {
+    rest.is_empty() || rest.starts_with('-')
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Which drawings of a stage stand in the report, and what is said under them.
 
 use assess::chain::Ultimate;
+use figures::UPDATE_FIGURES;
 use outcome::collapse::Collapse;
 use outcome::passage::Passage;
 use outcome::picture::Picture;
@@ -90,14 +91,9 @@ pub fn service(passages: &[Passage], names: &[String]) -> Vec<Figure> {
 /// Histories, residuals, sensitivity curves and surfaces, what the records leave open.
 pub fn update(found: &Update) -> Vec<Figure> {
     let drawings = figures::update_drawings(found).into_iter().take(MOST_OF_UPDATE);
-    let caption = |name: &str| match name.split('-').next().unwrap_or_default() {
-        "histories" => "Histories as measured, before and after the update.",
-        "residuals" => "What is left between records and model, channel by channel.",
-        "sensitivity" => "Misfit over each parameter alone.",
-        "surface" => "Misfit over two parameters, with the path of the search.",
-        "posterior" => "What the records leave open of each parameter.",
-        "correlation" => "How parameters go together.",
-        _ => "Model updating.",
+    let caption = |name: &str| {
+        let kind = UPDATE_FIGURES.iter().find(|(kind, _)| name.starts_with(kind));
+        kind.map_or("Model updating.", |(_, caption)| *caption)
     };
     drawings.filter_map(|(name, svg)| figure("update", &name, caption(&name), Some(svg))).collect()
 }

@@ -27,6 +27,16 @@ const START: &str = "#d07a00";
 /// Of the updated model.
 const UPDATED: &str = "#0b5394";
 
+/// Kinds of figures of an update: how their names begin, and what stands under them.
+pub const UPDATE_FIGURES: [(&str, &str); 6] = [
+    ("histories", "Histories as measured, before and after the update."),
+    ("residuals", "What is left between records and model, channel by channel."),
+    ("sensitivity", "Misfit over each parameter alone."),
+    ("surface", "Misfit over two parameters, with the path of the search."),
+    ("posterior", "What the records leave open of each parameter."),
+    ("correlation", "Correlation of the parameters."),
+];
+
 /// Every figure of an update that there is material for.
 pub fn update(update: &Update) -> Result<Vec<File>, RasterError> {
     let mut files = Vec::new();
