@@ -1,6 +1,8 @@
 //! What a bridge file says of its assessment: loads in service, limits, MEXE's factors, expected ranges. No part of the
 //! bridge: nothing of it changes what is computed, only what is asked and how it is judged.
 
+use crate::choice::choice;
+
 /// An assessment as a file asks for it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Assess {
@@ -101,16 +103,16 @@ pub struct Mexe {
     pub axle_factor: Option<f64>,
 }
 
-/// Axles that MEXE's load is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum MexeAxles {
-    /// One by itself.
-    #[default]
-    Single,
-    /// Two of a bogie: what the modified axle load is for.
-    Bogie,
-    /// Three of a bogie.
-    Triple,
+choice! {
+    /// Axles that MEXE's load is compared with.
+    pub enum MexeAxles {
+        /// one axle by itself
+        Single = "single",
+        /// two axles of a bogie
+        Bogie = "bogie",
+        /// three axles of a bogie
+        Triple = "triple",
+    }
 }
 
 /// A range in which an identified parameter is expected.

@@ -1,6 +1,7 @@
 //! What a block model file means, in SI units: blocks and particles listed one by one or drawn in a DXF file, their
 //! materials and joints, the loads on them, and what to analyse. Plain data, nothing computed.
 
+use crate::choice::choice;
 use crate::diagnostic::TextRange;
 use crate::model::{Joint, Masonry, Plan};
 
@@ -48,17 +49,18 @@ pub struct DrawingPart {
     pub layers: Vec<MappedLayer>,
 }
 
-/// What stands for a body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
-    /// Outlines are free blocks.
-    Block,
-    /// Outlines are held blocks.
-    Support,
-    /// Circles are particles.
-    Particles,
-    /// Nothing is read.
-    Ignore,
+choice! {
+    /// What stands for a body.
+    pub enum Role {
+        /// closed outlines are free blocks
+        Block = "block",
+        /// closed outlines are blocks that do not move
+        Support = "support",
+        /// circles are particles
+        Particles = "particles",
+        /// nothing of it is read
+        Ignore = "ignore",
+    }
 }
 
 /// A layer of the drawing.

@@ -4,6 +4,7 @@
 
 pub mod assess;
 pub mod blocks;
+pub mod choice;
 mod companions;
 pub mod diagnostic;
 pub mod edit;
@@ -20,6 +21,7 @@ pub mod reference;
 mod resolve;
 pub mod ring;
 pub mod schema;
+mod sensor;
 pub mod service;
 pub mod text;
 pub mod train;
@@ -55,13 +57,13 @@ pub struct Read {
 type Resolved = (Option<Bridge>, Vec<vary::Request>, Option<update::Update>, Option<assess::Assess>);
 
 /// Sections that say how to update a bridge, and are no part of it.
-pub const UPDATE_SECTIONS: [&str; 4] = resolve::UPDATE_SECTIONS;
+pub const UPDATE_SECTIONS: [&str; 4] = fields::update::SECTIONS;
 
 /// Sections that say how to assess a bridge, and are no part of it.
-pub const ASSESS_SECTIONS: [&str; 4] = resolve::ASSESS_SECTIONS;
+pub const ASSESS_SECTIONS: [&str; 4] = fields::assess::SECTIONS;
 
 /// Beyond this skew [rad] a square model says nothing that a verdict may rest on.
-pub const DOUBTFUL_SKEW: f64 = resolve::DOUBTFUL_SKEW;
+pub const DOUBTFUL_SKEW: f64 = fields::sweep::DOUBTFUL_SKEW;
 
 /// No bridge file is longer [bytes]; what is, is something else.
 const LONGEST: usize = 1 << 20;
@@ -113,7 +115,7 @@ pub fn read_blocks(text: &[u8]) -> ReadBlocks {
     let file = read_text(
         text,
         &fields::blocks::FILE,
-        |_, table, findings| resolve::blocks::resolve(table, findings),
+        |_, table, findings| fields::blocks::resolve(table, findings),
         &mut findings,
     );
     let file = file.flatten();
@@ -139,8 +141,8 @@ pub fn read_ranges(text: &[u8], bridge: &edit::Document) -> (Vec<vary::Request>,
         let (tree, broken) = DeTable::parse_recoverable(words);
         not_toml(words, &broken, &mut findings);
         let file = tree::Table::open(&fields::RANGES, tree.get_ref(), TextRange::new(0, 0), &mut findings);
-        let requests = resolve::vary(&file, &mut findings);
-        resolve::check_vary(bridge, &requests, &mut findings);
+        let requests = fields::vary::vary(&file, &mut findings);
+        fields::vary::check(bridge, &requests, &mut findings);
         requests
     });
     (requests.unwrap_or_default(), findings.in_order(text.len()))
@@ -149,14 +151,14 @@ pub fn read_ranges(text: &[u8], bridge: &edit::Document) -> (Vec<vary::Request>,
 /// The bridge, what is varied, and what is sought.
 fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -> Resolved {
     let bridge = resolve::resolve(file, findings);
-    let vary = resolve::vary(file, findings);
+    let vary = fields::vary::vary(file, findings);
     if !vary.is_empty()
         && let Some(document) = edit::Document::parse(text)
     {
-        resolve::check_vary(&document, &vary, findings);
+        fields::vary::check(&document, &vary, findings);
     }
-    let update = resolve::update(text, file, bridge.as_ref(), findings);
-    let assess = resolve::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
+    let update = fields::update::update(text, file, bridge.as_ref(), findings);
+    let assess = fields::assess::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
     (bridge, vary, update, assess)
 }
 

@@ -1,8 +1,12 @@
 //! What a bridge file means, in SI units: the value that reading returns. Plain data, nothing computed.
 
+use crate::choice::choice;
+use crate::diagnostic::TextRange;
+use crate::fields::FILE;
+use crate::findings::Findings;
 use crate::ring::Profile;
 use crate::service::Service;
-use serde::{Deserialize, Serialize};
+use crate::tree::Table;
 
 /// A bridge as its file describes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -174,13 +178,14 @@ pub struct SpandrelWall {
     pub least_piece: f64,
 }
 
-/// Where the courses of a wall are counted from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CoursesFrom {
-    /// From the top down: the uppermost course is whole.
-    Top,
-    /// From the level of the springings up.
-    Springings,
+choice! {
+    /// Where the courses of a wall are counted from.
+    pub enum CoursesFrom {
+        /// from the wall's top down: the uppermost course is whole
+        Top = "top",
+        /// from the level of the springings up: the uppermost course takes what is left
+        Springings = "springings",
+    }
 }
 
 /// What lies above the extrados.
@@ -271,7 +276,7 @@ pub enum Packing {
 
 /// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
 /// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
     /// Modulus that the fill is to have [Pa].
     pub wanted_modulus: Option<f64>,
@@ -309,58 +314,37 @@ pub struct Calibration {
 
 impl Default for Calibration {
     fn default() -> Calibration {
-        Calibration {
-            wanted_modulus: None,
-            modulus: Modulus::Tangent,
-            sample_size: 1.0,
-            block_weight: 2.6e3,
-            load_step: 25e3,
-            steps: 10,
-            ignored_steps: 4,
-            multiples: vec![1.0, 2.0, 4.0, 6.0, 8.0],
-            compare_with: Vec::new(),
-            seeds: 16,
-            tolerance: 0.01,
-            least_replacement: 0.5,
-            wanted_friction_angle: None,
-            wanted_cohesion: None,
-            confining_pressures: vec![50e3, 100e3, 200e3],
-            sheared_samples: 32,
-        }
+        by_cards(crate::fields::calibration::calibration)
     }
 }
 
-/// A modulus of a stress-strain curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Modulus {
-    /// Mean of the slopes of all load steps.
-    Tangent,
-    /// Slope from the first result to the last.
-    Secant,
+/// What a part is of which a file says nothing, for which every key needs a default on its card.
+pub(crate) fn by_cards<T>(read: impl FnOnce(&Table<'_>, &mut Findings) -> Option<T>) -> T {
+    let file = Table::absent(&FILE, TextRange::new(0, 0));
+    read(&file, &mut Findings::default()).expect("cards with defaults")
 }
 
-/// The four words for what lies above an arch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LayerKind {
-    /// Soil or rubble directly on the extrados.
-    Fill,
-    /// Road base.
-    SubBase,
-    /// Road surface.
-    Surfacing,
-    /// Railway ballast.
-    Ballast,
+choice! {
+    /// A modulus of a stress-strain curve.
+    pub enum Modulus {
+        /// mean of the slopes of all load steps
+        Tangent = "tangent",
+        /// slope from the first result to the last
+        Secant = "secant",
+    }
 }
 
-impl LayerKind {
-    /// The word in bridge files.
-    pub fn word(self) -> &'static str {
-        match self {
-            LayerKind::Fill => "fill",
-            LayerKind::SubBase => "sub-base",
-            LayerKind::Surfacing => "surfacing",
-            LayerKind::Ballast => "ballast",
-        }
+choice! {
+    /// The four words for what lies above an arch.
+    pub enum LayerKind {
+        /// soil or rubble directly on the extrados
+        Fill = "fill",
+        /// road base
+        SubBase = "sub-base",
+        /// road surface
+        Surfacing = "surfacing",
+        /// railway ballast
+        Ballast = "ballast",
     }
 }
 
@@ -383,15 +367,17 @@ pub struct Backing {
     pub cohesion: Option<f64>,
 }
 
-/// What backing is in the discrete element method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BackingBody {
-    /// Weight on the extrados.
-    Weight,
-    /// Particles.
-    Particles,
-    /// A block on the back of each voussoir.
-    Blocks,
+choice! {
+    /// What backing is in the discrete element method.
+    pub enum BackingBody {
+        /// weight on the extrados
+        Weight = "weight",
+        /// circular particles below its level, with properties of their own
+        Particles = "particles",
+        /// blocks of masonry, joined as voussoirs are: stones with level beds on backs steeper than 45 degrees, a column on every
+        /// flatter one; over an abutment's top they rest by friction alone; strip "fill"
+        Blocks = "blocks",
+    }
 }
 
 /// Horizontal pressure of the fill on backs that move against it, for limit analysis.
@@ -411,15 +397,16 @@ pub struct FillPressure {
     pub least: LeastPressure,
 }
 
-/// Horizontal pressure of fill that nothing moves against.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LeastPressure {
-    /// At rest: 1 - sin(phi) of the vertical stress (Jaky).
-    AtRest,
-    /// Rankine's active pressure, without cohesion.
-    Active,
-    /// None.
-    None,
+choice! {
+    /// Horizontal pressure of fill that nothing moves against.
+    pub enum LeastPressure {
+        /// at rest: 1 - sin(phi) of the vertical stress (Jaky)
+        AtRest = "at-rest",
+        /// Rankine's active pressure, without cohesion
+        Active = "active",
+        /// nothing
+        None = "none",
+    }
 }
 
 /// Vehicles that are moved over the bridge by limit analysis.
@@ -460,15 +447,16 @@ pub struct Carriageway {
     pub skew: Option<f64>,
 }
 
-/// Which ways vehicles drive.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Directions {
-    /// To the right and to the left.
-    Both,
-    /// To the right.
-    Right,
-    /// To the left.
-    Left,
+choice! {
+    /// Which ways vehicles drive.
+    pub enum Directions {
+        /// to the right and to the left
+        Both = "both",
+        /// to the right
+        Right = "right",
+        /// to the left
+        Left = "left",
+    }
 }
 
 /// A load on the surface.
@@ -530,17 +518,18 @@ pub struct Dispersal {
     pub slope: f64,
 }
 
-/// The rule by which pressure is distributed over the dispersed length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DispersalRule {
-    /// No dispersal: straight down onto the extrados.
-    None,
-    /// Uniform over the dispersed length at the depth of the extrados.
-    Uniform,
-    /// Intensity at the two ends inversely proportional to their depth, linear in between (Rouxinol et al., eq. 2).
-    InverseDepth,
-    /// Boussinesq's strip load, cut off at the slope and scaled to the whole force.
-    Boussinesq,
+choice! {
+    /// The rule by which pressure is distributed over the dispersed length.
+    pub enum DispersalRule {
+        /// straight down onto the extrados
+        None = "none",
+        /// uniform over the dispersed length
+        Uniform = "uniform",
+        /// intensity at the ends inversely proportional to their depth (Rouxinol, Providência and Lemos, eq. 2)
+        InverseDepth = "inverse-depth",
+        /// Boussinesq's strip, cut off at the slope and scaled to the whole force
+        Boussinesq = "boussinesq",
+    }
 }
 
 /// What to analyse, and how exactly.
@@ -578,37 +567,40 @@ pub struct Plan {
     pub seed: u64,
 }
 
-/// A method for collapse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Method {
-    /// Discrete elements.
-    Dem,
-    /// Limit analysis.
-    Limit,
-    /// Finite elements.
-    Fe,
+choice! {
+    /// A method for collapse.
+    pub enum Method {
+        /// discrete elements: deformable joints, loads in steps to collapse
+        Dem = "dem",
+        /// limit analysis: the exact collapse load of rigid blocks
+        Limit = "limit",
+        /// finite elements: elastic stones on joints that open and slide; one ring between fixed abutments
+        Fe = "fe",
+    }
 }
 
-/// A strip of the bridge's width with what stands on its rings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Strip {
-    /// Between the walls: rings and cover.
-    Fill,
-    /// Below the walls: rings and bricks.
-    Wall,
-    /// One after the other, and both together by their widths.
-    Both,
+choice! {
+    /// A strip of the bridge's width with what stands on its rings.
+    pub enum Strip {
+        /// between the walls: rings and cover
+        Fill = "fill",
+        /// below the walls: rings and bricks, loads as forces on the uppermost course
+        Wall = "wall",
+        /// both strips, and their loads added up by their widths
+        Both = "both",
+    }
 }
 
-/// What is made to collapse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Analysis {
-    /// The load that makes a mechanism.
-    Load,
-    /// The least ring thickness that stands.
-    Thickness,
-    /// The support movement that makes a mechanism.
-    SupportMovement,
+choice! {
+    /// What is made to collapse.
+    pub enum Analysis {
+        /// the load that makes a mechanism
+        Load = "load",
+        /// the least ring thickness that stands
+        Thickness = "thickness",
+        /// the support movement that makes a mechanism
+        SupportMovement = "support-movement",
+    }
 }
 
 /// Numerical damping.
@@ -622,33 +614,36 @@ pub enum Damping {
     Adaptive,
 }
 
-/// How long a stretch a contact point stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ContactLength {
-    /// Fixed (force formulation).
-    Fixed,
-    /// Updated (stress formulation).
-    Updated,
+choice! {
+    /// How long a stretch a contact point stands for.
+    pub enum ContactLength {
+        /// kept as built (force formulation)
+        Fixed = "fixed",
+        /// follows the compressed part of the joint (stress formulation)
+        Updated = "updated",
+    }
 }
 
-/// Flow rule of sliding joints in limit analysis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Friction {
-    /// Sliding dilates by the friction angle: exact bounds.
-    Associated,
-    /// Sliding does not dilate: iterative correction.
-    NonAssociated,
-    /// Non-associated where sliding takes part in the mechanism or lowers the load.
-    Automatic,
+choice! {
+    /// Flow rule of sliding joints in limit analysis.
+    pub enum Friction {
+        /// sliding dilates by the friction angle: exact bounds
+        Associated = "associated",
+        /// sliding does not dilate: iterative correction
+        NonAssociated = "non-associated",
+        /// non-associated where sliding takes part in the mechanism or lowers the load
+        Automatic = "automatic",
+    }
 }
 
-/// Where the resultant of a joint may pass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ContactPoints {
-    /// Between the rounded corners, as in the discrete element method.
-    Rounded,
-    /// Anywhere in the full ring.
-    FullRing,
+choice! {
+    /// Where the resultant of a joint may pass.
+    pub enum ContactPoints {
+        /// between the rounded corners, as in the discrete element method
+        Rounded = "rounded",
+        /// anywhere in the full thickness
+        FullRing = "full-ring",
+    }
 }
 
 /// A movement of one support.

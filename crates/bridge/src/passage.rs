@@ -1,7 +1,8 @@
 //! What a bridge file says of a train that crosses: the train, the track under it, the analysis, and what is measured.
 
+use crate::choice::choice;
+pub use crate::sensor::*;
 use crate::train::Train;
-use serde::{Deserialize, Serialize};
 
 /// A train that crosses.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,13 +73,14 @@ pub struct PassagePlan {
     pub pictures: Vec<f64>,
 }
 
-/// Whether masses take part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PassageAnalysis {
-    /// Every position at rest.
-    Static,
-    /// With inertia and damping.
-    Transient,
+choice! {
+    /// Whether masses take part.
+    pub enum PassageAnalysis {
+        /// every position at rest
+        Static = "static",
+        /// with inertia and damping
+        Transient = "transient",
+    }
 }
 
 /// Rayleigh damping: one damping ratio at two frequencies.
@@ -90,112 +92,25 @@ pub struct Rayleigh {
     pub frequencies: [f64; 2],
 }
 
-/// Whether displacements and rotations are large.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PassageKinematics {
-    /// Equilibrium on the bridge as built.
-    Small,
-    /// Equilibrium on the deformed bridge.
-    Large,
+choice! {
+    /// Whether displacements and rotations are large.
+    pub enum PassageKinematics {
+        /// equilibrium on the bridge as built
+        Small = "small",
+        /// equilibrium on the deformed bridge: large displacements and rotations
+        Large = "large",
+    }
 }
 
-/// How positions are solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PassagePath {
-    /// Linear zones condensed to what iterates.
-    Condensed,
-    /// All degrees of freedom at every position.
-    Plain,
-}
-
-/// A sensor.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sensor {
-    /// Name of its channel.
-    pub name: String,
-    /// What it measures.
-    pub kind: SensorKind,
-    /// Where.
-    pub place: Place,
-    /// On which face of the ring.
-    pub face: Face,
-}
-
-/// What a sensor measures.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SensorKind {
-    /// Displacement [m].
-    Displacement(Direction),
-    /// Mean strain of one stone along the ring over a gauge length [m]; tension positive. Never across a joint.
-    Strain {
-        /// Gauge length [m].
-        gauge_length: f64,
-    },
-    /// Opening of a joint at a face [m]; apart is positive.
-    JointOpening,
-    /// Sliding of a joint at a face [m]; positive where the stone on the right moves outwards, from intrados to extrados.
-    JointSliding,
-    /// Stress along the ring [Pa]; tension positive.
-    Stress,
-}
-
-/// Direction of a displacement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// Up is positive.
-    Vertical,
-    /// To the right is positive.
-    Horizontal,
-    /// Away from the middle of its span is positive.
-    Lateral,
-}
-
-/// Where a sensor sits.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
-    /// At a share of a span's length between its springings: 0 left, 0.5 crown, 1 right.
-    Span {
-        /// The span, counted from 0 on the left.
-        span: usize,
-        /// The share.
-        share: f64,
-    },
-    /// At a point [m], from the left springing of the first span.
-    Point([f64; 2]),
-}
-
-/// A face of the ring.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Face {
-    /// The lower one.
-    #[default]
-    Intrados,
-    /// The upper one.
-    Extrados,
+choice! {
+    /// How positions are solved.
+    pub enum PassagePath {
+        /// linear zones are condensed once to what iterates; the same numbers, much faster
+        Condensed = "condensed",
+        /// all degrees of freedom at every position
+        Plain = "plain",
+    }
 }
 
 /// Most positions of one passage: an hour's record at the default time step.
 pub const MOST_POSITIONS: usize = 720_000;
-
-/// Gauge length of the railway paper's strain gauges [m], section 3.2.
-pub const GAUGE_LENGTH: f64 = 0.120;
-
-/// The channels of the railway paper's Table 1, on the first span: vertical displacement of the crown, lateral displacement of
-/// the springings, strain on the stones at the same three places. The first span's left springing rests on the abutment,
-/// its right springing on a pier where there is another span.
-pub fn default_sensors(spans: usize) -> Vec<Sensor> {
-    let right = if spans > 1 { "pier springing" } else { "right springing" };
-    let left = if spans > 1 { "abutment springing" } else { "left springing" };
-    let places = [("crown", 0.5), (right, 1.0), (left, 0.0)];
-    let sensor =
-        |name: String, kind, share| Sensor { name, kind, place: Place::Span { span: 0, share }, face: Face::Intrados };
-    let displacements = places.into_iter().map(|(name, share)| {
-        let direction = if share == 0.5 { Direction::Vertical } else { Direction::Lateral };
-        sensor(format!("{name} displacement"), SensorKind::Displacement(direction), share)
-    });
-    let strains = places.into_iter().map(|(name, share)| {
-        sensor(format!("{name} strain"), SensorKind::Strain { gauge_length: GAUGE_LENGTH }, share)
-    });
-    displacements.chain(strains).collect()
-}

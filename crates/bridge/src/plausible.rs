@@ -1,12 +1,12 @@
 //! Physical sense: values that are possible but so unusual that they are worth a question.
 
 use crate::fields::Kind;
+use crate::fields::structure::PlacedSpan;
 use crate::findings::Findings;
 use crate::model::{Joint, JointStiffness, Masonry};
 use crate::quantity;
-use crate::resolve::structure::PlacedSpan;
 use crate::ring::Intrados;
-use crate::tree::{Raw, Table};
+use crate::tree::{At, Raw, Table};
 
 /// The range in which a value is usually found [SI], and in what words.
 struct Usual {
@@ -112,13 +112,8 @@ fn every<'t>(file: &Table<'t>, section: &str) -> Vec<Table<'t>> {
 
 /// A value that was read without a mistake [SI].
 fn value(table: &Table<'_>, key: &str) -> Option<f64> {
-    let mut unheard = Findings::default();
-    let value = match table.section.field(key)?.kind {
-        Kind::QuantityOr(..) => table.quantity_or_word(key, &mut unheard),
-        Kind::Number => table.number(key, &mut unheard),
-        _ => table.quantity(key, &mut unheard),
-    };
-    value.map(|at| at.value).filter(|value| value.is_finite())
+    let written = table.read::<f64>(key, &mut Findings::default()).filter(|_| table.has(key));
+    written.filter(|value| value.is_finite())
 }
 
 fn unusual(table: &Table<'_>, usual: &Usual, findings: &mut Findings) {
@@ -379,8 +374,7 @@ fn settings(file: &Table<'_>, findings: &mut Findings) {
         }
     }
     for table in every(file, "dispersal") {
-        let mut unheard = Findings::default();
-        let slope = crate::resolve::slope(&table, &mut unheard).map(|at| at.value);
+        let slope = value(&table, "slope");
         if let Some(slope) = slope.filter(|slope| (0.5..1.0).contains(slope)) {
             findings
                 .warning(
@@ -413,7 +407,7 @@ fn axles(file: &Table<'_>, findings: &mut Findings) {
             ("axle_loads", 1e3, 45e3, "axles usually carry 1 to 45 t"),
             ("axle_forces", 10e3, 450e3, "axles usually carry 10 to 450 kN"),
         ] {
-            let Some(loads) = table.quantities(key, &mut unheard) else { continue };
+            let Some(Some(loads)) = table.read::<Option<At<Vec<f64>>>>(key, &mut unheard) else { continue };
             if loads.value.iter().any(|load| !(least..=most).contains(load)) {
                 findings.warning(
                     "P051",

@@ -2,67 +2,159 @@
 //!
 //! The origin is the left springing of the span; x runs to the right springing, y up from the springing level.
 //! Span and rise are intrados dimensions. Stations are shares of the curve's length, from the left springing.
+//!
+//! A profile is a file of this folder and a line of the list below. Its file says which of `span` and `rise` a file gives for it
+//! (`NEEDS`), the cards of keys that belong to it alone (`KEYS`), how its span and rise follow from what is written (`size`), and its
+//! curve, or why there is none (`curve`).
 
 mod arcs;
 mod ellipse;
 mod invert;
 mod measured;
 mod parabola;
+mod pointed;
+mod segmental;
+mod semicircular;
+mod three_centred;
 
-use arcs::Arcs;
-use ellipse::Ellipse;
-use measured::Measured;
-use parabola::Parabola;
+use std::fmt;
+use std::sync::Arc;
 
-/// Shape of an intrados.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Profile {
-    /// Circular segment from span and rise.
-    Segmental,
-    /// Half circle; the rise is half the span.
-    Semicircular,
-    /// Parabola through springings and crown.
-    Parabolic,
-    /// Half ellipse.
-    Elliptical,
-    /// Two small circles at the haunches, one large at the crown [m].
-    ThreeCentred {
-        /// Radius of the haunch circles [m].
-        haunch_radius: f64,
-    },
-    /// Two circular arcs that meet at a point in the crown.
-    Pointed,
-    /// Surveyed intrados points from the left to the right springing, relative to the left springing [m]. The
-    /// intrados is a smooth curve through them: between two points a cubic whose tangent at each point is that of
-    /// the circle through the point and its two neighbours.
-    Measured(Vec<[f64; 2]>),
+use crate::choice::choice;
+use crate::fields::Field;
+use crate::findings::Findings;
+use crate::tree::Table;
+
+/// The list of profiles: what the reference says of each, its word, its file, and keys of its own with the values they leave.
+macro_rules! profiles {
+    ($($(#[doc = $doc:literal])+ $name:ident $({ $(#[$meta:meta])* $key:ident: $type:ty })? = $word:literal in $file:ident,)+) => {
+        choice! {
+            /// Words of the profiles.
+            pub(crate) enum Shape { $($(#[doc = $doc])+ $name = $word,)+ }
+        }
+
+        /// Shape of an intrados.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum Profile { $($(#[doc = $doc])+ $name $({ $(#[$meta])* $key: $type })?,)+ }
+
+        /// Whether files give span and rise.
+        const NEEDS: &[(&str, [bool; 2])] = &[$(($word, $file::NEEDS)),+];
+
+        /// Cards of the keys that belong to one profile.
+        pub(crate) const OWN_KEYS: &[&[Field]] = &[$($file::KEYS),+];
+
+        impl Profile {
+            /// The word in bridge files.
+            pub fn word(&self) -> &'static str {
+                match self { $(Profile::$name { .. } => $word),+ }
+            }
+
+            /// Whether span and rise are lengths of their own.
+            fn needs(&self) -> [bool; 2] {
+                match self { $(Profile::$name { .. } => $file::NEEDS),+ }
+            }
+
+            fn form(&self, span: f64, rise: f64) -> Result<Form, Misfit> {
+                match self { $(Profile::$name $({ $key })? => $file::curve(span, rise $(, $key)?)),+ }
+            }
+        }
+
+        /// The profile of a span's table, with its span and rise [m]; what is wrong has been reported.
+        pub(crate) fn read(table: &Table<'_>, findings: &mut Findings) -> Option<(Profile, f64, f64)> {
+            let shape = table.read("profile", findings);
+            let [span, rise] = ["span", "rise"].map(|key| table.read::<Option<f64>>(key, findings).flatten());
+            match shape? {
+                $(Shape::$name => {
+                    $(let mut $key: $type = table.read(stringify!($key), findings)?;)?
+                    let (span, rise) = $file::size(span, rise $(, &mut $key)?)?;
+                    Some((Profile::$name $({ $key })?, span, rise))
+                })+
+            }
+        }
+    };
 }
 
-/// Why a profile has no curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Misfit {
-    /// A length is not positive and finite.
-    NotPositive,
-    /// A segment's rise is more than half its span.
-    RiseAboveHalfSpan,
-    /// A semicircle's rise is not half its span.
-    NotHalfSpan,
-    /// A three-centred rise is more than half the span.
-    ThreeCentredTooHigh,
-    /// Haunch circles with a radius of the rise or more leave no circle for the crown.
-    HaunchRadiusTooLarge,
-    /// A pointed arch whose rise is half the span or less has no point.
-    NoPoint,
-    /// A measured curve needs three points at least.
-    TooFewPoints,
-    /// Measured points do not run from left to right; index of the first that does not.
-    NotLeftToRight(usize),
-    /// The two ends of a measured curve are not level.
-    NotLevel,
-    /// A measured point between the springings lies at or below them; its index.
-    BelowSpringing(usize),
-    /// Neighbouring measured points nearly coincide, or the curve turns back between them; index of the second.
-    Folded(usize),
+profiles! {
+    /// one circular arc, rise at most half the span
+    Segmental = "segmental" in segmental,
+    /// half a circle, rise half the span
+    Semicircular = "semicircular" in semicircular,
+    /// a parabola with its vertex in the crown
+    Parabolic = "parabolic" in parabola,
+    /// half an ellipse, vertical at the springings
+    Elliptical = "elliptical" in ellipse,
+    /// two small circles at the haunches, a large one at the crown
+    ThreeCentred {
+        /// Radius of the haunch circles [m].
+        haunch_radius: f64
+    } = "three-centred" in three_centred,
+    /// two circular arcs centred on the springing line that meet in the crown
+    Pointed = "pointed" in pointed,
+    /// a smooth curve through surveyed points
+    Measured {
+        /// From the left to the right springing, relative to the left springing [m].
+        points: Vec<[f64; 2]>
+    } = "measured" in measured,
+}
+
+/// Words of the profiles for which files give a span, and a rise.
+pub(crate) const WITH_SPAN: [&str; with(0)] = words_with(0);
+pub(crate) const WITH_RISE: [&str; with(1)] = words_with(1);
+
+const fn with(size: usize) -> usize {
+    let (mut count, mut k) = (0, 0);
+    while k < NEEDS.len() {
+        count += NEEDS[k].1[size] as usize;
+        k += 1;
+    }
+    count
+}
+
+const fn words_with<const N: usize>(size: usize) -> [&'static str; N] {
+    let (mut words, mut count, mut k) = ([""; N], 0, 0);
+    while k < NEEDS.len() {
+        if NEEDS[k].1[size] {
+            words[count] = NEEDS[k].0;
+            count += 1;
+        }
+        k += 1;
+    }
+    words
+}
+
+/// Why a profile has no curve: a finding of the file, but for its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Misfit {
+    /// Its code.
+    pub code: &'static str,
+    /// The key that is wrong.
+    pub key: &'static str,
+    /// Which entry of its list, from 0, where it is one of them.
+    pub entry: Option<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// Words under the caret.
+    pub label: String,
+    /// What to do.
+    pub help: &'static str,
+}
+
+impl Misfit {
+    fn new(
+        code: &'static str,
+        key: &'static str,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: &'static str,
+    ) -> Misfit {
+        Misfit { code, key, entry: None, message: message.into(), label: label.into(), help }
+    }
+}
+
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
 }
 
 /// A place on the intrados.
@@ -86,68 +178,55 @@ impl Station {
     }
 }
 
-impl Profile {
-    /// Whether there is such a curve with this span and rise [m].
-    pub fn check(&self, span: f64, rise: f64) -> Result<(), Misfit> {
-        let positive = |value: f64| value > 0.0 && value.is_finite();
-        if let Profile::Measured(points) = self {
-            return measured::check(points);
-        }
-        if !positive(span) || !positive(rise) {
-            return Err(Misfit::NotPositive);
-        }
-        let half = 0.5 * span;
-        match self {
-            Profile::Segmental if rise > half => Err(Misfit::RiseAboveHalfSpan),
-            // Half a span that is written in another unit differs by rounding.
-            Profile::Semicircular if (rise - half).abs() > 1e-9 * half => Err(Misfit::NotHalfSpan),
-            Profile::ThreeCentred { haunch_radius } if !positive(*haunch_radius) => Err(Misfit::NotPositive),
-            Profile::ThreeCentred { .. } if rise > half => Err(Misfit::ThreeCentredTooHigh),
-            Profile::ThreeCentred { haunch_radius } if *haunch_radius >= rise => Err(Misfit::HaunchRadiusTooLarge),
-            Profile::Pointed if rise <= half => Err(Misfit::NoPoint),
-            _ => Ok(()),
-        }
+/// A curve by the distance from its left springing.
+trait Curve: fmt::Debug + Send + Sync {
+    /// Its length [m].
+    fn length(&self) -> f64;
+
+    /// The station at a distance [m].
+    fn at(&self, distance: f64) -> Station;
+
+    /// Radius of the circle that the whole intrados lies on [m], where it does.
+    fn circle(&self) -> Option<f64> {
+        None
+    }
+}
+
+/// Symmetric curves are known by their left half, others as a whole, with the place of their crown [m].
+#[derive(Debug, Clone)]
+enum Form {
+    Half(Arc<dyn Curve>),
+    Whole { curve: Arc<dyn Curve>, crown: f64 },
+}
+
+impl Form {
+    fn half(curve: impl Curve + 'static) -> Result<Form, Misfit> {
+        Ok(Form::Half(Arc::new(curve)))
     }
 }
 
 /// The intrados of a span, measured by its arc length.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Intrados {
-    curve: Curve,
+    form: Form,
     span: f64,
     length: f64,
 }
 
-/// Symmetric curves are known by their left half, by distance from the springing; a survey as a whole.
-#[derive(Debug, Clone, PartialEq)]
-enum Curve {
-    Arcs(Arcs),
-    Parabola(Parabola),
-    Ellipse(Ellipse),
-    Measured(Measured),
-}
-
 impl Intrados {
-    /// The curve of a profile with this span and rise [m]; a measured profile has its own.
+    /// The curve of a profile with this span and rise [m].
     pub fn new(profile: &Profile, span: f64, rise: f64) -> Result<Intrados, Misfit> {
-        profile.check(span, rise)?;
-        let curve = match profile {
-            Profile::Segmental => Curve::Arcs(Arcs::segment(span, rise)),
-            Profile::Semicircular => Curve::Arcs(Arcs::segment(span, 0.5 * span)),
-            Profile::ThreeCentred { haunch_radius } => Curve::Arcs(Arcs::three_centred(span, rise, *haunch_radius)),
-            Profile::Pointed => Curve::Arcs(Arcs::pointed(span, rise)),
-            Profile::Parabolic => Curve::Parabola(Parabola::new(span, rise)),
-            Profile::Elliptical => Curve::Ellipse(Ellipse::new(span, rise)),
-            Profile::Measured(points) => Curve::Measured(Measured::new(points)?),
+        // Those of a survey are what its points make them.
+        if profile.needs()[0] && ![span, rise].iter().all(|length| *length > 0.0 && length.is_finite()) {
+            let help = "give positive lengths";
+            return Err(Misfit::new("B204", "span", "span and rise must be positive", "not a shape", help));
+        }
+        let form = profile.form(span, rise)?;
+        let length = match &form {
+            Form::Half(curve) => 2.0 * curve.length(),
+            Form::Whole { curve, .. } => curve.length(),
         };
-        let length = match &curve {
-            Curve::Arcs(arcs) => 2.0 * arcs.length(),
-            Curve::Parabola(parabola) => 2.0 * parabola.length(),
-            Curve::Ellipse(ellipse) => 2.0 * ellipse.length(),
-            Curve::Measured(measured) => measured.length(),
-        };
-        let span = if let Profile::Measured(points) = profile { points[points.len() - 1][0] } else { span };
-        Ok(Intrados { curve, span, length })
+        Ok(Intrados { form, span, length })
     }
 
     /// Length of the curve from springing to springing [m].
@@ -155,20 +234,29 @@ impl Intrados {
         self.length
     }
 
+    /// Distance of the crown from the left springing [m].
+    pub fn crown(&self) -> f64 {
+        match self.form {
+            Form::Half(_) => 0.5 * self.span,
+            Form::Whole { crown, .. } => crown,
+        }
+    }
+
+    /// Radius of the circle that all of it lies on [m], where it does.
+    pub fn circle(&self) -> Option<f64> {
+        let (Form::Half(curve) | Form::Whole { curve, .. }) = &self.form;
+        curve.circle()
+    }
+
     /// The station at this share of the length, from the left springing (0) to the right (1); shares beyond are cut.
     pub fn at(&self, share: f64) -> Station {
         let share = share.clamp(0.0, 1.0);
-        if let Curve::Measured(measured) = &self.curve {
-            return measured.at(share * self.length);
-        }
-        // Symmetric to the last bit: the right half mirrors the left.
-        let from_springing = share.min(1.0 - share) * self.length;
-        let left = match &self.curve {
-            Curve::Arcs(arcs) => arcs.at(from_springing),
-            Curve::Parabola(parabola) => parabola.at(from_springing),
-            Curve::Ellipse(ellipse) => ellipse.at(from_springing),
-            Curve::Measured(measured) => measured.at(from_springing),
+        let half = match &self.form {
+            Form::Half(half) => half,
+            Form::Whole { curve, .. } => return curve.at(share * self.length),
         };
+        // Symmetric to the last bit: the right half mirrors the left.
+        let left = half.at(share.min(1.0 - share) * self.length);
         if share == 0.5 {
             return Station { point: [0.5 * self.span, left.point[1]], normal: [0.0, 1.0] };
         }
@@ -177,6 +265,11 @@ impl Intrados {
         }
         Station { point: [self.span - left.point[0], left.point[1]], normal: [-left.normal[0], left.normal[1]] }
     }
+}
+
+/// The size of most profiles: as written.
+fn as_written(span: Option<f64>, rise: Option<f64>) -> Option<(f64, f64)> {
+    span.zip(rise)
 }
 
 #[cfg(test)]

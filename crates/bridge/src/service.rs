@@ -1,10 +1,11 @@
 //! What the finite element model needs beyond what collapse asks for: mesh, soils, mortar and the contact of fill with masonry.
 //! What a file leaves out stays `None` here; whoever computes says what is missing.
 
-use crate::model::{Backing, Cover, Masonry};
+use crate::choice::choice;
+use crate::model::{Backing, Cover, Masonry, by_cards};
 
 /// The part of a bridge file that only the finite element model reads.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Service {
     /// How fine the mesh is and how far it reaches.
     pub mesh: MeshPlan,
@@ -29,12 +30,16 @@ pub struct MissingValue {
     pub key: &'static str,
 }
 
+impl Default for Service {
+    fn default() -> Service {
+        by_cards(|file, findings| crate::fields::service::service(file, None, findings))
+    }
+}
+
 impl Service {
     /// What a file with this cover means that says nothing of the finite element model.
     pub fn of_cover(cover: &Cover) -> Service {
-        let lowest = cover.layers.first().map(|layer| layer.density).filter(|density| *density > 0.0);
-        let fill = Soil { density: lowest, ..Soil::default() };
-        Service { fill, abutment_fill: AbutmentFill { extent: None, soil: fill }, ..Service::default() }
+        by_cards(|file, findings| crate::fields::service::service(file, Some(cover), findings))
     }
 
     /// What the finite element model of a bridge of this masonry and backing still needs, in the order of the file's reference.
@@ -87,14 +92,8 @@ pub struct MeshPlan {
     pub side_distance: Option<f64>,
 }
 
-impl Default for MeshPlan {
-    fn default() -> MeshPlan {
-        MeshPlan { size: None, ring_nodes: 7, side_distance: None }
-    }
-}
-
 /// A soil: granular fill, or what behaves like it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Soil {
     /// Young's modulus [Pa].
     pub elastic_modulus: Option<f64>,
@@ -116,18 +115,18 @@ pub struct Soil {
     pub law: SoilLaw,
 }
 
-/// Where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Cone {
-    /// In triaxial compression: outside of the pyramid, and stronger than the soil in plane strain.
-    Compression,
-    /// In triaxial extension.
-    Extension,
-    /// In plane strain at failure.
-    #[default]
-    PlaneStrain,
-    /// Touching the pyramid from inside.
-    Inner,
+choice! {
+    /// Where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb.
+    pub enum Cone {
+        /// meets the pyramid of Mohr and Coulomb in triaxial compression
+        Compression = "compression",
+        /// meets it in triaxial extension
+        Extension = "extension",
+        /// gives its failure load in plane strain
+        PlaneStrain = "plane-strain",
+        /// touches it from inside
+        Inner = "inner",
+    }
 }
 
 impl Soil {
@@ -153,16 +152,16 @@ impl Soil {
     }
 }
 
-/// When a soil yields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum SoilLaw {
-    /// On the cone of Drucker and Prager.
-    #[default]
-    DruckerPrager,
-    /// On the pyramid of Mohr and Coulomb.
-    MohrCoulomb,
-    /// Never.
-    Elastic,
+choice! {
+    /// When a soil yields.
+    pub enum SoilLaw {
+        /// yields on a cone
+        DruckerPrager = "drucker-prager",
+        /// yields on a pyramid
+        MohrCoulomb = "mohr-coulomb",
+        /// does not yield
+        Elastic = "elastic",
+    }
 }
 
 /// Fill of the haunches: over piers and abutments, between the extrados of two spans, up to a level.
@@ -175,7 +174,7 @@ pub struct HaunchFill {
 }
 
 /// Fill behind the abutments, from their foundation to the surface.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AbutmentFill {
     /// How far it reaches behind the abutment's back [m]; none: to the boundary.
     pub extent: Option<f64>,
@@ -184,7 +183,7 @@ pub struct AbutmentFill {
 }
 
 /// Mortar of joints.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mortar {
     /// Young's modulus [Pa].
     pub elastic_modulus: Option<f64>,
@@ -198,16 +197,16 @@ pub struct Mortar {
     pub springs: Springs,
 }
 
-/// How the stress across a joint is summed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Springs {
-    /// A spring at each node, all of the same area.
-    #[default]
-    Equal,
-    /// A spring at each node, with the area that belongs to it.
-    Nodal,
-    /// Two Gauss points between neighbouring nodes: an interface of no thickness.
-    Interface,
+choice! {
+    /// How the stress across a joint is summed.
+    pub enum Springs {
+        /// a spring at each node across the depth, all of the same area
+        Equal = "equal",
+        /// a spring at each node, with the area that belongs to it
+        Nodal = "nodal",
+        /// an interface of no thickness, with two Gauss points between neighbouring nodes
+        Interface = "interface",
+    }
 }
 
 /// Contact of fill with masonry.
@@ -219,12 +218,6 @@ pub struct FillContact {
     pub separation: bool,
     /// Normal stiffness [Pa/m]; none: from the fill's modulus and the size of its elements.
     pub stiffness: Option<f64>,
-}
-
-impl Default for FillContact {
-    fn default() -> FillContact {
-        FillContact { friction_coefficient: None, separation: true, stiffness: None }
-    }
 }
 
 #[cfg(test)]
@@ -248,7 +241,7 @@ mod tests {
             friction_angle: Some(30f64.to_radians()),
             cohesion: Some(10e3),
             cone: Cone::Compression,
-            ..Soil::default()
+            ..Service::default().fill
         };
         let [friction, cohesion] = soil.acts_with().unwrap();
         assert!(

@@ -139,7 +139,7 @@ pub fn read_toml(text: &[u8]) -> ReadTrain {
     let vehicles = crate::read_text(
         text,
         &crate::fields::train::FILE,
-        |_, table, findings| crate::resolve::train::vehicles(table, findings),
+        |_, table, findings| crate::fields::train::vehicles(table, findings),
         &mut findings,
     );
     let vehicles = if findings.any_error() { None } else { vehicles.flatten() };

@@ -20,11 +20,14 @@ pub(crate) struct At<T> {
 #[derive(Debug, Clone)]
 pub(crate) struct Table<'t> {
     pub(crate) section: &'static Section,
-    entries: &'t DeTable<'t>,
+    /// Nothing where the file leaves the table out.
+    entries: Option<&'t DeTable<'t>>,
     /// The header, or the braces of an inline table.
     pub(crate) range: TextRange,
     /// Keys that were probably meant by unknown ones.
     misspelt: Vec<&'static str>,
+    /// The table that keys are taken from which are not written.
+    pub(crate) under: Option<&'t Table<'t>>,
 }
 
 pub(crate) type Raw<'t> = &'t Spanned<DeValue<'t>>;
@@ -37,7 +40,7 @@ impl<'t> Table<'t> {
         range: TextRange,
         findings: &mut Findings,
     ) -> Table<'t> {
-        let mut table = Table { section, entries, range, misspelt: Vec::new() };
+        let mut table = Table { section, entries: Some(entries), range, misspelt: Vec::new(), under: None };
         for (key, _) in entries.iter() {
             match section.field(key.get_ref()) {
                 None => {
@@ -54,6 +57,11 @@ impl<'t> Table<'t> {
             }
         }
         table
+    }
+
+    /// A table that is not there: every key has the default of its card.
+    pub(crate) fn absent(section: &'static Section, range: TextRange) -> Table<'t> {
+        Table { section, entries: None, range, misspelt: Vec::new(), under: None }
     }
 
     /// Whether a key is written, rightly or wrongly.
@@ -101,6 +109,52 @@ impl<'t> Table<'t> {
         }
     }
 
+    /// What a table inside this one says; the defaults of its cards where the file leaves it out.
+    pub(crate) fn part<T>(
+        &self,
+        key: &str,
+        findings: &mut Findings,
+        read: impl FnOnce(&Table<'_>, &mut Findings) -> Option<T>,
+    ) -> Option<T> {
+        match self.section.field(key).map(|field| field.kind) {
+            Some(Kind::Table(section)) if !self.has(key) => read(&Table::absent(section, self.range), findings),
+            _ => read(&self.table(key, findings)?, findings),
+        }
+    }
+
+    /// What a table inside this one says; none inside where the file leaves it out.
+    pub(crate) fn optional<T>(
+        &self,
+        key: &str,
+        findings: &mut Findings,
+        read: impl FnOnce(&Table<'_>, &mut Findings) -> Option<T>,
+    ) -> Option<Option<T>> {
+        match self.has(key) {
+            true => read(&self.table(key, findings)?, findings).map(Some),
+            false => Some(None),
+        }
+    }
+
+    /// What every table of a list says; none where one of them is wrong, or the list as such.
+    pub(crate) fn all<T>(
+        &self,
+        key: &str,
+        findings: &mut Findings,
+        mut read: impl FnMut(&Table<'_>, &mut Findings) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let rows: Vec<Option<T>> = self.tables(key, findings).iter().map(|table| read(table, findings)).collect();
+        let rows = rows.into_iter().collect::<Option<Vec<T>>>()?;
+        (!self.has(key) || !rows.is_empty()).then_some(rows)
+    }
+
+    /// The same table, whose keys are as in another where they are not written.
+    pub(crate) fn over<'s>(&self, under: &'s Table<'s>) -> Table<'s>
+    where
+        't: 's,
+    {
+        Table { under: Some(under), ..self.clone() }
+    }
+
     /// A list of tables inside this one; a single table counts as a list of one.
     pub(crate) fn tables(&self, key: &str, findings: &mut Findings) -> Vec<Table<'t>> {
         let Some((field, raw)) = self.entry(key) else { return Vec::new() };
@@ -140,8 +194,26 @@ impl<'t> Table<'t> {
             .because("properties of the bridge are never assumed");
     }
 
+    /// Reports a key that must be there in this case.
+    pub(crate) fn need(&self, key: &str, findings: &mut Findings) {
+        if let Some(field) = self.section.field(key) {
+            self.missing(field, findings);
+        }
+    }
+
+    /// Reports two keys that say the same thing.
+    pub(crate) fn exclude(&self, key: &str, other: &str, findings: &mut Findings) {
+        findings.error(
+            "B016",
+            self.place(key),
+            format!("`{key}` and {other} exclude one another"),
+            format!("{other} is given as well"),
+            format!("keep `{key}` or {other}, not both"),
+        );
+    }
+
     fn raw(&self, key: &str) -> Option<Raw<'t>> {
-        self.entries.get(key)
+        self.entries?.get(key)
     }
 
     /// Whether a field means something here, going by the word that decides about it; unknown words decide nothing.

@@ -1,5 +1,6 @@
 //! What a bridge file says of model updating: records, what ties their columns to sensors, parameters, searches.
 
+use crate::choice::choice;
 use crate::path::Path;
 
 /// Model updating as a file asks for it.
@@ -78,24 +79,24 @@ impl Parameter {
 /// How parameters are sought.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// Which search: hierarchical, modern, referee, gradient or all.
-    pub search: &'static str,
-    /// Which reading of the published search: printed, as-practised or both.
-    pub variant: &'static str,
-    /// Where the published search begins: stated, means, bounds or all.
-    pub start: &'static str,
+    /// Which search.
+    pub search: Search,
+    /// Which reading of the published search.
+    pub variant: Variant,
+    /// Where the published search begins.
+    pub start: Start,
     /// Starts of the modern search.
     pub starts: u64,
     /// Passes of the published search.
     pub passes: u64,
     /// Points of a single sweep, and of a surface along each parameter.
     pub points: u64,
-    /// What is compared: peaks or histories.
-    pub compare: &'static str,
+    /// What is compared.
+    pub compare: Compared,
     /// Whether peaks are looked for in static slices instead of full passages.
     pub slices: bool,
-    /// Where weights come from: shapes, equal or given.
-    pub weights: &'static str,
+    /// Where weights come from.
+    pub weights: Weights,
     /// Whether errors are counted in standard deviations of the measurement.
     pub by_uncertainty: bool,
     /// Whether the posterior is sampled.
@@ -106,4 +107,68 @@ pub struct Plan {
     pub samples: u64,
     /// Seed of everything that is drawn.
     pub seed: u64,
+}
+
+choice! {
+    /// Searches for parameters.
+    pub enum Search {
+        /// the railway paper's, by single sweeps and surfaces of two
+        Hierarchical = "hierarchical",
+        /// trust-region least squares from many starts
+        Modern = "modern",
+        /// evolution over the whole ranges
+        Referee = "referee",
+        /// a plain gradient search from one start
+        Gradient = "gradient",
+        /// one after the other, with a table
+        All = "all",
+    }
+}
+
+choice! {
+    /// Readings of the hierarchical search.
+    pub enum Variant {
+        /// the three cases as printed
+        Printed = "printed",
+        /// a decided descent to a bound freezes a parameter there
+        AsPractised = "as-practised",
+        /// one after the other, with a table
+        Both = "both",
+    }
+}
+
+choice! {
+    /// Where the hierarchical search begins.
+    pub enum Start {
+        /// the values of this file
+        Stated = "stated",
+        /// the middle of every range
+        Means = "means",
+        /// all lower bounds, then all upper bounds
+        Bounds = "bounds",
+        /// means, then bounds
+        All = "all",
+    }
+}
+
+choice! {
+    /// What is compared.
+    pub enum Compared {
+        /// signed peaks (eq. 3 of the paper), from static slices
+        Peaks = "peaks",
+        /// every value, by root mean square
+        Histories = "histories",
+    }
+}
+
+choice! {
+    /// Where weights come from.
+    pub enum Weights {
+        /// squares of the shape correlation factors (eq. 4) at the start model
+        Shapes = "shapes",
+        /// all alike
+        Equal = "equal",
+        /// those of [[channel]]
+        Given = "given",
+    }
 }

@@ -2,133 +2,224 @@
 
 use toml::de::DeValue;
 
+use crate::choice::{Choice, Word};
 use crate::diagnostic::TextRange;
-use crate::fields::{Field, Kind};
+use crate::fields::{Field, Kind, Need};
 use crate::findings::Findings;
 use crate::quantity::{self, Dimension, Quantity, Unreadable};
 use crate::tree::{At, Raw, Table, nearest, shorten, wrong_type};
 
+/// A type that a key is read as.
+pub(crate) trait Value: Sized {
+    /// The value that is written, or that a card gives as its default; wrong ones are reported.
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self>;
+
+    /// What it means that neither file nor card gives one.
+    const ABSENT: Option<Self> = None;
+}
+
 impl<'t> Table<'t> {
-    /// Text.
-    pub(crate) fn text(&self, key: &str, findings: &mut Findings) -> Option<At<&'t str>> {
-        let (field, raw) = self.entry(key)?;
-        match raw.get_ref() {
-            DeValue::String(text) => Some(At { value: text.as_ref(), range: raw.span().into() }),
-            _ => wrong_type(field, raw, findings),
+    /// The value of a key, or the default of its card where it is not written. None where it is wrong, or missing where it must be
+    /// there, which has been reported then.
+    pub(crate) fn read<T: Value>(&self, key: &str, findings: &mut Findings) -> Option<T> {
+        if let Some((field, raw)) = self.entry(key) {
+            return T::of(field, raw, findings);
         }
-    }
-
-    /// A number with a unit [SI].
-    pub(crate) fn quantity(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
-        let (field, raw) = self.entry(key)?;
-        let Kind::Quantity(dimension) = field.kind else { return None };
-        measure(field, raw, &[dimension], findings).map(|(quantity, range)| At { value: quantity.si(), range })
-    }
-
-    /// A number with a unit [SI], or infinity where the word for none is written.
-    pub(crate) fn quantity_or_word(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
-        let (field, raw) = self.entry(key)?;
-        let Kind::QuantityOr(dimension, word) = field.kind else { return None };
-        if raw.get_ref().as_str() == Some(word) {
-            return Some(At { value: f64::INFINITY, range: raw.span().into() });
+        let field = self.section.field(key).filter(|_| !self.has(key))?;
+        match field.need {
+            Need::Default(text) => {
+                let literal = field.literal(text);
+                T::of(field, &DeValue::parse(&literal).ok()?, findings)
+            }
+            _ => match self.under.filter(|under| under.section.field(key).is_some()) {
+                // What is wrong with the other table has been reported.
+                Some(under) => under.read(key, &mut Findings::default()),
+                None => T::ABSENT,
+            },
         }
-        measure(field, raw, &[dimension], findings).map(|(quantity, range)| At { value: quantity.si(), range })
-    }
-
-    /// A list of numbers with units [SI].
-    pub(crate) fn quantities(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<f64>>> {
-        let (field, raw) = self.entry(key)?;
-        let Kind::Quantities(dimension) = field.kind else { return None };
-        let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-        let values: Vec<Option<f64>> = items
-            .iter()
-            .map(|item| measure(field, item, &[dimension], findings).map(|(quantity, _)| quantity.si()))
-            .collect();
-        Some(At { value: values.into_iter().collect::<Option<Vec<f64>>>()?, range: raw.span().into() })
     }
 
     /// A force per metre of width [N/m], or a force over the whole width.
-    pub(crate) fn line_load(&self, key: &str, width: Option<f64>, findings: &mut Findings) -> Option<At<f64>> {
+    pub(crate) fn line_load(&self, key: &str, width: Option<f64>, findings: &mut Findings) -> Option<Option<f64>> {
+        if !self.has(key) {
+            return Some(None);
+        }
         let (field, raw) = self.entry(key)?;
-        let (quantity, range) = measure(field, raw, &[Dimension::LineLoad, Dimension::Force], findings)?;
-        let value = match quantity.unit.dimension {
+        let (quantity, _) = measure(field, raw, &[Dimension::LineLoad, Dimension::Force], findings)?;
+        Some(Some(match quantity.unit.dimension {
             Dimension::Force => quantity.si() / width?,
             _ => quantity.si(),
-        };
-        Some(At { value, range })
+        }))
+    }
+}
+
+/// Reads keys into the fields of the same names; more fields may follow, made from these or otherwise. A key of another name than its
+/// field stands behind it.
+macro_rules! read {
+    ($table:expr, $findings:expr, $name:ident { $($field:ident $(= $key:literal)?),+ $(,)? $(; $($rest:tt)+)? }) => {{
+        let table = $table;
+        $(let $field = table.read($crate::values::read!(@key $field $($key)?), $findings);)+
+        $(let $field = $field?;)+
+        Some($name { $($field,)+ $($($rest)+)? })
+    }};
+    (@key $field:ident) => { stringify!($field) };
+    (@key $field:ident $key:literal) => { $key };
+}
+pub(crate) use read;
+
+/// A value and its place.
+impl<T: Value> Value for At<T> {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        T::of(field, raw, findings).map(|value| At { value, range: raw.span().into() })
+    }
+}
+
+/// A value that may be missing.
+impl<T: Value> Value for Option<T> {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        T::of(field, raw, findings).map(Some)
     }
 
-    /// A bare number.
-    pub(crate) fn number(&self, key: &str, findings: &mut Findings) -> Option<At<f64>> {
-        let (field, raw) = self.entry(key)?;
-        bare(field, raw, findings)
-    }
+    const ABSENT: Option<Self> = Some(None);
+}
 
-    /// A list of bare numbers.
-    pub(crate) fn numbers(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<f64>>> {
-        let (field, raw) = self.entry(key)?;
-        let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-        let values: Vec<Option<f64>> =
-            items.iter().map(|item| bare(field, item, findings).map(|at| at.value)).collect();
-        Some(At { value: values.into_iter().collect::<Option<Vec<f64>>>()?, range: raw.span().into() })
-    }
-
-    /// A list of rows of `N` bare numbers; the key carries their unit.
-    pub(crate) fn rows<const N: usize>(&self, key: &str, findings: &mut Findings) -> Option<At<Vec<[f64; N]>>> {
-        let (field, raw) = self.entry(key)?;
-        let DeValue::Array(items) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-        let rows: Option<Vec<[f64; N]>> = items.iter().map(|item| row(field, item, findings)).collect();
-        Some(At { value: rows?, range: raw.span().into() })
-    }
-
-    /// A whole number, at most the largest that is exact in double precision.
-    pub(crate) fn count(&self, key: &str, findings: &mut Findings) -> Option<At<u64>> {
-        let (field, raw) = self.entry(key)?;
-        let range: TextRange = raw.span().into();
-        let DeValue::Integer(integer) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-        let value = whole(integer.as_str(), integer.radix());
-        let possible = value.filter(|value| field.limits.allow(*value as f64));
-        match possible.and_then(|value| u64::try_from(value).ok()) {
-            Some(value) => Some(At { value, range }),
-            None => {
-                findings.error(
-                    "B108",
-                    range,
-                    format!("`{}` cannot be {}", field.key, shorten(integer.as_str())),
-                    field.doc,
-                    format!("write a whole number from {} to {}", field.limits.least, field.limits.most),
-                );
-                None
+/// A number [SI]; infinity where a word for none is written.
+impl Value for f64 {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        match field.kind {
+            Kind::QuantityOr(_, word) if raw.get_ref().as_str() == Some(word) => Some(f64::INFINITY),
+            Kind::Quantity(dimension) | Kind::QuantityOr(dimension, _) | Kind::Quantities(dimension) => {
+                measure(field, raw, &[dimension], findings).map(|(quantity, _)| quantity.si())
             }
+            Kind::Slope => slope(field, raw, findings),
+            _ => bare(field, raw, findings),
         }
     }
+}
 
-    /// true or false.
-    pub(crate) fn flag(&self, key: &str, findings: &mut Findings) -> Option<At<bool>> {
-        let (field, raw) = self.entry(key)?;
+/// Text, or a value of whatever quantity as TOML has it.
+impl Value for String {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        let value = match (field.kind, raw.get_ref()) {
+            (Kind::Value | Kind::Values, value) => literal(value),
+            (_, DeValue::String(text)) => Some(text.as_ref().to_owned()),
+            _ => None,
+        };
+        value.or_else(|| wrong_type(field, raw, findings))
+    }
+}
+
+impl Value for bool {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        raw.get_ref().as_bool().or_else(|| wrong_type(field, raw, findings))
+    }
+}
+
+/// A whole number, at most the largest that is exact in double precision.
+impl Value for u64 {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        let DeValue::Integer(integer) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+        let value = whole(integer.as_str(), integer.radix()).filter(|value| field.limits.allow(*value as f64));
+        let value = value.and_then(|value| u64::try_from(value).ok());
+        if value.is_none() {
+            findings.error(
+                "B108",
+                raw.span().into(),
+                format!("`{}` cannot be {}", field.key, shorten(integer.as_str())),
+                field.doc,
+                format!("write a whole number from {} to {}", field.limits.least, field.limits.most),
+            );
+        }
+        value
+    }
+}
+
+impl Value for usize {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        u64::of(field, raw, findings).map(|value| usize::try_from(value).unwrap_or(usize::MAX))
+    }
+}
+
+/// A list; one of values of whatever quantity has at least one.
+impl<T: Value> Value for Vec<T> {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
         match raw.get_ref() {
-            DeValue::Boolean(value) => Some(At { value: *value, range: raw.span().into() }),
+            DeValue::Array(items) if !matches!(field.kind, Kind::Values) || items.iter().next().is_some() => {
+                let values: Vec<Option<T>> = items.iter().map(|item| T::of(field, item, findings)).collect();
+                values.into_iter().collect()
+            }
             _ => wrong_type(field, raw, findings),
         }
     }
+}
 
-    /// One of the words of the field's card.
-    pub(crate) fn word(&self, key: &str, findings: &mut Findings) -> Option<At<&'static str>> {
-        let (field, raw) = self.entry(key)?;
-        let Kind::Word(choices) = field.kind else { return None };
+/// The value of one of the words of the field's card.
+impl<T: Choice> Value for T {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        let same = |words: &[Word]| words.iter().map(|w| w.word).eq(T::WORDS.iter().map(|w| w.word));
+        debug_assert!(matches!(field.kind, Kind::Word(words) if same(words)), "words of `{}`", field.key);
         let DeValue::String(written) = raw.get_ref() else { return wrong_type(field, raw, findings) };
-        let range = raw.span().into();
-        if let Some(choice) = choices.iter().find(|choice| choice.word == written.as_ref()) {
-            return Some(At { value: choice.word, range });
+        let value = T::named(written);
+        if value.is_none() {
+            let words = || T::WORDS.iter().map(|choice| choice.word);
+            let list = words().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+            let help = match nearest(written, words()) {
+                Some(near) => format!("did you mean \"{near}\"? Possible are {list}"),
+                None => format!("write one of {list}"),
+            };
+            let message = format!("`{}` cannot be \"{}\"", field.key, shorten(written));
+            findings.error("B013", raw.span().into(), message, field.doc, help);
         }
-        let list = choices.iter().map(|choice| format!("\"{}\"", choice.word)).collect::<Vec<_>>().join(", ");
-        let help = match nearest(written, choices.iter().map(|choice| choice.word)) {
-            Some(near) => format!("did you mean \"{near}\"? Possible are {list}"),
-            None => format!("write one of {list}"),
-        };
-        findings.error("B013", range, format!("`{}` cannot be \"{}\"", field.key, shorten(written)), field.doc, help);
-        None
+        value
     }
+}
+
+/// A point, or a row of bare numbers; the key carries their unit.
+impl<const N: usize> Value for [f64; N] {
+    fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
+        let Kind::Points = field.kind else { return row(field, raw, findings) };
+        let items: Vec<Raw<'_>> = raw.get_ref().as_array().into_iter().flat_map(|items| items.iter()).collect();
+        if items.len() != N {
+            findings.error(
+                "B012",
+                raw.span().into(),
+                "a point is a pair of lengths",
+                "point",
+                "write [\"2.0 m\", \"1.1 m\"]: distance from the left springing, height",
+            );
+            return None;
+        }
+        let lengths: Vec<Option<f64>> = items.into_iter().map(|item| length(field, item, findings)).collect();
+        lengths.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
+    }
+}
+
+fn length(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
+    measure(field, raw, &[Dimension::Length], findings).map(|(quantity, _)| quantity.si())
+}
+
+/// "2:1", vertical to horizontal.
+fn slope(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
+    let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+    let value = read_slope(text).filter(|value| value.is_finite() && field.limits.allow(*value));
+    if value.is_none() {
+        let message = format!("\"{}\" is no slope", shorten(text));
+        let help = "write vertical to horizontal: \"2:1\" spreads by half the depth on each side";
+        findings.error("B109", raw.span().into(), message, field.doc, help);
+    }
+    value
+}
+
+/// Vertical over horizontal.
+pub(crate) fn read_slope(text: &str) -> Option<f64> {
+    let (vertical, horizontal) = text.split_once(':')?;
+    Some(decimal(vertical)? / decimal(horizontal)?)
+}
+
+/// A number without sign or exponent.
+pub(crate) fn decimal(text: &str) -> Option<f64> {
+    let text = text.trim();
+    text.chars().all(|c| c.is_ascii_digit() || c == '.').then(|| text.parse().ok()).flatten()
 }
 
 /// A row of as many bare numbers; none of them beyond any bridge.
@@ -147,27 +238,6 @@ fn row<const N: usize>(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> 
     if row.iter().all(|value| value.abs() <= 1e6) { Some(row) } else { not_finite(field, raw.span().into(), findings) }
 }
 
-impl Table<'_> {
-    /// A value of whatever quantity, as TOML has it.
-    pub(crate) fn value(&self, key: &str, findings: &mut Findings) -> Option<String> {
-        let (field, raw) = self.entry(key)?;
-        literal(raw.get_ref()).or_else(|| wrong_type(field, raw, findings))
-    }
-
-    /// A list of such values, at least one.
-    pub(crate) fn values(&self, key: &str, findings: &mut Findings) -> Option<Vec<String>> {
-        let (field, raw) = self.entry(key)?;
-        match raw.get_ref() {
-            DeValue::Array(items) if items.iter().next().is_some() => {
-                let one = |item: Raw<'_>| literal(item.get_ref());
-                let list: Option<Vec<String>> = items.iter().map(one).collect();
-                list.or_else(|| wrong_type(field, raw, findings))
-            }
-            _ => wrong_type(field, raw, findings),
-        }
-    }
-}
-
 /// A value as TOML has it; none for dates and tables, which no quantity is.
 fn literal(value: &DeValue<'_>) -> Option<String> {
     match value {
@@ -184,7 +254,7 @@ fn literal(value: &DeValue<'_>) -> Option<String> {
 }
 
 /// Reads a bare number.
-fn bare(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<At<f64>> {
+fn bare(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<f64> {
     let range = raw.span().into();
     let value = match raw.get_ref() {
         DeValue::Float(float) => float.as_str().replace('_', "").parse::<f64>().ok(),
@@ -192,7 +262,7 @@ fn bare(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<At<f64>>
         _ => return wrong_type(field, raw, findings),
     };
     match value {
-        Some(value) if value.is_finite() => check_limits(field, value, range, findings).then_some(At { value, range }),
+        Some(value) if value.is_finite() => check_limits(field, value, range, findings).then_some(value),
         _ => not_finite(field, range, findings),
     }
 }

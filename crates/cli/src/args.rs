@@ -2,6 +2,11 @@
 
 use crate::failure::Failure;
 use crate::quantities;
+use bridge::choice::Choice as Words;
+use bridge::passage::{PassageAnalysis, PassagePath};
+use bridge::update::{Search, Start, Variant};
+use bridge::{Analysis, ContactLength, ContactPoints, Friction, Method};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -130,10 +135,10 @@ pub struct Collapse {
 #[derive(Debug, Clone, Args)]
 pub struct Choice {
     /// Method, in place of the file's
-    #[arg(long)]
+    #[arg(long, value_parser = word::<Method>())]
     pub method: Option<Method>,
     /// What is made to collapse, in place of the file's
-    #[arg(long)]
+    #[arg(long, value_parser = word::<Analysis>())]
     pub analysis: Option<Analysis>,
     /// Refine the collapse load below the load step to this, such as "1 kN/m"
     #[arg(long, value_name = "LOAD", allow_hyphen_values = true)]
@@ -193,10 +198,10 @@ pub struct Respond {
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     pub speed: Option<String>,
     /// Whether masses take part, in place of what the file says
-    #[arg(long)]
+    #[arg(long, value_parser = word::<PassageAnalysis>())]
     pub analysis: Option<PassageAnalysis>,
     /// How positions are solved, in place of what the file says
-    #[arg(long)]
+    #[arg(long, value_parser = word::<PassagePath>())]
     pub path: Option<PassagePath>,
     /// Write the channels as a logger would have, labelled synthetic, to this table (CSV); never over a measured record
     #[arg(long, value_name = "FILE")]
@@ -239,24 +244,6 @@ pub enum RecordNoise {
     None,
 }
 
-/// Whether masses take part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum PassageAnalysis {
-    /// Every position at rest
-    Static,
-    /// With inertia and damping
-    Transient,
-}
-
-/// How positions are solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum PassagePath {
-    /// Linear zones condensed to what iterates
-    Condensed,
-    /// All degrees of freedom at every position
-    Plain,
-}
-
 /// `extrados update`.
 #[derive(Debug, Args)]
 pub struct Update {
@@ -266,14 +253,14 @@ pub struct Update {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Which search, in place of the file's
-    #[arg(long)]
-    pub search: Option<UpdateSearch>,
+    #[arg(long, value_parser = word::<Search>())]
+    pub search: Option<Search>,
     /// Reading of the hierarchical search, in place of the file's
-    #[arg(long)]
-    pub variant: Option<UpdateVariant>,
+    #[arg(long, value_parser = word::<Variant>())]
+    pub variant: Option<Variant>,
     /// Where the hierarchical and the gradient search begin, in place of the file's
-    #[arg(long)]
-    pub start: Option<UpdateStart>,
+    #[arg(long, value_parser = word::<Start>())]
+    pub start: Option<Start>,
     /// Take up the evaluations of an interrupted run
     #[arg(long)]
     pub resume: bool,
@@ -283,45 +270,6 @@ pub struct Update {
     /// How to speak.
     #[command(flatten)]
     pub speech: Speech,
-}
-
-/// A search for parameters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum UpdateSearch {
-    /// The railway paper's, by single sweeps and surfaces of two
-    Hierarchical,
-    /// Trust-region least squares from many starts
-    Modern,
-    /// Evolution over the whole ranges
-    Referee,
-    /// A plain gradient search from one start
-    Gradient,
-    /// One after the other
-    All,
-}
-
-/// Where a search begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum UpdateStart {
-    /// The values of the file
-    Stated,
-    /// The middle of every range
-    Means,
-    /// All lower bounds, then all upper bounds
-    Bounds,
-    /// Means, then bounds
-    All,
-}
-
-/// A reading of the hierarchical search.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum UpdateVariant {
-    /// The three cases as printed
-    Printed,
-    /// A decided descent to a bound freezes a parameter there
-    AsPractised,
-    /// One after the other
-    Both,
 }
 
 /// `extrados assess`.
@@ -413,13 +361,13 @@ pub struct Overrides {
     #[arg(long, value_name = "KIND[:SHARE]", value_parser = damping)]
     pub damping: Option<bridge::Damping>,
     /// Whether the length of a contact point is kept or updated
-    #[arg(long)]
+    #[arg(long, value_parser = word::<ContactLength>())]
     pub contact_length: Option<ContactLength>,
     /// Friction rule of limit analysis
-    #[arg(long)]
+    #[arg(long, value_parser = word::<Friction>())]
     pub friction: Option<Friction>,
     /// Where limit analysis puts the contact points of a joint
-    #[arg(long)]
+    #[arg(long, value_parser = word::<ContactPoints>())]
     pub contact_points: Option<ContactPoints>,
     /// Out-of-balance force at rest over the acting forces, such as 1e-5
     #[arg(long, value_name = "RATIO", value_parser = tolerance)]
@@ -570,55 +518,10 @@ pub enum BenchGround {
     MohrCoulomb,
 }
 
-/// A method for collapse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Method {
-    /// Discrete elements
-    Dem,
-    /// Limit analysis of rigid blocks
-    Limit,
-    /// Finite elements: one ring between fixed abutments
-    Fe,
-}
-
-/// What is made to collapse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Analysis {
-    /// The load that makes a mechanism
-    Load,
-    /// The least ring thickness that stands
-    Thickness,
-    /// The support movement that makes a mechanism
-    SupportMovement,
-}
-
-/// Length of a contact point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ContactLength {
-    /// Force formulation
-    Fixed,
-    /// Stress formulation
-    Updated,
-}
-
-/// Friction rule.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Friction {
-    /// Sliding dilates: exact bounds
-    Associated,
-    /// Sliding does not dilate: iterative correction
-    NonAssociated,
-    /// Non-associated where sliding takes part in the mechanism or lowers the load
-    Automatic,
-}
-
-/// Where contact points lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ContactPoints {
-    /// Between the rounded corners
-    Rounded,
-    /// Anywhere in the full ring
-    FullRing,
+/// Words of a key of bridge files, with what the reference says of them.
+fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    let words = T::WORDS.iter().map(|choice| PossibleValue::new(choice.word).help(choice.doc));
+    PossibleValuesParser::new(words).try_map(|word| T::named(&word).ok_or("unknown"))
 }
 
 impl Command {
@@ -669,48 +572,16 @@ impl Choice {
         let resolution = self.resolution.as_ref().map(|text| quantities::line_load("--resolution", text, width));
         let own = &self.overrides;
         Ok(extrados::Choice {
-            analysis: self.analysis.map(Analysis::planned),
-            method: self.method.map(Method::planned),
+            analysis: self.analysis,
+            method: self.method,
             resolution: resolution.transpose()?,
             damping: own.damping,
-            contact_length: own.contact_length.map(|length| match length {
-                ContactLength::Fixed => bridge::ContactLength::Fixed,
-                ContactLength::Updated => bridge::ContactLength::Updated,
-            }),
-            friction: own.friction.map(|friction| match friction {
-                Friction::Associated => bridge::Friction::Associated,
-                Friction::NonAssociated => bridge::Friction::NonAssociated,
-                Friction::Automatic => bridge::Friction::Automatic,
-            }),
-            contact_points: own.contact_points.map(|points| match points {
-                ContactPoints::Rounded => bridge::ContactPoints::Rounded,
-                ContactPoints::FullRing => bridge::ContactPoints::FullRing,
-            }),
+            contact_length: own.contact_length,
+            friction: own.friction,
+            contact_points: own.contact_points,
             tolerance: own.tolerance,
             step_limit: own.step_limit,
         })
-    }
-}
-
-impl Method {
-    /// The plan's word.
-    pub fn planned(self) -> bridge::Method {
-        match self {
-            Method::Dem => bridge::Method::Dem,
-            Method::Limit => bridge::Method::Limit,
-            Method::Fe => bridge::Method::Fe,
-        }
-    }
-}
-
-impl Analysis {
-    /// The plan's word.
-    pub fn planned(self) -> bridge::Analysis {
-        match self {
-            Analysis::Load => bridge::Analysis::Load,
-            Analysis::Thickness => bridge::Analysis::Thickness,
-            Analysis::SupportMovement => bridge::Analysis::SupportMovement,
-        }
     }
 }
 

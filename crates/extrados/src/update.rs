@@ -5,17 +5,18 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Seeking, Watch};
 use assess::analysis::update::{self, Task, Threads, UpdateError};
+use bridge::update::{Search, Start, Variant};
 use outcome::update::Update;
 
-/// How parameters are sought. Words are those of `[update]`.
+/// How parameters are sought, where not as the file says.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct UpdateOptions {
     /// Which search; none for the file's.
-    pub search: Option<&'static str>,
+    pub search: Option<Search>,
     /// Which reading of the published search; none for the file's.
-    pub variant: Option<&'static str>,
+    pub variant: Option<Variant>,
     /// Where it starts; none for the file's.
-    pub start: Option<&'static str>,
+    pub start: Option<Start>,
 }
 
 /// Seeks the parameters of the file by its records. Evaluations are kept on the shelf as they are finished, and taken up from it.

@@ -1,6 +1,6 @@
 //! Dimensions of a drawing: every span and rise, piers, and thicknesses and heights where they differ from those before.
 
-use bridge::ring::{Intrados, Profile};
+use bridge::ring::Intrados;
 use bridge::{Bridge, Span};
 use outcome::picture::{Dimension, Measure, Point};
 
@@ -40,12 +40,7 @@ pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<Dimension> {
 
 /// Distance of the crown from the left springing [m].
 fn crown(span: &Span) -> f64 {
-    match &span.profile {
-        Profile::Measured(points) => {
-            points.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1])).map_or(0.5 * span.span, |point| point[0])
-        }
-        _ => 0.5 * span.span,
-    }
+    Intrados::new(&span.profile, span.span, span.rise).map_or(0.5 * span.span, |curve| curve.crown())
 }
 
 /// Both ends of the joint halfway along the intrados, all rings together.

@@ -135,7 +135,7 @@ fn profiles() -> Vec<(&'static str, bridge::Span)> {
         ("elliptical", span(Elliptical, 2.0, 0.6)),
         ("three-centred", span(ThreeCentred { haunch_radius: 1.2 }, 2.0, 0.6)),
         ("pointed", span(Pointed, 3.6, 0.55)),
-        ("measured", span(Measured(measured), 1.5, 0.45)),
+        ("measured", span(Measured { points: measured }, 1.5, 0.45)),
     ]
 }
 

@@ -2,7 +2,7 @@
 
 use super::blank;
 use super::{AnalysisError, by_dem, by_limit, notes, picture};
-use bridge::ring::Profile;
+use bridge::ring::Intrados;
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::limit;
@@ -72,11 +72,7 @@ fn report(bridge: &Bridge, [fell, stood]: [f64; 2]) -> ThicknessReport {
 /// Radius of the first span's intrados, where it is a circle [m].
 fn intrados_radius(bridge: &Bridge) -> Option<f64> {
     let span = &bridge.spans[0];
-    match span.profile {
-        Profile::Segmental => Some((0.25 * span.span * span.span + span.rise * span.rise) / (2.0 * span.rise)),
-        Profile::Semicircular => Some(0.5 * span.span),
-        _ => None,
-    }
+    Intrados::new(&span.profile, span.span, span.rise).ok()?.circle()
 }
 
 fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {

@@ -1,18 +1,23 @@
-//! Cards of an assessment: limits, loads in service, MEXE, expected ranges.
+//! An assessment: limits, loads in service, MEXE, expected ranges.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section};
+use crate::assess::{Assess, Expected, Limits, Mexe, MexeAxles, ServiceLoad};
+use crate::choice::{Choice, choice};
+use crate::findings::Findings;
+use crate::quantity;
 use crate::quantity::Dimension::{Length, Mass, Stress};
+use crate::tree::Table;
+use crate::values::read;
 
-const ZONES: &[Word] = &[
-    Word { word: "middle-third", doc: "the joint stays closed" },
-    Word { word: "middle-half", doc: "the joint stays closed over three quarters of its depth" },
-];
-
-const AXLES: &[Word] = &[
-    Word { word: "single", doc: "one axle by itself" },
-    Word { word: "bogie", doc: "two axles of a bogie" },
-    Word { word: "triple", doc: "three axles of a bogie" },
-];
+choice! {
+    /// Part of the ring in which the line of thrust must stay.
+    enum ThrustZone {
+        /// the joint stays closed
+        MiddleThird = "middle-third",
+        /// the joint stays closed over three quarters of its depth
+        MiddleHalf = "middle-half",
+    }
+}
 
 pub(super) static ASSESS: Section = Section {
     path: "assess",
@@ -21,25 +26,13 @@ pub(super) static ASSESS: Section = Section {
         Field::new("source", Kind::Text, "where the limits come from", "Table 7 of the railway paper")
             .optional("the report says that the file names no source"),
         Field::new("rule", Kind::Text, "rule of the library whose dynamic augment counts", "irs-bridge-rules")
-            .optional("no dynamic augment is added, and the report says so"),
-        Field::new(
-            "loaded_length",
-            Kind::Quantity(Length),
-            "loaded length for the coefficient of dynamic \
-                                                             augment",
-            "6 m",
-        )
-        .positive()
-        .optional("the longest span"),
-        Field::new(
-            "cushion",
-            Kind::Quantity(Length),
-            "depth between load and ring that reduces the dynamic \
-                                                       augment",
-            "0.48 m",
-        )
-        .at_least(0.0)
-        .optional("the cover's depth"),
+            .optional("nothing is added to loads at rest, and the report says so"),
+        Field::new("loaded_length", Kind::Quantity(Length), "length of the coefficient of dynamic augment", "6 m")
+            .positive()
+            .optional("the longest span"),
+        Field::new("cushion", Kind::Quantity(Length), "depth between load and ring that lessens it", "0.48 m")
+            .at_least(0.0)
+            .optional("the cover's depth"),
         Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "5 mm")
             .positive()
             .optional("deflections are not checked"),
@@ -52,8 +45,13 @@ pub(super) static ASSESS: Section = Section {
         Field::new("joint_shear_limit", Kind::Quantity(Stress), "shear strength of joints", "1 MPa")
             .positive()
             .optional("shear in joints is not checked"),
-        Field::new("thrust_zone", Kind::Word(ZONES), "where the thrust line must stay in service", "middle-half")
-            .optional("the thrust line is not checked"),
+        Field::new(
+            "thrust_zone",
+            Kind::Word(ThrustZone::WORDS),
+            "where the line of thrust must stay in service",
+            "middle-half",
+        )
+        .optional("the line of thrust is not checked"),
         Field::new("adequacy_factor", Kind::Number, "least factor on loads at ultimate", "1.0")
             .positive()
             .optional("factors are listed and not checked"),
@@ -63,14 +61,11 @@ pub(super) static ASSESS: Section = Section {
             "document and clause that `adequacy_factor` is from",
             "BS 5400-2, Table 1",
         )
-        .optional(
-            "the check against `adequacy_factor` is made, but does not assess strength: no verdict of adequacy \
-                   rests on it",
-        ),
+        .optional("`adequacy_factor` is compared with, but assesses no strength: no verdict of adequacy rests on it"),
         Field::new(
             "skew_source",
             Kind::Text,
-            "document and clause, or test, that confirms the square model for the skew of [carriageway]",
+            "document and clause, or test, by which a square model stands for the skew of [carriageway]",
             "finite elements in three dimensions, report 12",
         )
         .optional("with a skew of more than 10 degrees no verdict of adequacy is given"),
@@ -84,14 +79,14 @@ pub(super) static ASSESS: Section = Section {
             .above(0.0)
             .at_most(1.0)
             .optional("the share is not checked"),
-        Field::new("load_cycles", Kind::Number, "load cycles in the required life", "1e7")
+        Field::new("load_cycles", Kind::Number, "cycles of load in the life that is asked for", "1e7")
             .at_least(1.0)
             .at_most(1e12)
             .optional("the range of stress is not checked"),
         Field::new("expected_movement", Kind::Quantity(Length), "support movement, expected or measured", "20 mm")
             .at_least(0.0)
             .optional("movements are not checked"),
-        Field::new("movement_factor", Kind::Number, "safety factor on that movement", "2").at_least(1.0).default("1"),
+        Field::new("movement_factor", Kind::Number, "safety on that movement", "2").at_least(1.0).default("1"),
     ],
 };
 
@@ -99,7 +94,7 @@ pub(super) static SERVICE_LOAD: Section = Section {
     path: "service_load",
     doc: "A load in service: the train of [train] with another mass on all its axles.",
     fields: &[
-        Field::new("name", Kind::Text, "name in results", "25t HML"),
+        Field::new("name", Kind::Text, "what results call it", "25t HML"),
         Field::new("axle_load", Kind::Quantity(Mass), "mass on every axle", "25 t")
             .positive()
             .optional("axles as the train has them"),
@@ -114,8 +109,7 @@ const fn factor(key: &'static str, doc: &'static str, example: &'static str) -> 
 
 pub(super) static MEXE: Section = Section {
     path: "mexe",
-    doc: "The modified MEXE method: its modifying factors for this bridge. Span, rise, ring and cover are those of the \
-          file.",
+    doc: "The modified MEXE method: what its modifying factors are for this bridge. Span, rise, ring and cover are those of the file.",
     fields: &[
         Field::new("span", Kind::Count, "which span, counted from 1", "1").at_least(1.0).at_most(200.0).default("1"),
         factor("barrel_factor", "F_b: material of the barrel; 1.5 granite to 0.7 poor masonry", "1.2"),
@@ -135,11 +129,11 @@ pub(super) static MEXE: Section = Section {
         Field::new("fill_depth", Kind::Quantity(Length), "depth of fill at the crown", "0.40 m")
             .at_least(0.0)
             .optional("the cover's depth"),
-        Field::new("axle_load", Kind::Quantity(Mass), "required mass on each of `axles`", "11.5 t")
+        Field::new("axle_load", Kind::Quantity(Mass), "mass on each of `axles` that must be allowed", "11.5 t")
             .positive()
             .optional("the allowable axle load is listed and not checked"),
-        Field::new("axles", Kind::Word(AXLES), "axles with that mass on each", "bogie")
-            .default("single"),
+        Field::new("axles", Kind::Word(MexeAxles::WORDS), "what stands on the bridge with that mass on each axle", "bogie")
+            .default(MexeAxles::Single.word()),
         Field::new("lift_off", Kind::Flag, "whether an axle of a bogie may lift off", "true").default("false"),
         factor("axle_factor", "A_f: read off the method's figure for `axles` and `lift_off`", "0.9").optional(
             "1 for a bogie without lift-off, which the method is made for, and for a single axle; otherwise the check is not made",
@@ -149,17 +143,116 @@ pub(super) static MEXE: Section = Section {
 
 pub(super) static EXPECTED: Section = Section {
     path: "expected",
-    doc: "The expected range of an identified parameter in a sound bridge of this kind, and what a value outside it \
-          means.",
+    doc: "The range in which a sound bridge of this kind has an identified parameter, and what it says when it has not.",
     fields: &[
         Field::new("parameter", Kind::Text, "name of a [[parameter]]", "mortar"),
         Field::new("lower", Kind::Value, "lower end", "1 GPa"),
         Field::new("upper", Kind::Value, "upper end", "2 GPa"),
         Field::new("source", Kind::Text, "where the range comes from", "Table 2 of the railway paper")
             .optional("the report says that the file names no source"),
-        Field::new("below", Kind::Text, "what a lower value means, for the owner", "the mortar has lost stiffness")
-            .optional("it is lower than expected"),
-        Field::new("above", Kind::Text, "what a higher value means, for the owner", "joints may have been repointed")
-            .optional("it is higher than expected"),
+        Field::new("below", Kind::Text, "what a lower value says, for the owner", "the mortar has lost stiffness")
+            .optional("that it is lower than expected"),
+        Field::new("above", Kind::Text, "what a higher value says, for the owner", "joints may have been repointed")
+            .optional("that it is higher than expected"),
     ],
 };
+
+/// Sections of an assessment, which are no part of the bridge.
+pub(crate) const SECTIONS: [&str; 4] = ["assess", "service_load", "mexe", "expected"];
+
+/// What the file asks for; a file that says nothing of it asks for what needs no limit.
+pub(crate) fn assess(file: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<Assess> {
+    let limits = file.part("assess", findings, limits);
+    let loads = file.all("service_load", findings, |t, f| read!(t, f, ServiceLoad { name, axle_load, source }));
+    let mexe = file.optional("mexe", findings, |table, findings| mexe(table, spans, findings));
+    let expected = file.all("expected", findings, expected);
+    Some(Assess { service_loads: loads?, limits: limits?, mexe: mexe?, expected: expected? })
+}
+
+fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
+    let zone: Option<Option<ThrustZone>> = table.read("thrust_zone", findings);
+    read!(
+        table,
+        findings,
+        Limits {
+            source,
+            rule,
+            loaded_length,
+            cushion,
+            deflection = "deflection_limit",
+            compression = "compression_limit",
+            tension = "tension_limit",
+            joint_shear = "joint_shear_limit",
+            adequacy_factor,
+            adequacy_source,
+            skew_source,
+            load_factor_included,
+            model_factor,
+            permissible_share,
+            load_cycles,
+            expected_movement,
+            movement_factor;
+            thrust_zone: zone?.map(|zone| match zone {
+                ThrustZone::MiddleThird => 1.0 / 3.0,
+                ThrustZone::MiddleHalf => 0.5,
+            }),
+        }
+    )
+}
+
+fn mexe(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<Mexe> {
+    let mexe = read!(
+        table,
+        findings,
+        Mexe {
+            span,
+            barrel_factor,
+            fill_factor,
+            width_factor,
+            depth_factor,
+            mortar_factor,
+            condition_factor,
+            span_rise_factor,
+            quarter_rise,
+            ring_thickness,
+            fill_depth,
+            axle_load,
+            axles,
+            lift_off,
+            axle_factor,
+        }
+    )?;
+    let span = mexe.span;
+    if spans.is_some_and(|spans| span > spans) {
+        let help = format!("write a number from 1 to {}", spans.unwrap_or(1));
+        findings.error("B107", table.place("span"), format!("there is no span {span}"), "which span", help);
+        return None;
+    }
+    Some(Mexe { span: span - 1, ..mexe })
+}
+
+fn expected(table: &Table<'_>, findings: &mut Findings) -> Option<Expected> {
+    let ends = ["lower", "upper"].map(|key| end(table, key, findings));
+    let [lower, upper] = [ends[0]?, ends[1]?];
+    if lower >= upper {
+        let help = "write the lower end first";
+        findings.error("B107", table.place("lower"), "the expected range is empty", "lower end", help);
+        return None;
+    }
+    read!(table, findings, Expected { parameter, source, below, above; lower: lower, upper: upper })
+}
+
+/// An end of a range: a number with a unit in SI, or a bare number.
+fn end(table: &Table<'_>, key: &str, findings: &mut Findings) -> Option<f64> {
+    let literal: String = table.read(key, findings)?;
+    let number = match literal.trim().trim_matches('"') {
+        quoted if literal.trim().starts_with('"') => quantity::parse(quoted).ok().map(|quantity| quantity.si()),
+        bare => bare.replace('_', "").parse::<f64>().ok(),
+    };
+    let number = number.filter(|number| number.is_finite());
+    if number.is_none() {
+        let help = "write a number, with its unit where the parameter has one: \"1 GPa\"";
+        findings.error("B107", table.place(key), format!("{literal} is no end of a range"), "end of the range", help);
+    }
+    number
+}

@@ -1,32 +1,53 @@
-//! Cards of the block model file: bodies that are drawn or listed, instead of a bridge that is described.
+//! The block model file: bodies that are drawn or listed, instead of a bridge that is described.
 
-use super::material::JOINT_FIELDS;
-use super::{Field, Kind, Section, Word, material, plan};
+use super::material::{JOINT_FIELDS, MASONRY_FIELDS};
+use super::{Field, Kind, Section, joined, material, plan};
+use crate::blocks::{
+    BlockFile, BodyLoad, DrawingPart, ListedBlock, ListedParticles, MappedLayer, Material, MaterialJoint, Role, Target,
+};
+use crate::choice::{Choice, choice};
+use crate::findings::Findings;
+use crate::model::{Analysis, JointStiffness, Method};
+use crate::quantity;
 use crate::quantity::Dimension::{Acceleration, Length};
+use crate::tree::{At, Table, nearest};
+use crate::values::read;
 
-const ROLES: &[Word] = &[
-    Word { word: "block", doc: "closed outlines are free blocks" },
-    Word { word: "support", doc: "closed outlines are blocks that do not move" },
-    Word { word: "particles", doc: "circles are particles" },
-    Word { word: "ignore", doc: "the layer is not read" },
-];
+choice! {
+    /// Whether a listed block may move.
+    enum BlockRole {
+        /// free to move
+        Block = "block",
+        /// does not move
+        Support = "support",
+    }
+}
 
-const BLOCK_ROLES: &[Word] =
-    &[Word { word: "block", doc: "free to move" }, Word { word: "support", doc: "does not move" }];
+choice! {
+    /// Units that drawings are made in; [`crate::quantity`] knows their size.
+    enum DrawingUnit {
+        /// metres
+        Metre = "m",
+        /// centimetres
+        Centimetre = "cm",
+        /// millimetres
+        Millimetre = "mm",
+        /// feet
+        Foot = "ft",
+        /// inches
+        Inch = "in",
+    }
+}
 
-/// Units that drawings are made in; [`crate::quantity`] knows their size.
-const UNITS: &[Word] = &[
-    Word { word: "m", doc: "metres" },
-    Word { word: "cm", doc: "centimetres" },
-    Word { word: "mm", doc: "millimetres" },
-    Word { word: "ft", doc: "feet" },
-    Word { word: "in", doc: "inches" },
-];
-
-const CONCAVE: &[Word] = &[
-    Word { word: "refuse", doc: "an error that names the concave corner" },
-    Word { word: "cut", doc: "convex pieces, each a block of its own; a warning says so" },
-];
+choice! {
+    /// What becomes of an outline that is not convex.
+    enum Concave {
+        /// an error that names the hollow corner
+        Refuse = "refuse",
+        /// convex pieces, each a block of its own; a warning says so
+        Cut = "cut",
+    }
+}
 
 static MODEL: Section = Section {
     path: "model",
@@ -49,7 +70,7 @@ static LAYER: Section = Section {
     doc: "What is on a layer of the drawing. Every layer with outlines or circles needs one.",
     fields: &[
         Field::new("name", Kind::Text, "name of the layer in the drawing; capitals do not count", "RING"),
-        Field::new("role", Kind::Word(ROLES), "what is on the layer", "block"),
+        Field::new("role", Kind::Word(Role::WORDS), "what is on the layer", "block"),
         Field::new("material", Kind::Text, "name of the material of what is on the layer", "sandstone")
             .only("role", &["block", "support", "particles"]),
     ],
@@ -60,18 +81,28 @@ static DRAWING: Section = Section {
     doc: "A drawing (DXF with text, R12 or later) whose closed outlines are blocks and whose circles are particles.",
     fields: &[
         Field::new("file", Kind::Text, "path of the drawing, relative to this file", "bridge.dxf"),
-        Field::new("unit", Kind::Word(UNITS), "unit of the drawing, in place of what its header says", "mm")
-            .optional("the unit in the header of the drawing; an error asks for it if there is none"),
+        Field::new(
+            "unit",
+            Kind::Word(DrawingUnit::WORDS),
+            "unit of the drawing, in place of what its header says",
+            "mm",
+        )
+        .optional("the header of the drawing says it, or an error asks for it"),
         Field::new("chord_tolerance", Kind::Quantity(Length), "how far a chord may lie from its curve", "1 mm")
             .positive()
             .at_most(1.0)
             .default("1 mm"),
-        Field::new("gap_tolerance", Kind::Quantity(Length), "largest distance of ends that are meant to meet", "1 mm")
-            .positive()
-            .at_most(1.0)
-            .default("1 mm"),
-        Field::new("concave", Kind::Word(CONCAVE), "how an outline that is not convex is treated", "refuse")
-            .default("refuse"),
+        Field::new(
+            "gap_tolerance",
+            Kind::Quantity(Length),
+            "how far apart ends may lie that are meant to meet",
+            "1 mm",
+        )
+        .positive()
+        .at_most(1.0)
+        .default("1 mm"),
+        Field::new("concave", Kind::Word(Concave::WORDS), "what becomes of an outline that is not convex", "refuse")
+            .default(Concave::Refuse.word()),
         Field::new("layer", Kind::Tables(&LAYER), "What is on its layers.", ""),
     ],
 };
@@ -79,42 +110,26 @@ static DRAWING: Section = Section {
 static MATERIAL: Section = Section {
     path: "material",
     doc: "A material of blocks or particles.",
-    fields: &[
-        Field::new("name", Kind::Text, "name that layers, blocks and joints use", "sandstone"),
-        material::MASONRY.fields[0],
-        material::MASONRY.fields[1],
-        material::MASONRY.fields[2],
-        material::MASONRY.fields[3],
-        material::MASONRY.fields[4],
-    ],
+    fields: &joined::<6>(&[
+        &[Field::new("name", Kind::Text, "name that layers, blocks and joints use", "sandstone")],
+        MASONRY_FIELDS,
+    ]),
 };
 
 static JOINT: Section = Section {
     path: "joint",
     doc: "Joints between two materials; without `first` and `second`, between all pairs that no other [[joint]] names. The \
           other keys are those of [joint] in a bridge file.",
-    fields: &[
-        Field::new("first", Kind::Text, "name of the material on one side", "sandstone")
-            .optional("all pairs of materials that no other [[joint]] names"),
-        Field::new("second", Kind::Text, "name of the material on the other side", "granite")
-            .optional("the same material as `first`"),
-        JOINT_FIELDS[0],
-        JOINT_FIELDS[1],
-        JOINT_FIELDS[2],
-        JOINT_FIELDS[3],
-        JOINT_FIELDS[4],
-        JOINT_FIELDS[5],
-        JOINT_FIELDS[6],
-        JOINT_FIELDS[7],
-        Field::new(
-            "least_length",
-            Kind::Quantity(Length),
-            "least length of a contact point when it is updated",
-            "0.0711 m",
-        )
-        .positive()
-        .optional("a tenth of the side of the smallest block, as if it were square"),
-    ],
+    fields: &joined::<11>(&[
+        &[
+            Field::new("first", Kind::Text, "name of the material on one side", "sandstone")
+                .optional("all pairs of materials that no other [[joint]] names"),
+            Field::new("second", Kind::Text, "name of the material on the other side", "granite")
+                .optional("the same material as `first`"),
+        ],
+        JOINT_FIELDS.split_at(8).0,
+        &[JOINT_FIELDS[8].optional("a tenth of the side of the smallest block, as if it were square")],
+    ]),
 };
 
 static BLOCK: Section = Section {
@@ -125,7 +140,8 @@ static BLOCK: Section = Section {
             .optional("named after its layer, counted from 1"),
         Field::new("layer", Kind::Text, "layer that it is drawn on", "RING").default("BLOCKS"),
         Field::new("material", Kind::Text, "name of its material", "sandstone"),
-        Field::new("role", Kind::Word(BLOCK_ROLES), "whether it may move", "block").default("block"),
+        Field::new("role", Kind::Word(BlockRole::WORDS), "whether it may move", "block")
+            .default(BlockRole::Block.word()),
         Field::new(
             "outline_m",
             Kind::Rows(2),
@@ -191,3 +207,342 @@ pub static FILE: Section = Section {
             .optional("limit analysis of the load, with the defaults"),
     ],
 };
+
+/// Reads the whole file. There is a value only if nothing is missing.
+pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<BlockFile> {
+    let general =
+        file.part("model", findings, |table, findings| read!(table, findings, General { name, width, gravity }));
+    let materials = materials(file, findings);
+    let names: Vec<String> = materials.iter().flatten().map(|material| material.name.clone()).collect();
+    let width = general.as_ref().map(|general| general.width);
+    let drawing = file.optional("drawing", findings, |table, findings| drawing(table, &names, findings));
+    let joints = joints(file, &names, materials.as_deref(), findings);
+    let blocks = file.all("block", findings, |table, findings| block(table, &names, findings));
+    let particles = file.all("particles", findings, |table, findings| particles(table, &names, findings));
+    let mut number = 0;
+    let loads = file.all("load", findings, |table, findings| {
+        number += 1;
+        load(number, table, width, findings)
+    });
+    let plan = plan::plan(file, width, None, findings);
+    if !file.has("drawing") && !file.has("block") && !file.has("particles") {
+        let help = "add a [drawing] section with file = \"bridge.dxf\", or [[block]] sections";
+        findings.error("B011", file.range, "the file has neither a drawing nor blocks", "no body", help);
+    }
+    if let Some(plan) = &plan
+        && plan.analysis != Analysis::Load
+    {
+        let range = file.table("analysis", &mut Findings::default()).map_or(file.range, |t| t.place("analysis"));
+        let help = "write analysis = \"load\", or describe the arch in a bridge file";
+        findings.error("D405", range, "this analysis needs an arch", "blocks without a bridge have no ring", help);
+    }
+    if let (Some(plan), Some(joints)) = (&plan, &joints)
+        && plan.method == Method::Dem
+    {
+        plan::steps(file, plan, findings);
+        let tables = file.tables("joint", &mut Findings::default());
+        for (table, joint) in tables.iter().zip(joints) {
+            stiffness(table, joint, findings);
+        }
+    }
+    silent(
+        file,
+        [
+            drawing.as_ref().map(|part| part.as_ref().is_some_and(supported)),
+            blocks.as_ref().map(|b| b.iter().any(|b| b.held)),
+        ],
+        findings,
+    );
+    let General { name, width, gravity } = general?;
+    Some(BlockFile {
+        name,
+        width,
+        gravity,
+        drawing: drawing?,
+        materials: materials?,
+        joints: joints?,
+        blocks: blocks?,
+        particles: particles?,
+        loads: loads?,
+        plan: plan?,
+    })
+}
+
+/// Whether a layer of the drawing holds supports.
+fn supported(part: &DrawingPart) -> bool {
+    part.layers.iter().any(|layer| layer.role == Role::Support)
+}
+
+/// What the file leaves out and the analysis would take in silence: width, supports, loads.
+fn silent(file: &Table<'_>, supports: [Option<bool>; 2], findings: &mut Findings) {
+    let model = file.table("model", &mut Findings::default());
+    if let Some(model) = model.filter(|model| !model.has("width")) {
+        findings.warning(
+            "P028",
+            model.range,
+            "the model has no width: 1 m is taken",
+            "loads in kN and results for the whole bridge go with it",
+            "write width = \"… m\" in [model]",
+        );
+    }
+    if supports == [Some(false), Some(false)] {
+        findings.warning(
+            "P029",
+            file.range,
+            "no body is a support: the model falls under its own weight",
+            "no layer and no [[block]] has role = \"support\"",
+            "give the layer of the abutments role = \"support\" in [[drawing.layer]]",
+        );
+    }
+    if !file.has("load") {
+        findings.warning(
+            "P030",
+            file.range,
+            "the model has no load: there is no load factor to look for",
+            "no [[load]]",
+            "add a [[load]] with the layer or block on which it acts",
+        );
+    }
+}
+
+/// All of them, or nothing where one could not be read.
+fn all<T>(rows: Vec<Option<T>>) -> Option<Vec<T>> {
+    rows.into_iter().collect()
+}
+
+/// Name, width and gravity.
+struct General {
+    name: String,
+    width: f64,
+    gravity: f64,
+}
+
+fn materials(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Material>> {
+    let mut rows: Vec<Option<Material>> = Vec::new();
+    for table in file.tables("material", findings) {
+        let name: Option<At<String>> = table.read("name", findings);
+        let masonry = material::masonry_of(&table, findings);
+        if let Some(name) = &name
+            && rows.iter().flatten().any(|known| known.name == name.value)
+        {
+            let help = "give each material a name of its own";
+            findings.error("D405", name.range, "two materials of this name", "named before", help);
+        }
+        rows.push(name.zip(masonry).map(|(name, masonry)| Material { name: name.value, masonry }));
+    }
+    all(rows)
+}
+
+/// The material of this name; none inside where the key is left out.
+fn material_of(table: &Table<'_>, key: &str, names: &[String], findings: &mut Findings) -> Option<Option<usize>> {
+    let Some(name) = table.read::<Option<At<String>>>(key, findings)? else { return Some(None) };
+    let found = names.iter().position(|known| *known == name.value);
+    if found.is_none() && !names.is_empty() {
+        let list = names.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
+        let help = match nearest(&name.value, names.iter().map(String::as_str)) {
+            Some(near) => format!("did you mean \"{near}\"? The materials are {list}"),
+            None => format!("add a [[material]] of this name; there are {list}"),
+        };
+        findings.error("B013", name.range, "there is no such material", "name of a [[material]]", help);
+    }
+    found.map(Some)
+}
+
+fn drawing(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Option<DrawingPart> {
+    let file: Option<At<String>> = table.read("file", findings);
+    let unit: Option<Option<DrawingUnit>> = table.read("unit", findings);
+    let concave = table.read("concave", findings);
+    let layers = table.all("layer", findings, |table, findings| layer(table, names, findings));
+    let metres = |unit: DrawingUnit| quantity::UNITS.iter().find(|known| known.symbol == unit.word());
+    let At { value: file, range } = file?;
+    read!(
+        table,
+        findings,
+        DrawingPart {
+            chord_tolerance,
+            gap_tolerance;
+            file: file,
+            range: range,
+            unit: unit?.and_then(metres).map(|unit| unit.size),
+            cut_concave: match concave? {
+                Concave::Refuse => false,
+                Concave::Cut => true,
+            },
+            layers: layers?,
+        }
+    )
+}
+
+fn layer(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Option<MappedLayer> {
+    let name: Option<At<String>> = table.read("name", findings);
+    let role = table.read("role", findings);
+    let material = material_of(table, "material", names, findings);
+    let (role, At { value: name, range }) = (role?, name?);
+    // Only what is read is made of something.
+    let material = match role {
+        Role::Ignore => None,
+        Role::Block | Role::Support | Role::Particles => Some(material??),
+    };
+    Some(MappedLayer { name, range, role, material })
+}
+
+fn joints(
+    file: &Table<'_>,
+    names: &[String],
+    materials: Option<&[Material]>,
+    findings: &mut Findings,
+) -> Option<Vec<MaterialJoint>> {
+    let mut rows: Vec<Option<MaterialJoint>> = Vec::new();
+    for table in file.tables("joint", findings) {
+        let joint = material::joint_of(&table, findings);
+        let [first, second] = ["first", "second"].map(|key| material_of(&table, key, names, findings).flatten());
+        let between = match (table.has("first"), table.has("second")) {
+            (false, false) => Some(None),
+            (true, false) => first.map(|a| Some([a, a])),
+            (true, true) => first.zip(second).map(|(a, b)| Some([a.min(b), a.max(b)])),
+            (false, true) => {
+                let help = "write the material of the other side as `first`";
+                findings.error(
+                    "B011",
+                    table.place("second"),
+                    "`first` is missing in [[joint]]",
+                    "one side alone",
+                    help,
+                );
+                None
+            }
+        };
+        if let Some(between) = between
+            && rows.iter().flatten().any(|known| known.between == between)
+        {
+            let what = if between.is_none() { "all other pairs" } else { "this pair" };
+            let message = format!("two joints for {what} of materials");
+            findings.error("D405", table.range, message, "described before", "keep one of the two");
+        }
+        if let (Some(joint), Some(materials)) = (&joint, materials) {
+            series(&table, joint, materials, findings);
+        }
+        rows.push(joint.zip(between).map(|(joint, between)| MaterialJoint { range: table.range, between, joint }));
+    }
+    all(rows)
+}
+
+/// The series rule needs the moduli of every material.
+fn series(table: &Table<'_>, joint: &crate::model::Joint, materials: &[Material], findings: &mut Findings) {
+    let is_series = |stiffness: Option<JointStiffness>| matches!(stiffness, Some(JointStiffness::Series(_)));
+    let keys = [
+        (
+            "mortar_normal_stiffness",
+            is_series(joint.normal_stiffness),
+            "elastic_modulus",
+            "elastic_modulus = \"15 GPa\"",
+        ),
+        ("mortar_shear_stiffness", is_series(joint.shear_stiffness), "poisson_ratio", "poisson_ratio = 0.2"),
+    ];
+    for (key, used, what, line) in keys {
+        let lacks = |m: &&Material| {
+            m.masonry.elastic_modulus.is_none() || (what == "poisson_ratio" && m.masonry.poisson_ratio.is_none())
+        };
+        if let Some(bare) = materials.iter().find(lacks).filter(|_| used) {
+            let message = format!("the series rule needs the {} of {}", what.replace('_', " "), bare.name);
+            let help =
+                format!("add a line like {line} to that [[material]], or give the stiffness of the whole contact");
+            findings.error("B401", table.place(key), message, "stiffness of the mortar joint alone", help);
+        }
+    }
+}
+
+/// The discrete element method cannot do without a stiffness of its joints.
+fn stiffness(table: &Table<'_>, joint: &MaterialJoint, findings: &mut Findings) {
+    let wanted = [
+        (joint.joint.normal_stiffness, "normal", "normal_stiffness = \"4.84 GPa/m\""),
+        (joint.joint.shear_stiffness, "shear", "shear_stiffness = \"0.573 GPa/m\""),
+    ];
+    for (given, word, line) in wanted {
+        if given.is_none() {
+            let message = format!("the discrete element method needs the {word} stiffness of the joint");
+            let help = format!("add a line like {line}, or choose method = \"limit\"");
+            findings.error("B401", table.range, message, "missing here", help);
+        }
+    }
+}
+
+fn block(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Option<ListedBlock> {
+    let role = table.read("role", findings);
+    let material = material_of(table, "material", names, findings);
+    read!(
+        table,
+        findings,
+        ListedBlock {
+            name,
+            layer,
+            outline = "outline_m";
+            range: table.range,
+            material: material??,
+            held: match role? {
+                BlockRole::Block => false,
+                BlockRole::Support => true,
+            },
+        }
+    )
+}
+
+fn particles(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Option<ListedParticles> {
+    let material = material_of(table, "material", names, findings);
+    let found = read!(
+        table,
+        findings,
+        ListedParticles { layer, circles = "circles_m"; range: table.range, material: material.flatten().unwrap_or(0) }
+    )?;
+    if found.circles.iter().any(|circle| circle[2] <= 0.0) {
+        let help = "write each particle as [x, y, radius] in metres";
+        let place = table.place("circles_m");
+        findings.error("B107", place, "a particle needs a positive radius", "x, y and radius", help);
+        return None;
+    }
+    material?.map(|_| found)
+}
+
+fn load(number: usize, table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<BodyLoad> {
+    let [name, block, layer] = ["name", "block", "layer"].map(|key| table.read::<Option<String>>(key, findings));
+    let [x, y] = ["x", "y"].map(|key| table.read::<Option<f64>>(key, findings).flatten());
+    let [down, right] = ["down", "right"].map(|key| table.line_load(key, width, findings));
+    let permanent = table.read("permanent", findings);
+    let has = |key| table.has(key);
+    let target = match (has("x") || has("y"), has("block"), has("layer")) {
+        (true, false, false) => {
+            for key in ["x", "y"].into_iter().filter(|key| !has(key)) {
+                let help = format!("add a line like {key} = \"3.10 m\"");
+                let message = format!("`{key}` is missing in [[load]]");
+                findings.error("B011", table.range, message, "a point has two coordinates", help);
+            }
+            x.zip(y).map(|(x, y)| Target::Point([x, y]))
+        }
+        (false, true, false) => block?.map(Target::Block),
+        (false, false, true) => layer?.map(Target::Layer),
+        (false, false, false) => {
+            let help = "add x = \"4.575 m\" and y = \"3.10 m\", or block = \"…\", or layer = \"…\"";
+            findings.error("B011", table.range, "the load does not say where it acts", "no place", help);
+            None
+        }
+        _ => {
+            let help = "keep the point, `block` or `layer`";
+            findings.error("B016", table.range, "a load acts at one kind of place", "more than one is given", help);
+            None
+        }
+    };
+    let force = [right?.unwrap_or(0.0), -down?.unwrap_or(0.0)];
+    if force == [0.0, 0.0] {
+        let help = "add a line like down = \"1 kN/m\"";
+        findings.error("B011", table.range, "the load has no force", "neither `down` nor `right`", help);
+        return None;
+    }
+    Some(BodyLoad {
+        name: name?.unwrap_or_else(|| format!("load {number}")),
+        range: table.range,
+        target: target?,
+        // Zero has no sign.
+        force: force.map(|component| component + 0.0),
+        permanent: permanent?,
+    })
+}

@@ -1,12 +1,12 @@
-//! Cards of the calibration of fill particles.
+//! The calibration of fill particles.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section};
+use crate::choice::Choice;
+use crate::findings::Findings;
+use crate::model::{Calibration, Modulus};
 use crate::quantity::Dimension::{Angle, Length, LineLoad, Stress};
-
-const MODULI: &[Word] = &[
-    Word { word: "tangent", doc: "mean of the slopes of all load steps" },
-    Word { word: "secant", doc: "slope from the first result to the last" },
-];
+use crate::tree::Table;
+use crate::values::read;
 
 pub(super) static CALIBRATION: Section = Section {
     path: "calibration",
@@ -16,9 +16,9 @@ pub(super) static CALIBRATION: Section = Section {
     fields: &[
         Field::new("wanted_modulus", Kind::Quantity(Stress), "modulus that the fill is to have", "40 MPa")
             .positive()
-            .optional("the moduli of `multiples` are measured, without a search"),
-        Field::new("modulus", Kind::Word(MODULI), "which modulus is compared with `wanted_modulus`", "tangent")
-            .default("tangent"),
+            .optional("the moduli of `multiples` are measured, and nothing is looked for"),
+        Field::new("modulus", Kind::Word(Modulus::WORDS), "which modulus is compared with `wanted_modulus`", "tangent")
+            .default(Modulus::Tangent.word()),
         Field::new("sample_size", Kind::Quantity(Length), "side of the square samples", "1 m")
             .positive()
             .default("1 m"),
@@ -45,7 +45,7 @@ pub(super) static CALIBRATION: Section = Section {
         Field::new(
             "compare_with",
             Kind::Quantities(Stress),
-            "moduli from another source, one for each of `multiples`, drawn for comparison",
+            "moduli from elsewhere, one for each of `multiples`, drawn beside",
             r#"["22 MPa", "28 MPa", "34 MPa", "42 MPa", "48 MPa"]"#,
         )
         .positive()
@@ -61,7 +61,7 @@ pub(super) static CALIBRATION: Section = Section {
         Field::new(
             "least_replacement",
             Kind::Number,
-            "smallest particle that replaces one on the cut, over the smallest of the packing",
+            "smallest particle put in the place of one that the cut goes through, over the smallest of the packing",
             "0.5",
         )
         .at_least(0.1)
@@ -88,3 +88,74 @@ pub(super) static CALIBRATION: Section = Section {
             .default("32"),
     ],
 };
+
+/// The calibration; every key has a default.
+pub(crate) fn calibration(file: &Table<'_>, findings: &mut Findings) -> Option<Calibration> {
+    file.part("calibration", findings, |table, findings| {
+        let compare_with: Option<Option<Vec<f64>>> = table.read("compare_with", findings);
+        let calibration = read!(
+            table,
+            findings,
+            Calibration {
+                wanted_modulus,
+                modulus,
+                sample_size,
+                block_weight,
+                load_step,
+                steps,
+                ignored_steps,
+                multiples,
+                seeds,
+                tolerance,
+                least_replacement,
+                wanted_friction_angle,
+                wanted_cohesion,
+                confining_pressures,
+                sheared_samples;
+                compare_with: compare_with?.unwrap_or_default(),
+            }
+        )?;
+        check(table, &calibration, findings).then_some(calibration)
+    })
+}
+
+/// Whether the numbers go together.
+fn check(table: &Table<'_>, calibration: &Calibration, findings: &mut Findings) -> bool {
+    let mut fits = true;
+    let mut refuse = |key, message: String, label, help: String| {
+        findings.error("B107", table.place(key), message, label, help);
+        fits = false;
+    };
+    let Calibration { steps, ignored_steps, multiples, compare_with, .. } = calibration;
+    if ignored_steps + 2 > *steps {
+        refuse(
+            if table.has("ignored_steps") { "ignored_steps" } else { "steps" },
+            format!("of {steps} load steps {ignored_steps} are ignored, which leaves no two to measure between"),
+            "a secant needs two steps",
+            format!("write ignored_steps = {} or fewer", steps.saturating_sub(2)),
+        );
+    }
+    if multiples.is_empty() {
+        let help = "write multiples = [1, 2, 4, 6, 8]".to_owned();
+        refuse("multiples", "there is no multiple to measure a modulus at".into(), "give one at least", help);
+    }
+    if !compare_with.is_empty() && compare_with.len() != multiples.len() {
+        refuse(
+            "compare_with",
+            format!("`compare_with` has {} moduli for {} multiples", compare_with.len(), multiples.len()),
+            "one for each of `multiples`, in their order",
+            format!("give {} moduli, or none", multiples.len()),
+        );
+    }
+    let pressures = &calibration.confining_pressures;
+    let [low, high] = [f64::min, f64::max].map(|of| pressures.iter().copied().reduce(of).unwrap_or(0.0));
+    if !(high > 1.5 * low) {
+        refuse(
+            "confining_pressures",
+            "the confining pressures lie too close together to tell friction from cohesion".into(),
+            "the largest is to be more than 1.5 times the smallest",
+            "write confining_pressures = [\"50 kPa\", \"100 kPa\", \"200 kPa\"]".into(),
+        );
+    }
+    fits
+}

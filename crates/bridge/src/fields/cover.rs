@@ -1,27 +1,33 @@
-//! Cards of what lies above the rings.
+//! What lies above the rings: layers and backing.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section};
+use crate::choice::{Choice, choice};
+use crate::diagnostic::TextRange;
+use crate::findings::Findings;
+use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind};
 use crate::quantity::Dimension::{Angle, Density, Length, Stress};
+use crate::tree::Table;
+use crate::values::read;
 
-const LAYERS: &[Word] = &[
-    Word { word: "fill", doc: "soil or rubble directly on the extrados" },
-    Word { word: "sub-base", doc: "road base" },
-    Word { word: "surfacing", doc: "road surface" },
-    Word { word: "ballast", doc: "railway ballast" },
-];
-
-const BODIES: &[Word] = &[
-    Word { word: "weight", doc: "weight on the extrados; loads disperse through it" },
-    Word { word: "particles", doc: "circular particles that carry and press; strip \"fill\", method \"dem\"" },
-    Word { word: "blocks", doc: "slabs of `block_length` that lie on particles" },
-    Word { word: "nothing", doc: "a depth through which loads disperse, without weight" },
-];
+choice! {
+    /// What a layer is in the discrete element method.
+    enum LayerBody {
+        /// weight on the extrados; loads disperse through it
+        Weight = "weight",
+        /// circular particles that carry and press; strip "fill", method "dem"
+        Particles = "particles",
+        /// slabs of `block_length` that lie on particles
+        Blocks = "blocks",
+        /// a depth through which loads disperse, without weight
+        Nothing = "nothing",
+    }
+}
 
 pub(super) static COVER: Section = Section {
     path: "cover",
     doc: "A layer above the rings, from the extrados up; the lowest fills the haunches. Loads disperse through all layers.",
     fields: &[
-        Field::new("layer", Kind::Word(LAYERS), "what the layer is", "fill"),
+        Field::new("layer", Kind::Word(LayerKind::WORDS), "what the layer is", "fill"),
         Field::new("thickness", Kind::Quantity(Length), "thickness above the crown of the highest extrados", "0.203 m")
             .at_least(0.0)
             .at_most(100.0),
@@ -33,8 +39,8 @@ pub(super) static COVER: Section = Section {
         )
         .only("as", &["weight"])
         .default("true"),
-        Field::new("as", Kind::Word(BODIES), "what the layer is in the discrete element method", "particles")
-            .default("weight"),
+        Field::new("as", Kind::Word(LayerBody::WORDS), "what the layer is in the discrete element method", "particles")
+            .default(LayerBody::Weight.word()),
         Field::new(
             "friction_angle",
             Kind::Quantity(Angle),
@@ -61,16 +67,6 @@ pub(super) static COVER: Section = Section {
     ],
 };
 
-const BACKINGS: &[Word] = &[
-    Word { word: "weight", doc: "weight on the extrados" },
-    Word { word: "particles", doc: "circular particles below its level, with properties of their own" },
-    Word {
-        word: "blocks",
-        doc: "blocks of masonry, joined as voussoirs are: stones with level beds on backs steeper than 45 degrees, a column on \
-              every flatter one; over an abutment's top they rest by friction alone; strip \"fill\"",
-    },
-];
-
 pub(super) static BACKING: Section = Section {
     path: "backing",
     doc: "Solid backing above the haunches, up to a level.",
@@ -87,11 +83,11 @@ pub(super) static BACKING: Section = Section {
             .optional("not needed for collapse"),
         Field::new(
             "as",
-            Kind::Word(BACKINGS),
+            Kind::Word(BackingBody::WORDS),
             "what the backing is in limit analysis and in the discrete element method",
             "blocks",
         )
-        .default("weight"),
+        .default(BackingBody::Weight.word()),
         Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction between its particles", "40 deg")
             .at_least(0.0)
             .at_most(1.5)
@@ -103,3 +99,80 @@ pub(super) static BACKING: Section = Section {
             .optional("as [particle_joint] says"),
     ],
 };
+
+pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> {
+    let tables = file.tables("cover", findings);
+    let layers: Vec<Option<Layer>> = tables.iter().map(|table| layer(table, findings)).collect();
+    let backing = file.optional("backing", findings, |table, findings| {
+        read!(
+            table,
+            findings,
+            Backing { height, density, elastic_modulus, poisson_ratio, body = "as", friction_angle, cohesion }
+        )
+    });
+    let layers = layers.into_iter().collect::<Option<Vec<Layer>>>()?;
+    if !layers.iter().any(|layer| layer.particles) {
+        let slabs =
+            tables.iter().zip(&layers).filter(|(_, layer)| layer.slabs.is_some()).map(|(table, _)| table.place("as"));
+        slabs.for_each(|place| bodies_without_particles(place, findings));
+        if let Some(Some(Backing { body: BackingBody::Particles, .. })) = backing
+            && let Some(table) = file.table("backing", &mut Findings::default())
+        {
+            bodies_without_particles(table.place("as"), findings);
+        }
+    }
+    if file.has("cover") && layers.is_empty() {
+        return None;
+    }
+    // From zero on, for an empty sum is minus zero.
+    let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
+    Some(Cover { depth, layers, backing: backing? })
+}
+
+fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
+    findings.error(
+        "B216",
+        place,
+        "no layer of the cover is modelled as particles, among which this could stand",
+        "it would carry nothing",
+        "write as = \"weight\", or as = \"particles\" in a [[cover]]",
+    );
+}
+
+fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
+    let body = table.read("as", findings);
+    let weighs: Option<bool> = table.read("weighs", findings);
+    let density: Option<Option<f64>> = table.read("density", findings);
+    let slab: Option<Option<f64>> = table.read("block_length", findings);
+    let layer = read!(
+        table,
+        findings,
+        Layer {
+            name = "layer",
+            thickness,
+            friction_angle,
+            cohesion,
+            elastic_modulus;
+            density: density?.unwrap_or(0.0),
+            weighs: weighs?,
+            particles: false,
+            slabs: None,
+        }
+    );
+    let body = body?;
+    if body == LayerBody::Blocks && !table.has("block_length") {
+        table.need("block_length", findings);
+        return None;
+    }
+    if body != LayerBody::Nothing && weighs? && !table.has("density") {
+        table.need("density", findings);
+        return None;
+    }
+    let layer = layer?;
+    Some(match body {
+        LayerBody::Weight => layer,
+        LayerBody::Particles => Layer { weighs: false, particles: true, ..layer },
+        LayerBody::Blocks => Layer { weighs: false, slabs: slab?, ..layer },
+        LayerBody::Nothing => Layer { weighs: false, ..layer },
+    })
+}

@@ -1,46 +1,49 @@
-//! Cards of masonry and joints.
+//! Masonry and joints.
 
 use super::{Field, Kind, Section};
-use crate::quantity::Dimension::{Angle, Density, JointStiffness, Length, Stress};
+use crate::findings::Findings;
+use crate::model::{Joint, JointStiffness, Masonry};
+use crate::quantity::Dimension::{self, Angle, Density, Length, Stress};
+use crate::tree::Table;
+use crate::values::read;
 
 /// Friction angles end below the vertical [rad]: 89 degrees.
 const STEEPEST: f64 = 89.0 / 180.0 * std::f64::consts::PI;
 
-pub(super) static MASONRY: Section = Section {
-    path: "masonry",
-    doc: "Masonry of rings and piers.",
-    fields: &[
-        Field::new("density", Kind::Quantity(Density), "mass density of the masonry", "2100 kg/m^3").positive(),
-        Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the masonry units", "15 GPa")
-            .positive()
-            .optional("unknown; needed for `mortar_…_stiffness`"),
-        Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the masonry units", "0.2")
-            .at_least(0.0)
-            .at_most(0.4999)
-            .optional("unknown; needed for `mortar_shear_stiffness`"),
-        Field::new(
-            "compressive_strength",
-            Kind::QuantityOr(Stress, "unlimited"),
-            "compressive strength of the masonry, or \"unlimited\"",
-            "10 MPa",
-        )
+pub(super) static MASONRY: Section =
+    Section { path: "masonry", doc: "Masonry of rings and piers.", fields: MASONRY_FIELDS };
+
+pub(super) const MASONRY_FIELDS: &[Field] = &[
+    Field::new("density", Kind::Quantity(Density), "mass density of the masonry", "2100 kg/m^3").positive(),
+    Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the masonry units", "15 GPa")
         .positive()
-        .optional("crushing is not considered, and a warning says so"),
-        Field::new(
-            "rounding",
-            Kind::Quantity(Length),
-            "radius of the blocks' rounded corners; contact points lie this far inside the edges",
-            "10 mm",
-        )
+        .optional("unknown; needed for `mortar_…_stiffness`"),
+    Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the masonry units", "0.2")
         .at_least(0.0)
-        .default("0 mm"),
-    ],
-};
+        .at_most(0.4999)
+        .optional("unknown; needed for `mortar_shear_stiffness`"),
+    Field::new(
+        "compressive_strength",
+        Kind::QuantityOr(Stress, "unlimited"),
+        "compressive strength of the masonry, or \"unlimited\"",
+        "10 MPa",
+    )
+    .positive()
+    .optional("crushing is not considered, and a warning says so"),
+    Field::new(
+        "rounding",
+        Kind::Quantity(Length),
+        "radius of the blocks' rounded corners; contact points lie this far inside the edges",
+        "10 mm",
+    )
+    .at_least(0.0)
+    .default("0 mm"),
+];
 
 pub(super) const JOINT_FIELDS: &[Field] = &[
     Field::new(
         "normal_stiffness",
-        Kind::Quantity(JointStiffness),
+        Kind::Quantity(Dimension::JointStiffness),
         "normal stiffness per area of the whole contact, joint and blocks together",
         "4.84 GPa/m",
     )
@@ -48,7 +51,7 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
     .optional("given by `mortar_normal_stiffness`; the discrete element method needs one of them"),
     Field::new(
         "mortar_normal_stiffness",
-        Kind::Quantity(JointStiffness),
+        Kind::Quantity(Dimension::JointStiffness),
         "normal stiffness per area of the joint alone; the blocks come in by the series rule",
         "5.4 GPa/m",
     )
@@ -56,7 +59,7 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
     .optional("given by `normal_stiffness`"),
     Field::new(
         "shear_stiffness",
-        Kind::Quantity(JointStiffness),
+        Kind::Quantity(Dimension::JointStiffness),
         "shear stiffness per area of the whole contact, joint and blocks together",
         "0.573 GPa/m",
     )
@@ -64,7 +67,7 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
     .optional("given by `mortar_shear_stiffness`; the discrete element method needs one of them"),
     Field::new(
         "mortar_shear_stiffness",
-        Kind::Quantity(JointStiffness),
+        Kind::Quantity(Dimension::JointStiffness),
         "shear stiffness per area of the joint alone; the blocks come in by the series rule",
         "0.59 GPa/m",
     )
@@ -128,3 +131,56 @@ pub(super) static RING_JOINT: Section = Section {
     doc: "Joints between the rings of a span, with the same keys as [joint].",
     fields: JOINT_FIELDS,
 };
+
+pub(crate) fn masonry(file: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
+    masonry_of(&file.table("masonry", findings)?, findings)
+}
+
+/// The material that a table describes.
+pub(crate) fn masonry_of(table: &Table<'_>, findings: &mut Findings) -> Option<Masonry> {
+    let masonry =
+        read!(table, findings, Masonry { density, elastic_modulus, poisson_ratio, compressive_strength, rounding })?;
+    let compressive_strength = masonry.compressive_strength.filter(|value| value.is_finite());
+    Some(Masonry { compressive_strength, ..masonry })
+}
+
+pub(crate) fn joint(file: &Table<'_>, name: &str, findings: &mut Findings) -> Option<Joint> {
+    joint_of(&file.table(name, findings)?, findings)
+}
+
+/// The joint that a table describes.
+pub(crate) fn joint_of(table: &Table<'_>, findings: &mut Findings) -> Option<Joint> {
+    let normal_stiffness = stiffness(table, "normal_stiffness", "mortar_normal_stiffness", findings);
+    let shear_stiffness = stiffness(table, "shear_stiffness", "mortar_shear_stiffness", findings);
+    let tensile_strength: Option<Option<f64>> = table.read("tensile_strength", findings);
+    read!(
+        table,
+        findings,
+        Joint {
+            friction_angle,
+            cohesion,
+            fixed_length,
+            least_length;
+            normal_stiffness: normal_stiffness?,
+            shear_stiffness: shear_stiffness?,
+            tensile_strength: tensile_strength?.unwrap_or(0.0),
+        }
+    )
+}
+
+/// The stiffness of the contact, or that of the mortar with the blocks in series.
+fn stiffness(
+    table: &Table<'_>,
+    contact: &str,
+    mortar: &str,
+    findings: &mut Findings,
+) -> Option<Option<JointStiffness>> {
+    let whole: Option<Option<f64>> = table.read(contact, findings);
+    let alone: Option<Option<f64>> = table.read(mortar, findings);
+    if table.has(contact) && table.has(mortar) {
+        table.exclude(mortar, &format!("`{contact}`"), findings);
+        return None;
+    }
+    let alone = alone?.map(JointStiffness::Series);
+    Some(alone.or(whole?.map(JointStiffness::Contact)))
+}

@@ -1,23 +1,24 @@
 //! Field cards: one table of everything a bridge file may say. Accessors, error messages, the JSON Schema and the
 //! input reference are all made from it, so that they cannot disagree.
 
-mod assess;
+pub(crate) mod assess;
 pub mod blocks;
-mod calibration;
-mod cover;
-mod loading;
-mod material;
-mod particles;
-mod passage;
-mod plan;
-mod service;
-mod structure;
-mod sweep;
+pub(crate) mod calibration;
+pub(crate) mod cover;
+pub(crate) mod loading;
+pub(crate) mod material;
+pub(crate) mod particles;
+pub(crate) mod passage;
+pub(crate) mod plan;
+pub(crate) mod service;
+pub(crate) mod structure;
+pub(crate) mod sweep;
 pub(crate) mod train;
-mod update;
-mod vary;
-mod wall;
+pub(crate) mod update;
+pub(crate) mod vary;
+pub(crate) mod wall;
 
+pub use crate::choice::Word;
 use crate::quantity::Dimension;
 
 /// A table of the file.
@@ -93,15 +94,6 @@ pub enum Kind {
     Tables(&'static Section),
 }
 
-/// A word that a field may hold.
-#[derive(Debug)]
-pub struct Word {
-    /// As written.
-    pub word: &'static str,
-    /// What it means.
-    pub doc: &'static str,
-}
-
 /// Whether a field must be there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Need {
@@ -134,42 +126,42 @@ impl Limits {
 const ANY: Limits = Limits { least: f64::NEG_INFINITY, least_included: false, most: f64::INFINITY };
 
 impl Field {
-    const fn new(key: &'static str, kind: Kind, doc: &'static str, example: &'static str) -> Field {
+    pub(crate) const fn new(key: &'static str, kind: Kind, doc: &'static str, example: &'static str) -> Field {
         Field { key, kind, doc, example, need: Need::Required, only: None, limits: ANY }
     }
 
-    const fn optional(mut self, meaning: &'static str) -> Field {
+    pub(crate) const fn optional(mut self, meaning: &'static str) -> Field {
         self.need = Need::Optional(meaning);
         self
     }
 
-    const fn default(mut self, value: &'static str) -> Field {
+    pub(crate) const fn default(mut self, value: &'static str) -> Field {
         self.need = Need::Default(value);
         self
     }
 
-    const fn only(mut self, key: &'static str, words: &'static [&'static str]) -> Field {
+    pub(crate) const fn only(mut self, key: &'static str, words: &'static [&'static str]) -> Field {
         self.only = Some((key, words));
         self
     }
 
-    const fn positive(self) -> Field {
+    pub(crate) const fn positive(self) -> Field {
         self.above(0.0)
     }
 
-    const fn above(mut self, least: f64) -> Field {
+    pub(crate) const fn above(mut self, least: f64) -> Field {
         self.limits.least = least;
         self.limits.least_included = false;
         self
     }
 
-    const fn at_least(mut self, least: f64) -> Field {
+    pub(crate) const fn at_least(mut self, least: f64) -> Field {
         self.limits.least = least;
         self.limits.least_included = true;
         self
     }
 
-    const fn at_most(mut self, most: f64) -> Field {
+    pub(crate) const fn at_most(mut self, most: f64) -> Field {
         self.limits.most = most;
         self
     }
@@ -234,6 +226,32 @@ impl Section {
     pub fn field(&self, key: &str) -> Option<&'static Field> {
         self.fields.iter().find(|field| field.key == key)
     }
+}
+
+/// How many cards some lists have together.
+const fn total(lists: &[&[Field]]) -> usize {
+    let (mut count, mut k) = (0, 0);
+    while k < lists.len() {
+        count += lists[k].len();
+        k += 1;
+    }
+    count
+}
+
+/// Some lists of cards as one, of as many as there are.
+const fn joined<const N: usize>(lists: &[&[Field]]) -> [Field; N] {
+    assert!(total(lists) == N);
+    let mut fields = [Field::new("", Kind::Text, "", ""); N];
+    let (mut count, mut list) = (0, 0);
+    while list < lists.len() {
+        let mut k = 0;
+        while k < lists[list].len() {
+            fields[count] = lists[list][k];
+            (count, k) = (count + 1, k + 1);
+        }
+        list += 1;
+    }
+    fields
 }
 
 /// The whole file.
@@ -338,9 +356,10 @@ pub static FILE: Section = Section {
             .optional("possible only where no train crosses"),
         Field::new("passage", Kind::Table(&passage::PASSAGE), "How the train crosses, and how that is analysed.", "")
             .optional("possible only where no train crosses"),
-        Field::new("sensor", Kind::Tables(&passage::SENSOR), "What is measured while the train crosses.", "").optional(
-            "crown, pier springing and abutment springing of the first span: displacement and strain of each",
-        ),
+        Field::new("sensor", Kind::Tables(&crate::sensor::SENSOR), "What is measured while the train crosses.", "")
+            .optional(
+                "crown, pier springing and abutment springing of the first span: displacement and strain of each",
+            ),
         Field::new("vary", Kind::Tables(&vary::VARY), "What `extrados vary` changes, and over which values.", "")
             .optional("nothing is varied"),
         Field::new("records", Kind::Table(&update::RECORDS), "Records that `extrados update` compares with.", "")

@@ -1,7 +1,12 @@
-//! Cards of fill that is modelled as particles.
+//! Fill that is modelled as particles.
 
+use super::material::joint;
 use super::{Field, Kind, Section};
+use crate::findings::Findings;
+use crate::model::{Cover, Joint, Packing, Particles, Sizes};
 use crate::quantity::Dimension::{Length, Stress};
+use crate::tree::Table;
+use crate::values::read;
 
 pub(super) static PARTICLES: Section = Section {
     path: "particles",
@@ -46,3 +51,116 @@ pub(super) static PARTICLES: Section = Section {
             .optional("needed for `mortar_shear_stiffness` of [particle_joint]"),
     ],
 };
+
+/// Largest over smallest diameter where the file gives a number of particles only.
+const SIZE_RATIO: f64 = 1.5;
+
+/// The particles; `None` inside where no layer is modelled so.
+pub(crate) fn particles(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Option<Particles>> {
+    let wanted = cover.is_some_and(|cover| cover.layers.iter().any(|layer| layer.particles));
+    let written =
+        ["particles", "particle_joint", "particle_block_joint", "calibration"].into_iter().filter(|key| file.has(key));
+    if !wanted {
+        for key in written {
+            let mut unheard = Findings::default();
+            let range = file.table(key, &mut unheard).map_or(file.range, |table| table.range);
+            findings.warning(
+                "P022",
+                range,
+                "no layer is modelled as particles",
+                "not used",
+                "write as = \"particles\" in a [[cover]], or remove this",
+            );
+        }
+        return Some(None);
+    }
+    let table = file.table("particles", findings);
+    let contact = joint(file, "particle_joint", findings);
+    for key in ["particles", "particle_joint"].into_iter().filter(|key| !file.has(key)) {
+        file.need(key, findings);
+    }
+    let of_blocks = match file.has("particle_block_joint") {
+        true => joint(file, "particle_block_joint", findings),
+        false => contact,
+    };
+    for (key, joint) in [("particle_joint", &contact), ("particle_block_joint", &of_blocks)] {
+        no_tension(file, key, joint.as_ref(), findings);
+    }
+    let table = &table?;
+    let sizes = sizes(table, findings);
+    let stress: Option<Option<f64>> = table.read("packing_stress", findings);
+    let fraction: Option<Option<f64>> = table.read("solid_fraction", findings);
+    if table.has("packing_stress") && table.has("solid_fraction") {
+        table.exclude("solid_fraction", "`packing_stress`", findings);
+        return None;
+    }
+    let particles = read!(
+        table,
+        findings,
+        Particles {
+            file,
+            elastic_modulus,
+            poisson_ratio;
+            sizes: sizes?,
+            density: match (stress?, fraction?) {
+                (Some(stress), _) => Packing::Stress(stress),
+                (None, Some(fraction)) => Packing::SolidFraction(fraction),
+                (None, None) => Packing::OwnWeight,
+            },
+            grains: Vec::new(),
+            joint: contact?,
+            block_joint: of_blocks?,
+        }
+    )?;
+    Some(Some(particles))
+}
+
+fn sizes(table: &Table<'_>, findings: &mut Findings) -> Option<Sizes> {
+    let count: Option<Option<usize>> = table.read("count", findings);
+    let ratio: Option<Option<f64>> = table.read("size_ratio", findings);
+    let smallest: Option<Option<f64>> = table.read("smallest_diameter", findings);
+    let largest: Option<Option<f64>> = table.read("largest_diameter", findings);
+    if table.has("count") {
+        if let Some(key) = ["smallest_diameter", "largest_diameter"].into_iter().find(|key| table.has(key)) {
+            table.exclude(key, "`count`", findings);
+            return None;
+        }
+        return Some(Sizes::Count { count: count??, ratio: ratio?.unwrap_or(SIZE_RATIO) });
+    }
+    if table.has("size_ratio") {
+        table.exclude("size_ratio", "diameters", findings);
+        return None;
+    }
+    let missing = ["smallest_diameter", "largest_diameter"].into_iter().filter(|key| !table.has(key));
+    match missing.collect::<Vec<_>>()[..] {
+        [] => {}
+        [one] => table.need(one, findings),
+        _ => table.need("count", findings),
+    }
+    let (smallest, largest) = (smallest??, largest??);
+    if smallest > largest {
+        findings.error(
+            "B214",
+            table.place("smallest_diameter"),
+            "the smallest diameter is larger than the largest",
+            "above `largest_diameter`",
+            "exchange the two",
+        );
+        return None;
+    }
+    Some(Sizes::Diameters { smallest, largest })
+}
+
+fn no_tension(file: &Table<'_>, key: &str, joint: Option<&Joint>, findings: &mut Findings) {
+    if joint.is_some_and(|joint| joint.tensile_strength > 0.0) {
+        let mut unheard = Findings::default();
+        let Some(table) = file.table(key, &mut unheard) else { return };
+        findings.error(
+            "B215",
+            table.place("tensile_strength"),
+            "contacts of particles have no tensile strength",
+            "particles part freely",
+            "remove it; cohesion acts while a contact is closed",
+        );
+    }
+}

@@ -1,30 +1,18 @@
-//! Cards of a train's passage and of the sensors that record it.
+//! A train's passage.
 
-use super::{Field, Kind, Section, Word};
+use super::structure::PlacedSpan;
+use super::{Field, Kind, Section, train};
+use crate::choice::Choice;
+use crate::findings::Findings;
+use crate::passage::{MOST_POSITIONS, Passage, PassageAnalysis, PassageKinematics, PassagePath, PassagePlan, Rayleigh};
 use crate::quantity::Dimension::{Frequency, Length, Speed, Time};
-
-const ANALYSES: &[Word] = &[
-    Word { word: "static", doc: "every position at rest" },
-    Word { word: "transient", doc: "with inertia and damping" },
-];
-
-const KINEMATICS: &[Word] = &[
-    Word { word: "small", doc: "equilibrium on the bridge as built" },
-    Word { word: "large", doc: "equilibrium on the deformed bridge: large displacements and rotations" },
-];
-
-const PATHS: &[Word] = &[
-    Word {
-        word: "condensed",
-        doc: "linear parts are condensed once, and only nonlinear parts iterate; the same \
-                                    numbers, much faster",
-    },
-    Word { word: "plain", doc: "all degrees of freedom at every position" },
-];
+use crate::resolve::Layout;
+use crate::tree::{At, Table};
+use crate::values::read;
 
 pub(super) static PASSAGE: Section = Section {
     path: "passage",
-    doc: "How the train crosses, and how that is analysed. Self-weight is applied first and subtracted afterwards.",
+    doc: "How the train crosses, and how that is analysed. Self-weight comes first and is taken off afterwards.",
     fields: &[
         Field::new("speed", Kind::Quantity(Speed), "speed of the train", "45 km/h").at_least(0.01),
         Field::new("time_step", Kind::Quantity(Time), "time from one position to the next", "0.005 s")
@@ -33,17 +21,18 @@ pub(super) static PASSAGE: Section = Section {
         Field::new(
             "from",
             Kind::Quantity(Length),
-            "position of the first axle at the start, from the left springing of the first span",
+            "where the first axle stands at the start, from the left springing of the first span",
             "-10 m",
         )
         .optional("where the mesh begins"),
-        Field::new("to", Kind::Quantity(Length), "position of the first axle at the end", "60 m")
+        Field::new("to", Kind::Quantity(Length), "where the first axle stands at the end", "60 m")
             .optional("where the last axle leaves the mesh"),
-        Field::new("analysis", Kind::Word(ANALYSES), "whether inertia is included", "static").default("static"),
+        Field::new("analysis", Kind::Word(PassageAnalysis::WORDS), "whether masses take part", "static")
+            .default(PassageAnalysis::Static.word()),
         Field::new("damping_ratio", Kind::Number, "share of critical damping at `damping_frequencies`", "0.03")
             .at_least(0.0)
             .at_most(0.5)
-            .optional("no damping except by friction and yielding"),
+            .optional("no damping but friction and yielding"),
         Field::new(
             "damping_frequencies",
             Kind::Quantities(Frequency),
@@ -55,15 +44,19 @@ pub(super) static PASSAGE: Section = Section {
         Field::new(
             "numerical_damping",
             Kind::Number,
-            "numerical damping of time integration: 0 is Newmark's average acceleration, larger values are the method \
-             of Hilber, Hughes and Taylor",
+            "of time integration: 0 is Newmark's average acceleration, more is the method of Hilber, Hughes and Taylor",
             "0.05",
         )
         .at_least(0.0)
         .at_most(1.0 / 3.0)
         .default("0.0"),
-        Field::new("kinematics", Kind::Word(KINEMATICS), "whether displacements and rotations are large", "small")
-            .default("small"),
+        Field::new(
+            "kinematics",
+            Kind::Word(PassageKinematics::WORDS),
+            "whether displacements and rotations are large",
+            "small",
+        )
+        .default(PassageKinematics::Small.word()),
         Field::new("load_steps", Kind::Count, "load steps in which the self-weight is applied", "10")
             .at_least(1.0)
             .at_most(10_000.0)
@@ -81,7 +74,8 @@ pub(super) static PASSAGE: Section = Section {
         .at_least(1e-12)
         .at_most(0.1)
         .default("1e-6"),
-        Field::new("path", Kind::Word(PATHS), "how positions are solved", "condensed").default("condensed"),
+        Field::new("path", Kind::Word(PassagePath::WORDS), "how positions are solved", "condensed")
+            .default(PassagePath::Condensed.word()),
         Field::new(
             "pictures",
             Kind::Quantities(Length),
@@ -92,63 +86,104 @@ pub(super) static PASSAGE: Section = Section {
     ],
 };
 
-const KINDS: &[Word] = &[
-    Word { word: "displacement", doc: "movement of a point" },
-    Word { word: "strain", doc: "mean strain of one voussoir along the ring over a gauge length; tension is positive" },
-    Word { word: "joint-opening", doc: "how far a joint opens at a face; apart is positive" },
-    Word {
-        word: "joint-sliding",
-        doc: "how far a joint slides; positive where its right side moves from intrados to extrados",
-    },
-    Word { word: "stress", doc: "stress along the ring; tension is positive" },
-];
+/// The passage; `None` inside where no train crosses.
+pub(crate) fn passage(
+    file: &Table<'_>,
+    width: Option<f64>,
+    spans: Option<&[PlacedSpan]>,
+    layout: Option<&Layout>,
+    findings: &mut Findings,
+) -> Option<Option<Passage>> {
+    let keys = ["train", "track", "passage"];
+    if !keys.iter().chain(&["sensor"]).any(|key| file.has(key)) {
+        return Some(None);
+    }
+    for key in keys.into_iter().filter(|key| !file.has(key)) {
+        file.need(key, findings);
+    }
+    let train = train::train(file, findings);
+    let track = train::track(file, width, findings);
+    let plan = plan(file, findings);
+    let sensors = crate::sensor::sensors(file, spans, layout, findings);
+    Some(Some(Passage { train: train?, track: track?, plan: plan?, sensors: sensors? }))
+}
 
-const DIRECTIONS: &[Word] = &[
-    Word { word: "vertical", doc: "up is positive" },
-    Word { word: "horizontal", doc: "to the right is positive" },
-    Word { word: "lateral", doc: "horizontal, away from the middle of its span is positive" },
-];
+fn plan(file: &Table<'_>, findings: &mut Findings) -> Option<PassagePlan> {
+    let table = &file.table("passage", findings)?;
+    let damping = damping(table, findings);
+    let pictures: Option<Option<Vec<f64>>> = table.read("pictures", findings);
+    let plan = read!(
+        table,
+        findings,
+        PassagePlan {
+            speed,
+            time_step,
+            from,
+            to,
+            analysis,
+            numerical_damping,
+            kinematics,
+            load_steps,
+            iterations,
+            tolerance,
+            path;
+            damping: damping?,
+            pictures: pictures?.unwrap_or_default(),
+        }
+    )?;
+    check(table, &plan, findings).then_some(plan)
+}
 
-const PLACES: &[Word] = &[
-    Word { word: "crown", doc: "the middle of the span" },
-    Word { word: "left-springing", doc: "the left springing of the span" },
-    Word { word: "right-springing", doc: "the right springing of the span" },
-    Word { word: "pier-springing", doc: "that springing of an end span which rests on a pier" },
-    Word { word: "abutment-springing", doc: "that springing of an end span which rests on an abutment" },
-];
+/// Rayleigh damping: a ratio, and the two frequencies at which it holds.
+fn damping(table: &Table<'_>, findings: &mut Findings) -> Option<Option<Rayleigh>> {
+    let ratio: Option<Option<f64>> = table.read("damping_ratio", findings);
+    let frequencies: Option<Option<At<Vec<f64>>>> = table.read("damping_frequencies", findings);
+    if table.has("damping_ratio") != table.has("damping_frequencies") {
+        table.need(if table.has("damping_ratio") { "damping_frequencies" } else { "damping_ratio" }, findings);
+        return None;
+    }
+    let Some(ratio) = ratio? else { return Some(None) };
+    let frequencies = frequencies??;
+    match frequencies.value[..] {
+        [low, high] if low < high => Some(Some(Rayleigh { ratio, frequencies: [low, high] })),
+        _ => {
+            findings.error(
+                "B654",
+                frequencies.range,
+                "Rayleigh damping takes two frequencies, the lower first",
+                "the damping ratio holds at both, is less in between and more outside",
+                r#"write damping_frequencies = ["8 Hz", "40 Hz"]: about the lowest, and the highest that matters"#,
+            );
+            None
+        }
+    }
+}
 
-const FACES: &[Word] =
-    &[Word { word: "intrados", doc: "the lower face of the ring" }, Word { word: "extrados", doc: "its upper face" }];
-
-pub(super) static SENSOR: Section = Section {
-    path: "sensor",
-    doc: "A sensor: one channel of the record. Place it by `span` and `place`, by `at`, or by `x` and `y`.",
-    fields: &[
-        Field::new("name", Kind::Text, "name of the channel", "crown displacement"),
-        Field::new("kind", Kind::Word(KINDS), "what it measures", "displacement"),
-        Field::new("direction", Kind::Word(DIRECTIONS), "direction of the movement, and its sign", "vertical")
-            .only("kind", &["displacement"]),
-        Field::new(
-            "gauge_length",
-            Kind::Quantity(Length),
-            "length over which strain is measured, within one voussoir",
-            "120 mm",
-        )
-        .positive()
-        .only("kind", &["strain"])
-        .default("120 mm"),
-        Field::new("span", Kind::Count, "which span, counted from 1 on the left", "1")
-            .at_least(1.0)
-            .at_most(200.0)
-            .optional("the first"),
-        Field::new("place", Kind::Word(PLACES), "position on the span, by name", "crown")
-            .optional("given by `at`, or `x` and `y`"),
-        Field::new("at", Kind::Share, "position as a share of a span", "1/4 of span 1")
-            .optional("given by `place`, or `x` and `y`"),
-        Field::new("x", Kind::Quantity(Length), "distance from the left springing of the first span", "3.0 m")
-            .optional("given by `place` or `at`"),
-        Field::new("y", Kind::Quantity(Length), "height above the left springing of the first span", "1.5 m")
-            .optional("given by `place` or `at`"),
-        Field::new("face", Kind::Word(FACES), "on which face of the ring", "intrados").default("intrados"),
-    ],
-};
+/// Whether the range of positions is one.
+fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool {
+    let step = plan.speed * plan.time_step;
+    let most = MOST_POSITIONS as f64 * step;
+    if let (Some(from), Some(to)) = (plan.from, plan.to) {
+        if from >= to {
+            findings.error(
+                "B655",
+                table.place("to"),
+                "the train does not drive to the right",
+                format!("the first axle starts at {from} m"),
+                "give a larger `to`, or leave both out",
+            );
+            return false;
+        }
+        if to - from > most {
+            findings.error(
+                "B655",
+                table.place("to"),
+                format!("more than {MOST_POSITIONS} positions"),
+                format!("a position every {step:.2e} m"),
+                "give a larger `time_step`, or a shorter way",
+            );
+            return false;
+        }
+    }
+    true
+}

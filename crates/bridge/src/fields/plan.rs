@@ -1,65 +1,39 @@
-//! Cards of the analysis plan. Numerical settings have defaults; what belongs to the bridge has none.
+//! The analysis plan, and whether the bridge says enough for it. Numerical settings have defaults; what belongs to the bridge has none.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section};
+use crate::choice::{Choice, choice};
+use crate::findings::Findings;
+use crate::model::{
+    Analysis, ContactLength, ContactPoints, Damping, Friction, Joint, JointStiffness, Load, Masonry, Method, Plan,
+    Strip, SupportMovement,
+};
 use crate::quantity::Dimension::{AngleRate, Length};
+use crate::tree::{Table, shorten, wrong_type};
+use crate::values::read;
+use toml::de::DeValue;
 
-const METHODS: &[Word] = &[
-    Word { word: "dem", doc: "discrete elements: deformable joints, loads in steps to collapse" },
-    Word { word: "limit", doc: "limit analysis: the exact collapse load of rigid blocks" },
-    Word {
-        word: "fe",
-        doc: "finite elements: elastic stones on joints that open and slide; one ring between fixed abutments",
-    },
-];
-
-const ANALYSES: &[Word] = &[
-    Word { word: "load", doc: "the load that makes a mechanism" },
-    Word { word: "thickness", doc: "the least ring thickness that stands" },
-    Word { word: "support-movement", doc: "the support movement that makes a mechanism" },
-];
-
-const STRIPS: &[Word] = &[
-    Word { word: "fill", doc: "between the walls: rings and cover" },
-    Word { word: "wall", doc: "below the walls: rings and bricks, loads as forces on the uppermost course" },
-    Word { word: "both", doc: "both strips, and their loads added up by their widths" },
-];
-
-const DAMPINGS: &[Word] = &[
-    Word { word: "local", doc: "each motion is opposed by a share of its out-of-balance force" },
-    Word { word: "viscous", doc: "global, proportional to mass and velocity" },
-    Word { word: "adaptive", doc: "global viscous, with an intensity that follows the motion" },
-];
-
-const LENGTHS: &[Word] = &[
-    Word { word: "fixed", doc: "kept as built (force formulation)" },
-    Word { word: "updated", doc: "follows the compressed part of the joint (stress formulation)" },
-];
-
-const FRICTIONS: &[Word] = &[
-    Word { word: "associated", doc: "sliding dilates by the friction angle: exact bounds" },
-    Word { word: "non-associated", doc: "sliding does not dilate: iterative correction" },
-    Word { word: "automatic", doc: "non-associated where sliding takes part in the mechanism or lowers the load" },
-];
-
-const CONTACT_POINTS: &[Word] = &[
-    Word { word: "rounded", doc: "between the rounded corners, as in the discrete element method" },
-    Word { word: "full-ring", doc: "anywhere in the full thickness" },
-];
+choice! {
+    /// Rule of the numerical damping.
+    enum DampingRule {
+        /// each motion is opposed by a share of its out-of-balance force
+        Local = "local",
+        /// global, proportional to mass and velocity
+        Viscous = "viscous",
+        /// global viscous, with an intensity that follows the motion
+        Adaptive = "adaptive",
+    }
+}
 
 pub(super) static ANALYSIS: Section = Section {
     path: "analysis",
     doc: "What to analyse, and how exactly. Only `load_step` has no default: the discrete element method needs it.",
     fields: &[
-        Field::new("method", Kind::Word(METHODS), "method for the collapse load", "dem").default("limit"),
-        Field::new(
-            "analysis",
-            Kind::Word(ANALYSES),
-            "what is increased or reduced until \
-                                                      collapse",
-            "load",
-        )
-        .default("load"),
-        Field::new("strip", Kind::Word(STRIPS), "strip of the bridge's width that is analysed", "both").default("fill"),
+        Field::new("method", Kind::Word(Method::WORDS), "method for the collapse load", "dem")
+            .default(Method::Limit.word()),
+        Field::new("analysis", Kind::Word(Analysis::WORDS), "what is made to collapse", "load")
+            .default(Analysis::Load.word()),
+        Field::new("strip", Kind::Word(Strip::WORDS), "strip of the bridge's width that is analysed", "both")
+            .default(Strip::Fill.word()),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
             .positive()
             .optional("needed by method \"dem\" for a load"),
@@ -87,27 +61,33 @@ pub(super) static ANALYSIS: Section = Section {
             .at_least(1.0)
             .at_most(1e12)
             .default("2000000"),
-        Field::new("damping", Kind::Word(DAMPINGS), "numerical damping", "local").default("local"),
+        Field::new("damping", Kind::Word(DampingRule::WORDS), "numerical damping", "local")
+            .default(DampingRule::Local.word()),
         Field::new("damping_share", Kind::Number, "share of the out-of-balance force, or of critical damping", "0.8")
             .above(0.0)
             .at_most(1.0)
             .only("damping", &["local", "viscous"])
             .default("0.8"),
-        Field::new("contact_length", Kind::Word(LENGTHS), "length of joint that a contact point represents", "fixed")
-            .default("fixed"),
+        Field::new(
+            "contact_length",
+            Kind::Word(ContactLength::WORDS),
+            "length that a contact point stands for",
+            "fixed",
+        )
+        .default(ContactLength::Fixed.word()),
         Field::new("time_step_factor", Kind::Number, "share of the critical time step", "0.8")
             .above(0.0)
             .at_most(1.0)
             .default("0.8"),
-        Field::new("friction", Kind::Word(FRICTIONS), "friction rule of limit analysis", "automatic")
-            .default("automatic"),
+        Field::new("friction", Kind::Word(Friction::WORDS), "friction rule of limit analysis", "automatic")
+            .default(Friction::Automatic.word()),
         Field::new(
             "contact_points",
-            Kind::Word(CONTACT_POINTS),
-            "position of the contact points of a joint in limit analysis",
+            Kind::Word(ContactPoints::WORDS),
+            "where limit analysis puts the contact points of a joint",
             "rounded",
         )
-        .default("rounded"),
+        .default(ContactPoints::Rounded.word()),
         Field::new("seed", Kind::Count, "seed of whatever is random", "1").at_least(0.0).at_most(9e15).default("1"),
     ],
 };
@@ -143,3 +123,278 @@ pub(super) static SUPPORT_MOVEMENT: Section = Section {
             .optional("until collapse"),
     ],
 };
+
+pub(crate) fn plan(
+    file: &Table<'_>,
+    width: Option<f64>,
+    spans: Option<usize>,
+    findings: &mut Findings,
+) -> Option<Plan> {
+    // A block model file knows no supports of a bridge.
+    let movement = match file.section.field("support_movement") {
+        Some(_) => file.optional("support_movement", findings, |t, f| support_movement(t, spans, f)),
+        None => Some(None),
+    };
+    file.part("analysis", findings, |table, findings| {
+        let strip = strip(file, table, findings);
+        let damping = table.read("damping", findings);
+        let damping_share: Option<f64> = table.read("damping_share", findings);
+        let mut load = |key| table.line_load(key, width, findings);
+        let (load_step, load_limit, resolution) = (load("load_step"), load("load_limit"), load("resolution"));
+        read!(
+            table,
+            findings,
+            Plan {
+                method,
+                analysis,
+                tolerance,
+                step_limit,
+                contact_length,
+                time_step_factor,
+                friction,
+                contact_points,
+                seed;
+                strip: strip?,
+                load_step: load_step?,
+                load_limit: load_limit?,
+                resolution: resolution?,
+                damping: match damping? {
+                    DampingRule::Local => Damping::Local(damping_share?),
+                    DampingRule::Viscous => Damping::Viscous(damping_share?),
+                    DampingRule::Adaptive => Damping::Adaptive,
+                },
+                support_movement: movement?,
+            }
+        )
+    })
+}
+
+/// Which strip: the word of the plan. Walls add strength in their plane only where somebody asks for it.
+fn strip(file: &Table<'_>, table: &Table<'_>, findings: &mut Findings) -> Option<Strip> {
+    let analysis: Option<Analysis> = table.read("analysis", &mut Findings::default());
+    let strip = table.read("strip", findings)?;
+    if strip != Strip::Fill && !file.has("spandrel_wall") {
+        findings.error(
+            "B406",
+            table.place("strip"),
+            "there is no spandrel wall to analyse",
+            "this strip has a wall on its rings",
+            "describe it with [spandrel_wall], or write strip = \"fill\"",
+        );
+    }
+    if strip == Strip::Both && analysis.is_some_and(|analysis| analysis != Analysis::Load) {
+        findings.error(
+            "B406",
+            table.place("strip"),
+            "only collapse loads of the two strips can be added up",
+            "a thickness or a movement belongs to one strip",
+            "write strip = \"fill\" or strip = \"wall\"",
+        );
+    }
+    Some(strip)
+}
+
+fn support_movement(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<SupportMovement> {
+    let support = support(table, spans, findings);
+    let mut part = |key| table.read::<Option<f64>>(key, findings);
+    let (horizontal, vertical, rotation) = (part("horizontal"), part("vertical"), part("rotation"));
+    let movement = read!(
+        table,
+        findings,
+        SupportMovement {
+            increment,
+            limit;
+            support: support.unwrap_or(0),
+            horizontal: horizontal?.unwrap_or(0.0),
+            vertical: vertical?.unwrap_or(0.0),
+            rotation: rotation?.unwrap_or(0.0),
+        }
+    )?;
+    if [movement.horizontal, movement.vertical, movement.rotation] == [0.0; 3] {
+        findings.error(
+            "B403",
+            table.range,
+            "the support does not move",
+            "no direction",
+            "give `horizontal`, `vertical` or `rotation` other than zero, for example horizontal = 1.0",
+        );
+    }
+    if let (Some(increment), Some(limit)) = (movement.increment, movement.limit)
+        && increment > limit
+    {
+        findings.error(
+            "B405",
+            table.place("increment"),
+            "the increment is more than the limit",
+            format!("the limit is {limit} m"),
+            "give a smaller increment or a larger limit",
+        );
+    }
+    support.map(|_| movement)
+}
+
+/// 0 is the left abutment, then piers, then the right abutment.
+fn support(table: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<usize> {
+    let (field, raw) = table.entry("support")?;
+    let DeValue::String(text) = raw.get_ref() else { return wrong_type(field, raw, findings) };
+    let spans = spans?;
+    let index = match text.trim() {
+        "left abutment" => Some(0),
+        "right abutment" => Some(spans),
+        other => other
+            .strip_prefix("pier")
+            .and_then(|number| number.trim().parse::<usize>().ok())
+            .filter(|number| (1..spans).contains(number)),
+    };
+    if index.is_none() {
+        let piers = match spans {
+            0 | 1 => String::new(),
+            2 => ", \"pier 1\"".to_owned(),
+            _ => format!(", \"pier 1\" to \"pier {}\"", spans - 1),
+        };
+        findings.error(
+            "B404",
+            raw.span().into(),
+            format!("the bridge has no support \"{}\"", shorten(text)),
+            field.doc,
+            format!("write \"left abutment\"{piers} or \"right abutment\""),
+        );
+    }
+    index
+}
+
+/// Whether the bridge says what the chosen analysis needs.
+pub(crate) fn check(
+    file: &Table<'_>,
+    plan: &Plan,
+    loads: &[Load],
+    joints: [Option<&Joint>; 3],
+    masonry: Option<&Masonry>,
+    findings: &mut Findings,
+) {
+    let mut unheard = Findings::default();
+    let place = |section: &str, key: &str, unheard: &mut Findings| {
+        file.table(section, unheard).map_or(file.range, |table| table.place(key))
+    };
+    // A file that plans a passage or a sweep of vehicles, and no collapse, needs no load; `collapse` asks for one where it
+    // is told to run.
+    let plans_more = file.has("passage") || file.has("sweep");
+    let needs_load = plan.analysis == Analysis::Load && (file.has("analysis") || !plans_more);
+    if needs_load && loads.is_empty() && !file.has("load") {
+        let range = place("analysis", "analysis", &mut unheard);
+        findings.error(
+            "B402",
+            range,
+            "there is no load to bring the bridge to collapse",
+            "this analysis raises a load",
+            "describe one with [[load]], or choose analysis = \"thickness\" or \"support-movement\"",
+        );
+    }
+    if plan.analysis == Analysis::SupportMovement && plan.support_movement.is_none() && !file.has("support_movement") {
+        let range = place("analysis", "analysis", &mut unheard);
+        findings.error(
+            "B402",
+            range,
+            "no support movement is described",
+            "this analysis moves a support",
+            "describe it with [support_movement]",
+        );
+    }
+    // [ring_joint] and [wall_joint] only where they are written; elsewhere they are [joint] over again.
+    for (section, joint) in ["joint", "ring_joint", "wall_joint"].into_iter().zip(joints) {
+        let Some(joint) = joint.filter(|_| file.has(section)) else { continue };
+        if let Some(masonry) = masonry {
+            series(file, section, joint, masonry, findings);
+        }
+        if plan.method != Method::Limit {
+            stiffness(file, section, joint, findings);
+        }
+    }
+    if plan.method == Method::Dem {
+        steps(file, plan, findings);
+    }
+    let finer = [
+        ("resolution", plan.resolution, "load_step", plan.load_step),
+        ("load_step", plan.load_step, "load_limit", plan.load_limit),
+    ];
+    for (small, lesser, large, greater) in finer {
+        if let (Some(lesser), Some(greater)) = (lesser, greater)
+            && lesser > greater
+        {
+            let range = place("analysis", small, &mut unheard);
+            findings.error(
+                "B405",
+                range,
+                format!("`{small}` is more than `{large}`"),
+                format!("`{large}` is {} kN/m", greater / 1e3),
+                format!("give a smaller `{small}` or a larger `{large}`"),
+            );
+        }
+    }
+}
+
+/// The series rule needs the moduli of the blocks.
+fn series(file: &Table<'_>, section: &str, joint: &Joint, masonry: &Masonry, findings: &mut Findings) {
+    let mut unheard = Findings::default();
+    let Some(table) = file.table(section, &mut unheard) else { return };
+    let normal = matches!(joint.normal_stiffness, Some(JointStiffness::Series(_)));
+    let shear = matches!(joint.shear_stiffness, Some(JointStiffness::Series(_)));
+    let key = if normal { "mortar_normal_stiffness" } else { "mortar_shear_stiffness" };
+    if (normal || shear) && masonry.elastic_modulus.is_none() {
+        findings
+            .error(
+                "B401",
+                table.place(key),
+                "the series rule needs the modulus of the blocks",
+                "stiffness of the mortar joint alone",
+                "add a line like elastic_modulus = \"15 GPa\" to [masonry], or give the stiffness of the whole contact",
+            )
+            .because("1/k = 1/k' + l/E: Rouxinol, Providência and Lemos, eq. 1");
+    }
+    if shear && masonry.poisson_ratio.is_none() {
+        findings
+            .error(
+                "B401",
+                table.place("mortar_shear_stiffness"),
+                "the series rule in shear needs Poisson's ratio of the blocks",
+                "stiffness of the mortar joint alone",
+                "add a line like poisson_ratio = 0.2 to [masonry], or give the stiffness of the whole contact",
+            )
+            .because("the shear modulus is G = E / (2 (1 + ν))");
+    }
+}
+
+/// The discrete element method cannot do without a stiffness of its joints.
+fn stiffness(file: &Table<'_>, section: &str, joint: &Joint, findings: &mut Findings) {
+    if joint.normal_stiffness.is_none() {
+        lack(file, section, "the normal stiffness of the joints", "normal_stiffness = \"4.84 GPa/m\"", findings);
+    }
+    if joint.shear_stiffness.is_none() {
+        lack(file, section, "the shear stiffness of the joints", "shear_stiffness = \"0.573 GPa/m\"", findings);
+    }
+}
+
+/// Nor without the size of its steps.
+pub(crate) fn steps(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
+    if plan.analysis == Analysis::Load && plan.load_step.is_none() {
+        lack(file, "analysis", "a load step", "load_step = \"100 kN\"", findings);
+    }
+    let still = plan.support_movement.is_some_and(|movement| movement.increment.is_none());
+    if plan.analysis == Analysis::SupportMovement && still {
+        lack(file, "support_movement", "an increment of the movement", "increment = \"1 mm\"", findings);
+    }
+}
+
+fn lack(file: &Table<'_>, section: &str, what: &str, line: &str, findings: &mut Findings) {
+    let mut unheard = Findings::default();
+    let range = file.table(section, &mut unheard).map_or(file.range, |table| table.range);
+    findings
+        .error(
+            "B401",
+            range,
+            format!("this method needs {what}"),
+            "missing here",
+            format!("add a line like {line} to [{section}], or choose method = \"limit\""),
+        )
+        .because("joints deform in this method, load by load; limit analysis takes them as rigid");
+}

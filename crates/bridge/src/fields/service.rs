@@ -1,7 +1,13 @@
-//! Cards of what only the finite element model reads.
+//! What only the finite element model reads: mesh, soils, mortar, contact of fill with masonry.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section};
+use crate::choice::Choice;
+use crate::findings::Findings;
+use crate::model::Cover;
 use crate::quantity::Dimension::{Angle, Density, Force, JointStiffness, Length, Stress};
+use crate::service::{AbutmentFill, Cone, FillContact, HaunchFill, MeshPlan, Mortar, Service, Soil, SoilLaw, Springs};
+use crate::tree::Table;
+use crate::values::read;
 
 pub(super) static MESH: Section = Section {
     path: "mesh",
@@ -32,101 +38,80 @@ pub(super) static MESH: Section = Section {
     ],
 };
 
-const CONES: &[Word] = &[
-    Word { word: "compression", doc: "matches Mohr-Coulomb in triaxial compression" },
-    Word { word: "extension", doc: "matches it in triaxial extension" },
-    Word { word: "plane-strain", doc: "matches its failure load in plane strain" },
-    Word { word: "inner", doc: "inscribed in it" },
-];
-
-const LAWS: &[Word] = &[
-    Word { word: "drucker-prager", doc: "yields on a cone" },
-    Word { word: "mohr-coulomb", doc: "yields on a pyramid" },
-    Word { word: "elastic", doc: "does not yield" },
-];
-
-const MODULUS: Field =
-    Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the fill", "110 MPa").positive();
-const POISSON: Field =
-    Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the fill", "0.19").at_least(0.0).at_most(0.4999);
-const DENSITY: Field =
-    Field::new("density", Kind::Quantity(Density), "mass density of the fill", "1800 kg/m^3").positive();
-const FRICTION: Field = Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
-    .at_least(0.0)
-    .at_most(1.2);
-const COHESION: Field = Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "10 kPa").at_least(0.0);
-const DILATANCY: Field =
+/// Keys of a soil, each left out as its card says.
+const SOIL: [Field; 9] = [
+    Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the fill", "110 MPa")
+        .positive()
+        .optional("unknown; `respond` needs it"),
+    Field::new("poisson_ratio", Kind::Number, "Poisson's ratio of the fill", "0.19")
+        .at_least(0.0)
+        .at_most(0.4999)
+        .optional("unknown; `respond` needs it"),
+    Field::new("density", Kind::Quantity(Density), "mass density of the fill", "1800 kg/m^3")
+        .positive()
+        .optional("that of the lowest layer of [[cover]]"),
+    Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
+        .at_least(0.0)
+        .at_most(1.2)
+        .optional("unknown; `respond` needs it unless the fill is elastic"),
+    Field::new("cohesion", Kind::Quantity(Stress), "cohesion of the fill", "10 kPa")
+        .at_least(0.0)
+        .optional("unknown; `respond` needs it unless the fill is elastic"),
     Field::new("dilatancy_angle", Kind::Quantity(Angle), "angle of dilatancy of the fill", "0 deg")
         .at_least(0.0)
-        .at_most(1.2);
-const CUTOFF: Field =
-    Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa").at_least(0.0);
-const CONE: Field =
-    Field::new("cone", Kind::Word(CONES), "how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner");
-const LAW: Field = Field::new("law", Kind::Word(LAWS), "yield criterion of the fill", "mohr-coulomb");
+        .at_most(1.2)
+        .default("0 deg"),
+    Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa")
+        .at_least(0.0)
+        .optional("no bound but the apex of cone or pyramid"),
+    Field::new(
+        "cone",
+        Kind::Word(Cone::WORDS),
+        "where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb",
+        "inner",
+    )
+    .default(Cone::PlaneStrain.word()),
+    Field::new("law", Kind::Word(SoilLaw::WORDS), "when the fill yields", "mohr-coulomb")
+        .default(SoilLaw::DruckerPrager.word()),
+];
 
-const AS_FILL: &str = "as [fill] says";
+/// A key of another soil, and those of a soil that are as [fill] says where they are left out.
+const fn as_fill(own: Field) -> [Field; 10] {
+    let mut fields = [own; 10];
+    let mut k = 0;
+    while k < SOIL.len() {
+        fields[k + 1] = SOIL[k].optional("as [fill] says");
+        k += 1;
+    }
+    fields
+}
 
 pub(super) static FILL: Section = Section {
     path: "fill",
     doc: "Fill between the rings and the surface, in the finite element model.",
-    fields: &[
-        MODULUS.optional("unknown; `respond` needs it"),
-        POISSON.optional("unknown; `respond` needs it"),
-        DENSITY.optional("that of the lowest layer of [[cover]]"),
-        FRICTION.optional("unknown; `respond` needs it unless the fill is elastic"),
-        COHESION.optional("unknown; `respond` needs it unless the fill is elastic"),
-        DILATANCY.default("0 deg"),
-        CUTOFF.optional("no limit except the apex of cone or pyramid"),
-        CONE.default("plane-strain"),
-        LAW.default("drucker-prager"),
-    ],
+    fields: &SOIL,
 };
 
 pub(super) static HAUNCH_FILL: Section = Section {
     path: "haunch_fill",
     doc: "Fill of the haunches up to a level, over piers and abutments, where it differs from [fill].",
-    fields: &[
+    fields: &as_fill(
         Field::new("height", Kind::Quantity(Length), "level of its upper face above the springings", "1.0 m")
             .positive()
             .at_most(200.0),
-        MODULUS.optional(AS_FILL),
-        POISSON.optional(AS_FILL),
-        DENSITY.optional(AS_FILL),
-        FRICTION.optional(AS_FILL),
-        COHESION.optional(AS_FILL),
-        DILATANCY.optional(AS_FILL),
-        CUTOFF.optional(AS_FILL),
-        CONE.optional(AS_FILL),
-        LAW.optional(AS_FILL),
-    ],
+    ),
 };
 
 pub(super) static ABUTMENT_FILL: Section = Section {
     path: "abutment_fill",
     doc: "Fill behind the abutments, from their foundation to the surface, where it differs from [fill].",
-    fields: &[
+    fields: &as_fill(
         Field::new("extent", Kind::Quantity(Length), "how far it reaches behind the abutment's back", "6 m")
             .positive()
             .at_most(1000.0)
             .optional("to the side boundary"),
-        MODULUS.optional(AS_FILL),
-        POISSON.optional(AS_FILL),
-        DENSITY.optional(AS_FILL),
-        FRICTION.optional(AS_FILL),
-        COHESION.optional(AS_FILL),
-        DILATANCY.optional(AS_FILL),
-        CUTOFF.optional(AS_FILL),
-        CONE.optional(AS_FILL),
-        LAW.optional(AS_FILL),
-    ],
+    ),
 };
-
-const SPRINGS: &[Word] = &[
-    Word { word: "equal", doc: "a spring at each node across the depth, all of the same area" },
-    Word { word: "nodal", doc: "a spring at each node, with the area that belongs to it" },
-    Word { word: "interface", doc: "an interface of no thickness, with two Gauss points between neighbouring nodes" },
-];
 
 pub(super) static MORTAR: Section = Section {
     path: "mortar",
@@ -149,9 +134,9 @@ pub(super) static MORTAR: Section = Section {
         .default("0 kN"),
         Field::new("shear_strength", Kind::Quantity(Stress), "shear strength of the mortar", "1 MPa")
             .at_least(0.0)
-            .optional("friction and cohesion of [joint]"),
-        Field::new("springs", Kind::Word(SPRINGS), "how the stress across a joint is summed", "interface")
-            .default("equal"),
+            .optional("friction and cohesion of [joint] decide"),
+        Field::new("springs", Kind::Word(Springs::WORDS), "how the stress across a joint is summed", "interface")
+            .default(Springs::Equal.word()),
     ],
 };
 
@@ -163,9 +148,98 @@ pub(super) static FILL_CONTACT: Section = Section {
             .at_least(0.0)
             .at_most(10.0)
             .optional("unknown; `respond` needs it"),
-        Field::new("separation", Kind::Flag, "whether fill and masonry may separate", "false").default("true"),
+        Field::new("separation", Kind::Flag, "whether fill and masonry may part", "false").default("true"),
         Field::new("stiffness", Kind::Quantity(JointStiffness), "normal stiffness per area of the contact", "1 GPa/m")
             .positive()
             .optional("from the fill's modulus and the size of its elements"),
     ],
 };
+
+/// Everything; a file that says nothing of it has the defaults.
+pub(crate) fn service(file: &Table<'_>, cover: Option<&Cover>, findings: &mut Findings) -> Option<Service> {
+    let mesh = file.part("mesh", findings, |t, f| read!(t, f, MeshPlan { size, ring_nodes, side_distance }));
+    let lowest = cover.and_then(|cover| cover.layers.first()).map(|layer| layer.density);
+    let density = lowest.filter(|density| *density > 0.0);
+    let fill = file.part("fill", findings, |t, f| soil(t, density, f));
+    // What another table leaves out is as the fill is; what is wrong with the fill has been said.
+    let usual = file.table("fill", &mut Findings::default()).unwrap_or(Table::absent(&FILL, file.range));
+    let haunch_fill = file.optional("haunch_fill", findings, |table, findings| {
+        let soil = soil(&table.over(&usual), density, findings);
+        read!(table, findings, HaunchFill { height; soil: soil? })
+    });
+    let abutment_fill = file.part("abutment_fill", findings, |table, findings| {
+        let soil = soil(&table.over(&usual), density, findings);
+        read!(table, findings, AbutmentFill { extent; soil: soil? })
+    });
+    let mortar = file.part("mortar", findings, |table, findings| {
+        read!(table, findings, Mortar { elastic_modulus, thickness, lift_off, shear_strength, springs })
+    });
+    let fill_contact = file.part("fill_contact", findings, |table, findings| {
+        read!(table, findings, FillContact { friction_coefficient, separation, stiffness })
+    });
+    Some(Service {
+        mesh: mesh?,
+        fill: fill?,
+        haunch_fill: haunch_fill?,
+        abutment_fill: abutment_fill?,
+        mortar: mortar?,
+        fill_contact: fill_contact?,
+    })
+}
+
+/// A soil; of this density where no table gives one.
+fn soil(table: &Table<'_>, density: Option<f64>, findings: &mut Findings) -> Option<Soil> {
+    let mut soil = read!(
+        table,
+        findings,
+        Soil {
+            elastic_modulus,
+            poisson_ratio,
+            density,
+            friction_angle,
+            cohesion,
+            dilatancy_angle,
+            tension_cutoff,
+            cone,
+            law
+        }
+    )?;
+    soil.density = soil.density.or(density);
+    outer_cone(table, &soil, findings);
+    dilates_as_it_rubs(table, &soil, findings).then_some(soil)
+}
+
+/// A cone that makes the soil stronger than the file says it is.
+fn outer_cone(table: &Table<'_>, soil: &Soil, findings: &mut Findings) {
+    let (Some([acts, cohesion]), Some(friction)) =
+        (soil.acts_with().filter(|_| table.has("cone")), soil.friction_angle)
+    else {
+        return;
+    };
+    let times = soil
+        .cohesion
+        .filter(|own| *own > 0.0)
+        .map_or(String::new(), |own| format!(", and its cohesion {:.2} times as much", cohesion / own));
+    findings.warning(
+        "P070",
+        table.place("cone"),
+        "the cone of triaxial compression makes the fill stronger than its friction angle",
+        format!("in plane strain {:.1} deg act as {:.1} deg{times}", friction.to_degrees(), acts.to_degrees()),
+        "leave `cone` out for the cone that gives the soil's own failure load in plane strain",
+    );
+}
+
+/// A soil that dilated by more than its friction would give work away for nothing.
+fn dilates_as_it_rubs(table: &Table<'_>, soil: &Soil, findings: &mut Findings) -> bool {
+    let Some(friction) = soil.friction_angle.filter(|friction| soil.dilatancy_angle > friction * (1.0 + 1e-9)) else {
+        return true;
+    };
+    findings.error(
+        "B107",
+        table.place(if table.has("dilatancy_angle") { "dilatancy_angle" } else { "friction_angle" }),
+        "the fill dilates by more than its angle of friction",
+        format!("the angle of friction is {:.1} deg", friction.to_degrees()),
+        "give a dilatancy angle of at most the angle of friction; 0 deg is common for fill",
+    );
+    false
+}

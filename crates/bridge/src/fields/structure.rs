@@ -1,7 +1,15 @@
-//! Cards of the structure: bridge, spans, rings, piers, abutments.
+//! The structure: bridge, spans, rings, piers, abutments.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section, joined, total};
+use crate::choice::Choice;
+use crate::diagnostic::TextRange;
+use crate::findings::Findings;
+use crate::model::{Abutment, Pier, Ring, Span};
 use crate::quantity::Dimension::{Acceleration, Length};
+use crate::ring;
+use crate::ring::{Intrados, OWN_KEYS, Shape, WITH_RISE, WITH_SPAN};
+use crate::tree::{At, Table};
+use crate::values::read;
 
 pub(super) static BRIDGE: Section = Section {
     path: "bridge",
@@ -18,21 +26,16 @@ pub(super) static BRIDGE: Section = Section {
     ],
 };
 
-pub(super) const PROFILES: &[Word] = &[
-    Word { word: "segmental", doc: "one circular arc, rise at most half the span" },
-    Word { word: "semicircular", doc: "half a circle, rise half the span" },
-    Word { word: "parabolic", doc: "a parabola with its vertex in the crown" },
-    Word { word: "elliptical", doc: "half an ellipse, vertical at the springings" },
-    Word { word: "three-centred", doc: "two small circles at the haunches, a large one at the crown" },
-    Word { word: "pointed", doc: "two circular arcs centred on the springing line that meet in the crown" },
-    Word { word: "measured", doc: "a smooth curve through surveyed points" },
-];
-
 pub(super) static SPAN: Section = Section {
     path: "span",
-    doc: "One span. Span and rise are always measured at the intrados.",
-    fields: &[
-        Field::new("profile", Kind::Word(PROFILES), "shape of the intrados", "segmental"),
+    doc: "One span. Span and rise are measured at the intrados, always.",
+    fields: &joined::<{ total(SPAN_KEYS) }>(SPAN_KEYS),
+};
+
+/// Keys of every span, with those of its profile between.
+const SPAN_KEYS: &[&[Field]] = &[
+    &[
+        Field::new("profile", Kind::Word(Shape::WORDS), "shape of the intrados", "segmental"),
         Field::new(
             "span",
             Kind::Quantity(Length),
@@ -41,7 +44,7 @@ pub(super) static SPAN: Section = Section {
         )
         .positive()
         .at_most(500.0)
-        .only("profile", &["segmental", "semicircular", "parabolic", "elliptical", "three-centred", "pointed"]),
+        .only("profile", &WITH_SPAN),
         Field::new(
             "rise",
             Kind::Quantity(Length),
@@ -50,18 +53,11 @@ pub(super) static SPAN: Section = Section {
         )
         .positive()
         .at_most(500.0)
-        .only("profile", &["segmental", "parabolic", "elliptical", "three-centred", "pointed"]),
-        Field::new("haunch_radius", Kind::Quantity(Length), "radius of the two circles at the haunches", "2.0 m")
-            .positive()
-            .only("profile", &["three-centred"]),
-        Field::new(
-            "points",
-            Kind::Points,
-            "surveyed points of the intrados, from the left to the right springing; the first is the origin",
-            "[[\"0 m\", \"0 m\"], [\"2.0 m\", \"1.1 m\"], [\"4.0 m\", \"0 m\"]]",
-        )
-        .only("profile", &["measured"]),
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.711 m")
+        .only("profile", &WITH_RISE),
+    ],
+    &joined::<{ total(OWN_KEYS) }>(OWN_KEYS),
+    &[
+        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, everywhere the same", "0.711 m")
             .positive()
             .at_most(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`, or by [[span.ring]]"),
@@ -89,13 +85,13 @@ pub(super) static SPAN: Section = Section {
             .at_most(1000.0)
             .default("1"),
     ],
-};
+];
 
 pub(super) static RING: Section = Section {
     path: "span.ring",
     doc: "One ring of a span with several, from the intrados up.",
     fields: &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.225 m")
+        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, everywhere the same", "0.225 m")
             .positive()
             .at_most(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`"),
@@ -140,8 +136,7 @@ pub(super) static PIER: Section = Section {
 
 pub(super) static ABUTMENT: Section = Section {
     path: "abutment",
-    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is used for drawings and limits what \
-          can rest on them.",
+    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is drawn, and bounds what may lean on them.",
     fields: &[
         Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
             .positive()
@@ -169,3 +164,145 @@ static ABUTMENT_LEFT: Section =
     Section { path: "abutment.left", doc: "The left abutment, where it differs.", fields: SIDE };
 static ABUTMENT_RIGHT: Section =
     Section { path: "abutment.right", doc: "The right abutment, where it differs.", fields: SIDE };
+
+/// Name, width and gravity.
+pub(crate) struct General {
+    pub(crate) name: String,
+    pub(crate) width: f64,
+    pub(crate) gravity: f64,
+}
+
+/// A span and where its parts stand in the file.
+#[derive(Debug, Clone)]
+pub(crate) struct PlacedSpan {
+    pub(crate) span: Span,
+    /// Where the shape is described.
+    pub(crate) shape: TextRange,
+    /// Where each ring's thickness is described, and its voussoirs.
+    pub(crate) rings: Vec<(TextRange, TextRange)>,
+}
+
+/// Spans that are analysed as one structure; the longest masonry viaducts have a few hundred.
+const MOST_SPANS: u64 = 200;
+
+/// Voussoirs that are analysed as one structure: as many as 200 spans of 500.
+const MOST_VOUSSOIRS: usize = 100_000;
+
+pub(crate) fn general(file: &Table<'_>, findings: &mut Findings) -> Option<General> {
+    read!(&file.table("bridge", findings)?, findings, General { name, width, gravity })
+}
+
+pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<PlacedSpan>> {
+    if !file.has("span") {
+        return None;
+    }
+    let mut spans: Vec<PlacedSpan> = Vec::new();
+    let mut complete = true;
+    for table in file.tables("span", findings) {
+        let repeat: Option<u64> = table.read("repeat", findings);
+        let span = span(&table, findings);
+        match span.zip(repeat) {
+            Some((_, repeat)) if spans.len() as u64 + repeat > MOST_SPANS => {
+                findings.error(
+                    "B212",
+                    table.range,
+                    format!("the bridge has more than {MOST_SPANS} spans"),
+                    "too many to analyse as one structure",
+                    "describe the part of the viaduct that acts together: a few spans on each side of the load",
+                );
+                return None;
+            }
+            Some((span, repeat)) => spans.extend((0..repeat).map(|_| span.clone())),
+            None => complete = false,
+        }
+    }
+    let blocks: usize = spans.iter().flat_map(|placed| &placed.span.rings).map(|ring| ring.voussoirs).sum();
+    if blocks > MOST_VOUSSOIRS {
+        findings.error(
+            "B212",
+            file.place("span"),
+            format!("the bridge has {blocks} voussoirs"),
+            format!("more than {MOST_VOUSSOIRS} are too many to analyse as one structure"),
+            "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs draw a good ring",
+        );
+        return None;
+    }
+    (complete && !spans.is_empty()).then_some(spans)
+}
+
+fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
+    let profile = ring::read(table, findings);
+    let rings = rings(table, findings);
+    let (profile, span, rise) = profile?;
+    if let Err(misfit) = Intrados::new(&profile, span, rise) {
+        let entries = table.entry(misfit.key).and_then(|(_, raw)| raw.get_ref().as_array());
+        let entry = misfit.entry.and_then(|index| entries?.iter().nth(index));
+        let place = entry.map_or(table.place(misfit.key), |entry| entry.span().into());
+        findings.error(misfit.code, place, misfit.message, misfit.label, misfit.help);
+        return None;
+    }
+    let (rings, places) = rings?.into_iter().unzip();
+    Some(PlacedSpan { span: Span { profile, span, rise, rings }, shape: table.range, rings: places })
+}
+
+type PlacedRing = (Ring, (TextRange, TextRange));
+
+/// The rings of a span: its own keys, or [[span.ring]].
+fn rings(table: &Table<'_>, findings: &mut Findings) -> Option<Vec<PlacedRing>> {
+    if !table.has("ring") {
+        return ring(table, findings).map(|ring| vec![ring]);
+    }
+    for key in ["thickness", "crown_thickness", "springing_thickness", "voussoirs"] {
+        if table.has(key) {
+            table.exclude(key, "[[span.ring]]", findings);
+        }
+    }
+    table.all("ring", findings, ring)
+}
+
+/// One ring: a thickness, or one at the crown and one at the springings.
+fn ring(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedRing> {
+    let voussoirs: Option<Option<At<usize>>> = table.read("voussoirs", findings);
+    if !table.has("voussoirs") && table.section.path == "span" {
+        table.need("voussoirs", findings);
+    }
+    let [thickness, crown, springing] = ["thickness", "crown_thickness", "springing_thickness"]
+        .map(|key| table.read::<Option<At<f64>>>(key, findings).flatten());
+    let (crown, springing) = if table.has("thickness") {
+        for key in ["crown_thickness", "springing_thickness"] {
+            if table.has(key) {
+                table.exclude(key, "`thickness`", findings);
+            }
+        }
+        (thickness?, thickness?)
+    } else {
+        match (table.has("crown_thickness"), table.has("springing_thickness")) {
+            (false, false) => table.need("thickness", findings),
+            (true, false) => table.need("springing_thickness", findings),
+            (false, true) => table.need("crown_thickness", findings),
+            (true, true) => {}
+        }
+        (crown?, springing?)
+    };
+    let At { value: voussoirs, range } = voussoirs??;
+    let ring = Ring { crown_thickness: crown.value, springing_thickness: springing.value, voussoirs };
+    Some((ring, (crown.range, range)))
+}
+
+/// The piers as written; how many there must be is for the geometry.
+pub(crate) fn piers(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pier>> {
+    file.all("pier", findings, |table, findings| {
+        let base_width: Option<Option<f64>> = table.read("base_width", findings);
+        read!(table, findings, Pier { width, height, courses; base_width: base_width?.unwrap_or(width) })
+    })
+}
+
+pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Abutment; 2]> {
+    file.part("abutment", findings, |both, findings| {
+        let fits: Option<Abutment> = read!(both, findings, Abutment { top_width, height });
+        let sides = ["left", "right"].map(|key| {
+            both.part(key, findings, |side, findings| read!(&side.over(both), findings, Abutment { top_width, height }))
+        });
+        fits.and(Some([sides[0]?, sides[1]?]))
+    })
+}

@@ -1,27 +1,31 @@
-//! Cards of vehicles that are moved over the bridge, and of fill that helps.
+//! Vehicles that are moved over the bridge, and fill that helps.
 
-use super::{Field, Kind, Section, Word};
+use super::{Field, Kind, Section};
+use crate::choice::{Choice, choice};
+use crate::findings::Findings;
+use crate::model::{Carriageway, Directions, FillPressure, LeastPressure, SweepPlan};
 use crate::quantity::Dimension::{Angle, Length, Stress};
+use crate::tree::Table;
+use crate::values::read;
 
-const WAYS: &[Word] = &[
-    Word { word: "both", doc: "to the right and to the left" },
-    Word { word: "right", doc: "to the right" },
-    Word { word: "left", doc: "to the left" },
-];
-
-const SPREADS: &[Word] = &[
-    Word { word: "rule", doc: "as in the rule, with the rule's footprint" },
-    Word { word: "file", doc: "as in [dispersal], with each vehicle's footprint" },
-];
+choice! {
+    /// How axles spread through the cover.
+    enum Spread {
+        /// as the rule says, at the rule's footprint
+        Rule = "rule",
+        /// as [dispersal] says, at each vehicle's footprint
+        File = "file",
+    }
+}
 
 pub(super) static SWEEP: Section = Section {
     path: "sweep",
-    doc: "Vehicles that `extrados collapse --sweep` moves over the bridge by limit analysis: every position, both \
-          directions, every group of neighbouring axles, with the factors of a rule on loads and weights. Vehicles and \
-          rules of the library are listed in docs/theory/load-rules.md.",
+    doc: "Vehicles that `extrados collapse --sweep` moves over the bridge by limit analysis: every position, both ways, every run of \
+          neighbouring axles, loads and weights with the factors of a rule. Vehicles and rules of the library are listed in \
+          docs/theory/load-rules.md.",
     fields: &[
         Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454").optional(
-            "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
+            "\"characteristic\": no safety, for comparisons and never for a verdict; or given by `rule_file`",
         ),
         Field::new("rule_file", Kind::Text, "file with a rule, relative to the bridge file", "our-rule.toml")
             .optional("a rule of the library"),
@@ -41,14 +45,16 @@ pub(super) static SWEEP: Section = Section {
         .optional("none"),
         Field::new("step", Kind::Quantity(Length), "distance between positions", "0.25 m")
             .positive()
-            .optional("a sixtieth of the shortest span; the worst position between steps is then found"),
-        Field::new("directions", Kind::Word(WAYS), "directions in which vehicles travel", "both").default("both"),
-        Field::new("subsets", Kind::Flag, "whether every group of neighbouring axles is tried", "true").default("true"),
-        Field::new("dispersal", Kind::Word(SPREADS), "how axles spread through the cover", "rule").default("rule"),
+            .optional("a sixtieth of the shortest span; the worst position is then sought in between"),
+        Field::new("directions", Kind::Word(Directions::WORDS), "which ways vehicles drive", "both")
+            .default(Directions::Both.word()),
+        Field::new("subsets", Kind::Flag, "whether every run of neighbouring axles is tried", "true").default("true"),
+        Field::new("dispersal", Kind::Word(Spread::WORDS), "how axles spread through the cover", "rule")
+            .default(Spread::Rule.word()),
         Field::new(
             "discrete_elements",
             Kind::Flag,
-            "whether the governing case is also analysed by discrete elements; the smaller number counts",
+            "whether the governing case is made by discrete elements too, the smaller number counting",
             "true",
         )
         .default("false"),
@@ -58,9 +64,8 @@ pub(super) static SWEEP: Section = Section {
 
 pub(super) static CARRIAGEWAY: Section = Section {
     path: "carriageway",
-    doc: "Possible positions of vehicles of [sweep] across the bridge. In a plane model they determine the width of \
-          the barrel that carries one vehicle: two abreast share the width between them, and for one at the edge the \
-          width beyond it is missing. The worst arrangement counts.",
+    doc: "Where vehicles of [sweep] may stand across the bridge. A plane model sees it as the width of the barrel that carries one \
+          vehicle: two abreast share what lies between them, and one at the edge lacks what lies beyond. The worst of all counts.",
     fields: &[
         Field::new(
             "lanes",
@@ -94,18 +99,11 @@ pub(super) static CARRIAGEWAY: Section = Section {
     ],
 };
 
-const LEAST: &[Word] = &[
-    Word { word: "at-rest", doc: "at rest: 1 - sin(phi) of the vertical stress (Jaky)" },
-    Word { word: "active", doc: "Rankine's active pressure, without cohesion" },
-    Word { word: "none", doc: "nothing" },
-];
-
 pub(super) static FILL_PRESSURE: Section = Section {
     path: "fill_pressure",
-    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis: between the pressure at rest and a \
-          share of Rankine's passive pressure, which acts only where a back moves against the fill. \
-          docs/theory/fill-pressure.md gives the sources of the shares. The discrete element method does not use this \
-          table: particles exert pressure themselves.",
+    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis: between what is there at rest and a share of \
+          Rankine's passive pressure, which acts only where a back moves against the fill. docs/theory/fill-pressure.md tells \
+          where the shares come from. Particles press by themselves: the discrete element method does not read this table.",
     fields: &[
         Field::new("applies", Kind::Flag, "whether it acts", "true").default("true"),
         Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
@@ -125,7 +123,99 @@ pub(super) static FILL_PRESSURE: Section = Section {
             .at_least(0.0)
             .at_most(1.0)
             .default("0.05"),
-        Field::new("least", Kind::Word(LEAST), "pressure on backs that do not move against the fill", "at-rest")
-            .default("at-rest"),
+        Field::new(
+            "least",
+            Kind::Word(LeastPressure::WORDS),
+            "pressure on backs that nothing moves against the fill",
+            "at-rest",
+        )
+        .default(LeastPressure::AtRest.word()),
     ],
 };
+
+/// The rule where the file names none.
+const USUAL_RULE: &str = "characteristic";
+
+/// The sweep that the file asks for.
+pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepPlan> {
+    if table.has("rule") && table.has("rule_file") {
+        table.exclude("rule", "`rule_file`", findings);
+    }
+    let rule: Option<Option<String>> = table.read("rule", findings);
+    let mut list = |key: &str| {
+        let list: Option<Vec<String>> = table.read(key, findings)?;
+        let bare = |word: String| word.trim_matches(['"', '\'']).to_owned();
+        Some(list.unwrap_or_default().into_iter().map(bare).collect())
+    };
+    let (vehicles, vehicle_files) = (list("vehicles"), list("vehicle_files"));
+    let dispersal = table.read("dispersal", findings);
+    let discrete = ["discrete_elements", "confirm"].map(|key| table.read(key, findings));
+    read!(
+        table,
+        findings,
+        SweepPlan {
+            rule_file,
+            step,
+            directions,
+            subsets;
+            rule: rule?.unwrap_or_else(|| USUAL_RULE.to_owned()),
+            vehicles: vehicles?,
+            vehicle_files: vehicle_files?,
+            own_dispersal: match dispersal? {
+                Spread::Rule => false,
+                Spread::File => true,
+            },
+            discrete_elements: if table.has("discrete_elements") { discrete[0]? } else { discrete[1]? },
+            texts: Vec::new(),
+        }
+    )
+}
+
+/// Skew from which on a square model says little [rad].
+pub(crate) const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
+
+/// Where vehicles may stand across a barrel so wide [m].
+pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Carriageway> {
+    let found = read!(table, findings, Carriageway { lanes, lane_width, edge_distance, skew })?;
+    if let (Some(width), Some(edge)) = (width, found.edge_distance)
+        && edge > 0.5 * width
+    {
+        findings.error(
+            "B660",
+            table.place("edge_distance"),
+            "the nearest wheel stands beyond the middle of the barrel",
+            format!("the barrel is {width} m wide"),
+            format!("write a distance of at most {} m, half the width", 0.5 * width),
+        );
+    }
+    if let (Some(width), Some(lanes), Some(lane)) = (width, found.lanes, found.lane_width)
+        && (lanes as f64 - 1.0) * lane > width
+    {
+        findings.error(
+            "B661",
+            table.place("lanes"),
+            format!("{lanes} vehicles {lane} m apart do not stand on a barrel of {width} m"),
+            "vehicles abreast on this bridge",
+            "write fewer lanes, or the distance that they have",
+        );
+    }
+    if found.skew.is_some_and(|skew| skew > DOUBTFUL_SKEW) {
+        findings.warning(
+            "P060",
+            table.place("skew"),
+            "the bridge is skew, and the model is square",
+            "skew barrels carry from obtuse corner to obtuse corner",
+            "give the spans along the road, which are the longer ones, and confirm the load by a model in three dimensions or by test",
+        );
+    }
+    Some(found)
+}
+
+/// The pressure of fill that helps.
+pub(crate) fn fill_pressure(table: &Table<'_>, findings: &mut Findings) -> Option<FillPressure> {
+    read!(
+        table,
+        findings,
+        FillPressure { applies, friction_angle, cohesion, mobilisation, cohesion_mobilisation, least }
+    )
+}

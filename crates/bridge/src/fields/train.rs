@@ -1,7 +1,12 @@
-//! Cards of trains and of the track under them.
+//! Trains, and the track under them.
 
 use super::{Field, Kind, Section};
+use crate::findings::Findings;
+use crate::passage::Track;
 use crate::quantity::Dimension::{BendingStiffness, Force, Length, Mass, Stress};
+use crate::train::{AxleLoads, LIBRARY, MOST_AXLES, Train, Vehicle, built_in, read_toml};
+use crate::tree::{At, Table};
+use crate::values::read;
 
 pub(crate) static VEHICLE: Section = Section {
     path: "train.vehicle",
@@ -135,3 +140,147 @@ pub(super) static TRACK: Section = Section {
             .optional("the width of the barrel"),
     ],
 };
+
+/// The train: of the library, of a file that somebody else reads, or of vehicles written here.
+pub(crate) fn train(file: &Table<'_>, findings: &mut Findings) -> Option<Train> {
+    let table = file.table("train", findings)?;
+    let name: Option<Option<String>> = table.read("name", findings);
+    let path: Option<Option<String>> = table.read("file", findings);
+    let written = vehicles(&table, findings);
+    if table.has("file") && table.has("vehicle") {
+        table.exclude("file", "[[train.vehicle]]", findings);
+        return None;
+    }
+    let named = name?;
+    if let Some(path) = path? {
+        return Some(Train { name: named.unwrap_or_else(|| path.clone()), file: Some(path), vehicles: Vec::new() });
+    }
+    if table.has("vehicle") {
+        return Some(Train { name: named.unwrap_or_else(|| "train".to_owned()), file: None, vehicles: written? });
+    }
+    let list = LIBRARY.iter().map(|train| format!("\"{}\"", train.name)).collect::<Vec<_>>().join(", ");
+    let Some(named) = named else {
+        table.need("name", findings);
+        return None;
+    };
+    match built_in(&named) {
+        Some(found) => {
+            let vehicles = read_toml(found.text.as_bytes()).vehicles?;
+            Some(Train { name: found.name.to_owned(), file: None, vehicles })
+        }
+        None => {
+            findings.error(
+                "B651",
+                table.place("name"),
+                "the library has no such train, and there are no vehicles",
+                "a train of the library, or one described here",
+                format!("write one of {list}, or describe the train with [[train.vehicle]] or file = \"train.toml\""),
+            );
+            None
+        }
+    }
+}
+
+/// The vehicles of a train or of a file of vehicles.
+pub(crate) fn vehicles(table: &Table<'_>, findings: &mut Findings) -> Option<Vec<Vehicle>> {
+    let tables = table.tables("vehicle", findings);
+    let list: Vec<Option<Vehicle>> = tables.iter().map(|table| vehicle(table, findings)).collect();
+    let list: Vec<Vehicle> = list.into_iter().collect::<Option<_>>()?;
+    let axles: usize = list.iter().map(|vehicle| vehicle.count.saturating_mul(vehicle.spacings.len() + 1)).sum();
+    if axles > MOST_AXLES {
+        findings.error(
+            "B652",
+            tables.first().map_or(table.range, |table| table.range),
+            format!("the train has {axles} axles"),
+            "the longest trains have some 3,000",
+            format!("write a smaller `count`: {MOST_AXLES} axles at most"),
+        );
+        return None;
+    }
+    (!list.is_empty()).then_some(list)
+}
+
+fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
+    let name: Option<Option<String>> = table.read("name", findings);
+    let count = table.read("count", findings);
+    let masses: Option<Option<At<Vec<f64>>>> = table.read("axle_loads", findings);
+    let forces: Option<Option<At<Vec<f64>>>> = table.read("axle_forces", findings);
+    let spacings: Option<Vec<f64>> = table.read("axle_spacings", findings);
+    let overhangs = ["front_overhang", "rear_overhang"].map(|key| table.read::<f64>(key, findings));
+    let (loads, given): (fn(Vec<f64>) -> AxleLoads, _) = match (table.has("axle_loads"), table.has("axle_forces")) {
+        (true, true) => {
+            table.exclude("axle_forces", "`axle_loads`", findings);
+            return None;
+        }
+        (false, false) => {
+            table.need("axle_loads", findings);
+            return None;
+        }
+        (true, false) => (AxleLoads::Masses, masses??),
+        (false, true) => (AxleLoads::Forces, forces??),
+    };
+    let spacings = spacings?;
+    let axles = spacings.len() + 1;
+    let each = match given.value.len() {
+        1 => vec![given.value[0]; axles],
+        same if same == axles => given.value,
+        other => {
+            findings.error(
+                "B652",
+                given.range,
+                format!("{other} loads for {axles} axles"),
+                "one for each axle, or one for all",
+                format!("give {axles} loads or one; there is one spacing between each two axles"),
+            );
+            return None;
+        }
+    };
+    Some(Vehicle {
+        name: name?.unwrap_or_else(|| "vehicle".to_owned()),
+        count: count?,
+        loads: loads(each),
+        spacings,
+        overhangs: [overhangs[0]?, overhangs[1]?],
+    })
+}
+
+/// Rails, sleepers, ballast. `width` of the barrel [m].
+pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Track> {
+    let table = &file.table("track", findings)?;
+    let track = read!(
+        table,
+        findings,
+        Track {
+            rail_bending_stiffness,
+            track_modulus,
+            sleeper_spacing,
+            sleeper_breadth,
+            sleeper_length,
+            ballast_depth,
+            ballast_slope,
+            dead_load,
+            effective_width,
+        }
+    )?;
+    if let (Some(effective), Some(width)) = (track.effective_width, width)
+        && effective > width * (1.0 + 1e-12)
+    {
+        findings.error(
+            "B303",
+            table.place("effective_width"),
+            "the effective width of an axle is more than the width of the barrel",
+            format!("the barrel is {width} m wide"),
+            format!("write \"{width} m\" or less, or leave it out"),
+        );
+    }
+    if track.sleeper_breadth > track.sleeper_spacing {
+        findings.error(
+            "B653",
+            table.place("sleeper_breadth"),
+            "sleepers are broader than the distance between them",
+            format!("their middles are {} m apart", track.sleeper_spacing),
+            "check whether `sleeper_breadth` and `sleeper_spacing` are swapped",
+        );
+    }
+    Some(track)
+}

@@ -1,18 +1,25 @@
-//! Cards of spandrel walls.
+//! Spandrel walls, and whether they fit the bridge.
 
-use super::{Field, Kind, Section, Word};
+use super::material::joint;
+use super::{Field, Kind, Section};
+use crate::choice::{Choice, choice};
+use crate::findings::Findings;
+use crate::model::{Abutment, CoursesFrom, Joint, Masonry, SpandrelWall};
 use crate::quantity::Dimension::{Density, Length};
+use crate::tree::Table;
+use crate::values::read;
 
-const BONDS: &[Word] = &[
-    Word { word: "half", doc: "every other course is shifted by half a brick" },
-    Word { word: "third", doc: "every other course is shifted by a third of a brick" },
-    Word { word: "stack", doc: "head joints are above one another" },
-];
-
-const STARTS: &[Word] = &[
-    Word { word: "top", doc: "from the wall's top down: the uppermost course is whole" },
-    Word { word: "springings", doc: "from the level of the springings up: the uppermost course takes what is left" },
-];
+choice! {
+    /// How courses are shifted.
+    enum Bond {
+        /// every other course is shifted by half a brick
+        Half = "half",
+        /// every other course is shifted by a third of a brick
+        Third = "third",
+        /// head joints stand above one another
+        Stack = "stack",
+    }
+}
 
 pub(super) static SPANDREL_WALL: Section = Section {
     path: "spandrel_wall",
@@ -23,7 +30,7 @@ pub(super) static SPANDREL_WALL: Section = Section {
         Field::new("brick_height", Kind::Quantity(Length), "height of a course with its joint", "0.40 m").positive(),
         Field::new("thickness", Kind::Quantity(Length), "thickness of all walls together across the bridge", "0.44 m")
             .positive(),
-        Field::new("bond", Kind::Word(BONDS), "how courses are shifted", "half").default("half"),
+        Field::new("bond", Kind::Word(Bond::WORDS), "how courses are shifted", "half").default(Bond::Half.word()),
         Field::new("density", Kind::Quantity(Density), "mass density of the wall", "2100 kg/m^3")
             .positive()
             .optional("as [masonry] says"),
@@ -47,7 +54,8 @@ pub(super) static SPANDREL_WALL: Section = Section {
         .positive()
         .optional("to the backs of the abutments"),
         Field::new("end_walls", Kind::Flag, "whether fixed walls stand at both ends", "false").default("false"),
-        Field::new("courses_from", Kind::Word(STARTS), "where courses are counted from", "top").default("top"),
+        Field::new("courses_from", Kind::Word(CoursesFrom::WORDS), "where courses are counted from", "top")
+            .default(CoursesFrom::Top.word()),
         Field::new(
             "head_joint",
             Kind::Quantity(Length),
@@ -75,3 +83,116 @@ pub(super) static SPANDREL_WALL: Section = Section {
         .default("0.25"),
     ],
 };
+
+/// What the wall takes from other parts of the file.
+pub(crate) struct Parts<'a> {
+    pub(crate) width: Option<f64>,
+    pub(crate) masonry: Option<&'a Masonry>,
+    pub(crate) joint: Option<&'a Joint>,
+    pub(crate) abutments: Option<&'a [Abutment; 2]>,
+}
+
+/// The walls; `None` inside where the file has none.
+pub(crate) fn spandrel_wall(
+    file: &Table<'_>,
+    parts: &Parts<'_>,
+    findings: &mut Findings,
+) -> Option<Option<SpandrelWall>> {
+    let own = if file.has("wall_joint") { Some(joint(file, "wall_joint", findings)) } else { None };
+    if !file.has("spandrel_wall") {
+        if file.has("wall_joint") {
+            let mut unheard = Findings::default();
+            let range = file.table("wall_joint", &mut unheard).map_or(file.range, |table| table.range);
+            findings.error(
+                "B213",
+                range,
+                "there is no spandrel wall for these joints",
+                "joints of a wall that the file does not describe",
+                "describe the wall with [spandrel_wall], or remove [wall_joint]",
+            );
+        }
+        return Some(None);
+    }
+    let table = &file.table("spandrel_wall", findings)?;
+    let bond = table.read("bond", findings);
+    let density: Option<Option<f64>> = table.read("density", findings);
+    let rounding: Option<Option<f64>> = table.read("rounding", findings);
+    let given_density = density?;
+    let given_rounding = rounding?;
+    // A contact point of a ring joint stands for half the ring's thickness; that of a wall's joint for half its own.
+    let inherited = || parts.joint.map(|joint| Joint { fixed_length: None, least_length: None, ..*joint });
+    let wall = read!(
+        table,
+        findings,
+        SpandrelWall {
+            brick_length,
+            brick_height,
+            thickness,
+            top,
+            extent,
+            end_walls,
+            courses_from,
+            head_joint,
+            loaded_bricks,
+            least_piece;
+            bond: Bond::shift(bond?),
+            density: given_density.or(parts.masonry.map(|masonry| masonry.density))?,
+            rounding: given_rounding.or(parts.masonry.map(|masonry| masonry.rounding))?,
+            joint: match own {
+                Some(own) => own?,
+                None => inherited()?,
+            },
+        }
+    )?;
+    fits(table, &wall, parts, findings);
+    Some(Some(wall))
+}
+
+impl Bond {
+    /// Share of a brick by which every other course is shifted.
+    fn shift(self) -> f64 {
+        match self {
+            Bond::Half => 0.5,
+            Bond::Third => 1.0 / 3.0,
+            Bond::Stack => 0.0,
+        }
+    }
+}
+
+fn fits(table: &Table<'_>, wall: &SpandrelWall, parts: &Parts<'_>, findings: &mut Findings) {
+    if let Some(width) = parts.width
+        && wall.thickness >= width
+    {
+        findings.error(
+            "B213",
+            table.place("thickness"),
+            "the walls are as thick as the bridge is wide",
+            format!("the barrel is {width} m wide"),
+            "give the thickness of all walls together, less than the width",
+        );
+    }
+    // No piece is thinner than this where voussoirs are no shorter than bricks.
+    let least = wall.least_piece * wall.brick_height.min(wall.brick_length);
+    if 2.0 * wall.rounding >= least {
+        let place = if table.has("rounding") { table.place("rounding") } else { table.place("brick_height") };
+        findings.error(
+            "B213",
+            place,
+            "rounded corners leave nothing of the smallest pieces of cut bricks",
+            format!("twice the rounding is no less than the least piece, {least:.4} m"),
+            "give a smaller `rounding` or a larger `least_piece` in [spandrel_wall]",
+        );
+    }
+    if let (Some(extent), Some(abutments)) = (wall.extent, parts.abutments) {
+        let shortest = abutments[0].top_width.min(abutments[1].top_width);
+        if extent > shortest {
+            findings.error(
+                "B213",
+                table.place("extent"),
+                "the wall reaches beyond the abutments",
+                format!("the shorter abutment's upper face has {shortest} m"),
+                "give a larger `top_width` in [abutment], on which the wall stands, or a smaller `extent`",
+            );
+        }
+    }
+}

@@ -5,15 +5,15 @@ use crate::model::{Cover, Joint, Masonry, Pier};
 use crate::ring::{Intrados, Station};
 use crate::tree::Table;
 
-use super::structure::PlacedSpan;
+use crate::fields::structure::PlacedSpan;
 
 /// Where the spans lie along the bridge [m].
 #[derive(Debug, Clone)]
-pub(super) struct Layout {
+pub(crate) struct Layout {
     /// Left and right springing of each span.
-    pub(super) spans: Vec<(f64, f64)>,
+    pub(crate) spans: Vec<(f64, f64)>,
     /// From the first springing to the last.
-    pub(super) length: f64,
+    pub(crate) length: f64,
 }
 
 impl Layout {

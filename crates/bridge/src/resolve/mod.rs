@@ -1,34 +1,14 @@
 //! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
 
-mod assess;
-pub(crate) mod blocks;
-mod calibration;
-mod cover;
 mod geometry;
-mod loading;
-mod materials;
-mod particles;
-mod passage;
-mod plan;
-mod sensors;
-mod service;
-pub(crate) mod structure;
-mod sweep;
-pub(crate) mod train;
-mod update;
-mod vary;
-mod wall;
 
+use crate::fields::*;
 use crate::findings::Findings;
 use crate::model::Bridge;
 use crate::plausible;
 use crate::tree::Table;
 
-pub(crate) use assess::{SECTIONS as ASSESS_SECTIONS, assess};
-pub(crate) use loading::{read_share, read_slope, slope};
-pub(crate) use sweep::DOUBTFUL_SKEW;
-pub(crate) use update::{SECTIONS as UPDATE_SECTIONS, update};
-pub(crate) use vary::{check as check_vary, vary};
+pub(crate) use geometry::Layout;
 
 /// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.
 pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridge> {
@@ -36,9 +16,9 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let spans = structure::spans(file, findings);
     let piers = structure::piers(file, findings);
     let abutments = structure::abutments(file, findings);
-    let masonry = materials::masonry(file, findings);
-    let joint = materials::joint(file, "joint", findings);
-    let ring_joint = if file.has("ring_joint") { materials::joint(file, "ring_joint", findings) } else { joint };
+    let masonry = material::masonry(file, findings);
+    let joint = material::joint(file, "joint", findings);
+    let ring_joint = if file.has("ring_joint") { material::joint(file, "ring_joint", findings) } else { joint };
     let width = general.as_ref().map(|general| general.width);
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
@@ -47,12 +27,13 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let particles = particles::particles(file, cover.as_ref(), findings);
     let calibration = calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
-    let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| geometry::Layout::new(spans, piers));
+    let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| Layout::new(spans, piers));
     let loads = loading::loads(file, width, lengths.as_ref(), findings);
     let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
-    let fill_pressure = sweep::fill_pressure(file, findings);
-    let carriageway = sweep::carriageway(file, width, findings);
-    let sweep = sweep::sweep(file, findings);
+    let fill_pressure = file.optional("fill_pressure", findings, sweep::fill_pressure);
+    let carriageway =
+        file.optional("carriageway", findings, |table, findings| sweep::carriageway(table, width, findings));
+    let sweep = file.optional("sweep", findings, sweep::sweep);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
     if let (Some(spans), Some(piers)) = (&spans, &piers) {

@@ -1,10 +1,10 @@
 //! Intrados made of circular arcs: segmental, semicircular, three-centred, pointed. The left half only.
 
-use super::Station;
+use super::{Curve, Station};
 
 /// A circular arc, run through clockwise. Angles are measured from the vertical, to the right positive [rad].
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Arc {
+pub(super) struct Arc {
     centre: [f64; 2],
     radius: f64,
     start: f64,
@@ -20,7 +20,9 @@ impl Arc {
 /// Arcs from the left springing to the crown, one behind the other.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arcs {
-    arcs: Vec<Arc>,
+    pub(super) arcs: Vec<Arc>,
+    /// Radius of the circle that both halves lie on [m], where they do.
+    pub(super) circle: Option<f64>,
 }
 
 impl Arcs {
@@ -29,7 +31,10 @@ impl Arcs {
         let half = 0.5 * span;
         let radius = (half * half + rise * rise) / (2.0 * rise);
         let half_angle = 2.0 * (rise / half).atan();
-        Arcs { arcs: vec![Arc { centre: [half, rise - radius], radius, start: -half_angle, end: 0.0 }] }
+        Arcs {
+            arcs: vec![Arc { centre: [half, rise - radius], radius, start: -half_angle, end: 0.0 }],
+            circle: Some(radius),
+        }
     }
 
     /// Haunch circles that rise vertically from the springings and touch the crown circle from inside.
@@ -46,7 +51,7 @@ impl Arcs {
             end: junction,
         };
         let crown = Arc { centre: [half, rise - crown_radius], radius: crown_radius, start: junction, end: 0.0 };
-        Arcs { arcs: vec![haunch, crown] }
+        Arcs { arcs: vec![haunch, crown], circle: None }
     }
 
     /// Two arcs with centres on the springing line: radius (half span² + rise²) / span.
@@ -55,14 +60,16 @@ impl Arcs {
         let radius = (half * half + rise * rise) / span;
         let crown = -(radius - half).atan2(rise);
         let left = Arc { centre: [radius, 0.0], radius, start: -std::f64::consts::FRAC_PI_2, end: crown };
-        Arcs { arcs: vec![left] }
+        Arcs { arcs: vec![left], circle: None }
     }
+}
 
-    pub(super) fn length(&self) -> f64 {
+impl Curve for Arcs {
+    fn length(&self) -> f64 {
         self.arcs.iter().map(Arc::length).sum()
     }
 
-    pub(super) fn at(&self, distance: f64) -> Station {
+    fn at(&self, distance: f64) -> Station {
         let mut rest = distance;
         let last = self.arcs.len() - 1;
         for (index, arc) in self.arcs.iter().enumerate() {
@@ -78,5 +85,8 @@ impl Arcs {
             rest -= length;
         }
         Station { point: [0.0, 0.0], normal: [0.0, 1.0] }
+    }
+    fn circle(&self) -> Option<f64> {
+        self.circle
     }
 }

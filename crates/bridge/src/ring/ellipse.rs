@@ -1,20 +1,25 @@
 //! An elliptical intrados. The left half only.
 
-use super::Station;
 use super::invert::invert;
+use super::{Curve, Form, Misfit, Station};
+use crate::fields::Field;
+
+pub(super) use super::as_written as size;
+pub(super) const NEEDS: [bool; 2] = [true, true];
+pub(super) const KEYS: &[Field] = &[];
+
+pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
+    Form::half(Ellipse { half: 0.5 * span, rise })
+}
 
 /// x = half (1 - sin t), y = rise cos t, with t = 0 in the crown and π/2 at the springing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Ellipse {
+struct Ellipse {
     half: f64,
     rise: f64,
 }
 
 impl Ellipse {
-    pub(super) fn new(span: f64, rise: f64) -> Ellipse {
-        Ellipse { half: 0.5 * span, rise }
-    }
-
     /// Length from the crown to t: half · E(t | m), m = 1 - (rise / half)², by Carlson's symmetric integrals, also
     /// where the rise is more than half the span and m is negative.
     fn length_to_crown(&self, t: f64) -> f64 {
@@ -24,12 +29,14 @@ impl Ellipse {
         let (x, y) = (cosine * cosine, cosine * cosine + (sine * self.rise / self.half).powi(2));
         self.half * (sine * carlson_rf(x, y, 1.0) - m / 3.0 * sine.powi(3) * carlson_rd(x, y, 1.0))
     }
+}
 
-    pub(super) fn length(&self) -> f64 {
+impl Curve for Ellipse {
+    fn length(&self) -> f64 {
         self.length_to_crown(std::f64::consts::FRAC_PI_2)
     }
 
-    pub(super) fn at(&self, distance: f64) -> Station {
+    fn at(&self, distance: f64) -> Station {
         let quarter = std::f64::consts::FRAC_PI_2;
         if distance == 0.0 {
             return Station { point: [0.0, 0.0], normal: [-1.0, 0.0] };

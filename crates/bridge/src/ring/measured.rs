@@ -2,30 +2,76 @@
 //! through the point and its two neighbours. A circle surveyed closely comes out as a circle; no point moves its
 //! surroundings beyond the two pieces on either side.
 
+use std::sync::Arc;
+
 use super::invert::invert;
-use super::{Misfit, Station};
+use super::{Curve, Form, Misfit, Shape, Station};
+use crate::fields::{Field, Kind};
+
+pub(super) const NEEDS: [bool; 2] = [false, false];
+pub(super) const KEYS: &[Field] = &[Field::new(
+    "points",
+    Kind::Points,
+    "surveyed points of the intrados, from the left to the right springing; the first is the origin",
+    "[[\"0 m\", \"0 m\"], [\"2.0 m\", \"1.1 m\"], [\"4.0 m\", \"0 m\"]]",
+)
+.only("profile", &[Shape::Measured.word()])];
 
 /// Levels of the two springings may differ by this [m]: what a survey cannot tell.
 const LEVEL: f64 = 1e-3;
 
+/// Moves the points to the left springing; span and rise are theirs.
+pub(super) fn size(_: Option<f64>, _: Option<f64>, points: &mut Vec<[f64; 2]>) -> Option<(f64, f64)> {
+    let origin = points.first().copied().unwrap_or_default();
+    *points = points.iter().map(|point| [point[0] - origin[0], point[1] - origin[1]]).collect();
+    Some((points.last().map_or(0.0, |last| last[0]), points.iter().map(|point| point[1]).fold(0.0, f64::max)))
+}
+
+pub(super) fn curve(span: f64, _: f64, points: &[[f64; 2]]) -> Result<Form, Misfit> {
+    check(points)?;
+    let highest = points.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]));
+    let crown = highest.map_or(0.5 * span, |point| point[0]);
+    Ok(Form::Whole { curve: Arc::new(Measured::new(points)?), crown })
+}
+
+fn misfit(entry: Option<usize>, message: impl Into<String>, label: &str, help: &'static str) -> Misfit {
+    Misfit { entry, ..Misfit::new("B204", "points", message, label, help) }
+}
+
 /// Whether the points can be an intrados.
-pub(super) fn check(points: &[[f64; 2]]) -> Result<(), Misfit> {
+fn check(points: &[[f64; 2]]) -> Result<(), Misfit> {
     if points.len() < 3 {
-        return Err(Misfit::TooFewPoints);
+        return Err(misfit(
+            None,
+            "a measured profile needs at least three points",
+            "left springing, one or more in between, right springing",
+            "add points of the survey; ten or more draw a good curve",
+        ));
     }
-    if !points.iter().flatten().all(|coordinate| coordinate.is_finite()) {
-        return Err(Misfit::NotPositive);
+    if let Some(index) = (1..points.len()).find(|index| !(points[*index][0] > points[index - 1][0])) {
+        return Err(misfit(
+            Some(index),
+            format!("measured point {} does not lie to the right of the one before", index + 1),
+            "points run from the left to the right springing",
+            "sort the points by their first coordinate and remove duplicates",
+        ));
     }
-    for (index, pair) in points.windows(2).enumerate() {
-        if pair[1][0] <= pair[0][0] {
-            return Err(Misfit::NotLeftToRight(index + 1));
-        }
+    let last = points.len() - 1;
+    if !((points[last][1] - points[0][1]).abs() <= LEVEL) {
+        return Err(misfit(
+            Some(last),
+            "the two springings of a measured profile are not level",
+            "first and last point must differ by no more than 1 mm in height",
+            "end the survey at equal levels, or correct the heights for the slope of the levelling line",
+        ));
     }
-    if (points[points.len() - 1][1] - points[0][1]).abs() > LEVEL {
-        return Err(Misfit::NotLevel);
-    }
-    if let Some(low) = points[1..points.len() - 1].iter().position(|point| point[1] <= points[0][1]) {
-        return Err(Misfit::BelowSpringing(low + 1));
+    if let Some(index) = (1..last).find(|index| !(points[*index][1] > points[0][1])) {
+        return Err(misfit(
+            Some(index),
+            format!("measured point {} is not above the springings", index + 1),
+            "an intrados lies above the line between its springings",
+            "check the sign of the heights: up is positive",
+        ));
     }
     Ok(())
 }
@@ -87,12 +133,12 @@ impl Piece {
 
 /// The whole curve.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Measured {
+struct Measured {
     pieces: Vec<Piece>,
 }
 
 impl Measured {
-    pub(super) fn new(points: &[[f64; 2]]) -> Result<Measured, Misfit> {
+    fn new(points: &[[f64; 2]]) -> Result<Measured, Misfit> {
         let tangents = tangents(points);
         let mut pieces = Vec::with_capacity(points.len() - 1);
         let mut before = 0.0;
@@ -115,19 +161,26 @@ impl Measured {
                 derivative[0] * chord[0] + derivative[1] * chord[1] <= 0.0
             });
             if folded || piece.length.is_nan() || piece.length <= 0.0 {
-                return Err(Misfit::Folded(index + 1));
+                return Err(misfit(
+                    Some(index + 1),
+                    format!("no smooth curve leads to measured point {}", index + 2),
+                    "the points turn too sharply here",
+                    "check this point, or add points around it",
+                ));
             }
             before += piece.length;
             pieces.push(piece);
         }
         Ok(Measured { pieces })
     }
+}
 
-    pub(super) fn length(&self) -> f64 {
+impl Curve for Measured {
+    fn length(&self) -> f64 {
         self.pieces.last().map_or(0.0, |last| last.before + last.length)
     }
 
-    pub(super) fn at(&self, distance: f64) -> Station {
+    fn at(&self, distance: f64) -> Station {
         let index = self.pieces.partition_point(|piece| piece.before <= distance).max(1) - 1;
         let piece = &self.pieces[index];
         let t = invert(|t| piece.length_to(t), |t| piece.speed(t), distance - piece.before, 1.0);

@@ -1,20 +1,25 @@
 //! A parabolic intrados, its vertex in the crown. The left half only.
 
-use super::Station;
 use super::invert::invert;
+use super::{Curve, Form, Misfit, Station};
+use crate::fields::Field;
+
+pub(super) use super::as_written as size;
+pub(super) const NEEDS: [bool; 2] = [true, true];
+pub(super) const KEYS: &[Field] = &[];
+
+pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
+    Form::half(Parabola { half: 0.5 * span, rise })
+}
 
 /// y = rise (1 - u²) with u = 1 at the springing and 0 in the crown.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Parabola {
+struct Parabola {
     half: f64,
     rise: f64,
 }
 
 impl Parabola {
-    pub(super) fn new(span: f64, rise: f64) -> Parabola {
-        Parabola { half: 0.5 * span, rise }
-    }
-
     /// Slope at the springing.
     fn slope(&self) -> f64 {
         2.0 * self.rise / self.half
@@ -26,12 +31,14 @@ impl Parabola {
         let pu = p * u;
         0.5 * self.half * (u * pu.hypot(1.0) + pu.asinh() / p)
     }
+}
 
-    pub(super) fn length(&self) -> f64 {
+impl Curve for Parabola {
+    fn length(&self) -> f64 {
         self.length_to_crown(1.0)
     }
 
-    pub(super) fn at(&self, distance: f64) -> Station {
+    fn at(&self, distance: f64) -> Station {
         let target = self.length() - distance;
         let p = self.slope();
         let u = invert(|u| self.length_to_crown(u), |u| self.half * (p * u).hypot(1.0), target, 1.0);

@@ -25,7 +25,7 @@ fn profiles() -> Vec<(Profile, f64, f64)> {
         (Profile::ThreeCentred { haunch_radius: 1.5 }, 12.0, 3.5),
         (Profile::Pointed, 6.0, 4.5),
         (Profile::Pointed, 6.0, 7.5),
-        (Profile::Measured(circle), 32.0 * 0.6f64.sin(), 16.0 * (1.0 - 0.6f64.cos())),
+        (Profile::Measured { points: circle }, 32.0 * 0.6f64.sin(), 16.0 * (1.0 - 0.6f64.cos())),
     ]
 }
 
@@ -162,7 +162,7 @@ fn stations_divide_every_curve_evenly() {
 #[test]
 fn symmetric_to_the_last_bit() {
     for (profile, span, rise) in profiles() {
-        if matches!(profile, Profile::Measured(_)) {
+        if matches!(profile, Profile::Measured { .. }) {
             continue;
         }
         let intrados = Intrados::new(&profile, span, rise).unwrap();
@@ -177,20 +177,22 @@ fn symmetric_to_the_last_bit() {
 
 #[test]
 fn impossible_shapes_are_named() {
+    let measured = |points: &[[f64; 2]]| Profile::Measured { points: points.to_vec() };
     let cases = [
-        (Profile::Segmental, 10.0, 5.1, Misfit::RiseAboveHalfSpan),
-        (Profile::Semicircular, 10.0, 4.0, Misfit::NotHalfSpan),
-        (Profile::ThreeCentred { haunch_radius: 3.0 }, 10.0, 3.0, Misfit::HaunchRadiusTooLarge),
-        (Profile::ThreeCentred { haunch_radius: 1.0 }, 10.0, 6.0, Misfit::ThreeCentredTooHigh),
-        (Profile::Pointed, 10.0, 5.0, Misfit::NoPoint),
-        (Profile::Parabolic, 10.0, 0.0, Misfit::NotPositive),
-        (Profile::Elliptical, f64::NAN, 1.0, Misfit::NotPositive),
-        (Profile::Measured(vec![[0.0, 0.0], [1.0, 0.0]]), 1.0, 1.0, Misfit::TooFewPoints),
-        (Profile::Measured(vec![[0.0, 0.0], [2.0, 1.0], [1.0, 0.0]]), 1.0, 1.0, Misfit::NotLeftToRight(2)),
-        (Profile::Measured(vec![[0.0, 0.0], [2.0, 1.0], [4.0, 0.1]]), 4.0, 1.0, Misfit::NotLevel),
-        (Profile::Measured(vec![[0.0, 0.0], [2.0, -1.0], [4.0, 0.0]]), 4.0, 1.0, Misfit::BelowSpringing(1)),
+        (Profile::Segmental, 10.0, 5.1, "the rise of a segment is more than half its span"),
+        (Profile::Semicircular, 10.0, 4.0, "the rise of a semicircle is not half its span"),
+        (Profile::ThreeCentred { haunch_radius: 3.0 }, 10.0, 3.0, "the haunch circles leave no room"),
+        (Profile::ThreeCentred { haunch_radius: 1.0 }, 10.0, 6.0, "the rise of a three-centred arch is more than"),
+        (Profile::Pointed, 10.0, 5.0, "a pointed arch rises by more than half its span"),
+        (Profile::Parabolic, 10.0, 0.0, "span and rise must be positive"),
+        (Profile::Elliptical, f64::NAN, 1.0, "span and rise must be positive"),
+        (measured(&[[0.0, 0.0], [1.0, 0.0]]), 1.0, 1.0, "a measured profile needs at least three points"),
+        (measured(&[[0.0, 0.0], [2.0, 1.0], [1.0, 0.0]]), 1.0, 1.0, "measured point 3 does not lie to the right"),
+        (measured(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.1]]), 4.0, 1.0, "the two springings of a measured profile"),
+        (measured(&[[0.0, 0.0], [2.0, -1.0], [4.0, 0.0]]), 4.0, 1.0, "measured point 2 is not above the springings"),
     ];
-    for (profile, span, rise, misfit) in cases {
-        assert_eq!(Intrados::new(&profile, span, rise), Err(misfit), "{profile:?}");
+    for (profile, span, rise, message) in cases {
+        let misfit = Intrados::new(&profile, span, rise).unwrap_err();
+        assert!(misfit.message.starts_with(message), "{profile:?}: {misfit}");
     }
 }

@@ -2,9 +2,10 @@
 
 use toml_edit::Value;
 
+use crate::fields::loading::read_share;
 use crate::fields::{Field, Kind};
 use crate::quantity::{self, Unit};
-use crate::resolve::{read_share, read_slope};
+use crate::values::read_slope;
 
 /// What a number is counted in.
 #[derive(Debug, Clone, PartialEq)]

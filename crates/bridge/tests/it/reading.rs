@@ -93,7 +93,7 @@ fn shapes() {
     assert_eq!(bridge.spans[0].rise, 2.0);
     let measured = &bridge.spans[5];
     assert!((measured.span - 6.0).abs() < 1e-12 && (measured.rise - 1.6).abs() < 1e-12);
-    let Profile::Measured(points) = &measured.profile else { panic!() };
+    let Profile::Measured { points } = &measured.profile else { panic!() };
     assert_eq!(points[0], [0.0, 0.0]);
 }
 
@@ -188,7 +188,7 @@ fn service_tables() {
     assert_eq!(s.missing(&b.masonry, b.cover.backing.as_ref()), []);
 
     let plain = good(crate::files::TINY);
-    assert_eq!(plain.service.mesh, bridge::MeshPlan::default());
+    assert_eq!(plain.service.mesh, bridge::Service::default().mesh);
     let missing = plain.service.missing(&plain.masonry, None);
     assert!(missing.iter().any(|m| (m.table, m.key) == ("mortar", "thickness")), "{missing:?}");
     assert!(missing.iter().all(|m| m.table != "abutment_fill"), "{missing:?}");

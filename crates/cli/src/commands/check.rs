@@ -125,24 +125,11 @@ fn span(span: &bridge::Span) -> Value {
         })
     };
     json!({
-        "profile": profile(span),
+        "profile": span.profile.word(),
         "span_m": span.span,
         "rise_m": span.rise,
         "rings": span.rings.iter().map(ring).collect::<Vec<Value>>(),
     })
-}
-
-fn profile(span: &bridge::Span) -> &'static str {
-    use bridge::ring::Profile;
-    match span.profile {
-        Profile::Segmental => "segmental",
-        Profile::Semicircular => "semicircular",
-        Profile::Parabolic => "parabolic",
-        Profile::Elliptical => "elliptical",
-        Profile::ThreeCentred { .. } => "three-centred",
-        Profile::Pointed => "pointed",
-        Profile::Measured(_) => "measured",
-    }
 }
 
 fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshError>>, out: &str) -> String {
@@ -156,7 +143,7 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
             page,
             "  {:>4}  {:<13}  {:>8.3}  {:>8.3}  {:>9.2}  {thickness:>17.3}  {voussoirs:>9}{rings}",
             index + 1,
-            profile(one),
+            one.profile.word(),
             one.span,
             one.rise,
             one.span / one.rise

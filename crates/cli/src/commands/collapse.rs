@@ -52,7 +52,7 @@ pub(super) fn kind(plan: &bridge::Plan, sweep_of_vehicles: Option<bool>) -> Stri
 
 /// What the command line says in place of the file's plan, for a bridge of this width [m].
 pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Failure> {
-    if arguments.sweep && arguments.choice.method == Some(crate::args::Method::Dem) {
+    if arguments.sweep && arguments.choice.method == Some(bridge::Method::Dem) {
         let message = "--sweep is limit analysis: --method dem cannot do it";
         return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
     }

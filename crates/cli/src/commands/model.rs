@@ -130,7 +130,7 @@ pub fn collapse(desk: &mut Desk, arguments: &Collapse) -> Result<Report, Failure
     let Some(scene) = model.0.scene() else { return Ok(model.report(Status::UnusableInput)) };
     let arch = "this analysis needs an arch: a block model has no ring";
     let remedy = "leave the option out, or describe the arch in a bridge file";
-    if arguments.sweep || arguments.choice.analysis.is_some_and(|analysis| analysis != crate::args::Analysis::Load) {
+    if arguments.sweep || arguments.choice.analysis.is_some_and(|analysis| analysis != bridge::Analysis::Load) {
         return Err(Failure::input("F108", arch, remedy));
     }
     let choice = super::collapse::choice(scene.width, arguments)?;

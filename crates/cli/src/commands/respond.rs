@@ -4,7 +4,7 @@ mod record;
 
 use self::record::Recorder;
 use super::{Desk, Source};
-use crate::args::{PassageAnalysis, PassagePath, Respond as Arguments};
+use crate::args::Respond as Arguments;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::report::{self, Report};
@@ -12,7 +12,6 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use bridge::passage::{PassageAnalysis as Analysis, PassagePath as Path};
 use extrados::RespondOptions;
 use outcome::passage::{Passage, PassageStatus};
 use outcome::published;
@@ -63,17 +62,7 @@ fn keep(recorder: &Recorder, found: &Passage, report: &mut Report) -> Result<(),
 /// What the command line says in place of the file.
 fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
     let speed = arguments.speed.as_ref().map(|text| quantities::speed("--speed", text));
-    Ok(RespondOptions {
-        speed: speed.transpose()?,
-        analysis: arguments.analysis.map(|analysis| match analysis {
-            PassageAnalysis::Static => Analysis::Static,
-            PassageAnalysis::Transient => Analysis::Transient,
-        }),
-        path: arguments.path.map(|path| match path {
-            PassagePath::Condensed => Path::Condensed,
-            PassagePath::Plain => Path::Plain,
-        }),
-    })
+    Ok(RespondOptions { speed: speed.transpose()?, analysis: arguments.analysis, path: arguments.path })
 }
 
 fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {

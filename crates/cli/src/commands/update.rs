@@ -1,7 +1,7 @@
 //! `extrados update`: from the records of a train's passage to the moduli of a bridge; or the verdict on the records alone.
 
 use super::{Desk, Source};
-use crate::args::{Update as Arguments, UpdateSearch, UpdateStart, UpdateVariant};
+use crate::args::Update as Arguments;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::log;
@@ -88,26 +88,7 @@ fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
 
 /// What the command line says in place of the file.
 fn options(arguments: &Arguments) -> UpdateOptions {
-    UpdateOptions {
-        search: arguments.search.map(|search| match search {
-            UpdateSearch::Hierarchical => "hierarchical",
-            UpdateSearch::Modern => "modern",
-            UpdateSearch::Referee => "referee",
-            UpdateSearch::Gradient => "gradient",
-            UpdateSearch::All => "all",
-        }),
-        variant: arguments.variant.map(|variant| match variant {
-            UpdateVariant::Printed => "printed",
-            UpdateVariant::AsPractised => "as-practised",
-            UpdateVariant::Both => "both",
-        }),
-        start: arguments.start.map(|start| match start {
-            UpdateStart::Stated => "stated",
-            UpdateStart::Means => "means",
-            UpdateStart::Bounds => "bounds",
-            UpdateStart::All => "all",
-        }),
-    }
+    UpdateOptions { search: arguments.search, variant: arguments.variant, start: arguments.start }
 }
 
 fn write(desk: &mut Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {

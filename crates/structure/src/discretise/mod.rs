@@ -206,7 +206,7 @@ pub enum DiscretiseError {
         width: f64,
     },
     /// The intrados of a span cannot be drawn.
-    #[error("the intrados of span {span} has no curve: {misfit:?}")]
+    #[error("the intrados of span {span} has no curve: {misfit}")]
     Intrados {
         /// Span, from 1.
         span: usize,

@@ -12,7 +12,7 @@ use super::passage::Setup;
 use crate::checkpoint;
 use bridge::Bridge;
 use bridge::edit::Document;
-use bridge::update::Update as Asked;
+use bridge::update::{self, Compared, Update as Asked};
 use calibrate::misfit::{Compare, Misfit, Scaling, Weights};
 use calibrate::{Basis, Channel, Evaluator, Failure, Halt, Log, Map, Parameter, Problem, Request, Scale, Watch};
 use outcome::update::{Histories, ParameterPlace, RecordsUsed, Update, UpdateStatus};
@@ -230,12 +230,15 @@ fn parameter(asked: &bridge::update::Parameter) -> Parameter {
 fn misfit(asked: &Asked) -> Misfit {
     let plan = &asked.plan;
     Misfit {
-        compare: if plan.compare == "histories" { Compare::Histories } else { Compare::Peaks },
+        compare: match plan.compare {
+            Compared::Peaks => Compare::Peaks,
+            Compared::Histories => Compare::Histories,
+        },
         scaling: if plan.by_uncertainty { Scaling::Uncertainty } else { Scaling::MeasuredPeak },
         weights: match plan.weights {
-            "equal" => Weights::Equal,
-            "given" => Weights::Given,
-            _ => Weights::ShapeCorrelation,
+            update::Weights::Shapes => Weights::ShapeCorrelation,
+            update::Weights::Equal => Weights::Equal,
+            update::Weights::Given => Weights::Given,
         },
         slices: plan.slices,
         ..Misfit::default()

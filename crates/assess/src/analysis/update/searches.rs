@@ -1,6 +1,6 @@
 //! The searches that a file asks for, one after the other over one log, and what the data can tell where the best one ended.
 
-use bridge::update::Plan;
+use bridge::update::{self, Plan};
 use calibrate::identify::Identifiability;
 use calibrate::posterior::{self, Likelihood, ModelError};
 use calibrate::search::sweep::{Sweep, ranking};
@@ -41,11 +41,11 @@ impl Searches {
     /// Makes them, until one is stopped.
     pub fn make(plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) -> Searches {
         let mut all = Searches::default();
-        let wants = |name: &str| plan.search == name || plan.search == "all";
-        if wants("hierarchical") {
+        let wants = |search| [search, update::Search::All].contains(&plan.search);
+        if wants(update::Search::Hierarchical) {
             all.papers(plan, evaluator, basis, clock);
         }
-        if wants("modern") {
+        if wants(update::Search::Modern) {
             let settings = modern::Settings {
                 starts: plan.starts as usize,
                 seed: plan.seed,
@@ -60,7 +60,7 @@ impl Searches {
                 (end, found)
             });
         }
-        if wants("referee") {
+        if wants(update::Search::Referee) {
             let settings = referee::Settings { seed: plan.seed, ..referee::Settings::default() };
             all.one(Search::Referee, "", evaluator, clock, |all, evaluator| {
                 let outcome = referee::search(evaluator, basis, &settings);
@@ -69,7 +69,7 @@ impl Searches {
                 (end, found)
             });
         }
-        if wants("gradient") {
+        if wants(update::Search::Gradient) {
             for (from, start) in gradient_starts(plan.start) {
                 all.one(Search::Gradient, from, evaluator, clock, |all, evaluator| {
                     let outcome = gradient::search(evaluator, basis, start, 100);
@@ -88,13 +88,17 @@ impl Searches {
     /// The paper's search by every reading and from every start that is asked for.
     fn papers(&mut self, plan: &Plan, evaluator: &mut Evaluator, basis: &Basis, clock: &dyn Fn() -> f64) {
         let starts: &[Start] = match plan.start {
-            "stated" => &[Start::Stated],
-            "bounds" => &[Start::LowerBounds, Start::UpperBounds],
-            "all" => &[Start::Means, Start::LowerBounds, Start::UpperBounds],
-            _ => &[Start::Means],
+            update::Start::Stated => &[Start::Stated],
+            update::Start::Bounds => &[Start::LowerBounds, Start::UpperBounds],
+            update::Start::All => &[Start::Means, Start::LowerBounds, Start::UpperBounds],
+            update::Start::Means => &[Start::Means],
         };
-        let variants = [hierarchical::Variant::Printed, hierarchical::Variant::AsPractised];
-        for variant in variants.into_iter().filter(|one| plan.variant == "both" || plan.variant == one.word()) {
+        let variants: &[hierarchical::Variant] = match plan.variant {
+            update::Variant::Printed => &[hierarchical::Variant::Printed],
+            update::Variant::AsPractised => &[hierarchical::Variant::AsPractised],
+            update::Variant::Both => &[hierarchical::Variant::Printed, hierarchical::Variant::AsPractised],
+        };
+        for &variant in variants {
             for start in starts {
                 let settings = hierarchical::Settings {
                     variant,
@@ -172,13 +176,16 @@ impl Searches {
 }
 
 /// Where the gradient search begins: at the file's values, and where the published search begins elsewhere, there too.
-fn gradient_starts(plan: &str) -> &'static [(&'static str, Start)] {
+fn gradient_starts(plan: update::Start) -> &'static [(&'static str, Start)] {
     const STARTS: &[(&str, Start)] = &[
         ("from the file's values", Start::Stated),
         ("from lower-bounds", Start::LowerBounds),
         ("from upper-bounds", Start::UpperBounds),
     ];
-    if plan == "bounds" || plan == "all" { STARTS } else { &STARTS[..1] }
+    match plan {
+        update::Start::Stated | update::Start::Means => &STARTS[..1],
+        update::Start::Bounds | update::Start::All => STARTS,
+    }
 }
 
 fn of_status(status: &modern::Status) -> End {

@@ -56,7 +56,7 @@ pub struct Meshed {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeshError {
     /// The intrados of a span cannot be drawn.
-    #[error("the intrados of span {span} has no curve: {misfit:?}")]
+    #[error("the intrados of span {span} has no curve: {misfit}")]
     Intrados {
         /// Span, from 1.
         span: usize,

@@ -36,7 +36,7 @@ fn railway() -> Bridge {
     let mut b = spans(vec![span; 4], 1.5, 1.8, 3.0, 6);
     b.cover.depth = 0.48;
     b.abutments = [Abutment { top_width: 1.5, height: 3.0 }; 2];
-    b.service.haunch_fill = Some(HaunchFill { height: 1.0, soil: Soil::default() });
+    b.service.haunch_fill = Some(HaunchFill { height: 1.0, soil: Service::default().fill });
     b
 }
 
@@ -216,7 +216,7 @@ fn random_span(dice: &mut Dice) -> Span {
                 let off = if k == 0 || k == 12 { 0.0 } else { 0.01 * rise * (dice.roll() - 0.5) };
                 [t * span, 4.0 * rise * t * (1.0 - t) + off]
             });
-            (Profile::Measured(points.collect()), rise)
+            (Profile::Measured { points: points.collect() }, rise)
         }
     };
     let thickness = span / dice.between(8.0, 25.0);
@@ -245,7 +245,8 @@ fn random_bridge(dice: &mut Dice) -> Bridge {
     b.abutments = [0, 1].map(|_| Abutment { top_width: dice.between(0.3, 4.0), height: dice.between(0.3, 6.0) });
     let rise = b.spans[0].rise;
     if dice.roll() < 0.5 {
-        b.service.haunch_fill = Some(HaunchFill { height: rise * dice.between(0.1, 1.2), soil: Soil::default() });
+        b.service.haunch_fill =
+            Some(HaunchFill { height: rise * dice.between(0.1, 1.2), soil: Service::default().fill });
     }
     if dice.roll() < 0.3 {
         b.service.abutment_fill.extent = Some(dice.between(0.5, 8.0));

@@ -1,0 +1,23 @@
+//! Two circular arcs that meet at a point in the crown.
+
+use super::arcs::Arcs;
+use super::{Form, Misfit};
+use crate::fields::Field;
+
+pub(super) use super::as_written as size;
+pub(super) const NEEDS: [bool; 2] = [true, true];
+pub(super) const KEYS: &[Field] = &[];
+
+pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
+    let half = 0.5 * span;
+    if rise <= half {
+        return Err(Misfit::new(
+            "B203",
+            "rise",
+            "a pointed arch rises by more than half its span",
+            format!("half the span is {half} m"),
+            "check span and rise, or use profile = \"segmental\"",
+        ));
+    }
+    Form::half(Arcs::pointed(span, rise))
+}
