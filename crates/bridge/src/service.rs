@@ -63,8 +63,8 @@ impl Service {
         for (table, soil) in soils {
             // What the fill lacks is asked for once: there.
             let own = |there: bool, of_fill: bool| there || (table != "fill" && !of_fill);
-            let yields = soil.law != SoilLaw::Elastic;
-            let fill_yields = fill.law != SoilLaw::Elastic;
+            let yields = soil.law.yields();
+            let fill_yields = fill.law.yields();
             need(table, "elastic_modulus", own(soil.elastic_modulus.is_some(), fill.elastic_modulus.is_some()));
             need(table, "poisson_ratio", own(soil.poisson_ratio.is_some(), fill.poisson_ratio.is_some()));
             need(table, "density", own(soil.density.is_some(), fill.density.is_some()));
@@ -161,6 +161,16 @@ choice! {
         MohrCoulomb = "mohr-coulomb",
         /// does not yield
         Elastic = "elastic",
+    }
+}
+
+impl SoilLaw {
+    /// Whether it needs friction and cohesion.
+    fn yields(self) -> bool {
+        match self {
+            SoilLaw::DruckerPrager | SoilLaw::MohrCoulomb => true,
+            SoilLaw::Elastic => false,
+        }
     }
 }
 

@@ -37,22 +37,30 @@ words! {
 }
 
 impl Quantity {
+    /// The unit in tables and figures with how many of it an SI unit is, and what records call it.
+    fn row(self) -> (&'static str, f64, records::Quantity) {
+        match self {
+            Quantity::Displacement => ("mm", 1e3, records::Quantity::Length),
+            Quantity::Strain => ("microstrain", 1e6, records::Quantity::Strain),
+            Quantity::JointOpening => ("mm", 1e3, records::Quantity::Length),
+            Quantity::JointSliding => ("mm", 1e3, records::Quantity::Length),
+            Quantity::Stress => ("MPa", 1e-6, records::Quantity::Stress),
+        }
+    }
+
     /// The unit in tables and figures.
     pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::Strain => "microstrain",
-            Quantity::Stress => "MPa",
-            _ => "mm",
-        }
+        self.row().0
     }
 
     /// How many of that unit an SI unit is.
     pub fn scale(self) -> f64 {
-        match self {
-            Quantity::Strain => 1e6,
-            Quantity::Stress => 1e-6,
-            _ => 1e3,
-        }
+        self.row().1
+    }
+
+    /// What records of it hold.
+    pub fn recorded(self) -> records::Quantity {
+        self.row().2
     }
 }
 

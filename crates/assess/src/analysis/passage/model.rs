@@ -1,9 +1,10 @@
 //! What the zones and interfaces of a mesh are made of: the finite element model of a bridge.
 
 use super::PassageError;
+use bridge::choice::Choice;
 use bridge::{Bridge, Cone as FileCone, Joint, Soil, SoilLaw};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
-use mechanics::fem::law::{Cone, DruckerPrager, Elastic, Material, MohrCoulomb, Plane, Solid};
+use mechanics::fem::law::{self, Cone, Elastic, Material, Plane, Solid, Strength};
 use mechanics::fem::{Element, Kinematics, Model, Section, Support};
 use mechanics::ids::NodeId;
 use structure::discretise::mesh::{Meshed, Role, Substance};
@@ -68,28 +69,30 @@ fn whole(soil: &Soil, fill: &Soil) -> Soil {
     }
 }
 
-fn soil_law(soil: &Soil, elastic: Elastic) -> Material {
-    let (friction, cohesion) = (soil.friction_angle.unwrap_or_default(), soil.cohesion.unwrap_or_default());
-    match soil.law {
-        SoilLaw::Elastic => Material::Elastic(elastic),
-        SoilLaw::DruckerPrager => {
-            let cone = match soil.cone {
-                FileCone::Compression => Cone::Compression,
-                FileCone::Extension => Cone::Extension,
-                FileCone::PlaneStrain => Cone::PlaneStrain,
-                FileCone::Inner => Cone::Inner,
-            };
-            let law = DruckerPrager::matching(elastic, cone, cohesion, friction, soil.dilatancy_angle);
-            Material::DruckerPrager(DruckerPrager { tension_cutoff: soil.tension_cutoff, ..law })
-        }
-        SoilLaw::MohrCoulomb => Material::MohrCoulomb(MohrCoulomb {
-            elastic,
-            cohesion,
-            friction_angle: friction,
-            dilatancy_angle: soil.dilatancy_angle,
-            tension_cutoff: soil.tension_cutoff,
-        }),
+/// The law of every word of the file, in the order of the words: a word without a law does not compile.
+const LAWS: [law::Build; SoilLaw::WORDS.len()] = {
+    let (mut laws, mut k) = ([law::named(SoilLaw::WORDS[0].word); SoilLaw::WORDS.len()], 0);
+    while k < laws.len() {
+        laws[k] = law::named(SoilLaw::WORDS[k].word);
+        k += 1;
     }
+    laws
+};
+
+fn soil_law(soil: &Soil, elastic: Elastic) -> Material {
+    let strength = Strength {
+        cohesion: soil.cohesion.unwrap_or_default(),
+        friction_angle: soil.friction_angle.unwrap_or_default(),
+        dilatancy_angle: soil.dilatancy_angle,
+        tension_cutoff: soil.tension_cutoff,
+        cone: match soil.cone {
+            FileCone::Compression => Cone::Compression,
+            FileCone::Extension => Cone::Extension,
+            FileCone::PlaneStrain => Cone::PlaneStrain,
+            FileCone::Inner => Cone::Inner,
+        },
+    };
+    LAWS[soil.law as usize](elastic, &strength)
 }
 
 /// Springs of the mortar's modulus over its thickness (railway paper, equation 1), beside shear panels of the stone's modulus where the

@@ -40,11 +40,11 @@ impl Logger {
     pub const NONE: Logger = Logger { rate: None, displacement: Scatter::NONE, strain: Scatter::NONE, seed: 1 };
 
     fn scatter(&self, quantity: Quantity) -> Scatter {
-        match quantity {
-            Quantity::Displacement | Quantity::JointOpening | Quantity::JointSliding => self.displacement,
-            Quantity::Strain => self.strain,
-            // No amplifier measures stresses.
-            Quantity::Stress => Scatter::NONE,
+        match quantity.recorded() {
+            records::Quantity::Length => self.displacement,
+            records::Quantity::Strain => self.strain,
+            // Noise of nothing else is known; no amplifier measures stresses.
+            _ => Scatter::NONE,
         }
     }
 }
@@ -81,12 +81,7 @@ pub fn record(passage: &Passage, name: &str, made_by: &str, logger: &Logger) -> 
 
 /// The unit of a channel's cells.
 fn unit(quantity: Quantity) -> Unit {
-    let kind = match quantity {
-        Quantity::Strain => records::Quantity::Strain,
-        Quantity::Stress => records::Quantity::Stress,
-        Quantity::Displacement | Quantity::JointOpening | Quantity::JointSliding => records::Quantity::Length,
-    };
-    Unit::named(quantity.unit()).unwrap_or_else(|| Unit::usual(kind))
+    Unit::named(quantity.unit()).unwrap_or_else(|| Unit::usual(quantity.recorded()))
 }
 
 fn origin(passage: &Passage, made_by: &str) -> String {

@@ -198,11 +198,7 @@ fn by_axles(bridge: &Bridge, setup: &Setup, name: &str) -> Option<Align> {
 fn channel(asked: &Asked, setup: &Setup, series: &Series, k: usize) -> Channel {
     let sensor = &setup.sensors[k];
     let said = said(asked, &sensor.name);
-    let wanted = match sensor.quantity {
-        Quantity::Strain => records::Quantity::Strain,
-        Quantity::Stress => records::Quantity::Stress,
-        _ => records::Quantity::Length,
-    };
+    let wanted = sensor.quantity.recorded();
     let scale = sensor.quantity.scale();
     let (mut peaks, mut histories) = (Vec::new(), Vec::new());
     let mut reason = None;

@@ -1,7 +1,9 @@
 //! Drucker-Prager: a cone about the hydrostatic axis.
 
 use super::three::{Matrix, Three, dot, hooke, inverse, times, transposed_times};
-use super::{Elastic, Four, Law, Memory, Response, cone, flowed, polyhedron, principal::Principal, softened};
+use super::{
+    Elastic, Four, Law, Member, Memory, Response, Strength, cone, flowed, polyhedron, principal::Principal, softened,
+};
 
 /// Elastic, perfectly plastic on √J2 + α I1 ≤ k, with flow along √J2 + β I1; tension positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,6 +100,22 @@ impl DruckerPrager {
             inside &= (left > 0.0) & (shear * shear * square < (1.0 - 2.0 * MARGIN) * left * left);
         }
         inside
+    }
+}
+
+impl Member for DruckerPrager {
+    fn of(elastic: Elastic, strength: &Strength) -> DruckerPrager {
+        let Strength { cohesion, friction_angle, dilatancy_angle, tension_cutoff, cone } = *strength;
+        let law = DruckerPrager::matching(elastic, cone, cohesion, friction_angle, dilatancy_angle);
+        DruckerPrager { tension_cutoff, ..law }
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.elastic
+    }
+
+    fn symmetric(&self) -> bool {
+        self.beta.to_bits() == self.alpha.to_bits()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Hooke's law, isotropic.
 
-use super::{Four, Law, Memory, Response};
+use super::{Four, Law, Member, Memory, Response, Strength};
 
 /// Linear elasticity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +63,16 @@ impl Elastic {
     /// The answer where nothing flows.
     pub(super) fn holds(&self, stress: Four, old: &Memory) -> Response {
         Response { stress, tangent: self.tangent(), memory: *old, yields: false }
+    }
+}
+
+impl Member for Elastic {
+    fn of(elastic: Elastic, _: &Strength) -> Elastic {
+        elastic
+    }
+
+    fn elastic(&self) -> Elastic {
+        *self
     }
 }
 

@@ -54,60 +54,106 @@ pub trait Law {
     fn respond(&self, strain: &Four, old: &Memory) -> Response;
 }
 
-/// What a zone is made of.
+/// What strengths a solid has; each law takes what it knows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Material {
+pub struct Strength {
+    /// Cohesion [Pa], or the strength in pure shear of what knows no friction.
+    pub cohesion: f64,
+    /// Angle of friction [rad].
+    pub friction_angle: f64,
+    /// Angle of dilatancy [rad].
+    pub dilatancy_angle: f64,
+    /// Greatest principal stress in tension [Pa]; none: what cohesion and friction leave.
+    pub tension_cutoff: Option<f64>,
+    /// Which cone stands for a pyramid.
+    pub cone: Cone,
+}
+
+/// What a law says of itself, in its file.
+trait Member: Law {
+    /// The law of a solid of this elasticity and strength.
+    fn of(elastic: Elastic, strength: &Strength) -> Self;
+
+    /// The elasticity that it starts from.
+    fn elastic(&self) -> Elastic;
+
+    /// Whether its tangent is symmetric wherever it stands.
+    fn symmetric(&self) -> bool {
+        true
+    }
+}
+
+/// Makes a material of elasticity and strength.
+pub type Build = fn(Elastic, &Strength) -> Material;
+
+/// The list of laws: what each is, and its name.
+macro_rules! laws {
+    ($($(#[$doc:meta])+ $law:ident = $name:literal,)+) => {
+        /// What a zone is made of.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum Material { $($(#[$doc])+ $law($law)),+ }
+
+        const NAMED: &[(&str, Build)] = &[$(($name, |elastic, strength| Material::$law($law::of(elastic, strength)))),+];
+
+        impl Material {
+            /// The elasticity that every one of them starts from.
+            #[must_use]
+            pub fn elastic(&self) -> Elastic {
+                match self { $(Material::$law(law) => Member::elastic(law)),+ }
+            }
+
+            /// Whether its tangent is symmetric wherever it stands.
+            #[must_use]
+            pub fn symmetric(&self) -> bool {
+                match self { $(Material::$law(law) => Member::symmetric(law)),+ }
+            }
+        }
+
+        impl Law for Material {
+            fn respond(&self, strain: &Four, old: &Memory) -> Response {
+                match self { $(Material::$law(law) => law.respond(strain, old)),+ }
+            }
+        }
+    };
+}
+
+laws! {
     /// Linear elastic.
-    Elastic(Elastic),
+    Elastic = "elastic",
     /// Elastic, perfectly plastic, of a strength in shear that knows no pressure.
-    VonMises(VonMises),
+    VonMises = "von-mises",
     /// Elastic, perfectly plastic on a cone about the hydrostatic axis.
-    DruckerPrager(DruckerPrager),
+    DruckerPrager = "drucker-prager",
     /// Elastic, perfectly plastic on the six-sided pyramid of friction and cohesion.
-    MohrCoulomb(MohrCoulomb),
+    MohrCoulomb = "mohr-coulomb",
     /// Elastic under compression, without any strength in tension; cracks close again.
-    NoTension(NoTension),
+    NoTension = "no-tension",
+}
+
+/// The law of a name. In a constant, a name that no law has does not compile.
+#[must_use]
+pub const fn named(name: &str) -> Build {
+    let name = name.as_bytes();
+    let mut law = 0;
+    while law < NAMED.len() {
+        let own = NAMED[law].0.as_bytes();
+        let mut same = 0;
+        while same < name.len() && same < own.len() && own[same] == name[same] {
+            same += 1;
+        }
+        if same == name.len() && same == own.len() {
+            return NAMED[law].1;
+        }
+        law += 1;
+    }
+    panic!("no law has this name")
 }
 
 impl Material {
-    /// The elasticity that every one of them starts from.
-    #[must_use]
-    pub fn elastic(&self) -> Elastic {
-        match self {
-            Material::Elastic(law) => *law,
-            Material::VonMises(law) => law.elastic,
-            Material::DruckerPrager(law) => law.elastic,
-            Material::MohrCoulomb(law) => law.elastic,
-            Material::NoTension(law) => law.elastic,
-        }
-    }
-
-    /// Whether its tangent is symmetric wherever it stands.
-    #[must_use]
-    pub fn symmetric(&self) -> bool {
-        match self {
-            Material::Elastic(_) | Material::VonMises(_) | Material::NoTension(_) => true,
-            Material::DruckerPrager(law) => law.beta.to_bits() == law.alpha.to_bits(),
-            Material::MohrCoulomb(law) => law.dilatancy_angle.to_bits() == law.friction_angle.to_bits(),
-        }
-    }
-
     /// Whether it is linear, so that stress is its tangent times strain and nothing is remembered.
     #[must_use]
     pub fn linear(&self) -> bool {
         matches!(self, Material::Elastic(_))
-    }
-}
-
-impl Law for Material {
-    fn respond(&self, strain: &Four, old: &Memory) -> Response {
-        match self {
-            Material::Elastic(law) => law.respond(strain, old),
-            Material::VonMises(law) => law.respond(strain, old),
-            Material::DruckerPrager(law) => law.respond(strain, old),
-            Material::MohrCoulomb(law) => law.respond(strain, old),
-            Material::NoTension(law) => law.respond(strain, old),
-        }
     }
 }
 

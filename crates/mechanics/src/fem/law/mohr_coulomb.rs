@@ -2,7 +2,7 @@
 
 use super::polyhedron::{Face, back, tension};
 use super::principal::Principal;
-use super::{Elastic, Four, Law, Memory, Response, softened};
+use super::{Elastic, Four, Law, Member, Memory, Response, Strength, softened};
 
 /// Elastic, perfectly plastic on (σ₁ − σ₃) + (σ₁ + σ₃) sin φ ≤ 2 c cos φ, tension positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,21 @@ impl MohrCoulomb {
             };
             Face { normal: along(friction), flow: along(dilatancy), bound }
         })
+    }
+}
+
+impl Member for MohrCoulomb {
+    fn of(elastic: Elastic, strength: &Strength) -> MohrCoulomb {
+        let Strength { cohesion, friction_angle, dilatancy_angle, tension_cutoff, .. } = *strength;
+        MohrCoulomb { elastic, cohesion, friction_angle, dilatancy_angle, tension_cutoff }
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.elastic
+    }
+
+    fn symmetric(&self) -> bool {
+        self.dilatancy_angle.to_bits() == self.friction_angle.to_bits()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::polyhedron::{back, tension};
 use super::principal::Principal;
-use super::{Elastic, Four, Law, Memory, Response, softened};
+use super::{Elastic, Four, Law, Member, Memory, Response, Strength, softened};
 
 /// Elastic under compression; no principal stress is in tension (Del Piero 1989).
 ///
@@ -13,6 +13,16 @@ use super::{Elastic, Four, Law, Memory, Response, softened};
 pub struct NoTension {
     /// Elasticity.
     pub elastic: Elastic,
+}
+
+impl Member for NoTension {
+    fn of(elastic: Elastic, _: &Strength) -> NoTension {
+        NoTension { elastic }
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.elastic
+    }
 }
 
 impl Law for NoTension {

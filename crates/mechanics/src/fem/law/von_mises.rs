@@ -1,6 +1,6 @@
 //! Von Mises: a strength in shear that knows no pressure.
 
-use super::{Elastic, Four, Law, Memory, Response, cone, flowed};
+use super::{Elastic, Four, Law, Member, Memory, Response, Strength, cone, flowed};
 
 /// Elastic, perfectly plastic where the square root of J2 reaches a strength. Flow is associated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,6 +9,16 @@ pub struct VonMises {
     pub elastic: Elastic,
     /// Strength k in pure shear [Pa]: √J2 ≤ k. It is the undrained strength of a clay, and the yield stress over √3.
     pub strength: f64,
+}
+
+impl Member for VonMises {
+    fn of(elastic: Elastic, strength: &Strength) -> VonMises {
+        VonMises { elastic, strength: strength.cohesion }
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.elastic
+    }
 }
 
 impl Law for VonMises {
