@@ -424,3 +424,46 @@ pub fn sections_of(file: &'static Section) -> Vec<&'static Section> {
     visit(file, &mut found);
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::findings::Findings;
+    use crate::tree::Table;
+
+    /// A card cannot name a word that its selector does not have, nor a default that cannot be read.
+    #[test]
+    fn words_and_defaults_of_cards_can_be_read() {
+        for section in [&FILE, &blocks::FILE].into_iter().flat_map(sections_of) {
+            let absent = Table::absent(section, crate::TextRange::new(0, 0));
+            for field in section.fields {
+                let words = |field: &Field| match field.kind {
+                    Kind::Word(words) => words.iter().map(|word| word.word).collect::<Vec<_>>(),
+                    _ => Vec::new(),
+                };
+                if let Some((key, wanted)) = field.only {
+                    let known = section.field(key).map(words).unwrap_or_default();
+                    assert!(wanted.iter().all(|word| known.contains(word)), "{}.{}", section.path, field.key);
+                }
+                let Need::Default(value) = field.need else { continue };
+                let mut findings = Findings::default();
+                let read = match field.kind {
+                    Kind::Word(_) => words(field).contains(&value),
+                    Kind::Flag => absent.read::<bool>(field.key, &mut findings).is_some(),
+                    Kind::Count => absent.read::<u64>(field.key, &mut findings).is_some(),
+                    Kind::Text => absent.read::<String>(field.key, &mut findings).is_some(),
+                    Kind::Numbers | Kind::Quantities(_) => absent.read::<Vec<f64>>(field.key, &mut findings).is_some(),
+                    _ => absent.read::<f64>(field.key, &mut findings).is_some(),
+                };
+                assert!(read, "{}.{} = {value}", section.path, field.key);
+            }
+        }
+    }
+
+    #[test]
+    fn a_gauge_is_as_long_by_its_card_as_by_the_default_sensors() {
+        let absent = Table::absent(&crate::sensor::SENSOR, crate::TextRange::new(0, 0));
+        let length: Option<f64> = absent.read("gauge_length", &mut Findings::default());
+        assert_eq!(length, Some(crate::passage::GAUGE_LENGTH));
+    }
+}

@@ -119,6 +119,18 @@ fn no_crate_depends_on_one_above_it() {
     }
 }
 
+/// A word of a bridge file is an enumeration's, and nothing matches it as text.
+#[test]
+fn no_word_of_a_bridge_file_is_matched_as_text() {
+    for path in sources("crates/bridge/src/fields").into_iter().chain(sources("crates/bridge/src/ring")) {
+        for line in code(&path).lines() {
+            let arm = line.trim().strip_prefix('"').and_then(|rest| rest.split_once("\" =>"));
+            let word = arm.is_some_and(|(word, _)| !word.contains([' ', '"']));
+            assert!(!word && !line.contains("Some(\""), "{} matches text: {line}", path.display());
+        }
+    }
+}
+
 #[test]
 fn the_methods_do_not_use_one_another() {
     let methods = ["dem", "limit", "fem"];

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use crate::discretise::Discretised;
-use bridge::{ContactLength, ContactPoints, Damping, Friction, Method};
+use bridge::{Damping, Method};
 use mechanics::blocks::{ContactLaw, Stiffness};
 use mechanics::ids::GroupId;
 use std::fmt::Write;
@@ -180,7 +180,12 @@ fn load(page: &mut String, name: &str, at: [f64; 2], force: [f64; 2], permanent:
 }
 
 fn plan(page: &mut String, plan: &bridge::Plan) {
-    let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", if plan.method == Method::Limit { "limit" } else { "dem" });
+    let method = match plan.method {
+        Method::Limit => Method::Limit,
+        // Blocks of a drawing are not meshed.
+        Method::Dem | Method::Fe => Method::Dem,
+    };
+    let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", method.word());
     for (key, value) in
         [("load_step", plan.load_step), ("load_limit", plan.load_limit), ("resolution", plan.resolution)]
     {
@@ -194,13 +199,7 @@ fn plan(page: &mut String, plan: &bridge::Plan) {
         Damping::Viscous(share) => writeln!(page, "damping = \"viscous\"\ndamping_share = {share:?}"),
         Damping::Adaptive => writeln!(page, "damping = \"adaptive\""),
     };
-    let length = if plan.contact_length == ContactLength::Updated { "updated" } else { "fixed" };
-    let friction = match plan.friction {
-        Friction::Associated => "associated",
-        Friction::NonAssociated => "non-associated",
-        Friction::Automatic => "automatic",
-    };
-    let points = if plan.contact_points == ContactPoints::FullRing { "full-ring" } else { "rounded" };
+    let (length, friction, points) = (plan.contact_length.word(), plan.friction.word(), plan.contact_points.word());
     let _ = writeln!(
         page,
         "contact_length = \"{length}\"\ntime_step_factor = {:?}\nfriction = \"{friction}\"\ncontact_points = \"{points}\"\nseed = {}\n",

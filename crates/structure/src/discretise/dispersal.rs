@@ -61,7 +61,9 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) 
     let corners = [vec2(strip.middle - half, surface), vec2(strip.middle + half, surface)];
     let ends = match rule.rule {
         DispersalRule::None => corners.map(|c| vec2(c.x, extrados.level(c.x))),
-        _ => [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)],
+        DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
+            [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)]
+        }
     };
     let depths = ends.map(|e| (surface - e.y).max(0.0));
     let length = ends[1].x - ends[0].x;
@@ -75,7 +77,10 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) 
                 Shape::Linear(q * depths[1], q * depths[0])
             }
             DispersalRule::Boussinesq if depths[0].min(depths[1]) > 0.0 => Shape::Boussinesq,
-            _ => Shape::Linear(strip.force / length, strip.force / length),
+            // The last two where there is no depth to divide by.
+            DispersalRule::None | DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
+                Shape::Linear(strip.force / length, strip.force / length)
+            }
         }
     };
     gather(strip, ends, depths, shape, surface, extrados)

@@ -202,4 +202,14 @@ mod tests {
         let panel = mortar(&bridge, &bridge.joint).respond([-1e-6, 1.0], 0.1, &PairMemory::default());
         assert_eq!(panel.traction[1], 1e6);
     }
+
+    /// No word becomes another law than its own.
+    #[test]
+    fn every_word_is_the_law_of_its_name() {
+        let fill = super::super::tests::railway().service.fill;
+        let law = |law| soil_law(&Soil { law, ..fill }, Elastic { modulus: 1e8, ratio: 0.2 });
+        assert!(matches!(law(SoilLaw::Elastic), Material::Elastic(_)));
+        assert!(matches!(law(SoilLaw::DruckerPrager), Material::DruckerPrager(_)));
+        assert!(matches!(law(SoilLaw::MohrCoulomb), Material::MohrCoulomb(_)));
+    }
 }
