@@ -58,7 +58,7 @@ choice! {
         Support = "support",
         /// circles are particles
         Particles = "particles",
-        /// nothing of it is read
+        /// the layer is not read
         Ignore = "ignore",
     }
 }

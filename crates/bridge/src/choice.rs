@@ -27,8 +27,8 @@ pub trait Choice: Copy + 'static {
 macro_rules! choice {
     ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[doc = $doc:literal])+ $value:ident = $word:literal,)+ }) => {
         $(#[$meta])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        $vis enum $name { $($(#[doc = $doc])+ $value),+ }
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+        $vis enum $name { $($(#[doc = $doc])+ #[serde(rename = $word)] $value),+ }
 
         #[allow(dead_code, reason = "not every value is written back as a word")]
         impl $name {

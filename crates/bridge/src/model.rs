@@ -7,6 +7,7 @@ use crate::findings::Findings;
 use crate::ring::Profile;
 use crate::service::Service;
 use crate::tree::Table;
+use serde::{Deserialize, Serialize};
 
 /// A bridge as its file describes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -276,7 +277,7 @@ pub enum Packing {
 
 /// How the contact stiffness of particles is found from a wanted modulus of the fill: squares are cut out of the fill at
 /// rest, held below and at both sides, and pressed by a block. Rouxinol, Providência and Lemos, section 3.1.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Calibration {
     /// Modulus that the fill is to have [Pa].
     pub wanted_modulus: Option<f64>,

@@ -105,7 +105,7 @@ choice! {
 choice! {
     /// How positions are solved.
     pub enum PassagePath {
-        /// linear zones are condensed once to what iterates; the same numbers, much faster
+        /// linear parts are condensed once, and only nonlinear parts iterate; the same numbers, much faster
         Condensed = "condensed",
         /// all degrees of freedom at every position
         Plain = "plain",

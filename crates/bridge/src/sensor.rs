@@ -75,12 +75,19 @@ choice! {
     }
 }
 
+impl Default for Face {
+    /// The face that gauges reach.
+    fn default() -> Face {
+        Face::Intrados
+    }
+}
+
 choice! {
     /// What a sensor measures.
     enum Gauge {
         /// movement of a point
         Displacement = "displacement",
-        /// mean strain of one stone along the ring over a gauge length; tension is positive
+        /// mean strain of one voussoir along the ring over a gauge length; tension is positive
         Strain = "strain",
         /// how far a joint opens at a face; apart is positive
         JointOpening = "joint-opening",
@@ -118,7 +125,7 @@ pub(crate) static SENSOR: Section = Section {
         Field::new(
             "gauge_length",
             Kind::Quantity(Length),
-            "length over which strain is measured, on one stone",
+            "length over which strain is measured, within one voussoir",
             "120 mm",
         )
         .positive()
@@ -128,9 +135,9 @@ pub(crate) static SENSOR: Section = Section {
             .at_least(1.0)
             .at_most(200.0)
             .optional("the first"),
-        Field::new("place", Kind::Word(NamedPlace::WORDS), "which place of the span", "crown")
+        Field::new("place", Kind::Word(NamedPlace::WORDS), "position on the span, by name", "crown")
             .optional("given by `at`, or `x` and `y`"),
-        Field::new("at", Kind::Share, "the place as a share of a span", "1/4 of span 1")
+        Field::new("at", Kind::Share, "position as a share of a span", "1/4 of span 1")
             .optional("given by `place`, or `x` and `y`"),
         Field::new("x", Kind::Quantity(Length), "distance from the left springing of the first span", "3.0 m")
             .optional("given by `place` or `at`"),
@@ -303,12 +310,12 @@ fn stone(table: &Table<'_>, sensor: &Sensor, spans: &[PlacedSpan], findings: &mu
         .error(
             "B656",
             table.place("gauge_length"),
-            format!("a gauge of {:.0} mm is longer than the stone it sits on", 1e3 * gauge_length),
-            format!("stones are {:.0} mm long at the intrados", 1e3 * stone),
+            format!("a gauge of {:.0} mm is longer than its voussoir", 1e3 * gauge_length),
+            format!("voussoirs are {:.0} mm long at the intrados", 1e3 * stone),
             "give a shorter `gauge_length`, or fewer voussoirs; a gauge across a joint measures its opening",
         )
         .because(
-            "strain measured across a joint is mostly movement of its two stones (the railway paper, section 3.2)",
+            "strain measured across a joint is mostly movement of its two voussoirs (the railway paper, section 3.2)",
         );
     false
 }

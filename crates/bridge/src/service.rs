@@ -118,13 +118,13 @@ pub struct Soil {
 choice! {
     /// Where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb.
     pub enum Cone {
-        /// meets the pyramid of Mohr and Coulomb in triaxial compression
+        /// matches Mohr-Coulomb in triaxial compression
         Compression = "compression",
-        /// meets it in triaxial extension
+        /// matches it in triaxial extension
         Extension = "extension",
-        /// gives its failure load in plane strain
+        /// matches its failure load in plane strain
         PlaneStrain = "plane-strain",
-        /// touches it from inside
+        /// inscribed in it
         Inner = "inner",
     }
 }

@@ -112,11 +112,11 @@ pub struct Plan {
 choice! {
     /// Searches for parameters.
     pub enum Search {
-        /// the railway paper's, by single sweeps and surfaces of two
+        /// the railway paper's search, by sweeps of one parameter and surfaces of two
         Hierarchical = "hierarchical",
         /// trust-region least squares from many starts
         Modern = "modern",
-        /// evolution over the whole ranges
+        /// evolutionary search (CMA-ES) over the whole ranges
         Referee = "referee",
         /// a plain gradient search from one start
         Gradient = "gradient",

@@ -26,13 +26,25 @@ pub(super) static ASSESS: Section = Section {
         Field::new("source", Kind::Text, "where the limits come from", "Table 7 of the railway paper")
             .optional("the report says that the file names no source"),
         Field::new("rule", Kind::Text, "rule of the library whose dynamic augment counts", "irs-bridge-rules")
-            .optional("nothing is added to loads at rest, and the report says so"),
-        Field::new("loaded_length", Kind::Quantity(Length), "length of the coefficient of dynamic augment", "6 m")
-            .positive()
-            .optional("the longest span"),
-        Field::new("cushion", Kind::Quantity(Length), "depth between load and ring that lessens it", "0.48 m")
-            .at_least(0.0)
-            .optional("the cover's depth"),
+            .optional("no dynamic augment is added, and the report says so"),
+        Field::new(
+            "loaded_length",
+            Kind::Quantity(Length),
+            "loaded length for the coefficient of dynamic \
+                                                             augment",
+            "6 m",
+        )
+        .positive()
+        .optional("the longest span"),
+        Field::new(
+            "cushion",
+            Kind::Quantity(Length),
+            "depth between load and ring that reduces the dynamic \
+                                                       augment",
+            "0.48 m",
+        )
+        .at_least(0.0)
+        .optional("the cover's depth"),
         Field::new("deflection_limit", Kind::Quantity(Length), "largest deflection of a crown", "5 mm")
             .positive()
             .optional("deflections are not checked"),
@@ -48,10 +60,10 @@ pub(super) static ASSESS: Section = Section {
         Field::new(
             "thrust_zone",
             Kind::Word(ThrustZone::WORDS),
-            "where the line of thrust must stay in service",
+            "where the thrust line must stay in service",
             "middle-half",
         )
-        .optional("the line of thrust is not checked"),
+        .optional("the thrust line is not checked"),
         Field::new("adequacy_factor", Kind::Number, "least factor on loads at ultimate", "1.0")
             .positive()
             .optional("factors are listed and not checked"),
@@ -61,11 +73,14 @@ pub(super) static ASSESS: Section = Section {
             "document and clause that `adequacy_factor` is from",
             "BS 5400-2, Table 1",
         )
-        .optional("`adequacy_factor` is compared with, but assesses no strength: no verdict of adequacy rests on it"),
+        .optional(
+            "the check against `adequacy_factor` is made, but does not assess strength: no verdict of adequacy \
+                   rests on it",
+        ),
         Field::new(
             "skew_source",
             Kind::Text,
-            "document and clause, or test, by which a square model stands for the skew of [carriageway]",
+            "document and clause, or test, that confirms the square model for the skew of [carriageway]",
             "finite elements in three dimensions, report 12",
         )
         .optional("with a skew of more than 10 degrees no verdict of adequacy is given"),
@@ -79,14 +94,14 @@ pub(super) static ASSESS: Section = Section {
             .above(0.0)
             .at_most(1.0)
             .optional("the share is not checked"),
-        Field::new("load_cycles", Kind::Number, "cycles of load in the life that is asked for", "1e7")
+        Field::new("load_cycles", Kind::Number, "load cycles in the required life", "1e7")
             .at_least(1.0)
             .at_most(1e12)
             .optional("the range of stress is not checked"),
         Field::new("expected_movement", Kind::Quantity(Length), "support movement, expected or measured", "20 mm")
             .at_least(0.0)
             .optional("movements are not checked"),
-        Field::new("movement_factor", Kind::Number, "safety on that movement", "2").at_least(1.0).default("1"),
+        Field::new("movement_factor", Kind::Number, "safety factor on that movement", "2").at_least(1.0).default("1"),
     ],
 };
 
@@ -94,7 +109,7 @@ pub(super) static SERVICE_LOAD: Section = Section {
     path: "service_load",
     doc: "A load in service: the train of [train] with another mass on all its axles.",
     fields: &[
-        Field::new("name", Kind::Text, "what results call it", "25t HML"),
+        Field::new("name", Kind::Text, "name in results", "25t HML"),
         Field::new("axle_load", Kind::Quantity(Mass), "mass on every axle", "25 t")
             .positive()
             .optional("axles as the train has them"),
@@ -109,7 +124,8 @@ const fn factor(key: &'static str, doc: &'static str, example: &'static str) -> 
 
 pub(super) static MEXE: Section = Section {
     path: "mexe",
-    doc: "The modified MEXE method: what its modifying factors are for this bridge. Span, rise, ring and cover are those of the file.",
+    doc: "The modified MEXE method: its modifying factors for this bridge. Span, rise, ring and cover are those of the \
+          file.",
     fields: &[
         Field::new("span", Kind::Count, "which span, counted from 1", "1").at_least(1.0).at_most(200.0).default("1"),
         factor("barrel_factor", "F_b: material of the barrel; 1.5 granite to 0.7 poor masonry", "1.2"),
@@ -129,10 +145,10 @@ pub(super) static MEXE: Section = Section {
         Field::new("fill_depth", Kind::Quantity(Length), "depth of fill at the crown", "0.40 m")
             .at_least(0.0)
             .optional("the cover's depth"),
-        Field::new("axle_load", Kind::Quantity(Mass), "mass on each of `axles` that must be allowed", "11.5 t")
+        Field::new("axle_load", Kind::Quantity(Mass), "required mass on each of `axles`", "11.5 t")
             .positive()
             .optional("the allowable axle load is listed and not checked"),
-        Field::new("axles", Kind::Word(MexeAxles::WORDS), "what stands on the bridge with that mass on each axle", "bogie")
+        Field::new("axles", Kind::Word(MexeAxles::WORDS), "axles with that mass on each", "bogie")
             .default(MexeAxles::Single.word()),
         Field::new("lift_off", Kind::Flag, "whether an axle of a bogie may lift off", "true").default("false"),
         factor("axle_factor", "A_f: read off the method's figure for `axles` and `lift_off`", "0.9").optional(
@@ -143,17 +159,18 @@ pub(super) static MEXE: Section = Section {
 
 pub(super) static EXPECTED: Section = Section {
     path: "expected",
-    doc: "The range in which a sound bridge of this kind has an identified parameter, and what it says when it has not.",
+    doc: "The expected range of an identified parameter in a sound bridge of this kind, and what a value outside it \
+          means.",
     fields: &[
         Field::new("parameter", Kind::Text, "name of a [[parameter]]", "mortar"),
         Field::new("lower", Kind::Value, "lower end", "1 GPa"),
         Field::new("upper", Kind::Value, "upper end", "2 GPa"),
         Field::new("source", Kind::Text, "where the range comes from", "Table 2 of the railway paper")
             .optional("the report says that the file names no source"),
-        Field::new("below", Kind::Text, "what a lower value says, for the owner", "the mortar has lost stiffness")
-            .optional("that it is lower than expected"),
-        Field::new("above", Kind::Text, "what a higher value says, for the owner", "joints may have been repointed")
-            .optional("that it is higher than expected"),
+        Field::new("below", Kind::Text, "what a lower value means, for the owner", "the mortar has lost stiffness")
+            .optional("it is lower than expected"),
+        Field::new("above", Kind::Text, "what a higher value means, for the owner", "joints may have been repointed")
+            .optional("it is higher than expected"),
     ],
 };
 

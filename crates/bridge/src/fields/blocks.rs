@@ -42,7 +42,7 @@ choice! {
 choice! {
     /// What becomes of an outline that is not convex.
     enum Concave {
-        /// an error that names the hollow corner
+        /// an error that names the concave corner
         Refuse = "refuse",
         /// convex pieces, each a block of its own; a warning says so
         Cut = "cut",
@@ -87,21 +87,16 @@ static DRAWING: Section = Section {
             "unit of the drawing, in place of what its header says",
             "mm",
         )
-        .optional("the header of the drawing says it, or an error asks for it"),
+        .optional("the unit in the header of the drawing; an error asks for it if there is none"),
         Field::new("chord_tolerance", Kind::Quantity(Length), "how far a chord may lie from its curve", "1 mm")
             .positive()
             .at_most(1.0)
             .default("1 mm"),
-        Field::new(
-            "gap_tolerance",
-            Kind::Quantity(Length),
-            "how far apart ends may lie that are meant to meet",
-            "1 mm",
-        )
-        .positive()
-        .at_most(1.0)
-        .default("1 mm"),
-        Field::new("concave", Kind::Word(Concave::WORDS), "what becomes of an outline that is not convex", "refuse")
+        Field::new("gap_tolerance", Kind::Quantity(Length), "largest distance of ends that are meant to meet", "1 mm")
+            .positive()
+            .at_most(1.0)
+            .default("1 mm"),
+        Field::new("concave", Kind::Word(Concave::WORDS), "how an outline that is not convex is treated", "refuse")
             .default(Concave::Refuse.word()),
         Field::new("layer", Kind::Tables(&LAYER), "What is on its layers.", ""),
     ],

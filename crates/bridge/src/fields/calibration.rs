@@ -16,7 +16,7 @@ pub(super) static CALIBRATION: Section = Section {
     fields: &[
         Field::new("wanted_modulus", Kind::Quantity(Stress), "modulus that the fill is to have", "40 MPa")
             .positive()
-            .optional("the moduli of `multiples` are measured, and nothing is looked for"),
+            .optional("the moduli of `multiples` are measured, without a search"),
         Field::new("modulus", Kind::Word(Modulus::WORDS), "which modulus is compared with `wanted_modulus`", "tangent")
             .default(Modulus::Tangent.word()),
         Field::new("sample_size", Kind::Quantity(Length), "side of the square samples", "1 m")
@@ -45,7 +45,7 @@ pub(super) static CALIBRATION: Section = Section {
         Field::new(
             "compare_with",
             Kind::Quantities(Stress),
-            "moduli from elsewhere, one for each of `multiples`, drawn beside",
+            "moduli from another source, one for each of `multiples`, drawn for comparison",
             r#"["22 MPa", "28 MPa", "34 MPa", "42 MPa", "48 MPa"]"#,
         )
         .positive()
@@ -61,7 +61,7 @@ pub(super) static CALIBRATION: Section = Section {
         Field::new(
             "least_replacement",
             Kind::Number,
-            "smallest particle put in the place of one that the cut goes through, over the smallest of the packing",
+            "smallest particle that replaces one on the cut, over the smallest of the packing",
             "0.5",
         )
         .at_least(0.1)
@@ -130,7 +130,7 @@ fn check(table: &Table<'_>, calibration: &Calibration, findings: &mut Findings) 
     if ignored_steps + 2 > *steps {
         refuse(
             if table.has("ignored_steps") { "ignored_steps" } else { "steps" },
-            format!("of {steps} load steps {ignored_steps} are ignored, which leaves no two to measure between"),
+            format!("of {steps} load steps {ignored_steps} are ignored, which leaves fewer than two"),
             "a secant needs two steps",
             format!("write ignored_steps = {} or fewer", steps.saturating_sub(2)),
         );

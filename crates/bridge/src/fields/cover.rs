@@ -133,7 +133,7 @@ fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
     findings.error(
         "B216",
         place,
-        "no layer of the cover is modelled as particles, among which this could stand",
+        "no layer of the cover is modelled as particles, which this needs around it",
         "it would carry nothing",
         "write as = \"weight\", or as = \"particles\" in a [[cover]]",
     );

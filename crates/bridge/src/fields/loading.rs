@@ -19,7 +19,7 @@ choice! {
         Patch = "patch",
         /// one axle
         Axle = "axle",
-        /// a pattern of axles, driving to the right
+        /// a pattern of axles, travelling to the right
         Axles = "axles",
     }
 }
@@ -28,8 +28,8 @@ pub(super) static LOAD: Section = Section {
     path: "load",
     doc: "A load on the surface, downwards. Place it by `position` or `at`. A file that plans a passage and has no [analysis] needs none.",
     fields: &[
-        Field::new("name", Kind::Text, "what the load is called", "knife edge at the quarter point")
-            .optional("called after its kind"),
+        Field::new("name", Kind::Text, "name of the load", "knife edge at the quarter point")
+            .optional("named after its kind"),
         Field::new("kind", Kind::Word(Shape::WORDS), "shape of the load", "knife-edge"),
         Field::new("force", Kind::LineLoad, "force of the strip, per metre of width or over the whole width", "1 kN/m")
             .positive()
@@ -54,7 +54,7 @@ pub(super) static LOAD: Section = Section {
         Field::new(
             "axle_spacings",
             Kind::Quantities(Length),
-            "distances between the axles, one fewer than there are",
+            "distances between the axles, one fewer than the axles",
             "[\"3.0 m\"]",
         )
         .positive()
@@ -98,7 +98,7 @@ choice! {
     enum Bearer {
         /// as a pressure that spreads through the cover, or as forces on the bricks of a wall
         Cover = "cover",
-        /// through a rigid block that stands on a wall, held upright
+        /// through a rigid block that stands on a wall and cannot rotate
         Block = "block",
     }
 }
@@ -209,7 +209,7 @@ fn kind(table: &Table<'_>, shape: Option<Shape>, width: Option<f64>, findings: &
                     "B302",
                     spacings.range,
                     format!("{} axles have {} spacings", forces.len(), spacings.value.len()),
-                    "one spacing between each two axles",
+                    "one spacing between every two adjacent axles",
                     format!("give as many spacings as axles, less one: {}", forces.len().saturating_sub(1)),
                 );
                 return None;
@@ -354,10 +354,10 @@ fn check_place(table: &Table<'_>, load: &Load, layout: &Layout, findings: &mut F
             .warning(
                 "P009",
                 range,
-                "part of the load stands beside the bridge",
+                "part of the load is beside the bridge",
                 format!("the bridge runs from 0 m to {end} m"),
                 "move the load onto the bridge if all of it is meant to act",
             )
-            .because("what stands behind the springings does not act on the rings");
+            .because("load behind the springings does not act on the rings");
     }
 }

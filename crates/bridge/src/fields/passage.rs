@@ -12,7 +12,7 @@ use crate::values::read;
 
 pub(super) static PASSAGE: Section = Section {
     path: "passage",
-    doc: "How the train crosses, and how that is analysed. Self-weight comes first and is taken off afterwards.",
+    doc: "How the train crosses, and how that is analysed. Self-weight is applied first and subtracted afterwards.",
     fields: &[
         Field::new("speed", Kind::Quantity(Speed), "speed of the train", "45 km/h").at_least(0.01),
         Field::new("time_step", Kind::Quantity(Time), "time from one position to the next", "0.005 s")
@@ -21,18 +21,18 @@ pub(super) static PASSAGE: Section = Section {
         Field::new(
             "from",
             Kind::Quantity(Length),
-            "where the first axle stands at the start, from the left springing of the first span",
+            "position of the first axle at the start, from the left springing of the first span",
             "-10 m",
         )
         .optional("where the mesh begins"),
-        Field::new("to", Kind::Quantity(Length), "where the first axle stands at the end", "60 m")
+        Field::new("to", Kind::Quantity(Length), "position of the first axle at the end", "60 m")
             .optional("where the last axle leaves the mesh"),
-        Field::new("analysis", Kind::Word(PassageAnalysis::WORDS), "whether masses take part", "static")
+        Field::new("analysis", Kind::Word(PassageAnalysis::WORDS), "whether inertia is included", "static")
             .default(PassageAnalysis::Static.word()),
         Field::new("damping_ratio", Kind::Number, "share of critical damping at `damping_frequencies`", "0.03")
             .at_least(0.0)
             .at_most(0.5)
-            .optional("no damping but friction and yielding"),
+            .optional("no damping except by friction and yielding"),
         Field::new(
             "damping_frequencies",
             Kind::Quantities(Frequency),
@@ -44,7 +44,8 @@ pub(super) static PASSAGE: Section = Section {
         Field::new(
             "numerical_damping",
             Kind::Number,
-            "of time integration: 0 is Newmark's average acceleration, more is the method of Hilber, Hughes and Taylor",
+            "numerical damping of time integration: 0 is Newmark's average acceleration, larger values are the method \
+             of Hilber, Hughes and Taylor",
             "0.05",
         )
         .at_least(0.0)
@@ -168,7 +169,7 @@ fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool
             findings.error(
                 "B655",
                 table.place("to"),
-                "the train does not drive to the right",
+                "the train does not travel to the right",
                 format!("the first axle starts at {from} m"),
                 "give a larger `to`, or leave both out",
             );
@@ -180,7 +181,7 @@ fn check(table: &Table<'_>, plan: &PassagePlan, findings: &mut Findings) -> bool
                 table.place("to"),
                 format!("more than {MOST_POSITIONS} positions"),
                 format!("a position every {step:.2e} m"),
-                "give a larger `time_step`, or a shorter way",
+                "give a larger `time_step`, or a shorter distance",
             );
             return false;
         }

@@ -30,8 +30,14 @@ pub(super) static ANALYSIS: Section = Section {
     fields: &[
         Field::new("method", Kind::Word(Method::WORDS), "method for the collapse load", "dem")
             .default(Method::Limit.word()),
-        Field::new("analysis", Kind::Word(Analysis::WORDS), "what is made to collapse", "load")
-            .default(Analysis::Load.word()),
+        Field::new(
+            "analysis",
+            Kind::Word(Analysis::WORDS),
+            "what is increased or reduced until \
+                                                      collapse",
+            "load",
+        )
+        .default(Analysis::Load.word()),
         Field::new("strip", Kind::Word(Strip::WORDS), "strip of the bridge's width that is analysed", "both")
             .default(Strip::Fill.word()),
         Field::new("load_step", Kind::LineLoad, "load increment, per metre of width or over the whole width", "100 kN")
@@ -71,7 +77,7 @@ pub(super) static ANALYSIS: Section = Section {
         Field::new(
             "contact_length",
             Kind::Word(ContactLength::WORDS),
-            "length that a contact point stands for",
+            "length of joint that a contact point represents",
             "fixed",
         )
         .default(ContactLength::Fixed.word()),
@@ -84,7 +90,7 @@ pub(super) static ANALYSIS: Section = Section {
         Field::new(
             "contact_points",
             Kind::Word(ContactPoints::WORDS),
-            "where limit analysis puts the contact points of a joint",
+            "position of the contact points of a joint in limit analysis",
             "rounded",
         )
         .default(ContactPoints::Rounded.word()),

@@ -63,15 +63,10 @@ const SOIL: [Field; 9] = [
         .default("0 deg"),
     Field::new("tension_cutoff", Kind::Quantity(Stress), "largest tension in the fill", "0 kPa")
         .at_least(0.0)
-        .optional("no bound but the apex of cone or pyramid"),
-    Field::new(
-        "cone",
-        Kind::Word(Cone::WORDS),
-        "where the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb",
-        "inner",
-    )
-    .default(Cone::PlaneStrain.word()),
-    Field::new("law", Kind::Word(SoilLaw::WORDS), "when the fill yields", "mohr-coulomb")
+        .optional("no limit except the apex of cone or pyramid"),
+    Field::new("cone", Kind::Word(Cone::WORDS), "how the Drucker-Prager cone is matched to Mohr-Coulomb", "inner")
+        .default(Cone::PlaneStrain.word()),
+    Field::new("law", Kind::Word(SoilLaw::WORDS), "yield criterion of the fill", "mohr-coulomb")
         .default(SoilLaw::DruckerPrager.word()),
 ];
 
@@ -134,7 +129,7 @@ pub(super) static MORTAR: Section = Section {
         .default("0 kN"),
         Field::new("shear_strength", Kind::Quantity(Stress), "shear strength of the mortar", "1 MPa")
             .at_least(0.0)
-            .optional("friction and cohesion of [joint] decide"),
+            .optional("friction and cohesion of [joint]"),
         Field::new("springs", Kind::Word(Springs::WORDS), "how the stress across a joint is summed", "interface")
             .default(Springs::Equal.word()),
     ],
@@ -148,7 +143,7 @@ pub(super) static FILL_CONTACT: Section = Section {
             .at_least(0.0)
             .at_most(10.0)
             .optional("unknown; `respond` needs it"),
-        Field::new("separation", Kind::Flag, "whether fill and masonry may part", "false").default("true"),
+        Field::new("separation", Kind::Flag, "whether fill and masonry may separate", "false").default("true"),
         Field::new("stiffness", Kind::Quantity(JointStiffness), "normal stiffness per area of the contact", "1 GPa/m")
             .positive()
             .optional("from the fill's modulus and the size of its elements"),

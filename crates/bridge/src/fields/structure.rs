@@ -28,7 +28,7 @@ pub(super) static BRIDGE: Section = Section {
 
 pub(super) static SPAN: Section = Section {
     path: "span",
-    doc: "One span. Span and rise are measured at the intrados, always.",
+    doc: "One span. Span and rise are always measured at the intrados.",
     fields: &joined::<{ total(SPAN_KEYS) }>(SPAN_KEYS),
 };
 
@@ -57,7 +57,7 @@ const SPAN_KEYS: &[&[Field]] = &[
     ],
     &joined::<{ total(OWN_KEYS) }>(OWN_KEYS),
     &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, everywhere the same", "0.711 m")
+        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.711 m")
             .positive()
             .at_most(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`, or by [[span.ring]]"),
@@ -91,7 +91,7 @@ pub(super) static RING: Section = Section {
     path: "span.ring",
     doc: "One ring of a span with several, from the intrados up.",
     fields: &[
-        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, everywhere the same", "0.225 m")
+        Field::new("thickness", Kind::Quantity(Length), "thickness of the ring, constant", "0.225 m")
             .positive()
             .at_most(50.0)
             .optional("given by `crown_thickness` and `springing_thickness`"),
@@ -136,7 +136,8 @@ pub(super) static PIER: Section = Section {
 
 pub(super) static ABUTMENT: Section = Section {
     path: "abutment",
-    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is drawn, and bounds what may lean on them.",
+    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is used for drawings and limits what \
+          can rest on them.",
     fields: &[
         Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
             .positive()
@@ -223,7 +224,7 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
             file.place("span"),
             format!("the bridge has {blocks} voussoirs"),
             format!("more than {MOST_VOUSSOIRS} are too many to analyse as one structure"),
-            "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs draw a good ring",
+            "describe fewer spans, rings or voussoirs; 30 to 100 voussoirs describe a ring well",
         );
         return None;
     }

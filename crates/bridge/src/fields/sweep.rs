@@ -11,21 +11,21 @@ use crate::values::read;
 choice! {
     /// How axles spread through the cover.
     enum Spread {
-        /// as the rule says, at the rule's footprint
+        /// as in the rule, with the rule's footprint
         Rule = "rule",
-        /// as [dispersal] says, at each vehicle's footprint
+        /// as in [dispersal], with each vehicle's footprint
         File = "file",
     }
 }
 
 pub(super) static SWEEP: Section = Section {
     path: "sweep",
-    doc: "Vehicles that `extrados collapse --sweep` moves over the bridge by limit analysis: every position, both ways, every run of \
-          neighbouring axles, loads and weights with the factors of a rule. Vehicles and rules of the library are listed in \
-          docs/theory/load-rules.md.",
+    doc: "Vehicles that `extrados collapse --sweep` moves over the bridge by limit analysis: every position, both \
+          directions, every group of neighbouring axles, with the factors of a rule on loads and weights. Vehicles and \
+          rules of the library are listed in docs/theory/load-rules.md.",
     fields: &[
         Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454").optional(
-            "\"characteristic\": no safety, for comparisons and never for a verdict; or given by `rule_file`",
+            "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
         ),
         Field::new("rule_file", Kind::Text, "file with a rule, relative to the bridge file", "our-rule.toml")
             .optional("a rule of the library"),
@@ -45,16 +45,16 @@ pub(super) static SWEEP: Section = Section {
         .optional("none"),
         Field::new("step", Kind::Quantity(Length), "distance between positions", "0.25 m")
             .positive()
-            .optional("a sixtieth of the shortest span; the worst position is then sought in between"),
-        Field::new("directions", Kind::Word(Directions::WORDS), "which ways vehicles drive", "both")
+            .optional("a sixtieth of the shortest span; the worst position between steps is then found"),
+        Field::new("directions", Kind::Word(Directions::WORDS), "directions in which vehicles travel", "both")
             .default(Directions::Both.word()),
-        Field::new("subsets", Kind::Flag, "whether every run of neighbouring axles is tried", "true").default("true"),
+        Field::new("subsets", Kind::Flag, "whether every group of neighbouring axles is tried", "true").default("true"),
         Field::new("dispersal", Kind::Word(Spread::WORDS), "how axles spread through the cover", "rule")
             .default(Spread::Rule.word()),
         Field::new(
             "discrete_elements",
             Kind::Flag,
-            "whether the governing case is made by discrete elements too, the smaller number counting",
+            "whether the governing case is also analysed by discrete elements; the smaller number counts",
             "true",
         )
         .default("false"),
@@ -64,8 +64,9 @@ pub(super) static SWEEP: Section = Section {
 
 pub(super) static CARRIAGEWAY: Section = Section {
     path: "carriageway",
-    doc: "Where vehicles of [sweep] may stand across the bridge. A plane model sees it as the width of the barrel that carries one \
-          vehicle: two abreast share what lies between them, and one at the edge lacks what lies beyond. The worst of all counts.",
+    doc: "Possible positions of vehicles of [sweep] across the bridge. In a plane model they determine the width of \
+          the barrel that carries one vehicle: two abreast share the width between them, and for one at the edge the \
+          width beyond it is missing. The worst arrangement counts.",
     fields: &[
         Field::new(
             "lanes",
@@ -101,9 +102,10 @@ pub(super) static CARRIAGEWAY: Section = Section {
 
 pub(super) static FILL_PRESSURE: Section = Section {
     path: "fill_pressure",
-    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis: between what is there at rest and a share of \
-          Rankine's passive pressure, which acts only where a back moves against the fill. docs/theory/fill-pressure.md tells \
-          where the shares come from. Particles press by themselves: the discrete element method does not read this table.",
+    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis: between the pressure at rest and a \
+          share of Rankine's passive pressure, which acts only where a back moves against the fill. \
+          docs/theory/fill-pressure.md gives the sources of the shares. The discrete element method does not use this \
+          table: particles exert pressure themselves.",
     fields: &[
         Field::new("applies", Kind::Flag, "whether it acts", "true").default("true"),
         Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
@@ -126,7 +128,7 @@ pub(super) static FILL_PRESSURE: Section = Section {
         Field::new(
             "least",
             Kind::Word(LeastPressure::WORDS),
-            "pressure on backs that nothing moves against the fill",
+            "pressure on backs that do not move against the fill",
             "at-rest",
         )
         .default(LeastPressure::AtRest.word()),

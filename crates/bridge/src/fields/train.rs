@@ -230,7 +230,7 @@ fn vehicle(table: &Table<'_>, findings: &mut Findings) -> Option<Vehicle> {
                 given.range,
                 format!("{other} loads for {axles} axles"),
                 "one for each axle, or one for all",
-                format!("give {axles} loads or one; there is one spacing between each two axles"),
+                format!("give {axles} loads or one; there is one spacing between every two adjacent axles"),
             );
             return None;
         }
@@ -277,7 +277,7 @@ pub(crate) fn track(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
         findings.error(
             "B653",
             table.place("sleeper_breadth"),
-            "sleepers are broader than the distance between them",
+            "sleepers are wider than the distance between them",
             format!("their middles are {} m apart", track.sleeper_spacing),
             "check whether `sleeper_breadth` and `sleeper_spacing` are swapped",
         );

@@ -29,34 +29,35 @@ pub(super) static RECORDS: Section = Section {
         Field::new(
             "place",
             Kind::Text,
-            "a table (.csv), or a folder all of whose tables are runs; beside this file",
+            "a table (.csv), or a folder in which every table is a run; beside this file",
             "table-6.csv",
         ),
-        Field::new("zero", Kind::Flag, "whether the level before the train is taken off", "true").default("true"),
-        Field::new("drift", Kind::Flag, "whether the line between the levels before and after is taken off", "false")
+        Field::new("zero", Kind::Flag, "whether the level before the train is subtracted", "true").default("true"),
+        Field::new("drift", Kind::Flag, "whether the line between the levels before and after is subtracted", "false")
             .default("false"),
         Field::new(
             "low_pass",
             Kind::Quantity(Frequency),
-            "frequency above which records are cut off, forward and backward so that nothing moves in time; a peak is the largest of \
-             many samples, and noise adds to it",
+            "frequency above which records are filtered, forward and backward so that nothing shifts in time; noise \
+             raises a peak, which is the largest of many samples",
             "10 Hz",
         )
         .positive()
         .optional("as recorded"),
         Field::new("align", Kind::Text, "the channel by which clocks are aligned", "crown displacement")
             .optional("the records' clock is that of [passage]: zero where the first axle starts"),
-        Field::new("align_by", Kind::Word(AlignedBy::WORDS), "what that channel is laid on", "model").default(AlignedBy::Model.word()),
+        Field::new("align_by", Kind::Word(AlignedBy::WORDS), "what that channel is aligned with", "model")
+            .default(AlignedBy::Model.word()),
     ],
 };
 
 pub(super) static CHANNEL: Section = Section {
     path: "channel",
-    doc: "What is known of a channel of the records; sensors without one are compared as they are.",
+    doc: "Information on a channel of the records; sensors without a [[channel]] are compared as they are.",
     fields: &[
         Field::new("sensor", Kind::Text, "name of the sensor", "crown strain"),
         Field::new("column", Kind::Text, "name of the column in the records", "SG 4").optional("the sensor's name"),
-        Field::new("reversed", Kind::Flag, "whether the records count the other way", "false").default("false"),
+        Field::new("reversed", Kind::Flag, "whether the sign of the records is reversed", "false").default("false"),
         Field::new("uncertainty", Kind::Number, "standard deviation of one value, in mm, microstrain or MPa", "0.01")
             .positive()
             .optional("not known; needed by the posterior and by `by_uncertainty`"),
@@ -66,10 +67,10 @@ pub(super) static CHANNEL: Section = Section {
         Field::new(
             "leave_out",
             Kind::Text,
-            "why it takes no part; it is still shown",
+            "reason for which it is left out; it is still shown",
             "a gauge on a stone sees no opening",
         )
-        .optional("it takes part"),
+        .optional("it is compared"),
     ],
 };
 
@@ -85,10 +86,11 @@ choice! {
 
 pub(super) static PARAMETER: Section = Section {
     path: "parameter",
-    doc: "A quantity of this file that `extrados update` seeks between bounds. Its own value is the start.",
+    doc: "A quantity of this file that `extrados update` searches for between bounds. The search starts at its own \
+          value.",
     fields: &[
         Field::new("quantity", Kind::Text, "path of the quantity, as in [[vary]]", "fill.elastic_modulus"),
-        Field::new("name", Kind::Text, "what results call it", "fill").optional("its path"),
+        Field::new("name", Kind::Text, "name in results", "fill").optional("its path"),
         Field::new("lower", Kind::Value, "lower end of the acceptable range", "20 MPa"),
         Field::new("upper", Kind::Value, "upper end of the acceptable range", "200 MPa"),
         Field::new("spacing", Kind::Word(Spacing::WORDS), "how the range is divided", "linear")
@@ -98,7 +100,7 @@ pub(super) static PARAMETER: Section = Section {
 
 pub(super) static UPDATE: Section = Section {
     path: "update",
-    doc: "How `extrados update` seeks the parameters.",
+    doc: "How `extrados update` searches for the parameters.",
     fields: &[
         Field::new("search", Kind::Word(Search::WORDS), "which search", "modern").default(Search::Modern.word()),
         Field::new("variant", Kind::Word(Variant::WORDS), "reading of the hierarchical search", "printed")
@@ -118,13 +120,25 @@ pub(super) static UPDATE: Section = Section {
             .at_most(201.0)
             .default("11"),
         Field::new("compare", Kind::Word(Compared::WORDS), "what is compared", "peaks").default(Compared::Peaks.word()),
-        Field::new("slices", Kind::Flag, "whether peaks are sought in static slices, not in full passages", "true")
-            .default("true"),
+        Field::new(
+            "slices",
+            Kind::Flag,
+            "whether peaks are compared in static slices instead of full passages",
+            "true",
+        )
+        .default("true"),
         Field::new("weights", Kind::Word(Weights::WORDS), "where weights come from", "shapes")
             .default(Weights::Shapes.word()),
-        Field::new("by_uncertainty", Kind::Flag, "whether errors are counted in `uncertainty`", "false")
+        Field::new("by_uncertainty", Kind::Flag, "whether errors are expressed in multiples of `uncertainty`", "false")
             .default("false"),
-        Field::new("posterior", Kind::Flag, "whether what the records leave open is sampled", "false").default("false"),
+        Field::new(
+            "posterior",
+            Kind::Flag,
+            "whether the posterior of the parameters is \
+                                             sampled",
+            "false",
+        )
+        .default("false"),
         Field::new(
             "model_error",
             Kind::Number,
@@ -215,7 +229,7 @@ fn channels(file: &Table<'_>, names: Option<&[String]>, findings: &mut Findings)
         if let (Some(channel), Some(names)) = (&channel, names) {
             let known = names.contains(&channel.sensor);
             if !known || seen.contains(&channel.sensor) {
-                let message = if known { "two tables speak of one channel" } else { "there is no such sensor" };
+                let message = if known { "two tables name the same channel" } else { "there is no such sensor" };
                 let help = format!("the sensors are {}", names.join(", "));
                 findings.error("B671", table.place("sensor"), message, "name of a [[sensor]]", help);
             }
@@ -234,13 +248,13 @@ fn parameters(file: &Table<'_>, document: Option<&Document>, findings: &mut Find
     let tables = file.tables("parameter", findings);
     if let Some(beyond) = tables.get(MOST_PARAMETERS) {
         let message = format!("there are {} parameters", tables.len());
-        findings.error("B672", beyond.range, message, "twenty are the most", "seek fewer at a time");
+        findings.error("B672", beyond.range, message, "there are twenty at most", "search for fewer at a time");
         return None;
     }
     let list = file.all("parameter", findings, |table, findings| parameter(table, document, findings))?;
     for (k, one) in list.iter().enumerate() {
         if list[..k].iter().any(|other| other.name == one.name || other.path == one.path) {
-            let help = "seek every quantity once, under a name of its own";
+            let help = "name every quantity once, with its own name";
             findings.error("B672", tables[k].place("quantity"), "a parameter is there twice", "path or name", help);
         }
     }
@@ -271,12 +285,12 @@ fn parameter(table: &Table<'_>, document: Option<&Document>, findings: &mut Find
     let continuous =
         matches!(found.field.kind, Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::Number | Kind::Quantities(_));
     let (true, (Some(start), Some(lower), Some(upper))) = (continuous, numbers) else {
-        let help = "seek a quantity that has a number in this file, between two others of its kind";
-        findings.error("B670", table.place("quantity"), "there is no range of numbers", "not continuous", help);
+        let help = "name a quantity that has a number in this file, between two bounds of the same dimension";
+        findings.error("B670", table.place("quantity"), "this is not a range of numbers", "not continuous", help);
         return None;
     };
     if !(lower < upper && lower <= start && start <= upper && (lower > 0.0 || !logarithmic)) {
-        let message = format!("{lower} to {upper} is no range about {start} {}", varied.unit);
+        let message = format!("{lower} to {upper} is not a range that contains {start} {}", varied.unit);
         let help =
             "write a lower bound below the upper one, with the file's own value between; above zero where logarithmic";
         findings.error("B670", table.place("lower"), message, "lower end of the acceptable range", help);

@@ -19,8 +19,8 @@ choice! {
 
 pub(crate) static VARY: Section = Section {
     path: "vary",
-    doc: "A quantity of this file and the values that `extrados vary` gives it, one quantity after the other or all against \
-          all. Values are written as the quantity itself is, or relative to its own value: \"-5 %\", \"x0.5\".",
+    doc: "A quantity of this file and the values that `extrados vary` gives it, one quantity at a time or in a grid. \
+          Values are written as the quantity itself is, or relative to its own value: \"-5 %\", \"x0.5\".",
     fields: &[
         Field::new(
             "quantity",
@@ -36,7 +36,7 @@ pub(crate) static VARY: Section = Section {
             .at_least(2.0)
             .at_most(1000.0)
             .optional("given by `values`"),
-        Field::new("spacing", Kind::Word(Spacing::WORDS), "how the values of a range lie", "linear")
+        Field::new("spacing", Kind::Word(Spacing::WORDS), "how the values of a range are spaced", "linear")
             .default(Spacing::Linear.word()),
     ],
 };

@@ -16,7 +16,7 @@ choice! {
         Half = "half",
         /// every other course is shifted by a third of a brick
         Third = "third",
-        /// head joints stand above one another
+        /// head joints are above one another
         Stack = "stack",
     }
 }

@@ -45,7 +45,7 @@ fn check(points: &[[f64; 2]]) -> Result<(), Misfit> {
             None,
             "a measured profile needs at least three points",
             "left springing, one or more in between, right springing",
-            "add points of the survey; ten or more draw a good curve",
+            "add points of the survey; ten or more give a good curve",
         ));
     }
     if let Some(index) = (1..points.len()).find(|index| !(points[*index][0] > points[index - 1][0])) {
