@@ -1,9 +1,13 @@
 //! Displacements, strains and stresses as a train passes.
 
+use crate::passing::Passing;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
 use assess::analysis::passage::passage;
+use crate::watch::Watch;
+use assess::analysis::passage::Passage;
+use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassagePath};
 use outcome::passage::Passage;
 
@@ -23,6 +27,13 @@ pub struct RespondOptions {
 /// # Errors
 /// A file that cannot be used or has no train, or a passage that cannot be set up (F108).
 pub fn respond(project: &Project, options: &RespondOptions, watch: &mut dyn Watch) -> Result<Passage, Refusal> {
+    let mut passing = Passing::new(project, options, watch)?;
+    passing.advance(usize::MAX, watch)?;
+    passing.finish(watch)
+}
+
+/// The bridge of a project with the passage that was asked for.
+pub(crate) fn crossed(project: &Project, options: &RespondOptions) -> Result<Bridge, Refusal> {
     let mut bridge = project.bridge()?.clone();
     if let Some(asked) = &mut bridge.passage {
         let plan = &mut asked.plan;
@@ -30,5 +41,5 @@ pub fn respond(project: &Project, options: &RespondOptions, watch: &mut dyn Watc
         plan.analysis = options.analysis.unwrap_or(plan.analysis);
         plan.path = options.path.unwrap_or(plan.path);
     }
-    passage(&bridge, &mut Looking(watch)).map_err(|error| Refusal::not_set_up(&error))
+    Ok(bridge)
 }

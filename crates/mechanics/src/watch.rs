@@ -1,4 +1,7 @@
-//! Progress out, cancellation in. Called a few times a second at most, never inside a step.
+//! Progress out, cancellation in. Asked at least once in every iteration that takes milliseconds.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// How far a run has come.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +31,138 @@ pub enum Wish {
     GoOn,
     /// Stop at a consistent state and say so in the outcome.
     Stop,
+}
+
+/// Whether work that is shared by several threads goes on: asked in every iteration of its loops. Clones are the same pace.
+#[derive(Debug, Clone)]
+pub struct Pace {
+    counts: Arc<Counts>,
+    /// Shares of the whole work at which the part that this clone is given begins and ends.
+    part: [f64; 2],
+}
+
+#[derive(Debug, Default)]
+struct Counts {
+    stop: AtomicBool,
+    steps: AtomicU64,
+    beats: AtomicU64,
+    /// Bits of the share of the work that is done: those of positive numbers are in their order.
+    share: AtomicU64,
+    /// Iterations after which it ends by itself; zero for none.
+    most: u64,
+}
+
+impl Default for Pace {
+    fn default() -> Pace {
+        Pace { counts: Arc::default(), part: [0.0, 1.0] }
+    }
+}
+
+impl Pace {
+    /// Of work that does not go on.
+    pub fn at_its_end() -> Pace {
+        let pace = Pace::default();
+        pace.stop();
+        pace
+    }
+
+    /// Of work that ends by itself after so many iterations.
+    pub fn of(iterations: u64) -> Pace {
+        let counts = Counts { most: iterations.max(1), ..Counts::default() };
+        Pace { counts: Arc::new(counts), ..Pace::default() }
+    }
+
+    /// Ends the work.
+    pub fn stop(&self) {
+        self.counts.stop.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the work goes on.
+    pub fn goes_on(&self) -> bool {
+        !self.counts.stop.load(Ordering::Relaxed)
+    }
+
+    /// Counts an iteration, and says whether the work goes on.
+    pub fn beat(&self) -> bool {
+        if self.counts.beats.fetch_add(1, Ordering::Relaxed) + 1 == self.counts.most {
+            self.stop();
+        }
+        self.goes_on()
+    }
+
+    /// Counts a step, of which the onlooker is told, and says whether the work goes on.
+    pub fn step(&self) -> bool {
+        self.counts.steps.fetch_add(1, Ordering::Relaxed);
+        self.goes_on()
+    }
+
+    /// The pace of part `k` of several that take about the same time.
+    #[must_use]
+    pub fn part(&self, k: usize, of: usize) -> Pace {
+        let [from, to] = self.part;
+        let at = |k: usize| from + (to - from) * k as f64 / of.max(1) as f64;
+        Pace { counts: Arc::clone(&self.counts), part: [at(k), at(k + 1)] }
+    }
+
+    /// Tells how far its part of the work is, 0 to 1.
+    pub fn reach(&self, share: f64) {
+        let [from, to] = self.part;
+        let share = from + share.clamp(0.0, 1.0) * (to - from);
+        self.counts.share.fetch_max(share.to_bits(), Ordering::Relaxed);
+    }
+
+    /// Share of the whole work that is done, as far as it was told.
+    pub fn share(&self) -> f64 {
+        f64::from_bits(self.counts.share.load(Ordering::Relaxed))
+    }
+
+    /// Iterations so far.
+    pub fn beats(&self) -> u64 {
+        self.counts.beats.load(Ordering::Relaxed)
+    }
+
+    /// Steps so far.
+    pub fn steps(&self) -> u64 {
+        self.counts.steps.load(Ordering::Relaxed)
+    }
+}
+
+/// A piece of shared work is asked in its iterations; what it tells is not passed on.
+impl Watch for Pace {
+    fn look(&mut self, _: &Progress) -> Wish {
+        if self.beat() { Wish::GoOn } else { Wish::Stop }
+    }
+}
+
+/// An onlooker asked again and again within one stretch of work. Whoever wished to stop once has stopped it.
+pub(crate) struct Asking<'w> {
+    watch: &'w mut dyn Watch,
+    progress: Progress,
+    stopped: bool,
+}
+
+impl<'w> Asking<'w> {
+    /// Asks `watch` whenever [`Asking::stops`] is called.
+    pub fn new(watch: &'w mut dyn Watch) -> Asking<'w> {
+        Asking { watch, progress: Progress { stage: String::new(), fraction: None, steps: 0 }, stopped: false }
+    }
+
+    /// Tells how far the work is; whether it is to end.
+    pub fn tell(&mut self, progress: Progress) -> bool {
+        self.progress = progress;
+        self.stops()
+    }
+
+    /// Whether the work is to end.
+    pub fn stops(&mut self) -> bool {
+        self.stopped = self.stopped || self.watch.look(&self.progress) == Wish::Stop;
+        self.stopped
+    }
+
+    /// Whether the onlooker has stopped it.
+    pub fn stopped(&self) -> bool {
+        self.stopped
+    }
 }
 
 /// Nobody looks on.

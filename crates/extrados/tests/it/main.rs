@@ -7,12 +7,30 @@ use extrados::shelf::Remembered;
 use extrados::{
     Blocks, Choice, CollapseOptions, Disk, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Watch,
     Wish, collapse, collapse_of_blocks, settings, vary,
+use extrados::bridge::passage::PassagePath;
+use extrados::results::analysis::Status;
+use extrados::results::analysis::passage::sensors::Placed;
+use extrados::results::analysis::passage::{Moment, PassageStatus};
+use extrados::shelf::Remembered;
+use extrados::{
+    Choice, CollapseOptions, Means, Memory, Passing, Progress, Project, RespondOptions, Stepping, Unwatched,
+    VaryOptions, Watch, Wish, collapse, respond, settings, vary,
 };
+use mechanics::ids::Id;
 
 fn memory() -> Memory {
     Memory::default()
         .with("tiny.toml", include_str!("../../../../examples/tiny/bridge.toml"))
         .with("case-1.toml", include_str!("../../../../examples/bridgemill/case-1.toml"))
+        .with("train.toml", train(0.05, 40.0))
+        .with("few.toml", train(0.1, 16.0))
+}
+
+/// The train on the first spans alone, in steps of so much time [s] to a place [m], on a coarse mesh.
+fn train(step: f64, to: f64) -> String {
+    let text = include_str!("../../../../examples/railway-arch/passage.toml");
+    let way = format!("time_step = \"{step} s\"\nfrom = \"2 m\"\nto = \"{to} m\"");
+    text.replace("time_step = \"0.005 s\"", &way).replace("size = \"0.15 m\"", "size = \"0.4 m\"")
 }
 
 fn project(name: &str) -> Project {
@@ -69,17 +87,65 @@ fn a_collapse_can_be_stepped() {
     assert_eq!(whole.status, Status::Collapsed);
 }
 
-/// Stops a run at its third look, and keeps its state.
+/// Moved on by one, by seven and in one go, with a look at every position or none, a passage is the same to the last bit, by either
+/// path; its pictures have the same names, in the same order.
+#[test]
+fn a_passage_can_be_stepped() {
+    let mut pictures = Vec::new();
+    for (file, path) in
+        [("train.toml", PassagePath::Condensed), ("few.toml", PassagePath::Condensed), ("few.toml", PassagePath::Plain)]
+    {
+        let project = project(file);
+        let options = RespondOptions { path: Some(path), ..RespondOptions::default() };
+        let whole = respond(&project, &options, &mut Unwatched).expect("a passage");
+        assert_eq!(whole.path, if path == PassagePath::Plain { "plain" } else { "condensed" });
+        assert!(whole.positions.len() > 10, "{}", whole.positions.len());
+        for step in [1, 7] {
+            let mut run = Passing::new(&project, &options, &mut Unwatched).expect("a passage");
+            assert!(run.place().is_none());
+            let rest = run.moment().expect("self-weight");
+            while run.advance(step, &mut Unwatched).expect("a position").is_none() {
+                let moment = run.moment().expect("a look");
+                let (time, place) = run.place().expect("a position");
+                assert_eq!((moment.time, moment.position), (time, place));
+                // What the sensors read can be read off the displacements, but for rounding.
+                let by = |moment: &Moment, sensor: &Placed| {
+                    sensor.reading.value(|node| moment.displacements[node.index()], |_| [0.0; 3])
+                };
+                for ((sensor, value), channel) in run.setup().sensors.iter().zip(run.values()).zip(&whole.channels) {
+                    let size = channel.peak_value().abs();
+                    let read = by(&moment, sensor) - by(&rest, sensor);
+                    assert!((read - value).abs() <= 1e-6 * size, "{} at {place}: {read} {value}", sensor.name);
+                }
+            }
+            let stepped = run.finish(&mut Unwatched).expect("a passage");
+            assert_eq!(stepped.status, whole.status);
+            for (one, other) in stepped.channels.iter().zip(&whole.channels) {
+                let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+                assert_eq!(bits(&one.values), bits(&other.values), "{} by {step}", one.name);
+            }
+            assert_eq!(stepped, whole, "by {step}");
+        }
+        pictures.push(whole.moments.iter().map(|m| (m.name.clone(), m.position)).collect::<Vec<_>>());
+        // Left before its end, it was cancelled, and what it recorded is part of the whole.
+        let mut run = Passing::new(&project, &options, &mut Unwatched).expect("a passage");
+        assert_eq!(run.advance(5, &mut Unwatched).expect("positions"), None);
+        let left = run.finish(&mut Unwatched).expect("a passage");
+        assert_eq!((left.status, left.positions.len()), (PassageStatus::Cancelled, 5));
+        assert_eq!(left.channels[0].values[..], whole.channels[0].values[..5]);
+    }
+    assert_eq!(pictures[1], pictures[2]);
+}
+
+/// Stops a run once it has offered its state, and keeps that.
 #[derive(Default)]
 struct Stopper {
-    looks: usize,
     state: Option<Vec<u64>>,
 }
 
 impl Watch for Stopper {
     fn look(&mut self, _: &Progress) -> Wish {
-        self.looks += 1;
-        if self.looks == 3 { Wish::Stop } else { Wish::GoOn }
+        if self.state.is_some() { Wish::Stop } else { Wish::GoOn }
     }
 
     fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {

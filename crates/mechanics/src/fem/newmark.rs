@@ -11,7 +11,7 @@ use super::settings::Settings;
 use super::state::State;
 use super::workspace::Workspace;
 use crate::ids::Id;
-use crate::watch::{Progress, Watch, Wish};
+use crate::watch::{Asking, Progress, Watch};
 
 /// A scheme of time integration: beta and gamma of Newmark's, alpha of Hilber, Hughes and Taylor's (zero or below).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -227,6 +227,7 @@ pub fn transient(
     settings: &Settings,
     watch: &mut dyn Watch,
 ) -> Outcome {
+    let mut asking = Asking::new(watch);
     let mut outcome = Outcome { status: Status::Completed, reached: 0.0, iterations: 0, steps: Vec::new() };
     work.take(state);
     if assemble(model, work, state).is_err() {
@@ -237,18 +238,18 @@ pub fn transient(
     for step in 0..steps {
         let progress =
             Progress { stage: "time".to_owned(), fraction: Some(outcome.reached), steps: outcome.iterations };
-        if watch.look(&progress) == Wish::Stop {
+        if asking.tell(progress) {
             outcome.status = Status::Cancelled;
             return outcome;
         }
         let aim = Aim { forces: forces(step), displacements: state.displacements.clone() };
         let inertia = motion.inertia(model, work, state, &internal, &state.forces);
-        let attempt = balance(model, state, work, &aim, Some(&inertia), settings);
+        let attempt = balance(model, state, work, &aim, Some(&inertia), settings, &mut asking);
         outcome.iterations += u64::from(attempt.iterations);
         let reached = (step + 1) as f64 / steps as f64;
         outcome.steps.push(attempt.step(model, work, reached));
         if attempt.end != End::Balanced {
-            outcome.status = if attempt.end == End::Singular { Status::Singular } else { Status::NotConverged };
+            outcome.status = attempt.end.status();
             return outcome;
         }
         let before = state.displacements.clone();

@@ -14,7 +14,7 @@ use super::settings::Settings;
 use super::state::{Bond, State};
 use super::workspace::Workspace;
 use crate::ids::{Id, NodeId};
-use crate::watch::{Progress, Watch, Wish};
+use crate::watch::{Asking, Progress, Watch};
 
 /// What is to be carried in the end.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -40,7 +40,7 @@ pub fn advance(
     let mut outcome = Outcome { status: Status::Completed, reached: 0.0, iterations: 0, steps: Vec::new() };
     let from = Aim { forces: state.forces.clone(), displacements: state.displacements.clone() };
     let to = Aim::new(model, &from, target);
-    let mut path = Path::new(settings);
+    let (mut path, mut asking) = (Path::new(settings), Asking::new(watch));
     work.fresh &= work.trial.displacements == state.displacements;
     while path.reached < 1.0 {
         let progress = Progress {
@@ -48,20 +48,20 @@ pub fn advance(
             fraction: Some(path.reached),
             steps: outcome.iterations,
         };
-        if watch.look(&progress) == Wish::Stop {
+        if asking.tell(progress) {
             outcome.status = Status::Cancelled;
             return outcome;
         }
         let aim = from.towards(&to, path.next());
-        let attempt = balance(model, state, work, &aim, None, settings);
+        let attempt = balance(model, state, work, &aim, None, settings, &mut asking);
         outcome.iterations += u64::from(attempt.iterations);
         outcome.steps.push(attempt.step(model, work, path.next()));
         if attempt.end == End::Balanced {
             work.keep(state, &aim.forces);
             path.accept(attempt.iterations);
             outcome.reached = path.reached;
-        } else if !path.cut(work) {
-            outcome.status = if attempt.end == End::Singular { Status::Singular } else { Status::NotConverged };
+        } else if !path.cut(work) || attempt.end == End::Cancelled {
+            outcome.status = attempt.end.status();
             return outcome;
         }
     }
@@ -141,6 +141,19 @@ pub(super) enum End {
     Balanced,
     Diverged,
     Singular,
+    Cancelled,
+}
+
+impl End {
+    /// How a run ends with such an attempt.
+    pub(super) fn status(self) -> Status {
+        match self {
+            End::Balanced => Status::Completed,
+            End::Diverged => Status::NotConverged,
+            End::Singular => Status::Singular,
+            End::Cancelled => Status::Cancelled,
+        }
+    }
 }
 
 /// One attempt at balance.
@@ -205,9 +218,10 @@ pub(super) fn balance(
     aim: &Aim,
     inertia: Option<&Inertia>,
     settings: &Settings,
+    asking: &mut Asking<'_>,
 ) -> Attempt {
     let mut broken = Vec::new();
-    let mut attempt = seek(&Equations { model, state, aim, inertia }, work, settings, Begin::State);
+    let mut attempt = seek(&Equations { model, state, aim, inertia }, work, settings, Begin::State, asking);
     while attempt.end == End::Balanced {
         let breaking = weakest(overstressed(model, &work.trial.bonds));
         if breaking.is_empty() {
@@ -215,7 +229,7 @@ pub(super) fn balance(
         }
         breaking.iter().for_each(|&pair| state.bonds[pair].memory.broken = true);
         broken.extend(breaking);
-        attempt = attempt.then(seek(&Equations { model, state, aim, inertia }, work, settings, Begin::Trial));
+        attempt = attempt.then(seek(&Equations { model, state, aim, inertia }, work, settings, Begin::Trial, asking));
     }
     broken.iter().for_each(|&pair| state.bonds[pair].memory.broken = false);
     attempt
@@ -239,7 +253,13 @@ enum Begin {
 }
 
 /// Finds displacements at which internal forces balance what is aimed at; `work` then holds them (equation 15).
-fn seek(equations: &Equations<'_>, work: &mut Workspace, settings: &Settings, begin: Begin) -> Attempt {
+fn seek(
+    equations: &Equations<'_>,
+    work: &mut Workspace,
+    settings: &Settings,
+    begin: Begin,
+    asking: &mut Asking<'_>,
+) -> Attempt {
     let model = equations.model;
     let mut attempt =
         Attempt { end: End::Diverged, iterations: 0, unbalanced: f64::INFINITY, line_searches: 0, indefinite: 0 };
@@ -251,6 +271,10 @@ fn seek(equations: &Equations<'_>, work: &mut Workspace, settings: &Settings, be
     let mut best = (f64::INFINITY, 0);
     let mut damping = 0.0;
     while attempt.iterations < settings.iteration_limit.max(1) {
+        if asking.stops() {
+            attempt.end = End::Cancelled;
+            return attempt;
+        }
         attempt.iterations += 1;
         let first = attempt.iterations == 1 && begin == Begin::State;
         let direction = match direction(work, &right, &mut damping) {

@@ -7,6 +7,7 @@ use mechanics::fem::law::Plane;
 use mechanics::fem::{Element, Interface, Kinematics, Mesh, Model, Quad, Quadrature, State, Status, Target};
 use mechanics::ids::{Id, NodeId};
 use mechanics::plane::vec2;
+use mechanics::watch::Unwatched;
 
 const STONE: f64 = 10e9;
 
@@ -94,13 +95,13 @@ fn a_bed_between_ties_holds_while_it_can_and_never_again() {
         let (mut state, mut work) = (State::new(&model), mechanics::fem::Workspace::new(&model).unwrap());
         let pattern = LoadPattern::from_forces(&pulled(breaks));
         let observed = [Functional(vec![(2 * top.index() + 1, 1.0)])];
-        let mut condensed = Condensed::new(&model, State::new(&model), &[pattern], &observed).unwrap();
+        let mut condensed = Condensed::new(model.clone(), State::new(&model), &[pattern], &observed).unwrap();
         for (share, stiffness) in way {
             let target = Target { forces: pulled(share * breaks), imposed: Vec::new() };
             let unwatched = &mut mechanics::watch::Unwatched;
             let outcome = mechanics::fem::advance(&model, &mut state, &mut work, &target, &tight(steps), unwatched);
             assert_eq!(outcome.status, Status::Completed, "{share}: {outcome:?}");
-            assert_eq!(condensed.solve_position(&[share]).unwrap().reached, Reached::Balanced);
+            assert_eq!(condensed.solve_position(&[share], &mut Unwatched).unwrap().reached, Reached::Balanced);
             let closed = share * breaks / stiffness;
             for lifted in [moved(&state, top)[1], condensed.observed()[0]] {
                 assert!((lifted / closed - 1.0).abs() < 1e-3, "{share} in {steps}: {lifted:e} {closed:e}");
@@ -127,10 +128,10 @@ fn what_does_not_take_part_yet_breaks_first_if_it_has_to() {
     assert_eq!((broken(&plain, 0), broken(&plain, 1)), (vec![true; 2], vec![false; 2]));
     for known in [None, Some(0), Some(1)] {
         let mut condensed =
-            Condensed::new(&model, State::new(&model), &[LoadPattern::from_forces(&pull)], &[]).unwrap();
+            Condensed::new(model.clone(), State::new(&model), &[LoadPattern::from_forces(&pull)], &[]).unwrap();
         let springs = model.springs().iter().enumerate().filter(|(_, spring)| Some(spring.kind) == known);
-        condensed.retain_parts(&springs.map(|(index, _)| index).collect::<Vec<_>>());
-        assert_eq!(condensed.solve_position(&[1.0]).unwrap().reached, Reached::Balanced);
+        condensed.retain_parts(&springs.map(|(index, _)| index).collect::<Vec<_>>(), &mut Unwatched);
+        assert_eq!(condensed.solve_position(&[1.0], &mut Unwatched).unwrap().reached, Reached::Balanced);
         let state = condensed.state().unwrap();
         assert_eq!((broken(&state, 0), broken(&state, 1)), (vec![true; 2], vec![false; 2]), "{known:?}");
     }

@@ -9,7 +9,7 @@ use mechanics::fem::{
 };
 use mechanics::ids::{Id, NodeId};
 use mechanics::plane::vec2;
-use mechanics::watch::Unwatched;
+use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 
 const STONES: usize = 8;
 const ALONG: usize = 4;
@@ -177,7 +177,7 @@ fn compare_in(vault: &Vault, force: f64) -> (f64, [usize; 4]) {
         .map(|axis| Functional(vec![(2 * vault.crown.index() + axis, 1.0)]))
         .chain([Functional(vec![(2 * vault.surface[9].index() + 1, 1.0)])])
         .collect();
-    let mut condensed = Condensed::new(model, state.clone(), &patterns, &observed).unwrap();
+    let mut condensed = Condensed::new(model.clone(), state.clone(), &patterns, &observed).unwrap();
     let count = 50;
     let passage = condensed.solve_positions(count, &|i| amplitudes(vault, i, force), &mut Unwatched).unwrap();
     assert_eq!((passage.visited.len(), passage.stopped_at), (count, None));
@@ -243,17 +243,17 @@ fn batches_break_the_springs_of_single_positions() {
     patterns.extend(vault.surface.iter().map(|node| down(*node)));
     let observed = [Functional(vec![(2 * vault.crown.index() + 1, 1.0)])];
     let under = |index: usize| [vec![1.0], amplitudes(&vault, index, 60e3)].concat();
-    let begin = || Condensed::new(model, State::new(model), &patterns, &observed).unwrap();
+    let begin = || Condensed::new(model.clone(), State::new(model), &patterns, &observed).unwrap();
     let (mut together, mut single) = (begin(), begin());
     let passage = together.solve_positions(50, &under, &mut Unwatched).unwrap();
     assert!(passage.repeated > 0, "no part was retained on the way: rolling back was not tried");
     let size = passage.visited.iter().fold(0.0_f64, |most, visited| most.max(visited.observed[0].abs()));
     for (index, visited) in passage.visited.iter().enumerate() {
-        assert_eq!(single.solve_position(&under(index)).unwrap().reached, Reached::Balanced);
+        assert_eq!(single.solve_position(&under(index), &mut Unwatched).unwrap().reached, Reached::Balanced);
         let (one, other) = (visited.observed[0], single.observed()[0]);
         assert!((one - other).abs() <= 1e-8 * size, "position {index}: {one:e} {other:e}");
     }
-    let broken = |condensed: &mut Condensed<'_>| {
+    let broken = |condensed: &mut Condensed| {
         condensed.state().unwrap().bonds.iter().map(|bond| bond.memory.broken).collect::<Vec<bool>>()
     };
     let (one, other) = (broken(&mut together), broken(&mut single));
@@ -288,22 +288,22 @@ fn a_restored_snapshot_leaves_no_trace() {
     ];
     let under = |index: usize, force: f64| [vec![1.0], amplitudes(&vault, index, force)].concat();
     let begin = || {
-        let mut condensed = Condensed::new(model, State::new(model), &patterns, &observed).unwrap();
-        assert_eq!(condensed.solve_position(&under(0, 0.0)).unwrap().reached, Reached::Balanced);
+        let mut condensed = Condensed::new(model.clone(), State::new(model), &patterns, &observed).unwrap();
+        assert_eq!(condensed.solve_position(&under(0, 0.0), &mut Unwatched).unwrap().reached, Reached::Balanced);
         condensed
     };
     let mut straight = begin();
-    assert_eq!(straight.solve_position(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
+    assert_eq!(straight.solve_position(&under(12, 10e3), &mut Unwatched).unwrap().reached, Reached::Balanced);
     let mut detour = begin();
     let (at_rest, rest) = (detour.snapshot(), detour.observed());
-    assert_eq!(detour.solve_position(&under(20, 30e3)).unwrap().reached, Reached::Balanced);
+    assert_eq!(detour.solve_position(&under(20, 30e3), &mut Unwatched).unwrap().reached, Reached::Balanced);
     let size = detour.observed().iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     // Unloading by itself does not go back: fill has flowed.
-    detour.solve_position(&under(0, 0.0)).unwrap();
+    detour.solve_position(&under(0, 0.0), &mut Unwatched).unwrap();
     let left = detour.observed().iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     assert!(left > 1e-3 * size, "{left:e} of {size:e} left: nothing to undo");
     detour.restore(&at_rest);
-    assert_eq!(detour.solve_position(&under(12, 10e3)).unwrap().reached, Reached::Balanced);
+    assert_eq!(detour.solve_position(&under(12, 10e3), &mut Unwatched).unwrap().reached, Reached::Balanced);
     for (a, b) in detour.observed().iter().zip(straight.observed()) {
         assert!((a - b).abs() <= 1e-8 * size, "{a:e} {b:e}, of {size:e}");
     }
@@ -332,13 +332,13 @@ fn quantified([soil, stones, cohesion, friction]: [f64; 4]) -> (Vault, Vec<LoadP
 /// Weight in four steps, then the axles at three places; with derivatives where they are wanted.
 fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [usize; 3], Derivatives) {
     let (vault, patterns, observed) = quantified(quantities);
-    let condensed = Condensed::new(&vault.model, State::new(&vault.model), &patterns, &observed).unwrap();
+    let condensed = Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
     let mut condensed = condensed.with_equilibria();
     let weight = |step: usize| [vec![0.25 * (step + 1) as f64], vec![0.0; vault.surface.len()]].concat();
     let path = condensed.solve_positions(4, &weight, &mut Unwatched).unwrap().visited;
     let at_rest = condensed.snapshot();
     let under: Vec<Vec<f64>> = [12, 20, 21].map(|k| [vec![1.0], amplitudes(&vault, k, 30e3)].concat()).to_vec();
-    let visited = condensed.solve_branches(&at_rest, &under).unwrap();
+    let visited = condensed.solve_branches(&at_rest, &under, &mut Unwatched).unwrap().unwrap();
     assert!(path.len() == 4 && visited.iter().all(|visited| visited.position.reached == Reached::Balanced));
     let most = |count: fn(&mechanics::fem::condensed::Counts) -> usize| {
         visited.iter().map(|visited| count(&visited.counts)).max().unwrap()
@@ -359,7 +359,7 @@ fn branches(quantities: [f64; 4], with_derivatives: bool) -> (Vec<Vec<f64>>, [us
             .zip(by)
             .map(|((vault, patterns, _), by)| PerturbedModel { model: &vault.model, patterns, by })
             .collect();
-        derivatives = condensed.derivatives(&perturbed, &path, &visited).unwrap();
+        derivatives = condensed.derivatives(&perturbed, &path, &visited, &mut Unwatched).unwrap().unwrap();
     }
     let values = path.last().into_iter().chain(&visited).map(|visited| visited.observed.clone()).collect();
     (values, counts, derivatives)
@@ -401,16 +401,16 @@ fn derivatives_are_those_of_runs_with_other_quantities() {
 fn branches_are_positions_solved_one_by_one() {
     let (values, ..) = branches(QUANTITIES, false);
     let (vault, patterns, observed) = quantified(QUANTITIES);
-    let begin = || Condensed::new(&vault.model, State::new(&vault.model), &patterns, &observed).unwrap();
+    let begin = || Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
     let mut one = begin();
     for step in 1..=4 {
         let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
-        assert_eq!(one.solve_position(&weight).unwrap().reached, Reached::Balanced);
+        assert_eq!(one.solve_position(&weight, &mut Unwatched).unwrap().reached, Reached::Balanced);
     }
     let (at_rest, rest) = (one.snapshot(), one.observed());
     for (k, values) in [12, 20, 21].into_iter().zip(&values[1..]) {
         one.restore(&at_rest);
-        one.solve_position(&[vec![1.0], amplitudes(&vault, k, 30e3)].concat()).unwrap();
+        one.solve_position(&[vec![1.0], amplitudes(&vault, k, 30e3)].concat(), &mut Unwatched).unwrap();
         let size = values.iter().zip(&rest).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         for (a, b) in one.observed().iter().zip(values) {
             assert!((a - b).abs() <= 1e-8 * size, "place {k}: {a:e} {b:e}, of {size:e}");
@@ -418,13 +418,96 @@ fn branches_are_positions_solved_one_by_one() {
     }
     let retained = one.retained_parts();
     let mut prepared = begin();
-    prepared.retain_parts(&retained);
+    prepared.retain_parts(&retained, &mut Unwatched);
     for step in 1..=4 {
         let weight = [vec![0.25 * f64::from(step)], vec![0.0; vault.surface.len()]].concat();
-        prepared.solve_position(&weight).unwrap();
+        prepared.solve_position(&weight, &mut Unwatched).unwrap();
     }
     assert_eq!(prepared.retained_parts(), retained);
     for (a, b) in prepared.observed().iter().zip(&rest) {
         assert!((a - b).abs() <= 1e-9 * rest.iter().fold(0.0_f64, |most, r| most.max(r.abs())));
+    }
+}
+
+/// A vault whose joints break and slide under a load that crosses in 50 positions: its patterns, and what is observed.
+fn crossed(vault: &Vault) -> (Vec<LoadPattern>, [Functional; 1]) {
+    let mut patterns = vec![LoadPattern::from_forces(&vault.model.weight(vec2(0.0, -9.81)))];
+    patterns.extend(vault.surface.iter().map(|node| down(*node)));
+    (patterns, [Functional(vec![(2 * vault.crown.index() + 1, 1.0)])])
+}
+
+/// Looking at every position leaves no trace in those that follow, and shows the state of a run that ends there.
+#[test]
+fn a_look_within_a_batch_leaves_no_trace() {
+    let vault = vault(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), Kinematics::Small);
+    let (patterns, observed) = crossed(&vault);
+    let under = |index: usize| [vec![1.0], amplitudes(&vault, index, 60e3)].concat();
+    let begin = || Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
+    let whole = begin().solve_positions(50, &under, &mut Unwatched).unwrap();
+    let (mut looked, mut single) = (begin(), begin());
+    let mut run = looked.begin(50);
+    let mut seen = 0;
+    let size = whole.visited.iter().fold(0.0_f64, |most, visited| most.max(visited.observed[0].abs()));
+    while run.goes_on() {
+        looked.solve_batch(&mut run, &under, &mut Unwatched).unwrap();
+        for index in seen..run.passage.visited.len() {
+            let state = looked.state_at(&run, index).unwrap();
+            single.solve_position(&under(index), &mut Unwatched).unwrap();
+            let other = single.state().unwrap();
+            let apart = (state.displacements.iter().zip(&other.displacements))
+                .fold(0.0_f64, |most, (one, other)| most.max((one - other).abs()));
+            assert!(apart <= 1e-7 * size, "position {index}: {apart:e}");
+            let broken = |state: &State| state.bonds.iter().filter(|bond| bond.memory.broken).count();
+            assert_eq!(broken(&state), broken(&other), "position {index}");
+        }
+        seen = run.passage.visited.len();
+    }
+    assert_eq!(run.passage, whole);
+}
+
+/// Stops at the look with this number, and goes on counting.
+struct Stopping {
+    looks: usize,
+    at: usize,
+}
+
+impl Watch for Stopping {
+    fn look(&mut self, _: &Progress) -> Wish {
+        self.looks += 1;
+        if self.looks == self.at { Wish::Stop } else { Wish::GoOn }
+    }
+}
+
+/// Nobody is asked again after a stop, however deep in a position it came, and what was found before is part of the whole run.
+#[test]
+fn both_paths_stop_within_an_iteration() {
+    let vault = vault(Material::Elastic(Elastic { modulus: 110e6, ratio: 0.19 }), Kinematics::Small);
+    let (patterns, observed) = crossed(&vault);
+    let under = |index: usize| [vec![1.0], amplitudes(&vault, index, 60e3)].concat();
+    let begin = || Condensed::new(vault.model.clone(), State::new(&vault.model), &patterns, &observed).unwrap();
+    let mut counted = Stopping { looks: 0, at: usize::MAX };
+    let whole = begin().solve_positions(50, &under, &mut counted).unwrap();
+    assert!(counted.looks > 100, "{} looks: iterations are not asked", counted.looks);
+    for at in (1..counted.looks).step_by(7) {
+        let mut stopping = Stopping { looks: 0, at };
+        let some = begin().solve_positions(50, &under, &mut stopping).unwrap();
+        assert!(some.cancelled && some.stopped_at.is_none());
+        assert_eq!(stopping.looks, at, "asked again after the stop");
+        assert_eq!(some.visited[..], whole.visited[..some.visited.len()]);
+    }
+    let target = Target { forces: vault.model.weight(vec2(0.0, -9.81)), imposed: vec![] };
+    let run = |watch: &mut Stopping| {
+        let mut state = State::new(&vault.model);
+        let mut work = Workspace::new(&vault.model).unwrap();
+        (advance(&vault.model, &mut state, &mut work, &target, &settings(), watch), state)
+    };
+    let mut counted = Stopping { looks: 0, at: usize::MAX };
+    let (outcome, _) = run(&mut counted);
+    assert!(counted.looks as u64 > outcome.iterations, "iterations are not asked");
+    for at in 1..counted.looks {
+        let mut stopping = Stopping { looks: 0, at };
+        let (outcome, state) = run(&mut stopping);
+        assert_eq!((outcome.status, stopping.looks), (Status::Cancelled, at));
+        assert_eq!(outcome.reached == 0.0, state == State::new(&vault.model), "the state stands where it is said to");
     }
 }

@@ -46,12 +46,13 @@ fn a_load_beyond_the_limit_is_not_carried() {
     assert!(outcome.steps.iter().any(|step| !step.kept), "steps that failed are told");
 }
 
+/// Is asked before each load step and in its one iteration.
 struct Impatient(u32);
 
 impl Watch for Impatient {
     fn look(&mut self, _: &Progress) -> Wish {
         self.0 += 1;
-        if self.0 > 3 { Wish::Stop } else { Wish::GoOn }
+        if self.0 > 6 { Wish::Stop } else { Wish::GoOn }
     }
 }
 

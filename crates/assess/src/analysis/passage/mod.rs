@@ -10,7 +10,7 @@ mod solve;
 
 pub use record::record;
 pub use setup::{Setup, setup};
-pub use solve::{Slices, Solution, WantedSlices, records, slices, solve};
+pub use solve::{Passing, Slices, Solution, WantedSlices, records, slices, solve};
 
 use super::AnalysisError;
 use bridge::Bridge;

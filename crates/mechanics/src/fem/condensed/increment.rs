@@ -4,6 +4,7 @@ use super::newton::Trial;
 use super::parts::Committed;
 use super::{Condensed, Equilibrium, Position, Reached};
 use crate::fem::joint::weakest;
+use crate::watch::Asking;
 
 /// Steps like the last one by which row values are extrapolated to predict which dormant parts become nonlinear. Without the
 /// prediction a passage takes half as many iterations again.
@@ -18,12 +19,17 @@ pub(super) struct UndoLog {
     pub breaks: Vec<Equilibrium>,
 }
 
-impl Condensed<'_> {
+impl Condensed {
     /// Solves for the equilibrium under loads of given `amplitudes`, from the current one, with the retained parts. Changes are
     /// written to `undo_log`; where no equilibrium is found, all of them are undone.
-    pub(super) fn solve_increment(&mut self, amplitudes: Vec<f64>, undo_log: &mut UndoLog) -> Position {
+    pub(super) fn solve_increment(
+        &mut self,
+        amplitudes: Vec<f64>,
+        undo_log: &mut UndoLog,
+        asking: &mut Asking<'_>,
+    ) -> Position {
         let (states, breaks, broken) = (undo_log.states.len(), undo_log.breaks.len(), self.current.broken.len());
-        let position = self.iterate_to_equilibrium(amplitudes, undo_log);
+        let position = self.iterate_to_equilibrium(amplitudes, undo_log, asking);
         if position.reached != Reached::Balanced {
             self.current.broken.truncate(broken);
             undo_log.breaks.truncate(breaks);
@@ -34,7 +40,12 @@ impl Condensed<'_> {
 
     /// Iterates to the equilibrium, activating dormant parts and breaking springs; where none is found, broken springs stay
     /// broken.
-    fn iterate_to_equilibrium(&mut self, amplitudes: Vec<f64>, undo_log: &mut UndoLog) -> Position {
+    fn iterate_to_equilibrium(
+        &mut self,
+        amplitudes: Vec<f64>,
+        undo_log: &mut UndoLog,
+        asking: &mut Asking<'_>,
+    ) -> Position {
         let mut position = Position { reached: Reached::NotConverged, iterations: 0, residual: f64::INFINITY };
         let predicted = std::mem::take(&mut self.predicted_active);
         self.active_set.add(predicted.into_iter(), &self.parts, &self.rows);
@@ -42,7 +53,7 @@ impl Condensed<'_> {
             amplitudes.iter().zip(&self.current.amplitudes).map(|(to, from)| to - from).collect();
         let mut trial = self.predict_trial(self.rows.load_changes(&increments));
         (trial.amplitudes, trial.iteration_limit) = (amplitudes, self.iterations);
-        while self.iterate(&mut trial, &mut position) {
+        while self.iterate(&mut trial, &mut position, asking) {
             let values = self.retained_values(&trial);
             let extrapolate = |(now, before): (&f64, &f64)| now + EXTRAPOLATION * (now - before);
             let extrapolated: Vec<f64> = values.iter().zip(&self.current.values).map(extrapolate).collect();
@@ -64,7 +75,7 @@ impl Condensed<'_> {
     fn break_overstressed(&mut self, trial: &Trial, undo_log: &mut UndoLog) -> bool {
         let parts = &self.parts;
         let nonlinear = self.active_set.parts.iter().filter(|index| !parts[**index].linear);
-        let breaking = weakest(nonlinear.map(|&index| (index, parts[index].overstress(self.model))));
+        let breaking = weakest(nonlinear.map(|&index| (index, parts[index].overstress(&self.model))));
         if breaking.is_empty() {
             return false;
         }

@@ -43,12 +43,14 @@ use super::state::{Bond, Point, State};
 use super::workspace::Workspace;
 use super::{assemble, element};
 use crate::ids::{Id, QuadId};
+use crate::watch::{Asking, Watch};
 use active_set::ActiveSet;
 use parts::{Committed, Kind, Part, quad_components};
 use rows::{Row, Rows};
 use screening::Screening;
+use std::sync::Arc;
 
-pub use passage::{Passage, Visited};
+pub use passage::{Passage, Run, Visited};
 pub use rows::{Functional, LoadPattern};
 pub use sensitivity::{Derivatives, PerturbedModel};
 
@@ -59,6 +61,8 @@ pub enum Reached {
     Balanced,
     /// No equilibrium was found.
     NotConverged,
+    /// The onlooker stopped the run on the way.
+    Cancelled,
 }
 
 /// How the solution of one position ended.
@@ -101,8 +105,8 @@ const ITERATIONS: u32 = 60;
 
 /// A model condensed around one state, ready for many load positions.
 #[derive(Debug)]
-pub struct Condensed<'a> {
-    model: &'a Model,
+pub struct Condensed {
+    model: Arc<Model>,
     work: Workspace,
     /// Solutions of the linear system that were found last.
     block: Block,
@@ -155,15 +159,17 @@ struct Equilibrium {
     broken: Vec<usize>,
 }
 
-impl<'a> Condensed<'a> {
+impl Condensed {
     /// Factorises the linear system of a model at small displacements. Loads are added by amplitudes of `patterns` to those that
     /// `start` carries, which must be in equilibrium.
     pub fn new(
-        model: &'a Model,
+        model: impl Into<Arc<Model>>,
         start: State,
         patterns: &[LoadPattern],
         observed: &[Functional],
-    ) -> Result<Condensed<'a>, CondensedError> {
+    ) -> Result<Condensed, CondensedError> {
+        let shared: Arc<Model> = model.into();
+        let model = &*shared;
         if model.kinematics != Kinematics::Small {
             return Err(CondensedError::LargeDisplacements);
         }
@@ -200,21 +206,21 @@ impl<'a> Condensed<'a> {
             largest_load_change: 0.0,
             iterations: ITERATIONS,
             keeps_equilibria: false,
-            model,
+            model: Arc::clone(&shared),
             start,
         })
     }
 
     /// Sets the limit of iterations in one position.
     #[must_use]
-    pub fn with_iterations(mut self, iterations: u32) -> Condensed<'a> {
+    pub fn with_iterations(mut self, iterations: u32) -> Condensed {
         self.iterations = iterations;
         self
     }
 
     /// Keeps the equilibria of all solved positions, for [`Condensed::derivatives`].
     #[must_use]
-    pub fn with_equilibria(mut self) -> Condensed<'a> {
+    pub fn with_equilibria(mut self) -> Condensed {
         self.keeps_equilibria = true;
         self
     }
@@ -240,28 +246,30 @@ impl<'a> Condensed<'a> {
     }
 
     /// Retains parts that are likely to become nonlinear: the solutions for their rows are found together. A part retained in
-    /// vain costs its solutions and changes no result.
-    pub fn retain_parts(&mut self, parts: &[usize]) {
+    /// vain costs its solutions and changes no result. `false` where the onlooker stopped it: nothing can be solved then.
+    pub fn retain_parts(&mut self, parts: &[usize], watch: &mut dyn Watch) -> bool {
         let known: Vec<usize> = parts.iter().copied().filter(|&index| index < self.parts.len()).collect();
-        self.retain(&known);
+        let mut asking = Asking::new(watch);
+        self.retain(&known, &mut asking);
+        !asking.stopped()
     }
 
     /// Retains parts that were found nonlinear in the current position, so that they are active in the next.
-    fn retain_nonlinear(&mut self, indices: &[usize]) {
-        self.retain(indices);
+    fn retain_nonlinear(&mut self, indices: &[usize], asking: &mut Asking<'_>) {
+        self.retain(indices, asking);
         for &index in indices {
             self.last_nonlinear[index] = self.position_count;
         }
     }
 
-    /// Retains parts, with one solution of the linear system for each of their rows.
-    fn retain(&mut self, indices: &[usize]) {
+    /// Retains parts, with one solution of the linear system for each of their rows; not with all of them where `asking` stops.
+    fn retain(&mut self, indices: &[usize], asking: &mut Asking<'_>) {
         let mut fresh = Vec::new();
         for &index in indices.iter().filter(|&&index| !self.is_retained[index]) {
             self.retained.push(index);
             let first = self.rows.len();
             let mut push = |functional: Functional| {
-                fresh.push(Row::new(self.model, &functional, &self.start.displacements));
+                fresh.push(Row::new(&self.model, &functional, &self.start.displacements));
                 first + fresh.len() - 1
             };
             let part = &mut self.parts[index];
@@ -272,7 +280,7 @@ impl<'a> Condensed<'a> {
                     }
                 }
                 Kind::Quad(id) => {
-                    for (row, component) in part.rows.iter_mut().zip(quad_components(self.model, id)) {
+                    for (row, component) in part.rows.iter_mut().zip(quad_components(&self.model, id)) {
                         if self.model.dofs().equation(component) != HELD {
                             let known = &mut self.row_of[component];
                             *row = Some(*known.get_or_insert_with(|| push(Functional(vec![(component, 1.0)]))));
@@ -284,7 +292,7 @@ impl<'a> Condensed<'a> {
         for &index in indices {
             self.is_retained[index] = true;
         }
-        self.rows.append(fresh, &self.patterns, &mut self.work, &mut self.block);
+        self.rows.append(fresh, &self.patterns, &mut self.work, &mut self.block, asking);
         self.extend_to_new_rows();
     }
 
@@ -334,15 +342,41 @@ impl<'a> Condensed<'a> {
                 Kind::Quad(_) => counts.retained_quads += 1,
             }
             counts.yielding += part.yielding_points();
-            counts.locking += usize::from(part.locks(self.model));
+            counts.locking += usize::from(part.locks(&self.model));
         }
         (counts.open, counts.sliding) = count(bonds.iter().flatten().map(|bond| bond.state));
-        counts.open_interfaces = open_among(self.model, bonds.into_iter());
+        counts.open_interfaces = open_among(&self.model, bonds.into_iter());
         counts
     }
 
     /// Finds the whole state in the last position.
     pub fn state(&mut self) -> Result<State, CondensedError> {
+        let mut state = self.linear_state()?;
+        for part in &mut self.parts {
+            part.evaluate_in(&self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
+            part.write_to(&mut state);
+        }
+        Ok(state)
+    }
+
+    /// Finds the whole state at a position of the last batch of `run`, the last one or one before it, and leaves no trace.
+    pub fn state_at(&mut self, run: &Run, position: usize) -> Result<State, CondensedError> {
+        let (equilibrium, earlier) = run.at(position, &self.current);
+        let last = std::mem::replace(&mut self.current, equilibrium);
+        let state = self.linear_state();
+        self.current = last;
+        let mut state = state?;
+        for (index, part) in self.parts.iter().enumerate() {
+            let mut part = part.clone();
+            earlier.get(&index).iter().for_each(|committed| part.restore(committed));
+            part.evaluate_in(&self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
+            part.write_to(&mut state);
+        }
+        Ok(state)
+    }
+
+    /// Finds the displacements in the last position, and the stresses of the quadrilaterals that cannot yield.
+    fn linear_state(&mut self) -> Result<State, CondensedError> {
         let mut state = self.start.clone();
         state.displacements = self.displacements();
         let linear = |id: &QuadId| self.model.section(*id).solid.material.linear();
@@ -356,10 +390,6 @@ impl<'a> Condensed<'a> {
             let (solid, modes) = (&self.model.section(id).solid, self.model.incompatible(id));
             let samples = element::sample(&self.model.corners(id));
             element::respond(solid, modes, &samples, &u, &old, kept).ok_or(CondensedError::Broken)?;
-        }
-        for part in &mut self.parts {
-            part.evaluate_in(self.model, &self.block, 0).ok_or(CondensedError::Broken)?;
-            part.write_to(&mut state);
         }
         Ok(state)
     }

@@ -1,7 +1,8 @@
 //! Newton's method on the forces of the active rows.
 
 use super::rows::dot;
-use super::{Condensed, Position, TOLERANCE};
+use super::{Condensed, Position, Reached, TOLERANCE};
+use crate::watch::Asking;
 
 /// Iterations without a smaller residual after which a position is given up.
 const MOST_STALLED: u32 = 15;
@@ -33,7 +34,7 @@ pub(super) struct Trial {
     values: Vec<f64>,
 }
 
-impl Condensed<'_> {
+impl Condensed {
     /// Predicts the next equilibrium with the last tangent, for given changes of the row values by the loads alone [m].
     pub(super) fn predict_trial(&mut self, load_changes: Vec<f64>) -> Trial {
         let most = self.active_set.rows.iter().map(|&row| load_changes[row].abs());
@@ -63,8 +64,8 @@ impl Condensed<'_> {
     }
 
     /// Iterates the forces of the active rows (equation 5) until the row values change by less than the tolerance; `false` where
-    /// the iterations do not converge.
-    pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position) -> bool {
+    /// the iterations do not converge or `asking` stops them.
+    pub(super) fn iterate(&mut self, trial: &mut Trial, position: &mut Position, asking: &mut Asking<'_>) -> bool {
         let Some(mut residual) = self.residual(trial) else { return false };
         let (mut best, mut stalled, mut before) = (f64::INFINITY, 0, f64::INFINITY);
         while position.iterations < trial.iteration_limit {
@@ -84,6 +85,10 @@ impl Condensed<'_> {
             stalled = if position.residual < 0.9 * best { 0 } else { stalled + 1 };
             best = best.min(position.residual);
             if !position.residual.is_finite() || stalled > MOST_STALLED {
+                return false;
+            }
+            if asking.stops() {
+                position.reached = Reached::Cancelled;
                 return false;
             }
             position.iterations += 1;
@@ -124,13 +129,13 @@ impl Condensed<'_> {
         self.predicted_active.clear();
         for &index in self.retained.iter().filter(|&&index| !self.active_set.contains(index)) {
             let part = &mut self.parts[index];
-            if part
-                .proves_linear_at(self.model, |row| [values[row], extrapolated.map_or(values[row], |ahead| ahead[row])])
-            {
+            if part.proves_linear_at(&self.model, |row| {
+                [values[row], extrapolated.map_or(values[row], |ahead| ahead[row])]
+            }) {
                 continue;
             }
-            let stays_linear = extrapolated.is_none_or(|ahead| part.is_linear_at(self.model, |row| ahead[row]));
-            part.evaluate(self.model, |row| values[row])?;
+            let stays_linear = extrapolated.is_none_or(|ahead| part.is_linear_at(&self.model, |row| ahead[row]));
+            part.evaluate(&self.model, |row| values[row])?;
             if !part.linear {
                 nonlinear.push(index);
             } else if !stays_linear {
@@ -203,10 +208,10 @@ impl Condensed<'_> {
         for &index in &self.active_set.parts {
             let (part, active_set, values) = (&mut self.parts[index], &self.active_set, &trial.values);
             let value = |row: usize| active_set.local_index(row).map_or(0.0, |index| values[index]);
-            if part.proves_linear_at(self.model, |row| [value(row); 2]) {
+            if part.proves_linear_at(&self.model, |row| [value(row); 2]) {
                 continue;
             }
-            part.evaluate(self.model, value)?;
+            part.evaluate(&self.model, value)?;
             if part.linear {
                 continue;
             }

@@ -1,10 +1,12 @@
 //! A run of positions, solved by batches: the eliminated parts are rechecked in all positions of a batch at once.
 
 use super::increment::UndoLog;
+use super::parts::Committed;
 use super::recheck::Recheck;
 use super::{Condensed, CondensedError, Counts, Equilibrium, Position, Reached, Snapshot};
 use crate::fem::many::{WIDEST, WIDTHS};
-use crate::watch::{Progress, Watch, Wish};
+use crate::watch::{Asking, Progress, Watch};
+use std::collections::BTreeMap;
 
 /// Number of times that the way from one position to the next is halved before the run stops.
 const HALVINGS: u32 = 6;
@@ -55,6 +57,40 @@ pub(super) struct Step {
     undo_log: UndoLog,
 }
 
+/// Positions that are solved in turn, batch by batch.
+#[derive(Debug)]
+pub struct Run {
+    count: usize,
+    /// Length of the next batch.
+    batch: usize,
+    /// What was found so far.
+    pub passage: Passage,
+    /// The steps of the last batch that is valid.
+    last: Vec<Step>,
+}
+
+impl Run {
+    /// Whether there is more to solve.
+    pub fn goes_on(&self) -> bool {
+        let Passage { visited, stopped_at, cancelled, .. } = &self.passage;
+        visited.len() < self.count && stopped_at.is_none() && !cancelled
+    }
+
+    /// The equilibrium at a position of the last batch, where the last one is `current`, and earlier states of parts that
+    /// changed since.
+    pub(super) fn at(&self, position: usize, current: &Equilibrium) -> (Equilibrium, BTreeMap<usize, Committed>) {
+        let later = (self.passage.visited.len().saturating_sub(position + 1)).min(self.last.len());
+        let (before, after) = self.last.split_at(self.last.len() - later);
+        let equilibrium = match (before.last(), after.first()) {
+            (_, None) => current,
+            (Some(step), _) => &step.to,
+            (None, Some(step)) => &step.from,
+        };
+        let changes = after.iter().rev().flat_map(|step| step.undo_log.states.iter().rev());
+        (equilibrium.clone(), changes.copied().collect())
+    }
+}
+
 /// Gives the equilibria at the ends of some steps, and those in which springs broke with the number of their step.
 fn equilibria(steps: &[Step]) -> (Vec<&Equilibrium>, Vec<(usize, &Equilibrium)>) {
     let breaks = steps
@@ -64,7 +100,7 @@ fn equilibria(steps: &[Step]) -> (Vec<&Equilibrium>, Vec<(usize, &Equilibrium)>)
     (steps.iter().map(|step| &step.to).collect(), breaks.collect())
 }
 
-impl Condensed<'_> {
+impl Condensed {
     /// Solves `count` positions in turn, with the pattern amplitudes that `amplitudes` gives for each.
     ///
     /// A batch of positions is solved with the parts that are retained. Then the linear system is solved for all positions of the
@@ -76,55 +112,84 @@ impl Condensed<'_> {
         amplitudes: &dyn Fn(usize) -> Vec<f64>,
         watch: &mut dyn Watch,
     ) -> Result<Passage, CondensedError> {
-        let mut passage = Passage::default();
-        let mut batch = if self.retained.is_empty() { 1 } else { WIDTHS[0] - 1 };
-        while passage.visited.len() < count {
-            let at = passage.visited.len();
+        let mut run = self.begin(count);
+        while run.goes_on() {
+            self.solve_batch(&mut run, amplitudes, watch)?;
+        }
+        Ok(run.passage)
+    }
+
+    /// Begins a run of `count` positions from the current one.
+    pub fn begin(&self, count: usize) -> Run {
+        let batch = if self.retained.is_empty() { 1 } else { WIDTHS[0] - 1 };
+        Run { count, batch, passage: Passage::default(), last: Vec::new() }
+    }
+
+    /// Solves the next batch of a run, or the part of it that is valid.
+    pub fn solve_batch(
+        &mut self,
+        run: &mut Run,
+        amplitudes: &dyn Fn(usize) -> Vec<f64>,
+        watch: &mut dyn Watch,
+    ) -> Result<(), CondensedError> {
+        let (mut asking, count, at) = (Asking::new(watch), run.count, run.passage.visited.len());
+        self.update_active_set();
+        let mut steps = Vec::with_capacity(run.batch);
+        for k in at..(at + run.batch).min(count) {
             let progress = Progress {
-                stage: format!("position {} of {count}", at + 1),
-                fraction: Some(at as f64 / count as f64),
-                steps: at as u64,
+                stage: format!("position {} of {count}", k + 1),
+                fraction: Some(k as f64 / count as f64),
+                steps: k as u64,
             };
-            if watch.look(&progress) == Wish::Stop {
-                passage.cancelled = true;
-                return Ok(passage);
+            if asking.tell(progress) {
+                break;
             }
-            self.update_active_set();
-            let mut steps = Vec::with_capacity(batch);
-            for k in at..(at + batch).min(count) {
-                steps.push(self.solve_in_substeps(&amplitudes(k))?);
-                if steps.last().is_some_and(|step| step.position.reached != Reached::Balanced) {
-                    break;
-                }
-            }
-            let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
-            let lookahead = (count - at - steps.len()).min(LOOKAHEAD);
-            let (observed, complete) = self.recheck_and_roll_back(&mut steps, lookahead)?;
-            let any_valid = !steps.is_empty();
-            for (step, observed) in steps.into_iter().zip(observed) {
-                let equilibrium = self.keeps_equilibria.then_some(step.to);
-                passage.visited.push(Visited { observed, position: step.position, counts: step.counts, equilibrium });
-            }
-            if !complete {
-                passage.repeated += 1;
-                batch = if any_valid { WIDTHS[0] - 1 } else { 1 };
-            } else if failed.is_some() {
-                passage.stopped_at = Some(passage.visited.len());
-                return Ok(passage);
-            } else {
-                batch = (batch + 1 + batch / 2).min(LONGEST_BATCH);
+            steps.push(self.solve_in_substeps(&amplitudes(k), &mut asking)?);
+            if steps.last().is_some_and(|step| step.position.reached != Reached::Balanced) {
+                break;
             }
         }
-        Ok(passage)
+        let failed = steps.pop_if(|step| step.position.reached != Reached::Balanced);
+        if asking.stopped() {
+            steps.drain(..).rev().for_each(|step| self.roll_back(step));
+            run.passage.cancelled = true;
+            return Ok(());
+        }
+        let lookahead = (count - at - steps.len()).min(LOOKAHEAD);
+        let (observed, complete) = self.recheck_and_roll_back(&mut steps, lookahead, &mut asking)?;
+        let any_valid = !steps.is_empty();
+        for (step, observed) in steps.iter().zip(observed) {
+            let equilibrium = self.keeps_equilibria.then(|| step.to.clone());
+            run.passage.visited.push(Visited { observed, position: step.position, counts: step.counts, equilibrium });
+        }
+        if any_valid {
+            run.last = steps;
+        }
+        if !complete {
+            run.passage.repeated += 1;
+            run.batch = if any_valid { WIDTHS[0] - 1 } else { 1 };
+        } else if failed.is_some() {
+            run.passage.stopped_at = Some(run.passage.visited.len());
+        } else {
+            run.batch = (run.batch + 1 + run.batch / 2).min(LONGEST_BATCH);
+        }
+        run.passage.cancelled = asking.stopped();
+        Ok(())
     }
 
     /// Solves one position from the current one, in substeps where the whole step does not converge.
-    pub fn solve_position(&mut self, to: &[f64]) -> Result<Position, CondensedError> {
+    pub fn solve_position(&mut self, to: &[f64], watch: &mut dyn Watch) -> Result<Position, CondensedError> {
+        let mut asking = Asking::new(watch);
         loop {
             self.update_active_set();
-            let step = self.solve_in_substeps(to)?;
+            let step = self.solve_in_substeps(to, &mut asking)?;
             let position = step.position;
-            if position.reached != Reached::Balanced || self.recheck_and_roll_back(&mut vec![step], 0)?.1 {
+            let valid =
+                position.reached != Reached::Balanced || self.recheck_and_roll_back(&mut vec![step], 0, &mut asking)?.1;
+            if asking.stopped() {
+                return Ok(Position { reached: Reached::Cancelled, ..position });
+            }
+            if valid {
                 return Ok(position);
             }
         }
@@ -132,20 +197,29 @@ impl Condensed<'_> {
 
     /// Solves several positions, each from the same snapshot: the train at rest at one place or another. All are rechecked
     /// together; those in which an eliminated part is nonlinear are solved again. A position without equilibrium has no observed
-    /// values.
-    pub fn solve_branches(&mut self, from: &Snapshot, to: &[Vec<f64>]) -> Result<Vec<Visited>, CondensedError> {
+    /// values. `None` where the onlooker stops it.
+    pub fn solve_branches(
+        &mut self,
+        from: &Snapshot,
+        to: &[Vec<f64>],
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Vec<Visited>>, CondensedError> {
+        let mut asking = Asking::new(watch);
         let mut found: Vec<Option<Visited>> = vec![None; to.len()];
         loop {
             let unsolved = (0..to.len()).filter(|k| found[*k].is_none());
             let unsolved: Vec<usize> = unsolved.take(WIDEST).collect();
             if unsolved.is_empty() {
-                return Ok(found.into_iter().flatten().collect());
+                return Ok(Some(found.into_iter().flatten().collect()));
             }
             let mut steps: Vec<Step> = Vec::with_capacity(unsolved.len());
             for &k in &unsolved {
                 self.restore(from);
                 self.update_active_set();
-                steps.push(self.solve_in_substeps(&to[k])?);
+                steps.push(self.solve_in_substeps(&to[k], &mut asking)?);
+                if asking.stopped() {
+                    return Ok(None);
+                }
             }
             let (ends, breaks) = equilibria(&steps);
             let Recheck { to_retain, valid } = self.recheck_eliminated(&ends, &breaks, 0)?;
@@ -155,7 +229,10 @@ impl Condensed<'_> {
                 let equilibrium = self.keeps_equilibria.then_some(step.to);
                 found[k] = Some(Visited { observed, position: step.position, counts: step.counts, equilibrium });
             }
-            self.retain_nonlinear(&to_retain);
+            self.retain_nonlinear(&to_retain, &mut asking);
+            if asking.stopped() {
+                return Ok(None);
+            }
         }
     }
 
@@ -165,6 +242,7 @@ impl Condensed<'_> {
         &mut self,
         steps: &mut Vec<Step>,
         lookahead: usize,
+        asking: &mut Asking<'_>,
     ) -> Result<(Vec<Vec<f64>>, bool), CondensedError> {
         let (ends, breaks) = equilibria(steps);
         let Recheck { to_retain, valid } = self.recheck_eliminated(&ends, &breaks, lookahead)?;
@@ -177,7 +255,7 @@ impl Condensed<'_> {
             self.current.observed.clone_from(last);
         }
         let complete = first == valid.len();
-        self.retain_nonlinear(&to_retain);
+        self.retain_nonlinear(&to_retain, asking);
         Ok((observed, complete))
     }
 
@@ -202,7 +280,7 @@ impl Condensed<'_> {
 
     /// Solves one position with the retained parts, in substeps where the whole step does not converge; where no equilibrium is
     /// found, the current one stays as it is.
-    fn solve_in_substeps(&mut self, to: &[f64]) -> Result<Step, CondensedError> {
+    fn solve_in_substeps(&mut self, to: &[f64], asking: &mut Asking<'_>) -> Result<Step, CondensedError> {
         let from = self.current.clone();
         let (mut share, mut step, mut iterations) = (0.0, 1.0, 0);
         let mut undo_log = UndoLog::default();
@@ -210,7 +288,7 @@ impl Condensed<'_> {
             let next = if share + step > 1.0 - 1e-9 { 1.0 } else { share + step };
             let mix = |(a, b): (&f64, &f64)| if next == 1.0 { *b } else { a + next * (b - a) };
             let amplitudes = from.amplitudes.iter().zip(to).map(mix).collect();
-            let mut position = self.solve_increment(amplitudes, &mut undo_log);
+            let mut position = self.solve_increment(amplitudes, &mut undo_log, asking);
             iterations += position.iterations;
             position.iterations = iterations;
             if position.reached == Reached::Balanced {
@@ -221,6 +299,11 @@ impl Condensed<'_> {
                 continue;
             }
             step *= 0.5;
+            if position.reached == Reached::Cancelled {
+                let counts = Counts::default();
+                self.roll_back(Step { position, counts, from: from.clone(), to: Equilibrium::default(), undo_log });
+                return Ok(Step { position, counts, from: from.clone(), to: from, undo_log: UndoLog::default() });
+            }
             if step < 0.5_f64.powi(HALVINGS as i32) {
                 // An eliminated part may be nonlinear here, so that no equilibrium is found without it.
                 let here = self.current.clone();
@@ -230,7 +313,7 @@ impl Condensed<'_> {
                 if to_retain.is_empty() {
                     return Ok(Step { position, counts, from: from.clone(), to: from, undo_log: UndoLog::default() });
                 }
-                self.retain_nonlinear(&to_retain);
+                self.retain_nonlinear(&to_retain, asking);
                 (share, step, undo_log) = (0.0, 1.0, UndoLog::default());
             }
         }

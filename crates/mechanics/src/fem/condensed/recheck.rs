@@ -15,7 +15,7 @@ pub(super) struct Recheck {
     pub valid: Vec<bool>,
 }
 
-impl Condensed<'_> {
+impl Condensed {
     /// Rechecks the eliminated parts at the equilibria `ends` of some positions, and at those in which springs broke on the way
     /// to the position with the number beside them. Where the positions follow one another, parts are also rechecked `lookahead`
     /// steps beyond the last one, by extrapolation: parts that are nonlinear there alone are retained early. The solutions of the
@@ -49,15 +49,15 @@ impl Condensed<'_> {
 
     /// Rechecks the eliminated parts in the solutions found last, which belong to the given `positions`, or to none.
     fn recheck_solutions(&mut self, positions: &[Option<usize>], found: &mut Recheck) -> Result<(), CondensedError> {
-        for index in self.screening.unproven(self.model, &self.block, positions.len(), &self.is_retained) {
+        for index in self.screening.unproven(&self.model, &self.block, positions.len(), &self.is_retained) {
             let part = &mut self.parts[index];
-            if part.proves_linear(self.model, &self.block, positions.len()) {
+            if part.proves_linear(&self.model, &self.block, positions.len()) {
                 continue;
             }
             let mut retain = false;
             for (lane, position) in positions.iter().enumerate() {
-                part.evaluate_in(self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
-                if part.needs_retaining(self.model) {
+                part.evaluate_in(&self.model, &self.block, lane).ok_or(CondensedError::Broken)?;
+                if part.needs_retaining(&self.model) {
                     retain = true;
                     position.iter().for_each(|&position| found.valid[position] = false);
                 }

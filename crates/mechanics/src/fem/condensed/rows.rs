@@ -6,6 +6,7 @@ use crate::fem::factor::{Asked, Block};
 use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
+use crate::watch::Asking;
 
 /// A weighted sum of displacement components.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -134,8 +135,15 @@ impl Rows {
     }
 
     /// Retains more rows, with one solution of the linear system for each. As the linear system is symmetric, the same solutions
-    /// give the entries of `G` and `H` between new and old rows, and patterns.
-    pub fn append(&mut self, fresh: Vec<Row>, patterns: &[Vec<(u32, f64)>], work: &mut Workspace, block: &mut Block) {
+    /// give the entries of `G` and `H` between new and old rows, and patterns. Where `asking` stops, entries are left out.
+    pub fn append(
+        &mut self,
+        fresh: Vec<Row>,
+        patterns: &[Vec<(u32, f64)>],
+        work: &mut Workspace,
+        block: &mut Block,
+        asking: &mut Asking<'_>,
+    ) {
         let first = self.list.len();
         self.list.extend(fresh);
         let all = self.list.len();
@@ -150,6 +158,9 @@ impl Rows {
         let loaded = patterns.iter().filter(|pattern| first == 0 && pattern.len() <= WIDE_PATTERN).flatten();
         work.ask(&mut self.needed, read.chain(loaded).map(|(equation, _)| *equation));
         for start in (first..all).step_by(WIDEST) {
+            if asking.stops() {
+                return;
+            }
             let lanes = start..(start + WIDEST).min(all);
             let unit = |row: usize| {
                 let mut right = Vec::new();

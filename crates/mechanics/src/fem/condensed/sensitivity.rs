@@ -15,6 +15,7 @@ use super::{Condensed, CondensedError, Equilibrium};
 use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::state::State;
+use crate::watch::{Asking, Watch};
 
 /// The same mesh with one quantity a little different.
 #[derive(Debug, Clone, Copy)]
@@ -57,45 +58,54 @@ struct Differentiated<'n> {
     tangent: Tangent<f64>,
 }
 
-impl<'a> Condensed<'a> {
+impl Condensed {
     /// Gives the derivatives by the quantities in which `perturbed` differ: at the end of `path`, which began with the run, and
-    /// in the `branches` that were solved from there.
+    /// in the `branches` that were solved from there. `None` where the onlooker stops it.
     pub fn derivatives(
         &mut self,
         perturbed: &[PerturbedModel<'_>],
         path: &[Visited],
         branches: &[Visited],
-    ) -> Result<Derivatives, CondensedError> {
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Derivatives>, CondensedError> {
+        let mut asking = Asking::new(watch);
         let equilibria = path.iter().chain(branches).map(|visited| visited.equilibrium.clone());
         let equilibria: Vec<Equilibrium> = equilibria.collect::<Option<_>>().ok_or(CondensedError::NoEquilibria)?;
         if self.start.displacements.iter().chain(&self.start.forces).any(|value| *value != 0.0) {
             return Err(CondensedError::NoEquilibria);
         }
-        let responses = self.linear_responses(perturbed, &equilibria)?;
+        let Some(responses) = self.linear_responses(perturbed, &equilibria, &mut asking)? else { return Ok(None) };
         let observed_rows = self.observed_flexibility();
         let mut differentiated = self.differentiated(perturbed)?;
         let mut found =
             Derivatives { at_end: vec![vec![0.0; self.observed.len()]; perturbed.len()], ..Derivatives::default() };
         for response in &responses[..path.len()] {
+            if asking.stops() {
+                return Ok(None);
+            }
             found.at_end =
                 differentiated.advance(&self.rows, response, &observed_rows).ok_or(CondensedError::Broken)?;
         }
         let start = differentiated.committed();
         for response in &responses[path.len()..] {
+            if asking.stops() {
+                return Ok(None);
+            }
             differentiated.restore(&start);
             let branch = differentiated.advance(&self.rows, response, &observed_rows).ok_or(CondensedError::Broken)?;
             found.branches.push(branch);
         }
-        Ok(found)
+        Ok(Some(found))
     }
 
-    /// Solves the linear system for each of the equilibria.
+    /// Solves the linear system for each of the equilibria; `None` where `asking` stops it.
     fn linear_responses(
         &mut self,
         perturbed: &[PerturbedModel<'_>],
         equilibria: &[Equilibrium],
-    ) -> Result<Vec<Response>, CondensedError> {
-        self.work.stiffness(self.model, &self.start)?;
+        asking: &mut Asking<'_>,
+    ) -> Result<Option<Vec<Response>>, CondensedError> {
+        self.work.stiffness(&self.model, &self.start)?;
         let own = self.work.values.clone();
         let mut stiffness_derivatives = Vec::with_capacity(perturbed.len());
         for other in perturbed {
@@ -140,6 +150,9 @@ impl<'a> Condensed<'a> {
             }
             let first = all.len() - equilibria.len();
             for (chunk, right) in right.chunks(WIDEST).enumerate() {
+                if asking.stops() {
+                    return Ok(None);
+                }
                 self.work.solve_block(right, &mut self.block);
                 for lane in 0..right.len() {
                     let response = &mut all[first + (chunk * WIDEST + lane) / perturbed.len()];
@@ -149,14 +162,14 @@ impl<'a> Condensed<'a> {
                 }
             }
         }
-        Ok(all)
+        Ok(Some(all))
     }
 
     /// Gives the derivatives of the load patterns, by equations [N/m by the unit of the quantity].
     fn pattern_derivatives(&self, perturbed: &PerturbedModel<'_>) -> Vec<Vec<(u32, f64)>> {
         let of = |(own, other): (&Vec<(u32, f64)>, &LoadPattern)| {
             let mut more: Vec<(u32, f64)> = own.iter().map(|&(equation, force)| (equation, -force)).collect();
-            more.extend(other.on_equations(self.model));
+            more.extend(other.on_equations(&self.model));
             more.sort_unstable_by_key(|(equation, _)| *equation);
             let mut merged: Vec<(u32, f64)> = Vec::new();
             for (equation, force) in more {
@@ -190,10 +203,7 @@ impl<'a> Condensed<'a> {
     }
 
     /// Gives the retained parts as they were when the run began, in the model and in the perturbed models.
-    fn differentiated<'w>(&self, perturbed: &[PerturbedModel<'w>]) -> Result<Differentiated<'w>, CondensedError>
-    where
-        'a: 'w,
-    {
+    fn differentiated<'w>(&'w self, perturbed: &[PerturbedModel<'w>]) -> Result<Differentiated<'w>, CondensedError> {
         let own: Vec<Part> = self.retained.iter().map(|&index| self.parts[index].clone()).collect();
         let mut parts = vec![own];
         parts[0].iter_mut().for_each(|part| part.revert_to_start(&self.start));
@@ -211,7 +221,7 @@ impl<'a> Condensed<'a> {
             let perturbed_parts: Option<Vec<Part>> = parts[0].iter().map(perturb).collect();
             parts.push(perturbed_parts.ok_or(CondensedError::Broken)?);
         }
-        let models = std::iter::once(self.model).chain(perturbed.iter().map(|other| other.model)).collect();
+        let models = std::iter::once(&*self.model).chain(perturbed.iter().map(|other| other.model)).collect();
         let by = perturbed.iter().map(|other| other.by).collect();
         Ok(Differentiated { models, by, parts, tangent: Tangent::default() })
     }

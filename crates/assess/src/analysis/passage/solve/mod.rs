@@ -7,20 +7,22 @@ mod slices;
 
 pub use slices::{Slices, Wanted as WantedSlices, slices};
 
+use super::Setup;
 use super::model::{assumptions, model};
 use super::sensors::Reading;
-use super::{PassageError, Setup};
 use crate::analysis::AnalysisError;
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
-use mechanics::fem::condensed::{Functional, open_interfaces};
-use mechanics::fem::{Kinematics, Model, Outcome, Settings, State, Status, Step, Target, Workspace, advance};
+use mechanics::fem::condensed::Functional;
+use mechanics::fem::{Kinematics, Model, Outcome, State, Status, Step};
 use mechanics::ids::{Id, QuadId};
 use mechanics::plane::vec2;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::Part;
 use outcome::passage::{Influence, Moment, PassageStatus, StepLog};
 use outcome::warning::Warning;
+use std::borrow::Cow;
+use std::sync::Arc;
 
 /// What solving gives. Records end at the last position that was solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,12 +53,11 @@ pub struct Solution {
     pub warnings: Vec<Warning>,
 }
 
-/// Out-of-balance force over applied force of the self-weight, from which everything else starts.
-const WEIGHT_TOLERANCE: f64 = 1e-9;
-
 /// Self-weight first, then position after position, then what is to be shown of it.
 pub fn solve(bridge: &Bridge, setup: &Setup, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
-    solve_for(bridge, setup, Wanted::Everything, &[], watch)
+    let mut passing = Passing::new(bridge, Cow::Borrowed(setup), watch)?;
+    passing.advance(usize::MAX, watch)?;
+    passing.finish(watch)
 }
 
 /// Self-weight and positions alone: the values of the sensors, without pictures and influence lines. `expected` are the parts of the
@@ -67,7 +68,9 @@ pub fn records(
     expected: &[usize],
     watch: &mut dyn Watch,
 ) -> Result<Solution, AnalysisError> {
-    solve_for(bridge, setup, Wanted::Records, expected, watch)
+    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), Wanted::Records, expected, watch)?;
+    passing.advance(usize::MAX, watch)?;
+    passing.finish(watch)
 }
 
 /// What is wanted of a passage.
@@ -77,59 +80,158 @@ enum Wanted {
     Everything,
 }
 
-fn solve_for(
-    bridge: &Bridge,
-    setup: &Setup,
+/// A passage that goes on when it is told to. However it is moved on, it finds the same numbers.
+pub struct Passing<'s> {
+    rest: AtRest<'s>,
+    way: Way,
     wanted: Wanted,
-    expected: &[usize],
-    watch: &mut dyn Watch,
-) -> Result<Solution, AnalysisError> {
-    let large = setup.plan.kinematics == PassageKinematics::Large;
-    let kinematics = if large { Kinematics::Large } else { Kinematics::Small };
-    let model = model(bridge, &setup.meshed, kinematics)?;
-    let weight = self_weight(bridge, setup, &model);
-    let mut solution = Solution {
-        status: PassageStatus::Completed,
-        reason: None,
-        self_weight: Vec::new(),
-        values: vec![Vec::new(); setup.sensors.len()],
-        degrees_of_freedom: model.equations(),
-        condensed_degrees_of_freedom: None,
-        taking_part: Vec::new(),
-        log: Vec::new(),
-        moments: Vec::new(),
-        influence: None,
-        assumptions: assumptions(bridge, &setup.meshed),
-        warnings: Vec::new(),
-    };
-    let bridge_at_rest = AtRest { setup, model: &model, weight: &weight };
-    if condenses(setup) {
-        condensed::pass(&bridge_at_rest, &mut solution, wanted, expected, watch)?;
-        return Ok(solution);
+    /// Positions that were reached.
+    done: usize,
+    /// What was found so far.
+    solution: Solution,
+}
+
+/// By which path.
+enum Way {
+    /// Small models have little to keep, large ones much.
+    Plain(Box<plain::Way>),
+    Condensed(Box<condensed::Way>),
+}
+
+impl<'s> Passing<'s> {
+    /// The bridge under its own weight, before the train.
+    pub fn new(bridge: &Bridge, setup: Cow<'s, Setup>, watch: &mut dyn Watch) -> Result<Passing<'s>, AnalysisError> {
+        Passing::with(bridge, setup, Wanted::Everything, &[], watch)
     }
-    let mut work = Workspace::new(&model).map_err(PassageError::from)?;
-    let mut state = State::new(&model);
-    let settings = Settings {
-        tolerance: setup.plan.tolerance.min(WEIGHT_TOLERANCE),
-        load_steps: setup.plan.load_steps as u32,
-        iteration_limit: setup.plan.iterations as u32,
-        ..Settings::default()
-    };
-    let target = Target { forces: weight.clone(), imposed: Vec::new() };
-    let mut named = Named { watch, stage: "self-weight" };
-    let outcome = advance(&model, &mut state, &mut work, &target, &settings, &mut named);
-    solution.log.extend(outcome.steps.iter().map(of_weight));
-    if let Some(last) = solution.log.last_mut() {
-        last.open_joints = open_interfaces(&model, state.bonds.iter());
+
+    fn with(
+        bridge: &Bridge,
+        setup: Cow<'s, Setup>,
+        wanted: Wanted,
+        expected: &[usize],
+        watch: &mut dyn Watch,
+    ) -> Result<Passing<'s>, AnalysisError> {
+        let large = setup.plan.kinematics == PassageKinematics::Large;
+        let kinematics = if large { Kinematics::Large } else { Kinematics::Small };
+        let model = model(bridge, &setup.meshed, kinematics)?;
+        let weight = self_weight(bridge, &setup, &model);
+        let mut solution = Solution {
+            status: PassageStatus::Completed,
+            reason: None,
+            self_weight: Vec::new(),
+            values: vec![Vec::new(); setup.sensors.len()],
+            degrees_of_freedom: model.equations(),
+            condensed_degrees_of_freedom: None,
+            taking_part: Vec::new(),
+            log: Vec::new(),
+            moments: Vec::new(),
+            influence: None,
+            assumptions: assumptions(bridge, &setup.meshed),
+            warnings: Vec::new(),
+        };
+        let condenses = condenses(&setup);
+        let rest = AtRest { setup, model: Arc::new(model), weight };
+        let way = match condenses {
+            true => Way::Condensed(Box::new(condensed::Way::new(&rest, &mut solution, expected, watch)?)),
+            false => Way::Plain(Box::new(plain::Way::new(&rest, &mut solution, watch)?)),
+        };
+        let mut passing = Passing { rest, way, wanted, done: 0, solution };
+        if wanted == Wanted::Everything && passing.solution.status == PassageStatus::Completed {
+            let moment = passing.moment()?;
+            passing.solution.moments.push(moment);
+        }
+        Ok(passing)
     }
-    if outcome.status != Status::Completed {
-        end(&mut solution, &outcome, "under self-weight");
-        return Ok(solution);
+
+    /// Mesh, positions and sensors.
+    pub fn setup(&self) -> &Setup {
+        &self.rest.setup
     }
-    solution.self_weight = setup.sensors.iter().map(|sensor| read(&sensor.reading, &state)).collect();
-    solution.moments.push(moment::moment(setup, &model, &state, "self-weight", None));
-    plain::pass(&bridge_at_rest, state, work, &mut solution, watch)?;
-    Ok(solution)
+
+    /// Moves the train on by so many positions, or to the last one. Tells how the passage ended, once it has.
+    pub fn advance(&mut self, count: usize, watch: &mut dyn Watch) -> Result<Option<PassageStatus>, AnalysisError> {
+        let to = self.done.saturating_add(count);
+        while self.done < to && self.status().is_none() {
+            let Passing { rest, way, done, solution, .. } = self;
+            match way {
+                Way::Plain(way) => way.visit(rest, *done, solution, watch)?,
+                Way::Condensed(way) => way.visit(rest, *done, solution, watch)?,
+            }
+            *done += usize::from(solution.status == PassageStatus::Completed);
+        }
+        Ok(self.status())
+    }
+
+    /// How the passage ended; none while it goes on.
+    pub fn status(&self) -> Option<PassageStatus> {
+        let status = self.solution.status;
+        (status != PassageStatus::Completed || self.done == self.setup().positions.len()).then_some(status)
+    }
+
+    /// Positions that were reached.
+    pub fn done(&self) -> usize {
+        self.done
+    }
+
+    /// Values of the sensors at the position that was reached last, self-weight taken off [SI]; empty before the first one.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.solution.values.iter().filter_map(|values| values.last().copied())
+    }
+
+    /// The bridge at the position that was reached last; under its own weight before the first one.
+    pub fn moment(&mut self) -> Result<Moment, AnalysisError> {
+        let Passing { rest, way, done, .. } = self;
+        let last = done.checked_sub(1);
+        let name = last.map_or("self-weight".to_owned(), |k| axle_at(rest.setup.positions[k]));
+        let state = match way {
+            Way::Plain(way) => Cow::Borrowed(way.state()),
+            Way::Condensed(way) => Cow::Owned(way.state(last)?),
+        };
+        Ok(rest.moment(&state, &name, last))
+    }
+
+    /// What was found; a passage that is left before its end was cancelled.
+    pub fn finish(self, watch: &mut dyn Watch) -> Result<Solution, AnalysisError> {
+        let status = self.status().unwrap_or(PassageStatus::Cancelled);
+        let Passing { rest, way, wanted, mut solution, .. } = self;
+        solution.status = status;
+        match way {
+            Way::Plain(way) => way.finish(&rest, &mut solution, wanted),
+            Way::Condensed(way) => way.finish(&rest, &mut solution, wanted, watch)?,
+        }
+        Ok(solution)
+    }
+}
+
+fn axle_at(x: f64) -> String {
+    format!("first axle at {x:.2} m")
+}
+
+/// Positions of which pictures are made, in their order, and why: those of the file that were reached, or the peaks of the channels.
+fn pictures(setup: &Setup, solution: &Solution) -> Vec<(usize, String)> {
+    let solved = solution.values.first().map_or(0, Vec::len);
+    let mut wanted: Vec<(usize, String)> = Vec::new();
+    if setup.plan.pictures.is_empty() && solved > 0 {
+        for (sensor, values) in setup.sensors.iter().zip(&solution.values) {
+            let peak = (0..solved).fold(0, |best, k| if values[k].abs() > values[best].abs() { k } else { best });
+            match wanted.iter_mut().find(|(k, _)| *k == peak) {
+                Some((_, name)) => *name = format!("{name}, {}", sensor.name),
+                None => wanted.push((peak, format!("peak of {}", sensor.name))),
+            }
+        }
+    }
+    wanted.extend(nearest(setup).filter(|(k, _)| *k < solved).map(|(k, x)| (k, axle_at(x))));
+    wanted.sort_by_key(|(k, _)| *k);
+    wanted
+}
+
+/// Positions that lie nearest to the places of which the file wants pictures [m].
+fn nearest(setup: &Setup) -> impl Iterator<Item = (usize, f64)> {
+    setup.plan.pictures.iter().filter_map(|&x| {
+        let near = |k: &usize| (setup.positions[*k] - x).abs();
+        let k = (0..setup.positions.len()).min_by(|a, b| near(a).total_cmp(&near(b)))?;
+        Some((k, x))
+    })
 }
 
 /// Whether the condensed path is taken: it is asked for, nothing moves fast or far, and every sensor is a sum of displacements.
@@ -141,11 +243,19 @@ pub(super) fn condenses(setup: &Setup) -> bool {
 }
 
 /// A bridge and its own weight.
-struct AtRest<'a> {
-    setup: &'a Setup,
-    model: &'a Model,
+struct AtRest<'s> {
+    setup: Cow<'s, Setup>,
+    model: Arc<Model>,
     /// Nodal forces of its weight [N/m].
-    weight: &'a [f64],
+    weight: Vec<f64>,
+}
+
+impl AtRest<'_> {
+    /// The bridge in a state, at a position or before the first one.
+    fn moment(&self, state: &State, name: &str, position: Option<usize>) -> Moment {
+        let at = position.map(|k| (self.setup.times[k], self.setup.positions[k]));
+        moment::moment(&self.setup, &self.model, state, name, at)
+    }
 }
 
 /// Nodal forces of masses and of what lies on the surface [N/m].
@@ -159,7 +269,7 @@ fn self_weight(bridge: &Bridge, setup: &Setup, model: &Model) -> Vec<f64> {
 
 /// Nodal forces of the train at a position, on top of the weight [N/m].
 fn with_train(rest: &AtRest<'_>, position: f64) -> Vec<f64> {
-    let mut forces = rest.weight.to_vec();
+    let mut forces = rest.weight.clone();
     let train = rest.setup.forces(position);
     for (node, force) in rest.setup.meshed.sets.surface.iter().zip(train) {
         forces[2 * node.index() + 1] -= force;
@@ -214,7 +324,7 @@ fn of_step(step: &Step) -> StepLog {
     }
 }
 
-/// Books an end that is none of a whole passage.
+/// Records why the passage stopped early.
 fn end(solution: &mut Solution, outcome: &Outcome, place: &str) {
     let (status, why) = match outcome.status {
         Status::Cancelled => (PassageStatus::Cancelled, None),

@@ -1,9 +1,10 @@
 //! The passage by the whole system: every unknown at every position, at rest or in motion.
 
-use super::moment::moment;
-use super::{AtRest, Solution, end, of_step, read, with_train};
+use super::{AtRest, Named, Solution, Wanted, end, nearest, of_step, pictures, read, with_train};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::PassageError;
+use crate::analysis::passage::outcome::{PassageStatus, StepLog};
+use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
 use mechanics::fem::{
@@ -12,51 +13,94 @@ use mechanics::fem::{
 use mechanics::watch::{Progress, Unwatched, Watch, Wish};
 use outcome::passage::Part;
 use outcome::passage::StepLog;
+use mechanics::watch::{Progress, Watch, Wish};
+use std::collections::BTreeMap;
 
-pub fn pass(
-    rest: &AtRest<'_>,
-    mut state: State,
-    mut work: Workspace,
-    solution: &mut Solution,
-    watch: &mut dyn Watch,
-) -> Result<(), AnalysisError> {
-    let (setup, model) = (rest.setup, rest.model);
-    let plan = &setup.plan;
-    let settings = Settings {
-        tolerance: plan.tolerance,
-        load_steps: 1,
-        iteration_limit: plan.iterations as u32,
-        ..Settings::default()
-    };
-    let motion = match plan.analysis {
-        PassageAnalysis::Static => None,
-        PassageAnalysis::Transient => Some(motion(rest, &mut work)?),
-    };
-    let count = setup.positions.len();
-    let pictures: Vec<usize> = pictures(&setup.plan.pictures, &setup.positions);
-    // Where the file names no positions, the bridge is kept at each channel's largest value so far.
-    let mut peaks: Vec<Option<(usize, State)>> = vec![None; setup.sensors.len()];
-    for (k, (&position, &time)) in setup.positions.iter().zip(&setup.times).enumerate() {
-        let progress = Progress {
-            stage: format!("position {} of {count}", k + 1),
-            fraction: Some(k as f64 / count as f64),
-            steps: k as u64,
+/// Out-of-balance force over applied force of the self-weight, from which everything else starts.
+const WEIGHT_TOLERANCE: f64 = 1e-9;
+
+/// What the path keeps from one position to the next.
+pub struct Way {
+    state: State,
+    work: Workspace,
+    settings: Settings,
+    motion: Option<Motion>,
+    /// States of which pictures may be made, by positions.
+    kept: BTreeMap<usize, State>,
+    /// Position and size of each channel's largest value so far.
+    peaks: Vec<(usize, f64)>,
+}
+
+impl Way {
+    /// Brings the self-weight on.
+    pub fn new(rest: &AtRest<'_>, solution: &mut Solution, watch: &mut dyn Watch) -> Result<Way, AnalysisError> {
+        let (setup, model) = (&*rest.setup, &*rest.model);
+        let plan = &setup.plan;
+        let mut work = Workspace::new(model).map_err(PassageError::from)?;
+        let mut state = State::new(model);
+        let settings = Settings {
+            tolerance: plan.tolerance,
+            load_steps: 1,
+            iteration_limit: plan.iterations as u32,
+            ..Settings::default()
         };
-        if watch.look(&progress) == Wish::Stop {
-            solution.status = super::PassageStatus::Cancelled;
-            return Ok(());
+        let of_weight = Settings {
+            tolerance: plan.tolerance.min(WEIGHT_TOLERANCE),
+            load_steps: plan.load_steps as u32,
+            ..settings
+        };
+        let target = Target { forces: rest.weight.clone(), imposed: Vec::new() };
+        let mut named = Named { watch, stage: "self-weight" };
+        let outcome = advance(model, &mut state, &mut work, &target, &of_weight, &mut named);
+        solution.log.extend(outcome.steps.iter().map(super::of_weight));
+        if let Some(last) = solution.log.last_mut() {
+            last.open_joints = open_interfaces(model, state.bonds.iter());
         }
+        let mut motion = None;
+        if outcome.status == Status::Completed {
+            solution.self_weight = setup.sensors.iter().map(|sensor| read(&sensor.reading, &state)).collect();
+            if plan.analysis == PassageAnalysis::Transient {
+                motion = Some(self::motion(rest, &mut work)?);
+            }
+        } else {
+            end(solution, &outcome, "under self-weight");
+        }
+        let peaks = vec![(0, -1.0); setup.sensors.len()];
+        Ok(Way { state, work, settings, motion, kept: BTreeMap::new(), peaks })
+    }
+
+    /// The position that was reached last.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Solves position `k`, the next one.
+    pub fn visit(
+        &mut self,
+        rest: &AtRest<'_>,
+        k: usize,
+        solution: &mut Solution,
+        watch: &mut dyn Watch,
+    ) -> Result<(), AnalysisError> {
+        let (setup, model) = (&*rest.setup, &*rest.model);
+        let Way { state, work, settings, motion, .. } = self;
+        let (position, time, count) = (setup.positions[k], setup.times[k], setup.positions.len());
+        let mut placed = Placed { watch, k, count };
         let forces = with_train(rest, position);
-        let outcome: Outcome = match &motion {
+        let outcome: Outcome = match motion {
             None => {
                 let target = Target { forces, imposed: Vec::new() };
-                advance(model, &mut state, &mut work, &target, &settings, &mut Unwatched)
+                advance(model, state, work, &target, settings, &mut placed)
             }
             Some(motion) => {
                 let (mut given, mut unseen) = (|_| forces.clone(), |_: u64, _: &State, _: &Workspace| {});
-                transient(model, &mut state, &mut work, motion, 1, &mut given, &mut unseen, &settings, &mut Unwatched)
+                transient(model, state, work, motion, 1, &mut given, &mut unseen, settings, &mut placed)
             }
         };
+        if outcome.status == Status::Cancelled {
+            solution.status = PassageStatus::Cancelled;
+            return Ok(());
+        }
         if let Some(step) = outcome.steps.last() {
             let cuts = outcome.steps.iter().filter(|step| !step.kept).count();
             let iterations = outcome.iterations as usize;
@@ -73,34 +117,56 @@ pub fn pass(
         }
         if outcome.status != Status::Completed {
             end(solution, &outcome, &format!("with the first axle at {position:.3} m"));
-            break;
+            return Ok(());
         }
         for (s, sensor) in setup.sensors.iter().enumerate() {
-            let value = read(&sensor.reading, &state) - solution.self_weight[s];
-            let largest = solution.values[s].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-            solution.values[s].push(value);
-            if setup.plan.pictures.is_empty() && value.abs() > largest {
-                peaks[s] = Some((k, state.clone()));
+            solution.values[s].push(read(&sensor.reading, &self.state) - solution.self_weight[s]);
+        }
+        self.keep(setup, k, solution);
+        Ok(())
+    }
+
+    /// Keeps the state where a picture of it may be wanted: at a place of the file, or at the largest values so far.
+    fn keep(&mut self, setup: &Setup, k: usize, solution: &Solution) {
+        let mut wanted = nearest(setup).any(|(at, _)| at == k);
+        if setup.plan.pictures.is_empty() {
+            for (peak, values) in self.peaks.iter_mut().zip(&solution.values) {
+                if values[k].abs() > peak.1 {
+                    *peak = (k, values[k].abs());
+                    wanted = true;
+                }
             }
+            let peaks = &self.peaks;
+            self.kept.retain(|at, _| peaks.iter().any(|peak| peak.0 == *at));
         }
-        if pictures.contains(&k) {
-            let name = format!("first axle at {position:.2} m");
-            solution.moments.push(moment(setup, model, &state, &name, Some((time, position))));
+        if wanted {
+            self.kept.insert(k, self.state.clone());
         }
     }
-    for (sensor, (k, state)) in setup.sensors.iter().zip(&peaks).filter_map(|(s, p)| Some((s, p.as_ref()?))) {
-        let name = format!("peak of {}", sensor.name);
-        solution.moments.push(moment(setup, model, state, &name, Some((setup.times[*k], setup.positions[*k]))));
+
+    /// Makes the pictures.
+    pub fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Wanted) {
+        if wanted == Wanted::Records || solution.status == PassageStatus::Cancelled {
+            return;
+        }
+        let places = pictures(&rest.setup, solution);
+        let moments = places.iter().filter_map(|(k, name)| Some(rest.moment(self.kept.get(k)?, name, Some(*k))));
+        solution.moments.extend(moments);
     }
-    Ok(())
 }
 
-fn pictures(wanted: &[f64], positions: &[f64]) -> Vec<usize> {
-    let nearest = |x: &f64| {
-        let near = |k: &usize| (positions[*k] - x).abs();
-        (0..positions.len()).min_by(|a, b| near(a).total_cmp(&near(b)))
-    };
-    wanted.iter().filter_map(nearest).collect()
+/// An onlooker who is told which position is at work.
+struct Placed<'a> {
+    watch: &'a mut dyn Watch,
+    k: usize,
+    count: usize,
+}
+
+impl Watch for Placed<'_> {
+    fn look(&mut self, _: &Progress) -> Wish {
+        let stage = format!("position {} of {}", self.k + 1, self.count);
+        self.watch.look(&Progress { stage, fraction: Some(self.k as f64 / self.count as f64), steps: self.k as u64 })
+    }
 }
 
 /// Masses, damping and scheme.
@@ -110,5 +176,5 @@ fn motion(rest: &AtRest<'_>, work: &mut Workspace) -> Result<Motion, AnalysisErr
         Damping::of(rayleigh.ratio, rayleigh.frequencies.map(|f| 2.0 * std::f64::consts::PI * f))
     });
     let integration = Integration::hilber_hughes_taylor(-plan.numerical_damping);
-    Ok(Motion::new(rest.model, work, integration, damping, plan.time_step).map_err(PassageError::from)?)
+    Ok(Motion::new(&rest.model, work, integration, damping, plan.time_step).map_err(PassageError::from)?)
 }

@@ -4,7 +4,7 @@
 //! path, the self-weight too, so that an evaluation costs one factorisation and the rows that are not linear.
 
 use super::condensed::{loads, stand, with_weight};
-use super::{AtRest, functional, self_weight};
+use super::{functional, self_weight};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::model::model;
 use crate::analysis::passage::{PassageError, Setup};
@@ -13,6 +13,8 @@ use mechanics::fem::condensed::{Condensed, Functional, PerturbedModel, Reached, 
 use mechanics::fem::{Kinematics, State};
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::PassageStatus;
+use mechanics::watch::Watch;
+use std::sync::Arc;
 
 /// Values of the sensors at a few positions.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,9 +59,10 @@ pub fn slices(
     let observed = observed.ok_or(PassageError::StressInSlices)?;
     let model = model(bridge, &setup.meshed, Kinematics::Small)?;
     let weight = self_weight(bridge, setup, &model);
-    let loads = loads(&AtRest { setup, model: &model, weight: &weight });
+    let loads = loads(setup, &weight);
+    let model = Arc::new(model);
     let failed = |error| AnalysisError::from(PassageError::Condensed(error));
-    let condensed = Condensed::new(&model, State::new(&model), &loads, &observed).map_err(failed)?;
+    let condensed = Condensed::new(Arc::clone(&model), State::new(&model), &loads, &observed).map_err(failed)?;
     let mut condensed = condensed.with_iterations(setup.plan.iterations as u32);
     if !wanted.neighbours.is_empty() {
         condensed = condensed.with_equilibria();
@@ -73,23 +76,22 @@ pub fn slices(
         iterations: 0,
         taking_part: Vec::new(),
     };
-    condensed.retain_parts(wanted.expected);
+    if !condensed.retain_parts(wanted.expected, watch) {
+        return Ok(cancelled(found));
+    }
     let mut log = Vec::new();
     let stood = stand(&mut condensed, setup, &mut log, watch).map_err(failed)?;
     let Some(path) = stood else {
-        found.status = PassageStatus::Cancelled;
         let stuck = log.last().is_some_and(|step| step.cuts > 0);
-        return Ok(if stuck { unbalanced(found, "under self-weight no balance was found".to_owned()) } else { found });
+        let reason = "under self-weight no balance was found".to_owned();
+        return Ok(if stuck { unbalanced(found, reason) } else { cancelled(found) });
     };
     found.iterations = log.iter().map(|step| step.iterations as u32).sum();
     found.self_weight = condensed.observed();
     let at_rest = condensed.snapshot();
-    if watch.look(&Progress { stage: "slices".into(), fraction: None, steps: 0 }) == Wish::Stop {
-        found.status = PassageStatus::Cancelled;
-        return Ok(found);
-    }
     let under = wanted.positions.iter().map(|&position| with_weight(setup.loads.reactions(position)));
-    let visited = condensed.solve_branches(&at_rest, &under.collect::<Vec<_>>()).map_err(failed)?;
+    let visited = condensed.solve_branches(&at_rest, &under.collect::<Vec<_>>(), watch).map_err(failed)?;
+    let Some(visited) = visited else { return Ok(cancelled(found)) };
     found.taking_part = condensed.retained_parts();
     for (visited, place) in visited.iter().zip(wanted.positions) {
         found.iterations += visited.position.iterations;
@@ -101,34 +103,44 @@ pub fn slices(
         }
     }
     if !wanted.neighbours.is_empty() {
-        found.derivatives = derivatives(&mut condensed, setup, wanted.neighbours, &path, &visited)?;
+        match derivatives(&mut condensed, setup, wanted.neighbours, [&path, &visited], watch)? {
+            Some(derivatives) => found.derivatives = derivatives,
+            None => return Ok(cancelled(found)),
+        }
     }
     Ok(found)
 }
 
-/// Derivatives of every sensor at every position, self-weight taken off: by neighbour, sensor and position.
+/// Derivatives of every sensor at every position, self-weight taken off: by neighbour, sensor and position. `None` where the onlooker
+/// stops it.
 fn derivatives(
-    condensed: &mut Condensed<'_>,
+    condensed: &mut Condensed,
     setup: &Setup,
     neighbours: &[(Bridge, f64)],
-    path: &[Visited],
-    branches: &[Visited],
-) -> Result<Vec<Vec<Vec<f64>>>, AnalysisError> {
+    [path, branches]: [&[Visited]; 2],
+    watch: &mut dyn Watch,
+) -> Result<Option<Vec<Vec<Vec<f64>>>>, AnalysisError> {
     let mut models = Vec::with_capacity(neighbours.len());
     for (bridge, by) in neighbours {
         let model = model(bridge, &setup.meshed, Kinematics::Small)?;
         let weight = self_weight(bridge, setup, &model);
-        let loads = loads(&AtRest { setup, model: &model, weight: &weight });
+        let loads = loads(setup, &weight);
         models.push((model, loads, *by));
     }
     let neighbours: Vec<PerturbedModel<'_>> =
         models.iter().map(|(model, patterns, by)| PerturbedModel { model, patterns, by: *by }).collect();
-    let found = condensed.derivatives(&neighbours, path, branches).map_err(PassageError::Condensed)?;
+    let found = condensed.derivatives(&neighbours, path, branches, watch).map_err(PassageError::Condensed)?;
+    let Some(found) = found else { return Ok(None) };
     let by_neighbour = |(k, at_rest): (usize, &Vec<f64>)| {
         let of = |(sensor, own): (usize, &f64)| found.branches.iter().map(|branch| branch[k][sensor] - own).collect();
         at_rest.iter().enumerate().map(of).collect()
     };
-    Ok(found.at_end.iter().enumerate().map(by_neighbour).collect())
+    Ok(Some(found.at_end.iter().enumerate().map(by_neighbour).collect()))
+}
+
+/// A stop leaves nothing that could pass for an answer.
+fn cancelled(found: Slices) -> Slices {
+    Slices { status: PassageStatus::Cancelled, values: Vec::new(), ..found }
 }
 
 fn unbalanced(found: Slices, reason: String) -> Slices {

@@ -1,0 +1,75 @@
+//! A train's passage in the hands of its caller: position by position, with a look at the bridge in between.
+
+use crate::project::Project;
+use crate::refusal::Refusal;
+use crate::respond::{RespondOptions, crossed};
+use crate::watch::{Looking, Watch};
+use assess::analysis::AnalysisError;
+use assess::analysis::passage::{self, Moment, Passage, PassageStatus, Setup, report, setup};
+use bridge::Bridge;
+use std::borrow::Cow;
+
+/// A passage that goes on when it is told to. Its numbers are those of [`respond`](crate::respond()), by either path.
+pub struct Passing {
+    bridge: Bridge,
+    run: passage::Passing<'static>,
+}
+
+impl Passing {
+    /// The bridge of a project under its own weight, before the train.
+    ///
+    /// # Errors
+    /// A file that cannot be used or has no train, or a passage that cannot be set up (F108).
+    pub fn new(project: &Project, options: &RespondOptions, watch: &mut dyn Watch) -> Result<Passing, Refusal> {
+        let bridge = crossed(project, options)?;
+        let setup = setup(&bridge).map_err(|error| Refusal::not_set_up(&error))?;
+        let run = told(passage::Passing::new(&bridge, Cow::Owned(setup), &mut Looking(watch)))?;
+        Ok(Passing { bridge, run })
+    }
+
+    /// Moves the train on by so many positions, or to the last one. Tells how the passage ended, once it has.
+    ///
+    /// # Errors
+    /// A part of the bridge whose law has no answer (F108).
+    pub fn advance(&mut self, positions: usize, watch: &mut dyn Watch) -> Result<Option<PassageStatus>, Refusal> {
+        told(self.run.advance(positions, &mut Looking(watch)))
+    }
+
+    /// Time since the train started [s] and place of its first axle [m] at the position that was reached last.
+    pub fn place(&self) -> Option<(f64, f64)> {
+        let last = self.run.done().checked_sub(1)?;
+        Some((self.setup().times[last], self.setup().positions[last]))
+    }
+
+    /// Values of the sensors there, self-weight taken off [SI], in the order of [`setup`](Self::setup).
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.run.values()
+    }
+
+    /// Displacements, stresses and joints there; under self-weight alone before the first position.
+    ///
+    /// # Errors
+    /// Those of [`advance`](Self::advance).
+    pub fn moment(&mut self) -> Result<Moment, Refusal> {
+        told(self.run.moment())
+    }
+
+    /// Mesh, positions and sensors.
+    pub fn setup(&self) -> &Setup {
+        self.run.setup()
+    }
+
+    /// Makes the pictures and influence lines of the passage so far; one that is left before its end was cancelled.
+    ///
+    /// # Errors
+    /// Those of [`advance`](Self::advance).
+    pub fn finish(self, watch: &mut dyn Watch) -> Result<Passage, Refusal> {
+        let setup = self.setup().clone();
+        let solution = told(self.run.finish(&mut Looking(watch)))?;
+        Ok(report(&self.bridge, &setup, solution))
+    }
+}
+
+fn told<T>(found: Result<T, AnalysisError>) -> Result<T, Refusal> {
+    found.map_err(|error| Refusal::not_set_up(&error))
+}
