@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::forward::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
+use crate::forward::{Evaluation, Failure, Forward, Map, Request, Response, STOPPED, Samples};
 use crate::log::Log;
 use crate::problem::Problem;
 use crate::watch::{Progress, Stopped, Watch, Wish};
@@ -114,12 +114,20 @@ impl<'a> Evaluator<'a> {
         let unknown: Vec<Vec<f64>> = unknown.into_iter().filter(fresh).cloned().collect();
         for lot in unknown.chunks(self.map.at_once().max(1)) {
             let answers = self.evaluate(lot, request)?;
+            let mut stopped = false;
             for (point, answer) in lot.iter().zip(answers) {
+                if answer.as_ref().is_err_and(|failure| failure.code == STOPPED) {
+                    stopped = true;
+                    continue;
+                }
                 let wanted = self.watch.keeps();
                 let line = self.log.add(point, request, answer, wanted);
                 if wanted {
                     self.watch.keep(&line);
                 }
+            }
+            if stopped {
+                return Err(Stopped);
             }
         }
         let mut answers = Vec::with_capacity(points.len());
@@ -133,12 +141,20 @@ impl<'a> Evaluator<'a> {
 
     fn evaluate(&mut self, points: &[Vec<f64>], request: &Request) -> Result<Vec<Evaluation>, Stopped> {
         let to_come = self.planned.map(|planned| planned.saturating_sub(self.done));
-        if self.watch.look(&Progress { stage: self.stage.clone(), done: self.done, to_come }) == Wish::Stop {
+        let progress = Progress { stage: self.stage.clone(), done: self.done, to_come };
+        if self.watch.look(&progress) == Wish::Stop {
             return Err(Stopped);
         }
-        let (problem, forward) = (self.problem, self.forward);
+        let (problem, forward, watch) = (self.problem, self.forward, &mut *self.watch);
+        let mut stopped = false;
+        let mut look = || {
+            if !stopped && watch.look(&progress) == Wish::Stop {
+                stopped = true;
+                forward.stop();
+            }
+        };
         let work = |point: &[f64]| sound(problem, forward, request, forward.evaluate(point, request));
-        let mut answers = self.map.map(points, &work);
+        let mut answers = self.map.map(points, &work, &mut look);
         let short = || Err(Failure::new("no-answer", "the caller's map lost this point"));
         answers.resize_with(points.len(), short);
         self.computed += points.len();

@@ -52,6 +52,9 @@ impl Failure {
     }
 }
 
+/// Name of the failure of an evaluation that was stopped: it is no answer, and no log keeps it.
+pub const STOPPED: &str = "cancelled";
+
 /// What one point gave.
 pub type Evaluation = Result<Response, Failure>;
 
@@ -66,14 +69,22 @@ pub trait Forward: Sync {
         false
     }
 
+    /// Ends the evaluations that are at work: they fail as [`STOPPED`], and so do all that are begun later.
+    fn stop(&self) {}
+
     /// Length of the history of a channel, in samples.
     fn length(&self, channel: usize) -> usize;
 }
 
 /// The caller's way to do many evaluations, by threads or not. Answers come in the order of the points.
 pub trait Map {
-    /// Applies `work` to every point.
-    fn map(&self, points: &[Vec<f64>], work: &(dyn Fn(&[f64]) -> Evaluation + Sync)) -> Vec<Evaluation>;
+    /// Applies `work` to every point. `look` asks the onlooker, who may end what is at work: to be called from time to time, or never.
+    fn map(
+        &self,
+        points: &[Vec<f64>],
+        work: &(dyn Fn(&[f64]) -> Evaluation + Sync),
+        look: &mut dyn FnMut(),
+    ) -> Vec<Evaluation>;
 
     /// How many points are handed over at once; between such lots the onlooker may stop the search.
     fn at_once(&self) -> usize {
@@ -86,7 +97,12 @@ pub trait Map {
 pub struct Serial;
 
 impl Map for Serial {
-    fn map(&self, points: &[Vec<f64>], work: &(dyn Fn(&[f64]) -> Evaluation + Sync)) -> Vec<Evaluation> {
+    fn map(
+        &self,
+        points: &[Vec<f64>],
+        work: &(dyn Fn(&[f64]) -> Evaluation + Sync),
+        _: &mut dyn FnMut(),
+    ) -> Vec<Evaluation> {
         points.iter().map(|point| work(point)).collect()
     }
 

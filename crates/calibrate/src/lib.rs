@@ -36,7 +36,7 @@ pub mod watch;
 pub use basis::{Basis, Halt};
 pub use channel::Channel;
 pub use evaluator::Evaluator;
-pub use forward::{Evaluation, Failure, Forward, Map, Request, Response, Samples, Serial};
+pub use forward::{Evaluation, Failure, Forward, Map, Request, Response, STOPPED, Samples, Serial};
 pub use linearised::Linearised;
 pub use log::Log;
 pub use misfit::Misfit;

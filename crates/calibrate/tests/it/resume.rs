@@ -38,7 +38,12 @@ impl Watch for File {
 struct Threads(usize);
 
 impl Map for Threads {
-    fn map(&self, points: &[Vec<f64>], work: &(dyn Fn(&[f64]) -> Evaluation + Sync)) -> Vec<Evaluation> {
+    fn map(
+        &self,
+        points: &[Vec<f64>],
+        work: &(dyn Fn(&[f64]) -> Evaluation + Sync),
+        _: &mut dyn FnMut(),
+    ) -> Vec<Evaluation> {
         points.par_iter().map(|point| work(point)).collect()
     }
 

@@ -3,6 +3,8 @@
 
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::{PassageError, Setup, WantedSlices, records, setup, slices};
+use crate::analysis::passage::{PassageError, PassageStatus, Quantity, Setup, WantedSlices, records, setup, slices};
+use crate::analysis::{AnalysisError, pieces};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
 use bridge::update::Parameter;
@@ -11,6 +13,7 @@ use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
 use mechanics::watch::Unwatched;
 use outcome::passage::{PassageStatus, Quantity};
 use rayon::prelude::*;
+use mechanics::watch::Pace;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io;
@@ -28,6 +31,8 @@ pub struct Model<'a> {
     moves: bool,
     /// What the answers of some models let expect of all others, by the positions that were asked for; `None` for all of them.
     usual: Mutex<BTreeMap<(Asked, Seen), Expected>>,
+    /// Whether evaluations go on.
+    pace: Pace,
 }
 
 /// Positions of slices, or `None` for a whole passage.
@@ -61,7 +66,8 @@ impl<'a> Model<'a> {
     /// The model of a file: `document` is its text without the sections of updating.
     pub fn new(own: &'a Bridge, document: &'a Document, parameters: &'a [Parameter]) -> Result<Self, AnalysisError> {
         let setup = setup(own)?;
-        let mut model = Self { own, document, parameters, setup, moves: false, usual: Mutex::default() };
+        let mut model =
+            Self { own, document, parameters, setup, moves: false, usual: Mutex::default(), pace: Pace::default() };
         for k in 0..parameters.len() {
             let mut point: Vec<f64> = parameters.iter().map(|parameter| parameter.start).collect();
             point[k] = if point[k] == parameters[k].lower { parameters[k].upper } else { parameters[k].lower };
@@ -110,7 +116,7 @@ impl<'a> Model<'a> {
         neighbours: &[(Bridge, f64)],
     ) -> Result<Answers, Failure> {
         if self.moves {
-            return answers(bridge, setup, &asked, &[], &[]);
+            return answers(bridge, setup, &asked, &[], &[], &self.pace);
         }
         let seen = if asked.is_some() && neighbours.is_empty() { Seen::Ends } else { Seen::Start };
         let usual = {
@@ -119,19 +125,19 @@ impl<'a> Model<'a> {
         };
         let start: Vec<f64> = self.parameters.iter().map(|parameter| parameter.start).collect();
         if asked.is_none() && point == start {
-            let found = whole(bridge, setup, &[])?;
+            let found = whole(bridge, setup, &[], &self.pace)?;
             usual.get_or_init(|| found.taking_part.clone());
             return Ok(found);
         }
         let usual = usual
             .get_or_init(|| if has_stress(setup) { Vec::new() } else { self.expected(&start, setup, &asked, seen) });
-        answers(bridge, setup, &asked, usual, neighbours)
+        answers(bridge, setup, &asked, usual, neighbours, &self.pace)
     }
 
     /// Parts that take part in the answers of some models; one without answers tells nothing.
     fn expected(&self, start: &[f64], setup: &Setup, asked: &Asked, seen: Seen) -> Vec<usize> {
         let of = |point: &[f64], expected: &[usize]| -> Result<Vec<usize>, Failure> {
-            Ok(answers(&self.bridge_at(point)?, setup, asked, expected, &[])?.taking_part)
+            Ok(answers(&self.bridge_at(point)?, setup, asked, expected, &[], &self.pace)?.taking_part)
         };
         let first = of(start, &[]).unwrap_or_default();
         if seen == Seen::Start {
@@ -199,16 +205,17 @@ fn at_places(
     places: &[usize],
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
+    pace: &Pace,
 ) -> Result<Answers, Failure> {
     let positions = positions(setup, places);
     if has_stress(setup) {
         let times = places.iter().map(|k| setup.times[*k]).collect();
         let plan = PassagePlan { analysis: PassageAnalysis::Static, ..setup.plan.clone() };
         let some = Setup { times, positions, plan, ..setup.clone() };
-        return whole(bridge, &some, &[]);
+        return whole(bridge, &some, &[], pace);
     }
     let wanted = WantedSlices { positions: &positions, expected, neighbours };
-    let found = slices(bridge, setup, wanted, &mut Unwatched).map_err(not_set_up)?;
+    let found = slices(bridge, setup, wanted, &mut pace.clone()).map_err(not_set_up)?;
     let answers = Answers { values: found.values, derivatives: found.derivatives, taking_part: found.taking_part };
     completed(found.status, found.reason, answers)
 }
@@ -222,8 +229,8 @@ fn has_stress(setup: &Setup) -> bool {
 }
 
 /// Answers at every position of the passage.
-fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize]) -> Result<Answers, Failure> {
-    let found = records(bridge, setup, expected, &mut Unwatched).map_err(not_set_up)?;
+fn whole(bridge: &Bridge, setup: &Setup, expected: &[usize], pace: &Pace) -> Result<Answers, Failure> {
+    let found = records(bridge, setup, expected, &mut pace.clone()).map_err(not_set_up)?;
     let answers = Answers { values: found.values, derivatives: Vec::new(), taking_part: found.taking_part };
     completed(found.status, found.reason, answers)
 }
@@ -234,16 +241,18 @@ fn answers(
     asked: &Asked,
     expected: &[usize],
     neighbours: &[(Bridge, f64)],
+    pace: &Pace,
 ) -> Result<Answers, Failure> {
     match asked {
-        None => whole(bridge, setup, expected),
-        Some(places) => at_places(bridge, setup, places, expected, neighbours),
+        None => whole(bridge, setup, expected, pace),
+        Some(places) => at_places(bridge, setup, places, expected, neighbours, pace),
     }
 }
 
 fn completed(status: PassageStatus, reason: Option<String>, answers: Answers) -> Result<Answers, Failure> {
     match status {
         PassageStatus::Completed => Ok(answers),
+        PassageStatus::Cancelled => Err(Failure::new(calibrate::STOPPED, String::new())),
         status => Err(Failure::new(status.word(), reason.unwrap_or_default())),
     }
 }
@@ -279,6 +288,10 @@ impl Forward for Model<'_> {
         *samples != Samples::All && !self.moves && !has_stress(&self.setup)
     }
 
+    fn stop(&self) {
+        self.pace.stop();
+    }
+
     fn length(&self, _channel: usize) -> usize {
         self.setup.times.len()
     }
@@ -289,8 +302,23 @@ impl Forward for Model<'_> {
 pub struct Threads;
 
 impl Map for Threads {
-    fn map(&self, points: &[Vec<f64>], work: &(dyn Fn(&[f64]) -> Evaluation + Sync)) -> Vec<Evaluation> {
-        points.par_iter().with_max_len(1).map(|point| work(point)).collect()
+    fn map(
+        &self,
+        points: &[Vec<f64>],
+        work: &(dyn Fn(&[f64]) -> Evaluation + Sync),
+        look: &mut dyn FnMut(),
+    ) -> Vec<Evaluation> {
+        let lost = || Err(Failure::new("no-answer", "the thread of this point was lost"));
+        let mut found: Vec<Evaluation> = points.iter().map(|_| lost()).collect();
+        let mut hear = |said: Option<(usize, Evaluation)>| match said {
+            Some((k, answer)) => found[k] = answer,
+            None => look(),
+        };
+        pieces::told(points, &mut hear, |k, point, tell| {
+            // Nobody listens only where this function itself is gone.
+            let _ = tell.send((k, work(point)));
+        });
+        found
     }
 
     fn at_once(&self) -> usize {
