@@ -9,7 +9,7 @@ use outcome::published::*;
 fn the_object_of_a_limit_analysis_has_every_promised_key() {
     let mut b = bridgemill();
     b.plan.method = Method::Limit;
-    let c = collapse_by_limit(&b).unwrap();
+    let c = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap();
     let text = json(&CollapseObject::new(&c, &Run { wall_seconds: 0.5, threads: 2, file_warnings: vec![] }));
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     for key in [

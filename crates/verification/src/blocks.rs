@@ -260,6 +260,7 @@ impl Blocks {
             limit::Status::Locks => "locks",
             limit::Status::NoEquilibrium => "unstable-under-self-weight",
             limit::Status::NotConverged => "not-converged",
+            limit::Status::Cancelled => "cancelled",
         };
         let (hinges, sliding) = o.mechanism.as_ref().map_or((0, 0), |m| (m.hinges.len(), m.sliding.len()));
         Ok(serde_json::json!({

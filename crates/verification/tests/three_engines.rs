@@ -115,7 +115,7 @@ fn stiff_joints_lose_their_balance_at_the_limit_load() {
 fn all_three_meet_at_the_hinges() {
     let b = ring(100.0, 7);
     let d = discretise(&b).expect("it can be cut");
-    let limit = collapse_by_limit(&b).expect("it can be set up");
+    let limit = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).expect("it can be set up");
     assert_eq!(hinged(&d, &limit), HINGES);
     // The file's own joints: a run of discrete elements to collapse.
     let dem = collapse_by_dem(&ring(1.0, 2), None, &mut Unwatched).expect("it can be set up");
@@ -159,7 +159,8 @@ fn thrust_lines_agree_at_half_the_limit_load() {
     let mut page =
         String::from("joint,lowest_m,highest_m,discrete_m,finite_m,limit_at_collapse_m,finite_near_collapse_m\n");
     let stiff = ring(100.0, 7);
-    let collapse = [collapse_by_limit(&stiff).expect("set up"), by_fe(&stiff)].map(|c| heights(&d, &c));
+    let collapse = [collapse_by_limit(&stiff, &mut mechanics::watch::Unwatched).expect("set up"), by_fe(&stiff)]
+        .map(|c| heights(&d, &c));
     for (joint, (([bed, top], _), (_, _, reach))) in joints(&d).into_iter().zip(reach).enumerate() {
         let height = |at: Vec2| (at - bed).dot((top - bed).unit());
         let [a, b] = reach.expect("the load is carried").map(height);

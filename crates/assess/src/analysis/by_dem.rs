@@ -9,7 +9,7 @@ use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::plane::{Vec2, vec2};
-use mechanics::watch::Watch;
+use mechanics::watch::{Unwatched, Watch};
 use outcome::collapse;
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, DemReport, Status};
@@ -61,7 +61,7 @@ pub fn require_stiffness(bridge: &Bridge) -> Result<(), AnalysisError> {
 /// The blocks of a bridge and a run of them in the hands of the caller: what [`collapse_by_dem`] computes, some steps at a time.
 /// `Discretised::load` turns its factor into a load, and the blocks of its frames are those of `Discretised::model`.
 pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), AnalysisError> {
-    let (d, rigid) = increased(bridge)?;
+    let (d, rigid) = increased(bridge, &mut Unwatched)?;
     let bound = rigid.factor.or(rigid.associated_factor);
     let (program, _) = program(&bridge.plan, &d, bound, &mut Vec::new())?;
     let run = dem::Stepping::new(&d.model, &d.loading, &program, &settings(bridge))?;
@@ -69,7 +69,7 @@ pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), Analysi
 }
 
 /// The blocks with the loads that are increased, and limit analysis of the same blocks.
-fn increased(bridge: &Bridge) -> Result<(Discretised, limit::Outcome), AnalysisError> {
+fn increased(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(Discretised, limit::Outcome), AnalysisError> {
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
@@ -79,7 +79,7 @@ fn increased(bridge: &Bridge) -> Result<(Discretised, limit::Outcome), AnalysisE
     // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
     // limit analysis lets a joint crush under its edge.
     let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, &d) };
-    let rigid = by_limit::solve(&d, &uncrushed)?;
+    let rigid = by_limit::watched(&d, &uncrushed, watch)?;
     Ok((d, rigid))
 }
 
@@ -89,7 +89,10 @@ pub fn collapse_by_dem(
     resume: Option<&[u64]>,
     watch: &mut dyn Watch,
 ) -> Result<Collapse, AnalysisError> {
-    let (d, rigid) = increased(bridge)?;
+    let (d, rigid) = increased(bridge, watch)?;
+    if rigid.status == limit::Status::Cancelled {
+        return Ok(by_limit::cancelled(bridge, &d));
+    }
     // The plan needs no more than its size, which the associated load has too.
     let (limit_load, bound) = (rigid.factor, rigid.factor.or(rigid.associated_factor));
     let mut chosen = Vec::new();
@@ -104,7 +107,7 @@ pub fn collapse_by_dem(
     notes::dem(bridge, &d, &mut c);
     notes::apart(rigid.status, &mut c);
     if by_limit::settings(bridge).crushing {
-        let crushed = by_limit::solve(&d, &by_limit::single(bridge, &d))?.factor;
+        let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
         c.crushing_limit_load = crushed.map(load);
         notes::crushed(&mut c);
     }

@@ -2,11 +2,12 @@
 
 use super::blank;
 use super::places::{between_rings, edge_at, lines, point, scaled};
-use super::{AnalysisError, notes, picture};
+use super::{AnalysisError, notes, picture, pieces};
 use bridge::{Bridge, ContactPoints, Friction, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
+use mechanics::watch::{Pace, Watch};
 use outcome::collapse::{By, FlowRule};
 use outcome::collapse::{Collapse, LimitReport, Status};
 use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
@@ -66,19 +67,38 @@ fn fully_pressed(bridge: &Bridge) -> Bridge {
 }
 
 /// The load factor at which the blocks as built become a mechanism.
-pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
+pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let d = prepared(bridge)?;
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
+    pieces::alone("limit analysis", true, watch, |pace| whole(bridge, &d, pace))
+}
+
+/// What is told of a bridge whose analysis was stopped before it found anything.
+pub(super) fn cancelled(bridge: &Bridge, d: &Discretised) -> Collapse {
+    let mut c = Collapse::blank(bridge, d, Analysis::Load, picture::built(bridge, d, "as built"));
+    (c.method, c.status) = (bridge.plan.method, Status::Cancelled);
+    c
+}
+
+/// The load factor and those that stand beside it.
+fn whole(bridge: &Bridge, d: &Discretised, pace: &Pace) -> Result<Collapse, AnalysisError> {
     let settings = settings(bridge);
-    let outcome = solve(&d, &settings)?;
+    let walls = d.road.is_some() && settings.friction == limit::Friction::Associated;
+    let pressed = !d.loading.restraints.is_empty();
+    // The loads that are found, one after the other.
+    let count = 1 + usize::from(settings.crushing) + 2 * usize::from(pressed) + usize::from(walls);
+    let mut parts = (0..count).map(|k| pace.part(k, count));
+    let mut solve =
+        |d: &Discretised, settings: &limit::Settings| solve(d, settings, &parts.next().unwrap_or_else(|| pace.clone()));
+    let outcome = solve(d, &settings)?;
     let unlimited = match settings.crushing {
-        true => solve(&d, &limit::Settings { crushing: false, ..settings })?.factor,
+        true => solve(d, &limit::Settings { crushing: false, ..settings })?.factor,
         false => outcome.factor,
     };
-    let mut c = report(bridge, &d, &outcome, unlimited);
-    if !d.loading.restraints.is_empty() {
+    let mut c = report(bridge, d, &outcome, unlimited);
+    if pressed {
         let mut bare = d.clone();
         bare.loading.restraints.clear();
         let without = solve(&bare, &settings)?.factor.map(|f| d.load(f));
@@ -94,12 +114,21 @@ pub fn collapse_by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         notes::pressed(bridge, without, full, &mut c);
     }
     // Walls of blocks lock where sliding dilates: their associated load never stands alone.
-    if d.road.is_some() && settings.friction == limit::Friction::Associated {
+    if walls {
         let settings = limit::Settings { friction: limit::Friction::NonAssociated, ..settings };
-        let corrected = solve(&d, &settings)?.factor.map(|f| d.load(f));
+        let corrected = solve(d, &settings)?.factor.map(|f| d.load(f));
         notes::corrected(&mut c, corrected);
     }
-    Ok(c)
+    Ok(if pace.goes_on() { c } else { cancelled(bridge, d) })
+}
+
+/// The same as [`solve`], watched.
+pub fn watched(
+    d: &Discretised,
+    settings: &limit::Settings,
+    watch: &mut dyn Watch,
+) -> Result<limit::Outcome, AnalysisError> {
+    pieces::alone("limit load", false, watch, |pace| solve(d, settings, pace))
 }
 
 /// Beside a load so many times the weight of all blocks, weight is less than what the solver can see: geometry and
@@ -108,8 +137,8 @@ const LOCKED: f64 = 1e3;
 
 /// The limit load of the model. Where only the iteration without dilation finds one, and it is beyond all bounds, the
 /// blocks lock.
-pub fn solve(d: &Discretised, settings: &limit::Settings) -> Result<limit::Outcome, AnalysisError> {
-    let outcome = limit::collapse_load(&d.model, &d.loading, settings)?;
+pub fn solve(d: &Discretised, settings: &limit::Settings, pace: &Pace) -> Result<limit::Outcome, AnalysisError> {
+    let outcome = limit::collapse_load_while(&d.model, &d.loading, settings, pace)?;
     let beyond = outcome.factor.is_some_and(|f| f * d.reference_load > LOCKED * d.model.free_weight());
     if outcome.associated_factor.is_some() || outcome.friction == limit::Friction::Associated || !beyond {
         return Ok(outcome);
@@ -133,6 +162,7 @@ pub fn status(status: limit::Status) -> Status {
         limit::Status::Locks => Status::Locks,
         limit::Status::NoEquilibrium => Status::UnstableUnderSelfWeight,
         limit::Status::NotConverged => Status::NotConverged,
+        limit::Status::Cancelled => Status::Cancelled,
     }
 }
 

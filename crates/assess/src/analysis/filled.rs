@@ -9,7 +9,7 @@ use mechanics::dem::{self, Body, Frame, Grain, Model, PackingError, Rested, begi
 use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
 use mechanics::plane::{Polygon, Vec2, vec2};
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Pace, Progress, Watch, Wish};
 use outcome::collapse::{By, Status};
 use outcome::collapse::{Collapse, PackingReport};
 use structure::discretise::fill::FillRegion;
@@ -78,7 +78,7 @@ fn crushing_takes(bridge: &Bridge) -> Option<f64> {
     rigid.loads.iter_mut().for_each(|load| load.block = None);
     let d = by_limit::prepared(&rigid).ok()?;
     let crushing = by_limit::single(&rigid, &d);
-    let load = |settings: &limit::Settings| by_limit::solve(&d, settings).ok()?.factor;
+    let load = |settings: &limit::Settings| by_limit::solve(&d, settings, &Pace::default()).ok()?.factor;
     let [with, without] = [load(&crushing)?, load(&limit::Settings { crushing: false, ..crushing })?];
     Some(1.0 - with / without)
 }

@@ -15,7 +15,7 @@ mod notes;
 mod of_blocks;
 pub mod passage;
 mod picture;
-mod pieces;
+pub(crate) mod pieces;
 mod places;
 mod planned;
 mod strips;
@@ -160,7 +160,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         return strips::both(bridge, resume, watch);
     }
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
-        (Analysis::Load, Method::Limit) => collapse_by_limit(bridge),
+        (Analysis::Load, Method::Limit) => collapse_by_limit(bridge, watch),
         (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),
         (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
             Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),

@@ -2,7 +2,7 @@
 
 use super::blank;
 use super::places::point;
-use super::{AnalysisError, by_dem, by_limit, notes, picture};
+use super::{AnalysisError, by_dem, by_limit, notes, picture, pieces};
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::ids::{BlockId, Table};
@@ -35,7 +35,7 @@ pub fn support_movement(
     let step = movement.increment.unwrap_or(1e-3 * shortest);
     let mut c = match bridge.plan.method {
         Method::Dem => by_dem(bridge, &d, step, largest, resume, watch)?,
-        Method::Limit => by_limit(bridge, &d, step, largest)?,
+        Method::Limit => by_limit(bridge, &d, step, largest, watch)?,
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("support movements")),
     };
     c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());
@@ -67,10 +67,18 @@ fn by_dem(
     Ok(c)
 }
 
-fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result<Collapse, AnalysisError> {
+fn by_limit(
+    bridge: &Bridge,
+    d: &Discretised,
+    step: f64,
+    largest: f64,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
     let settings = by_limit::settings(bridge);
     let increments = limit::Increments { largest, step, resolution: FINE * step };
-    let outcome = limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings)?;
+    let outcome = pieces::alone("support movement", true, watch, |pace| {
+        limit::support_movement(&d.model, &d.loading, 0.0, increments, &settings, pace)
+    })?;
     let mut picture = picture::built(bridge, d, "support movement");
     let built = d.model.poses();
     let (hinges, resultants) = as_built(&outcome, &built);
@@ -104,6 +112,7 @@ fn by_limit(bridge: &Bridge, d: &Discretised, step: f64, largest: f64) -> Result
         limit::MovementStatus::Collapsed => Status::Collapsed,
         limit::MovementStatus::StandsThroughout => Status::StableToLastLoad,
         limit::MovementStatus::NoEquilibrium => Status::UnstableUnderSelfWeight,
+        limit::MovementStatus::Cancelled => Status::Cancelled,
     };
     let stands = (outcome.status != limit::MovementStatus::NoEquilibrium).then_some(outcome.stands);
     c.sought = Sought::SupportMovement(SupportReport { last_stable: stands, collapse: outcome.falls, step });

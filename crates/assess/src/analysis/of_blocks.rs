@@ -1,6 +1,6 @@
 //! Collapse of a block model that a file lists or a drawing holds.
 
-use super::{AnalysisError, by_dem, by_limit};
+use super::{AnalysisError, by_dem, by_limit, pieces};
 use bridge::{Method, Plan};
 use mechanics::dem::Body;
 use mechanics::ids::{GroupId, Id};
@@ -32,7 +32,7 @@ pub fn collapse_of_blocks(
     }
     let mut found = match scene.plan.method {
         Method::Dem => dem(scene, &d, resume, watch),
-        Method::Limit => limit(scene, &d),
+        Method::Limit => limit(scene, &d, watch),
         Method::Fe => Err(AnalysisError::NotByFiniteElements("blocks of a drawing")),
     }?;
     found.block_names = scene.bodies.iter().map(|body| body.name.clone()).collect();
@@ -135,12 +135,17 @@ fn require_stiffness(scene: &Scene) -> Result<(), AnalysisError> {
     }
 }
 
-fn limit(scene: &Scene, d: &Discretised) -> Result<Collapse, AnalysisError> {
+fn limit(scene: &Scene, d: &Discretised, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let crushing = crushes(scene);
     let settings = by_limit::settings_of(&scene.plan, crushing);
-    let outcome = limit::collapse_load(&d.model, &d.loading, &settings)?;
+    let mut solve = |settings: &limit::Settings| {
+        pieces::alone("limit analysis", false, watch, |pace| {
+            limit::collapse_load_while(&d.model, &d.loading, settings, pace)
+        })
+    };
+    let outcome = solve(&settings)?;
     let unlimited = match crushing {
-        true => limit::collapse_load(&d.model, &d.loading, &by_limit::settings_of(&scene.plan, false))?.factor,
+        true => solve(&by_limit::settings_of(&scene.plan, false))?.factor,
         false => outcome.factor,
     };
     let mut picture = built(scene, "limit analysis");

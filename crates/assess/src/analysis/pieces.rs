@@ -1,37 +1,12 @@
 //! Pieces of work on all cores under one onlooker: progress out, a wish to stop in, and what is done is kept.
 
+pub use mechanics::watch::Pace;
 use mechanics::watch::{Progress, Watch, Wish};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::Duration;
 
 /// How long the onlooker waits between two looks at most.
-const LOOK: Duration = Duration::from_millis(50);
-
-/// How far the work is, as its pieces see it.
-#[derive(Debug, Default)]
-pub struct Pace {
-    stop: AtomicBool,
-    done: AtomicU64,
-}
-
-impl Pace {
-    /// Of work that does not go on.
-    pub fn at_its_end() -> Pace {
-        Pace { stop: AtomicBool::new(true), done: AtomicU64::new(0) }
-    }
-
-    /// Counts a step, and says whether the work goes on.
-    pub fn step(&self) -> bool {
-        self.done.fetch_add(1, Ordering::Relaxed);
-        self.goes_on()
-    }
-
-    /// Whether the work goes on.
-    pub fn goes_on(&self) -> bool {
-        !self.stop.load(Ordering::Relaxed)
-    }
-}
+const LOOK: Duration = Duration::from_millis(20);
 
 /// What the onlooker is told of a stage.
 pub struct Stage<'a> {
@@ -54,13 +29,16 @@ pub fn each<J: Sync, T: Send>(
     let pace = Pace::default();
     let mut found: Vec<Option<T>> = jobs.iter().map(|_| None).collect();
     let mut look = || {
-        let done = pace.done.load(Ordering::Relaxed);
+        if !pace.goes_on() {
+            return;
+        }
+        let done = pace.steps();
         let share = (done as f64 / stage.steps.max(1) as f64).clamp(0.0, 1.0);
         let [from, to] = stage.shares;
         let name = format!("{}: {done} of {}", stage.name, stage.steps);
         if watch.look(&Progress { stage: name, fraction: Some(from + share * (to - from)), steps: done }) == Wish::Stop
         {
-            pace.stop.store(true, Ordering::Relaxed);
+            pace.stop();
         }
     };
     look();
@@ -78,6 +56,37 @@ pub fn each<J: Sync, T: Send>(
     });
     let all = pace.goes_on();
     (found, all)
+}
+
+/// Does one piece of work while the onlooker hears from time to time how many iterations it has taken. The work hears from its [`Pace`]
+/// when to stop; where it is the `whole` of an analysis, its share is told. It gets a thread of its own; where none can be started, as in WebAssembly, it is done here and in one go.
+pub fn alone<T: Send>(name: &str, whole: bool, watch: &mut dyn Watch, work: impl Fn(&Pace) -> T + Sync) -> T {
+    let pace = Pace::default();
+    let mut look = || {
+        if !pace.goes_on() {
+            return;
+        }
+        let stage = format!("{name}: {} iterations", pace.beats());
+        if watch.look(&Progress { stage, fraction: whole.then(|| pace.share()), steps: pace.beats() }) == Wish::Stop {
+            pace.stop();
+        }
+    };
+    look();
+    let found = std::thread::scope(|scope| {
+        let (tell, heard) = channel();
+        let (work, pace) = (&work, &pace);
+        // Nobody listens only where this function itself is gone.
+        let own = move || drop(tell.send(work(pace)));
+        let Ok(_) = std::thread::Builder::new().spawn_scoped(scope, own) else { return None };
+        loop {
+            match heard.recv_timeout(LOOK) {
+                Ok(found) => return Some(found),
+                Err(RecvTimeoutError::Timeout) => look(),
+                Err(RecvTimeoutError::Disconnected) => return None,
+            }
+        }
+    });
+    found.unwrap_or_else(|| work(&pace))
 }
 
 /// Does `work` on every job, on all threads; `hear` gets on this one what the jobs tell, and nothing from time to time. Where

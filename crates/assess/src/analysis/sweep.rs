@@ -177,6 +177,9 @@ impl Scene<'_> {
             }
             let effect = sweeper.effect(&case.forces);
             let found = sweeper.factor(&effect);
+            if !pace.goes_on() {
+                return None;
+            }
             (case.status, case.factor, case.slides) = (by_limit::status(found.status), found.lower, found.slides);
         }
         pace.step();
@@ -188,7 +191,7 @@ impl Scene<'_> {
         let chunks: Vec<&[f64]> = list.chunks(CHUNK).collect();
         let stage = Stage { name: "positions of the loads", steps: list.len() as u64, shares: [0.0, 0.4] };
         let (found, _) = pieces::each(&chunks, &stage, watch, |places, pace| {
-            let mut sweeper = self.ground.sweeper();
+            let mut sweeper = self.ground.sweeper().paced(pace);
             places.iter().map_while(|&place| self.answered(&mut sweeper, place, pace)).collect::<Vec<Row>>()
         });
         found.into_iter().flatten().flatten().collect()
@@ -217,16 +220,12 @@ impl Scene<'_> {
             .collect();
         let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.4, 0.9] };
         let (found, done) = match whole {
-            true => pieces::each(&jobs, &stage, watch, |&(r, c), pace| {
-                let answer = self.without_dilation(&rows[r].cases[c]);
-                pace.step();
-                answer
-            }),
+            true => pieces::each(&jobs, &stage, watch, |&(r, c), pace| self.without_dilation(&rows[r].cases[c], pace)),
             false => (jobs.iter().map(|_| None).collect(), false),
         };
         for ((r, c), answer) in jobs.into_iter().zip(found) {
             let case = &mut rows[r].cases[c];
-            match answer.transpose()? {
+            match answer.flatten() {
                 Some((status, factor, level)) => (case.status, case.factor, case.level) = (status, factor, level),
                 // Nobody knows whether it slides.
                 None => (case.status, case.level) = (Status::Cancelled, false),
@@ -235,24 +234,27 @@ impl Scene<'_> {
         Ok(done)
     }
 
-    /// One case as the plan's friction says.
-    fn without_dilation(&self, case: &Case) -> Result<(Status, Option<f64>, bool), AnalysisError> {
+    /// One case as the plan's friction says; none where the work does not go on.
+    fn without_dilation(&self, case: &Case, pace: &Pace) -> Option<(Status, Option<f64>, bool)> {
+        let found = self.level_case(case, pace);
+        pace.step().then_some(found)
+    }
+
+    fn level_case(&self, case: &Case, pace: &Pace) -> (Status, Option<f64>, bool) {
+        let mut sweeper = self.ground.sweeper().paced(pace);
         if self.settings.friction == limit::Friction::Automatic {
-            let mut sweeper = self.ground.sweeper();
             let effect = sweeper.effect(&case.forces);
             let found = sweeper.factor(&effect);
             if !found.slides && found.status != limit::Status::Locks {
-                return Ok((by_limit::status(found.status), found.lower, false));
+                return (by_limit::status(found.status), found.lower, false);
             }
             let level = sweeper.level_factor(&effect);
             let status = if level.is_some() { Status::Collapsed } else { Status::NotConverged };
-            return Ok((status, level, true));
+            return (status, level, true);
         }
-        let loads = std::slice::from_ref(&case.forces);
-        let found = limit::sweep(&self.d.model, &self.d.loading, loads, &self.settings)?;
-        let place = found.places[0];
+        let place = sweeper.place(&case.forces, self.settings.friction);
         let level = place.friction == limit::Friction::NonAssociated;
-        Ok((by_limit::status(place.status), place.factor, level))
+        (by_limit::status(place.status), place.factor, level)
     }
 
     /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Tells
@@ -275,15 +277,13 @@ impl Scene<'_> {
             };
             let (found, done) = pieces::each(&list, &stage, watch, |&place, pace| {
                 let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
-                let answer = case.map(|case| self.without_dilation(&case)).transpose();
-                pace.step();
-                answer
+                case.and_then(|case| self.without_dilation(&case, pace))
             });
             if !done {
                 return Ok(false);
             }
             for (place, answer) in list.into_iter().zip(found) {
-                if let Some((_, Some(smaller), _)) = answer.transpose()?.flatten()
+                if let Some((_, Some(smaller), _)) = answer.flatten()
                     && smaller < factor
                 {
                     (factor, position) = (smaller, place);
@@ -295,8 +295,14 @@ impl Scene<'_> {
             return Ok(true);
         }
         let mut row = self.row(position);
-        for case in &mut row.cases {
-            (case.status, case.factor, case.level) = self.without_dilation(case)?;
+        let steps = row.cases.len() as u64;
+        let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
+        let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| self.without_dilation(case, pace));
+        if !done {
+            return Ok(false);
+        }
+        for (case, found) in row.cases.iter_mut().zip(found) {
+            (case.status, case.factor, case.level) = found.flatten().unwrap_or((Status::Cancelled, None, false));
         }
         rows.push(row);
         Ok(true)

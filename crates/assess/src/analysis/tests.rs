@@ -10,7 +10,7 @@ use structure::discretise::discretise;
 fn limit_load(mut b: Bridge, points: ContactPoints) -> f64 {
     b.plan.method = Method::Limit;
     b.plan.contact_points = points;
-    collapse_by_limit(&b).unwrap().collapse_load.unwrap() / 1e3
+    collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap() / 1e3
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn bridgemill_by_limit_analysis_carries_what_independent_programs_say() {
 fn the_mechanism_of_bridgemill_has_four_hinges_that_alternate() {
     let mut b = bridgemill();
     b.plan.method = Method::Limit;
-    let c = collapse_by_limit(&b).unwrap();
+    let c = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap();
     assert_eq!(c.status, Status::Collapsed);
     let edges: Vec<_> = c.hinges.iter().map(|h| h.edge).collect();
     let x: Vec<_> = c.hinges.iter().map(|h| h.point[0]).collect();
@@ -90,7 +90,7 @@ fn a_sweep_finds_the_worst_place_and_does_not_depend_on_threads() {
 fn a_bridge_without_loads_is_told_so() {
     let mut b = bridgemill();
     b.loads.clear();
-    assert_eq!(collapse_by_limit(&b), Err(AnalysisError::NoLoad));
+    assert_eq!(collapse_by_limit(&b, &mut mechanics::watch::Unwatched), Err(AnalysisError::NoLoad));
 }
 
 #[test]
@@ -177,7 +177,7 @@ fn every_profile_stands_alone_in_rows_and_in_two_rings() {
         filled(&mut b);
         b.plan.method = Method::Limit;
         b.plan.friction = bridge::Friction::Associated;
-        let c = collapse_by_limit(&b).unwrap();
+        let c = collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap();
         assert_eq!(c.status, Status::Collapsed);
         c
     };

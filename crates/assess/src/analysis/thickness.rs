@@ -1,12 +1,12 @@
 //! The least ring thickness that stands.
 
 use super::blank;
-use super::{AnalysisError, by_dem, by_limit, notes, picture};
+use super::{AnalysisError, by_dem, by_limit, notes, picture, pieces};
 use bridge::ring::Intrados;
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::limit;
-use mechanics::watch::{Progress, Unwatched, Watch, Wish};
+use mechanics::watch::{Pace, Progress, Watch, Wish};
 use outcome::collapse::{By, Sought};
 use outcome::collapse::{Collapse, LimitReport, Status, ThicknessReport};
 use std::cell::RefCell;
@@ -52,7 +52,7 @@ pub fn thickness(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Ana
     // What is wrong with the bridge as given is said before any search.
     thickened(bridge, 1.0)?;
     let mut c = match bridge.plan.method {
-        Method::Limit => by_limit(bridge)?,
+        Method::Limit => by_limit(bridge, watch)?,
         Method::Dem => by_dem(bridge, watch)?,
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("the least thickness")),
     };
@@ -75,21 +75,22 @@ fn intrados_radius(bridge: &Bridge) -> Option<f64> {
     Intrados::new(&span.profile, span.span, span.rise).ok()?.circle()
 }
 
-fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
+fn by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let settings = by_limit::settings(bridge);
-    let failed = RefCell::new(None);
     let given = thickened(bridge, 1.0)?;
-    let make = |factor: f64| match thickened(bridge, factor) {
-        Ok(d) => (d.model, d.loading),
-        Err(error) => {
-            failed.replace(Some(error));
-            (given.model.clone(), given.loading.clone())
-        }
+    let search = |pace: &Pace| {
+        let failed = RefCell::new(None);
+        let make = |factor: f64| match thickened(bridge, factor) {
+            Ok(d) => (d.model, d.loading),
+            Err(error) => {
+                failed.replace(Some(error));
+                (given.model.clone(), given.loading.clone())
+            }
+        };
+        let found = limit::minimum_thickness(range(bridge), EXACT, 1.0, &settings, pace, make)?;
+        failed.into_inner().map_or(Ok(found), Err)
     };
-    let found = limit::minimum_thickness(range(bridge), EXACT, 1.0, &settings, make)?;
-    if let Some(error) = failed.into_inner() {
-        return Err(error);
-    }
+    let found = pieces::alone("least thickness", true, watch, search)?;
     let shown = thickened(bridge, found.stands.or(found.falls).unwrap_or(1.0))?;
     let (joints, line) = limit::least_thrust(&shown.model, &shown.loading, 0.0, &settings)?;
     let mut picture = picture::built(bridge, &shown, "least thickness");
@@ -108,19 +109,33 @@ fn by_limit(bridge: &Bridge) -> Result<Collapse, AnalysisError> {
         limit::ThicknessStatus::StandsAtThinnest => Status::StableToLastLoad,
         limit::ThicknessStatus::FallsAtThickest => Status::UnstableUnderSelfWeight,
         limit::ThicknessStatus::NotConverged => Status::NotConverged,
+        limit::ThicknessStatus::Cancelled => Status::Cancelled,
     };
     c.sought = Sought::Thickness(found.falls.zip(found.stands).map(|(fell, stood)| report(bridge, [fell, stood])));
     notes::limit(bridge, &shown, &mut c);
     Ok(c)
 }
 
+/// An onlooker who is told which thickness is tried.
+struct Trial<'a> {
+    watch: &'a mut dyn Watch,
+    factor: f64,
+}
+
+impl Watch for Trial<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let stage = format!("thickness {:.4} of the given one: {}", self.factor, progress.stage);
+        self.watch.look(&Progress { stage, fraction: None, steps: progress.steps })
+    }
+}
+
 fn by_dem(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     by_dem::require_stiffness(bridge)?;
     let settings = by_dem::settings(bridge);
-    let run = |factor: f64| -> Result<(Discretised, dem::Outcome), AnalysisError> {
+    let run = |factor: f64, watch: &mut dyn Watch| -> Result<(Discretised, dem::Outcome), AnalysisError> {
         let d = thickened(bridge, factor)?;
         let program = dem::Program { increment: 1.0, limit: 0.0, resolution: None, watched: d.watched };
-        let outcome = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;
+        let outcome = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Trial { watch, factor })?;
         Ok((d, outcome))
     };
     let [least, most] = range(bridge);
@@ -136,7 +151,7 @@ fn by_dem(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisEr
             ended = Status::Cancelled;
             break;
         }
-        let (d, outcome) = run(factor)?;
+        let (d, outcome) = run(factor, watch)?;
         match outcome.status {
             dem::Status::StableToLastLoad => stood = Some((factor, d, outcome)),
             dem::Status::UnstableUnderSelfWeight | dem::Status::Collapsed => {
@@ -167,7 +182,7 @@ fn by_dem(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisEr
     let (d, outcome) = match (&stood, last_fall) {
         (Some((_, d, o)), None) => (d.clone(), o.clone()),
         (_, Some(fall)) => fall,
-        (None, None) => run(1.0)?,
+        (None, None) => run(1.0, watch)?,
     };
     let mut c = by_dem::report(bridge, &d, &outcome, "least thickness", &|factor| factor);
     c.status = ended;

@@ -4,18 +4,18 @@
 use super::service::Wanted;
 use super::ultimate::by_weight_alone;
 use super::{at_position, service, window};
+use crate::analysis::pieces;
 use crate::analysis::vehicles::vehicle_sweep;
 use crate::checks::{CHECKS, Check, Probe};
 use crate::evidence::Evidence;
 use bridge::Bridge;
 use bridge::edit::Document;
 use bridge::vary::{Spread, Varied, find, known, settle};
-use mechanics::watch::{Progress, Watch, Wish};
+use mechanics::watch::{Pace, Watch};
 use outcome::assessment::Stage;
 use outcome::checked::{Checked, Comparison, governing};
 use outcome::facts::{ChangeFacts, SensitivityFacts};
 use outcome::passage::PassageStatus;
-use rayon::prelude::*;
 use thiserror::Error;
 
 /// Share by which quantities are changed.
@@ -92,7 +92,12 @@ pub fn sensitivity(
     let mut plain = document.clone();
     bridge::UPDATE_SECTIONS.iter().chain(&["vary", "expected"]).for_each(|section| plain.remove(section));
     let document = &plain;
-    let base = probe.utilisation(&own.bridge).ok_or(SensitivityError::NoBaseline(card.title))?;
+    let stage = pieces::Stage { name: "the governing check by itself", steps: 1, shares: [0.0, 0.0] };
+    let (base, done) = pieces::each(&[()], &stage, watch, |(), pace| probe.utilisation(&own.bridge, pace));
+    if !done {
+        return Ok(None);
+    }
+    let base = base.into_iter().flatten().flatten().next().ok_or(SensitivityError::NoBaseline(card.title))?;
     let list: Vec<Varied> = known(document)
         .into_iter()
         .filter(|quantity| matters(by, &quantity.path))
@@ -103,16 +108,16 @@ pub fn sensitivity(
         })
         .take(MOST)
         .collect();
-    let mut quantities = Vec::new();
-    for (k, chunk) in list.chunks(4).enumerate() {
-        let share = 4.0 * k as f64 / list.len() as f64;
-        let steps = 4 * k as u64;
-        if watch.look(&Progress { stage: "sensitivities".to_owned(), fraction: Some(share), steps }) == Wish::Stop {
-            return Ok(None);
-        }
-        let found: Vec<ChangeFacts> = chunk.par_iter().map(|varied| probe.change(document, varied)).collect();
-        quantities.extend(found);
+    let stage = pieces::Stage { name: "sensitivities", steps: list.len() as u64, shares: [0.0, 1.0] };
+    let (found, done) = pieces::each(&list, &stage, watch, |varied, pace| {
+        let change = probe.change(document, varied, pace);
+        pace.step();
+        change
+    });
+    if !done {
+        return Ok(None);
     }
+    let mut quantities: Vec<ChangeFacts> = found.into_iter().flatten().collect();
     let told = |change: &ChangeFacts| {
         [change.less, change.more].iter().flatten().map(|value| (value - base).abs()).fold(0.0, f64::max)
     };
@@ -140,13 +145,13 @@ struct Changed<'a> {
 }
 
 impl Changed<'_> {
-    fn change(&self, document: &Document, varied: &Varied) -> ChangeFacts {
+    fn change(&self, document: &Document, varied: &Varied, pace: &Pace) -> ChangeFacts {
         let value = |k: usize| {
             let mut edited = document.clone();
             edited.set(&varied.path, &varied.values.get(k)?.literal).ok()?;
             let mut bridge = bridge::read(edited.text().as_bytes()).bridge?;
             bridge.take_over(&self.own.bridge);
-            self.utilisation(&bridge)
+            self.utilisation(&bridge, pace)
         };
         ChangeFacts {
             path: varied.path.to_string(),
@@ -157,7 +162,8 @@ impl Changed<'_> {
     }
 
     /// Largest utilisation of the check by the shortened analysis; none where that gives nothing.
-    fn utilisation(&self, bridge: &Bridge) -> Option<f64> {
+    fn utilisation(&self, bridge: &Bridge, pace: &Pace) -> Option<f64> {
+        let watch = &mut pace.clone();
         let by = self.check.probe();
         let mut a = self.own.clone();
         a.bridge = bridge.clone();
@@ -168,11 +174,11 @@ impl Changed<'_> {
                 let plan = alone.sweep.as_mut()?;
                 plan.vehicles = vec![self.governing.load_model.clone()];
                 plan.discrete_elements = false;
-                let found = vehicle_sweep(&alone, &mut mechanics::watch::Unwatched).ok()?;
+                let found = vehicle_sweep(&alone, watch).ok()?;
                 a.facts.vehicles = Stage::Made(super::vehicle_facts(&found));
             }
             Probe::Collapse => {
-                let mut facts = at_position(bridge, self.governing.position?).ok()?;
+                let mut facts = at_position(bridge, self.governing.position?, watch).ok()?;
                 facts.load.clone_from(&self.governing.load_model);
                 a.facts.ultimate = Stage::Made(facts);
             }
@@ -183,7 +189,7 @@ impl Changed<'_> {
                 let mut asked = self.own.asked.clone();
                 asked.service_loads.retain(|load| self.governing.load_model.starts_with(&load.name));
                 let wanted = if by == Probe::Joints { Wanted::Everything } else { Wanted::Sensors };
-                let (facts, _) = service(&short, &asked, wanted, &mut mechanics::watch::Unwatched).ok()?;
+                let (facts, _) = service(&short, &asked, wanted, watch).ok()?;
                 if facts.loads.iter().any(|load| load.status != PassageStatus::Completed) {
                     return None;
                 }

@@ -2,7 +2,7 @@
 
 use crate::analysis::{self, AnalysisError, Places};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
-use mechanics::watch::{Unwatched, Watch};
+use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, UltimateFacts};
 use outcome::sweep::{Sweep, SweepPoint};
@@ -32,10 +32,10 @@ fn rigid(bridge: &Bridge) -> Bridge {
 }
 
 /// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.
-pub fn at_position(bridge: &Bridge, position: f64) -> Result<UltimateFacts, AnalysisError> {
+pub fn at_position(bridge: &Bridge, position: f64, watch: &mut dyn Watch) -> Result<UltimateFacts, AnalysisError> {
     let own = by_weight_alone(bridge);
     let own = rigid(own.as_ref().unwrap_or(bridge));
-    let sweep = analysis::sweep(&own, Places::At(position), true, &mut Unwatched)?;
+    let sweep = analysis::sweep(&own, Places::At(position), true, watch)?;
     let found = sweep.points.first();
     Ok(UltimateFacts {
         status: found.map_or(Status::NotConverged, |point| point.status),
@@ -81,8 +81,8 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
         return Ok(None);
     }
     let worst = sweep.worst().cloned();
-    let file = analysis::collapse_by_limit(&own)?;
-    let at_file = factor(&file);
+    let file = analysis::collapse_by_limit(&own, watch)?;
+    let (at_file, at_status) = (factor(&file), file.status);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
         method: match bridge.fill_pressure.is_some_and(|fill| fill.applies) {
@@ -98,9 +98,12 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     // The file's own place may lie between two positions of the sweep.
     let moved = worst.filter(|worst| worst.bound() < at_file.or(Some(f64::INFINITY)));
     let collapse = match &moved {
-        Some(worst) => analysis::collapse_by_limit(&with_axles(&own, worst.offset, worst.axles))?,
+        Some(worst) => analysis::collapse_by_limit(&with_axles(&own, worst.offset, worst.axles), watch)?,
         None => file,
     };
+    if [at_status, collapse.status].contains(&Status::Cancelled) {
+        return Ok(None);
+    }
     // The governing case by itself may carry less than the sweep found, or find no answer.
     let alone = collapse.status == Status::Collapsed;
     let least = [moved.as_ref().and_then(SweepPoint::bound), factor(&collapse)].into_iter().flatten().reduce(f64::min);
@@ -179,7 +182,8 @@ mod tests {
 
     #[test]
     fn what_is_carried_without_an_answer_is_no_load_factor() {
-        let mut found = analysis::collapse_by_limit(&crate::samples::bridgemill()).unwrap();
+        let mut found =
+            analysis::collapse_by_limit(&crate::samples::bridgemill(), &mut mechanics::watch::Unwatched).unwrap();
         assert!(factor(&found).is_some());
         found.status = Status::NotConverged;
         assert!(found.carried().is_some() && factor(&found).is_none());

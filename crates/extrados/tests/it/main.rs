@@ -8,13 +8,17 @@ use extrados::{
     Blocks, Choice, CollapseOptions, Disk, Means, Memory, Progress, Project, Stepping, Unwatched, VaryOptions, Watch,
     Wish, collapse, collapse_of_blocks, settings, vary,
 use extrados::bridge::passage::PassagePath;
+use extrados::bridge::{Analysis, Method};
 use extrados::results::analysis::Status;
 use extrados::results::analysis::passage::sensors::Placed;
 use extrados::results::analysis::passage::{Moment, PassageStatus};
+use extrados::results::analysis::update::UpdateStatus;
+use extrados::results::analysis::vehicles::Ended;
 use extrados::shelf::Remembered;
 use extrados::{
-    Choice, CollapseOptions, Means, Memory, Passing, Progress, Project, RespondOptions, Stepping, Unwatched,
-    VaryOptions, Watch, Wish, collapse, respond, settings, vary,
+    AssessOptions, Choice, CollapseOptions, Means, Memory, Passing, Progress, Project, RespondOptions, Stepping,
+    SweepOptions, Swept, Unwatched, UpdateOptions, VaryOptions, Watch, Wish, assess, collapse, respond, settings,
+    sweep, update, vary,
 };
 use mechanics::ids::Id;
 
@@ -22,6 +26,8 @@ fn memory() -> Memory {
     Memory::default()
         .with("tiny.toml", include_str!("../../../../examples/tiny/bridge.toml"))
         .with("case-1.toml", include_str!("../../../../examples/bridgemill/case-1.toml"))
+        .with("vehicles.toml", include_str!("../../../../examples/bridgemill/vehicles.toml"))
+        .with("ring.toml", include_str!("../../../../examples/semicircle/ring.toml"))
         .with("train.toml", train(0.05, 40.0))
         .with("few.toml", train(0.1, 16.0))
 }
@@ -135,6 +141,96 @@ fn a_passage_can_be_stepped() {
         assert_eq!(left.channels[0].values[..], whole.channels[0].values[..5]);
     }
     assert_eq!(pictures[1], pictures[2]);
+}
+
+/// Stops at the look with this number, and goes on counting.
+struct Leaving {
+    at: usize,
+    looks: usize,
+}
+
+impl Watch for Leaving {
+    fn look(&mut self, _: &Progress) -> Wish {
+        self.looks += 1;
+        if self.looks >= self.at { Wish::Stop } else { Wish::GoOn }
+    }
+}
+
+/// Every analysis ends as cancelled when it is stopped, at once or on the way, and asks next to nothing after the stop: what it asks
+/// is asked in every iteration.
+#[test]
+fn every_analysis_is_left_when_it_is_stopped() {
+    type Left<'a> = Box<dyn Fn(&mut dyn Watch) -> bool + 'a>;
+    type Run<'a> = (&'a str, usize, Left<'a>);
+    let file = project;
+    let collapsed = |name: &'static str, choice: Choice| -> Left<'_> {
+        Box::new(move |watch| {
+            let options = CollapseOptions { choice, resume: None };
+            let found = collapse(&file(name), &options, watch).expect("an analysis");
+            found.status == Status::Cancelled
+        })
+    };
+    let by = |method| Choice { method: Some(method), ..Choice::default() };
+    let thickness = Choice { analysis: Some(Analysis::Thickness), ..Choice::default() };
+    let passing = |path| -> Left<'_> {
+        Box::new(move |watch| {
+            let options = RespondOptions { path: Some(path), ..RespondOptions::default() };
+            respond(&file("few.toml"), &options, watch).expect("a passage").status == PassageStatus::Cancelled
+        })
+    };
+    let railway = Project::read("../../examples/railway-arch/update.toml", &extrados::Disk).expect("a file");
+    let assessed = Project::read("../../examples/bridgemill/assess.toml", &extrados::Disk).expect("a file");
+    let runs: Vec<Run<'_>> = vec![
+        ("limit analysis", 1, collapsed("case-1.toml", by(Method::Limit))),
+        ("discrete elements", 5, collapsed("case-1.toml", by(Method::Dem))),
+        ("thickness by limit analysis", 1, collapsed("ring.toml", Choice { method: Some(Method::Limit), ..thickness })),
+        (
+            "thickness by discrete elements",
+            5,
+            collapsed("case-1.toml", Choice { method: Some(Method::Dem), ..thickness }),
+        ),
+        ("passage, condensed", 60, passing(PassagePath::Condensed)),
+        ("passage, plain", 20, passing(PassagePath::Plain)),
+        (
+            "loads at every position",
+            2,
+            Box::new(|watch| match sweep(&file("case-1.toml"), &SweepOptions::default(), watch).expect("a sweep") {
+                Swept::Loads(found) => !found.whole,
+                Swept::Vehicles(_) => false,
+            }),
+        ),
+        (
+            "vehicles at every position",
+            2,
+            Box::new(|watch| match sweep(&file("vehicles.toml"), &SweepOptions::default(), watch).expect("a sweep") {
+                Swept::Vehicles(found) => found.status() == Ended::Cancelled,
+                Swept::Loads(_) => false,
+            }),
+        ),
+        (
+            "an evaluation of an update",
+            3,
+            Box::new(|watch| {
+                let found = update(&railway, &UpdateOptions::default(), &Means::default(), watch).expect("an update");
+                found.status == UpdateStatus::Cancelled
+            }),
+        ),
+        (
+            "an assessment",
+            3,
+            Box::new(|watch| {
+                assess(&assessed, &AssessOptions::default(), &Means::default(), watch).expect("stages").is_none()
+            }),
+        ),
+    ];
+    for (name, later, run) in &runs {
+        for at in [1, *later] {
+            let mut leaving = Leaving { at, looks: 0 };
+            assert!(run(&mut leaving), "{name}, stopped at look {at}, does not say so");
+            // Stages that follow are told of the stop, one look each; nothing iterates any more.
+            assert!(leaving.looks <= at + 8, "{name} asks {} times after look {at}", leaving.looks - at);
+        }
+    }
 }
 
 /// Stops a run once it has offered its state, and keeps that.

@@ -6,6 +6,7 @@
 //! the whole program, with the multipliers of all rows. Without a start all stand at their least, then at their most.
 
 use super::simplex::{Corner, Ended, Member, Rows, greatest};
+use crate::watch::Pace;
 
 /// The last unknowns of a program: `-x <= b` and `x <= b` stand one after the other for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,19 +31,26 @@ const ROUNDS: usize = 8;
 const CONTRADICTS: f64 = 1e-10;
 
 /// The best corner, as [`greatest`] finds it, from a basis that was best for another load.
-pub(super) fn greatest_between(rows: &Rows, bounded: Bounded, last: &[f64], start: Option<&[Member]>) -> Ended {
+pub(super) fn greatest_between(
+    rows: &Rows,
+    bounded: Bounded,
+    last: &[f64],
+    start: Option<&[Member]>,
+    pace: &Pace,
+) -> Ended {
     if bounded.count == 0 {
-        return greatest(rows, last, start);
+        return greatest(rows, last, start, pace);
     }
-    let held = Held { rows, bounded, last };
+    let held = Held { rows, bounded, last, pace };
     let starts = start.map(<[Member]>::to_vec).into_iter().chain([held.blank(At::Least), held.blank(At::Most)]);
-    starts.map(|start| held.from(&start)).find_map(|ended| ended).unwrap_or_else(|| greatest(rows, last, None))
+    starts.map(|start| held.from(&start)).find_map(|ended| ended).unwrap_or_else(|| greatest(rows, last, None, pace))
 }
 
 struct Held<'a> {
     rows: &'a Rows,
     bounded: Bounded,
     last: &'a [f64],
+    pace: &'a Pace,
 }
 
 /// A program of fewer unknowns, with the place of each of its rows in the whole one.
@@ -88,7 +96,7 @@ impl Held<'_> {
         for _ in 0..ROUNDS {
             let few = self.few(&at);
             let own = few.own(&members, self)?;
-            let corner = match greatest(&few.rows, &few.last, Some(&own)) {
+            let corner = match greatest(&few.rows, &few.last, Some(&own), self.pace) {
                 Ended::Best(corner) => corner,
                 Ended::Unbounded => return Some(Ended::Unbounded),
                 Ended::Lost => return None,
@@ -250,9 +258,10 @@ mod tests {
         for _ in 0..50 {
             let mut last: Vec<f64> = (0..many).map(|_| random()).collect();
             last.resize(many + 2 * count, 0.0);
-            let (Ended::Best(exact), Ended::Best(held)) =
-                (greatest(&rows, &last, None), greatest_between(&rows, bounded, &last, start.as_deref()))
-            else {
+            let (Ended::Best(exact), Ended::Best(held)) = (
+                greatest(&rows, &last, None, &Pace::default()),
+                greatest_between(&rows, bounded, &last, start.as_deref(), &Pace::default()),
+            ) else {
                 continue;
             };
             let [a, b] = [&exact, &held].map(|c| *c.z.last().unwrap());

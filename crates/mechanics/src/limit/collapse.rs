@@ -13,6 +13,7 @@ use super::settings::{Friction, Settings};
 use super::smooth::smooth;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError};
 use crate::plane::Vec2;
+use crate::watch::Pace;
 use std::sync::OnceLock;
 
 /// Relative gap and residuals to which programs are solved: well below the 1e-6 to which both bounds must agree.
@@ -24,11 +25,21 @@ const BELOW: f64 = 1e-4;
 
 /// The largest factor of the variable loads that the blocks can carry together with gravity and the permanent loads.
 pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Outcome, ModelError> {
+    collapse_load_while(model, loading, settings, &Pace::default())
+}
+
+/// The same while `pace` goes on; [`Status::Cancelled`] where it ends on the way.
+pub fn collapse_load_while(
+    model: &BlockModel,
+    loading: &Loading,
+    settings: &Settings,
+    pace: &Pace,
+) -> Result<Outcome, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
         return Err(ModelError::NothingFree);
     }
     let (interfaces, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let equilibrium = Equilibrium { pace: pace.clone(), ..Equilibrium::new(model, loading, &joints) };
     let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
     let found = largest_factor(&equilibrium, &joints, &strengths);
     let mut outcome = report(model, &equilibrium, &joints, &strengths, interfaces, &found);
@@ -51,6 +62,10 @@ pub fn collapse_load(model: &BlockModel, loading: &Loading, settings: &Settings)
             }
         }
         Friction::NonAssociated | Friction::Automatic => {}
+    }
+    if !pace.goes_on() {
+        let Outcome { interfaces, iterations, friction, .. } = outcome;
+        return Ok(Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations));
     }
     Ok(outcome)
 }

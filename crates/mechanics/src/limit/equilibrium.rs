@@ -4,6 +4,7 @@ use super::joints::Joint;
 use crate::blocks::{BlockModel, Loading, PointForce};
 use crate::ids::{BlockId, Table};
 use crate::plane::{Vec2, vec2};
+use crate::watch::Pace;
 
 /// One entry of a column: equation and coefficient.
 pub(super) type Entry = (usize, f64);
@@ -32,6 +33,8 @@ pub(super) struct Equilibrium {
     pub length: f64,
     /// The scaled factor is the factor divided by this.
     pub factor_scale: f64,
+    /// Asked by the methods that solve them whether to go on.
+    pub pace: Pace,
 }
 
 /// A force that answers movement: between zero and `most`.
@@ -73,6 +76,7 @@ impl Equilibrium {
         let length = unit_of_length(model, joints);
         let mut this = Equilibrium {
             rows,
+            pace: Pace::default(),
             row,
             columns: Vec::with_capacity(3 * joints.len()),
             first_column: Vec::with_capacity(joints.len()),

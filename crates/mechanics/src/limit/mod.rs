@@ -36,7 +36,7 @@ mod sweeper;
 mod thickness;
 mod thrust_zone;
 
-pub use collapse::collapse_load;
+pub use collapse::{collapse_load, collapse_load_while};
 pub use ground::{Effect, Ground, Section};
 pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForces, Resultant, Status};
 pub use settings::{ContactPoints, Friction, Settings};

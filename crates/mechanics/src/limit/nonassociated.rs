@@ -17,6 +17,7 @@ use super::collapse::TOLERANCE;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength};
 use super::program::{Ending, Program, Role, Solution};
+use crate::watch::Pace;
 
 /// Share of a joint's compression down to which the fictitious surface is level.
 const REACH: f64 = 0.3;
@@ -70,8 +71,9 @@ pub(super) fn settle(
     }
     let mut best: Option<Settled> = None;
     let mut iterations = 0;
-    for (start, price) in starts {
-        let (found, used) = from(equilibrium, joints, strengths, start, price);
+    let count = starts.len();
+    for (k, (start, price)) in starts.into_iter().enumerate() {
+        let (found, used) = from(equilibrium, joints, strengths, start, price, &equilibrium.pace.part(k, count));
         iterations += used;
         let Some((solution, fictitious)) = found else { continue };
         let range = [solution.factor.min(fictitious), solution.factor.max(fictitious)];
@@ -95,6 +97,7 @@ fn from(
     strengths: &[Strength],
     start: Vec<f64>,
     price: f64,
+    pace: &Pace,
 ) -> (Option<(Solution, f64)>, u32) {
     let (mut compression, mut previous, mut iterations) = (start, f64::INFINITY, 0);
     let mut solve = |reach: f64, cap: Option<f64>, compression: &mut dyn Iterator<Item = f64>| {
@@ -118,6 +121,7 @@ fn from(
     };
     let mut end = None;
     for round in 0..ROUNDS {
+        pace.reach(round as f64 / ROUNDS as f64);
         let Some(solution) = solve(REACH, None, &mut compression.iter().copied()) else { break };
         let size = solution.factor.abs().max(1e-3);
         let last = round + 1 == ROUNDS;

@@ -16,6 +16,8 @@ pub enum Status {
     NoEquilibrium,
     /// The program was not solved to its tolerance; no number is reported as an answer.
     NotConverged,
+    /// It was stopped on the way; no number is reported.
+    Cancelled,
 }
 
 /// Forces of one contact point.

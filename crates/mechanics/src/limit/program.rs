@@ -121,12 +121,14 @@ impl<'a> Program<'a> {
             velocities: vec![0.0; self.equilibrium.rows],
             iterations: 0,
         };
-        if a.nzval.iter().chain(&b).chain(&q).any(|v| !v.is_finite()) {
+        if !self.equilibrium.pace.goes_on() || a.nzval.iter().chain(&b).chain(&q).any(|v| !v.is_finite()) {
             return unknown();
         }
         let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
             return unknown();
         };
+        let pace = self.equilibrium.pace.clone();
+        solver.set_termination_callback(move |_| !pace.beat());
         solver.solve();
         let found = &solver.solution;
         if found.x.iter().chain(&found.z).any(|v| !v.is_finite()) {

@@ -5,6 +5,8 @@
 //! both bounds meet. The mechanism's multipliers depend on the load only through one number, the work of the load. So a
 //! basis that was best for one load is a start for every other load that does work on it.
 
+use crate::watch::Pace;
+
 /// Rows `a z <= b`, `a` without its last column: what does not depend on the load.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
@@ -44,7 +46,7 @@ pub(super) enum Ended {
     Best(Corner),
     /// No row bounds the last unknown.
     Unbounded,
-    /// Round-off, or too many exchanges.
+    /// Round-off, too many exchanges, or the end of the work.
     Lost,
 }
 
@@ -69,7 +71,7 @@ const PIVOT: f64 = 1e-9;
 const REFRESH: usize = 40;
 
 /// Finds the best corner. `last` is the last column; `start` the rows of a basis to begin with, where there is one.
-pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>) -> Ended {
+pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>, pace: &Pace) -> Ended {
     if let Some(start) = start {
         // What is fixed has no multiplier; a basis that bounds nothing is none.
         let may = |(member, y): (&Member, &f64)| match member {
@@ -77,7 +79,7 @@ pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>) -> E
             Member::Fixed(_) => y.abs() <= 1e-12,
             Member::Far => false,
         };
-        if let Some(search) = Search::new(rows, last, start.to_vec())
+        if let Some(search) = Search::new(rows, last, start.to_vec(), pace)
             && search.members.iter().zip(&search.y).all(may)
         {
             match search.run() {
@@ -88,7 +90,7 @@ pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>) -> E
     }
     let mut members: Vec<Member> = (0..rows.width).map(Member::Fixed).collect();
     members.push(Member::Far);
-    Search::new(rows, last, members).map_or(Ended::Lost, Search::run)
+    Search::new(rows, last, members, pace).map_or(Ended::Lost, Search::run)
 }
 
 struct Search<'a> {
@@ -101,12 +103,13 @@ struct Search<'a> {
     /// Multipliers.
     y: Vec<f64>,
     pivots: usize,
+    pace: &'a Pace,
 }
 
 impl<'a> Search<'a> {
-    fn new(rows: &'a Rows, last: &'a [f64], members: Vec<Member>) -> Option<Self> {
+    fn new(rows: &'a Rows, last: &'a [f64], members: Vec<Member>, pace: &'a Pace) -> Option<Self> {
         let size = rows.width + 1;
-        let mut this = Search { rows, last, size, members, inverse: Vec::new(), y: Vec::new(), pivots: 0 };
+        let mut this = Search { rows, last, size, members, inverse: Vec::new(), y: Vec::new(), pivots: 0, pace };
         this.refresh()?;
         Some(this)
     }
@@ -193,7 +196,7 @@ impl<'a> Search<'a> {
             };
             self.pivots += 1;
             since_refresh += 1;
-            if self.pivots > most || !self.exchange(entering) {
+            if self.pivots > most || !self.pace.beat() || !self.exchange(entering) {
                 return Ended::Lost;
             }
             if since_refresh >= REFRESH {
@@ -312,7 +315,7 @@ mod tests {
         let (rows, last) = rows(&[([1.0, 1.0], 2.0), ([-1.0, 1.0], 1.0), ([0.0, 1.0], 10.0)]);
         let [a, b, c] = [0, 1, 2].map(Member::Row);
         for start in [None, Some(&[a, b][..]), Some(&[a, c][..])] {
-            let Ended::Best(corner) = greatest(&rows, &last, start) else { panic!("{start:?}") };
+            let Ended::Best(corner) = greatest(&rows, &last, start, &Pace::default()) else { panic!("{start:?}") };
             assert!((corner.z[0] - 0.5).abs() < 1e-14 && (corner.z[1] - 1.5).abs() < 1e-14);
             assert!((corner.upper - 1.5).abs() < 1e-14);
         }
@@ -321,6 +324,6 @@ mod tests {
     #[test]
     fn what_nothing_bounds_is_unbounded() {
         let (rows, last) = rows(&[([1.0, 0.0], 2.0), ([-1.0, 0.0], 1.0)]);
-        assert!(matches!(greatest(&rows, &last, None), Ended::Unbounded));
+        assert!(matches!(greatest(&rows, &last, None, &Pace::default()), Ended::Unbounded));
     }
 }

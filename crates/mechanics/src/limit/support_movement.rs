@@ -22,6 +22,7 @@ use super::settings::Settings;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use crate::ids::{BlockId, Id, Table};
 use crate::plane::{Pose, Rotation, Vec2};
+use crate::watch::Pace;
 
 /// The increments of a movement, as factors of [`Loading::movements`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +44,8 @@ pub enum MovementStatus {
     StandsThroughout,
     /// The blocks do not stand before any movement.
     NoEquilibrium,
+    /// It was stopped on the way; the blocks stood as far as they came.
+    Cancelled,
 }
 
 /// One state on the way.
@@ -87,6 +90,7 @@ pub fn support_movement(
     load_factor: f64,
     increments: Increments,
     settings: &Settings,
+    pace: &Pace,
 ) -> Result<MovementOutcome, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
         return Err(ModelError::NothingFree);
@@ -100,7 +104,7 @@ pub fn support_movement(
         angles: model.blocks.iter().map(|_| 0.0).collect(),
         slipped: vec![0.0; joints.len()],
     };
-    let chain = Chain { model, loading, loads: &loads, joints: &joints };
+    let chain = Chain { model, loading, loads: &loads, joints: &joints, pace };
     let mut outcome = MovementOutcome {
         status: MovementStatus::NoEquilibrium,
         stands: 0.0,
@@ -120,12 +124,18 @@ pub fn support_movement(
         match followed.and_then(|f| chain.follow(&f.state, 0.0, advance)).filter(|f| f.motion <= small) {
             Some(followed) => {
                 factor += advance;
+                pace.step();
+                pace.reach(factor / increments.largest);
                 outcome.status = MovementStatus::StandsThroughout;
                 outcome.stands = factor;
                 outcome.path.push(MovementStep { factor, reaction: followed.reaction });
                 outcome.resultants = followed.resultants;
                 state = followed.state;
                 step = (2.0 * step).min(increments.step);
+            }
+            None if !pace.goes_on() => {
+                outcome.status = MovementStatus::Cancelled;
+                break;
             }
             None if step > increments.resolution => step *= 0.5,
             None => {
@@ -168,6 +178,7 @@ struct Chain<'a> {
     loading: &'a Loading,
     loads: &'a [PointForce],
     joints: &'a [Joint],
+    pace: &'a Pace,
 }
 
 /// One increment.
@@ -221,6 +232,7 @@ impl Chain<'_> {
         let permanent = self.loads.iter().map(|f| PointForce { at: state.place(f.block, f.at), ..*f }).collect();
         let loading = Loading { permanent, ..Loading::default() };
         let equilibrium = Equilibrium::placed(self.model, &state.centroids, &loading, &joints);
+        let equilibrium = Equilibrium { pace: self.pace.clone(), ..equilibrium };
         let imposed = self.imposed(advance);
         // Motions are in units of the largest imposed one, so that the program has numbers of the order of one.
         let unit = self.reference(&self.imposed(scale));

@@ -39,7 +39,7 @@ pub fn sweep(
 ) -> Result<Sweep, ModelError> {
     let ground = Ground::new(model, loading, settings)?;
     let mut sweeper = ground.sweeper();
-    let places: Vec<Place> = loads.iter().map(|load| place(&mut sweeper, settings, load)).collect();
+    let places: Vec<Place> = loads.iter().map(|load| sweeper.place(load, settings.friction)).collect();
     let mut governing = None;
     let mut lowest = f64::INFINITY;
     for (i, place) in places.iter().enumerate() {
@@ -52,25 +52,32 @@ pub fn sweep(
     Ok(Sweep { places, governing })
 }
 
-fn place(sweeper: &mut Sweeper, settings: &Settings, load: &[PointForce]) -> Place {
-    let effect = sweeper.effect(load);
-    let found = sweeper.factor(&effect);
-    let mut place = Place {
-        status: found.status,
-        factor: found.lower,
-        upper_bound: found.upper,
-        associated_factor: found.lower,
-        friction: Friction::Associated,
-    };
-    let level = match settings.friction {
-        Friction::Associated => false,
-        Friction::NonAssociated => true,
-        Friction::Automatic => found.status == Status::Locks || found.slides,
-    };
-    if level && matches!(found.status, Status::Solved | Status::Locks) {
-        place.friction = Friction::NonAssociated;
-        place.factor = sweeper.level(&effect);
-        place.status = if place.factor.is_some() { Status::Solved } else { Status::NotConverged };
+impl Sweeper<'_> {
+    /// The load factor of a load.
+    pub fn place(&mut self, load: &[PointForce], friction: Friction) -> Place {
+        let effect = self.effect(load);
+        let found = self.factor(&effect);
+        let mut place = Place {
+            status: found.status,
+            factor: found.lower,
+            upper_bound: found.upper,
+            associated_factor: found.lower,
+            friction: Friction::Associated,
+        };
+        let level = match friction {
+            Friction::Associated => false,
+            Friction::NonAssociated => true,
+            Friction::Automatic => found.status == Status::Locks || found.slides,
+        };
+        if level && matches!(found.status, Status::Solved | Status::Locks) {
+            place.friction = Friction::NonAssociated;
+            place.factor = self.level(&effect);
+            place.status = match place.factor {
+                Some(_) => Status::Solved,
+                None if !self.goes_on() => Status::Cancelled,
+                None => Status::NotConverged,
+            };
+        }
+        place
     }
-    place
 }

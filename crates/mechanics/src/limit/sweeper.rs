@@ -11,6 +11,7 @@ use super::program::{Ending, Solution};
 use super::reduced::{Elastic, tangents};
 use super::simplex::{Corner, Ended, Member};
 use crate::blocks::PointForce;
+use crate::watch::Pace;
 
 /// Bounds that differ by more than this, relative, are left to the interior-point method: far above the round-off of a
 /// refined corner, far below the 1e-6 to which both bounds must agree.
@@ -59,6 +60,7 @@ impl Ground<'_> {
             given: Vec::new(),
             moved: Vec::new(),
             oldest: 0,
+            pace: Pace::default(),
         }
     }
 }
@@ -109,9 +111,21 @@ pub struct Sweeper<'a> {
     /// Motions of loads that the interior-point method answered.
     moved: Vec<Moved>,
     oldest: usize,
+    pace: Pace,
 }
 
 impl Sweeper<'_> {
+    /// Asks whether to go on; factors and forces that it finds after the end are none.
+    #[must_use]
+    pub fn paced(mut self, pace: &Pace) -> Self {
+        self.pace = pace.clone();
+        self
+    }
+
+    pub(super) fn goes_on(&self) -> bool {
+        self.pace.goes_on()
+    }
+
     /// What a load does.
     pub fn effect(&mut self, load: &[PointForce]) -> Effect {
         let ground = self.ground;
@@ -140,15 +154,22 @@ impl Sweeper<'_> {
 
     /// The factor at which a load makes a mechanism, with dilatant friction.
     pub fn factor(&mut self, effect: &Effect) -> Factor {
-        match self.corner(effect) {
-            Reached::Locks => Factor {
-                status: Status::Locks,
-                lower: None,
-                upper: None,
-                slides: false,
-                iterations: 0,
-                by_interior_point: false,
-            },
+        let none = |status| Factor {
+            status,
+            lower: None,
+            upper: None,
+            slides: false,
+            iterations: 0,
+            by_interior_point: false,
+        };
+        let found = self.any_factor(effect).unwrap_or_else(|| none(Status::Locks));
+        if self.pace.goes_on() { found } else { none(Status::Cancelled) }
+    }
+
+    /// That factor; none where the blocks lock.
+    fn any_factor(&mut self, effect: &Effect) -> Option<Factor> {
+        Some(match self.corner(effect) {
+            Reached::Locks => return None,
             Reached::Corner(corner, scale) => Factor {
                 status: Status::Solved,
                 lower: corner.z.last().map(|z| z * scale),
@@ -180,7 +201,7 @@ impl Sweeper<'_> {
                     by_interior_point: true,
                 }
             }
-        }
+        })
     }
 
     /// Upper bound of a load's factor by the mechanisms of loads that were answered before; infinite where none bounds it.
@@ -251,7 +272,7 @@ impl Sweeper<'_> {
         let ground = self.ground;
         let forces = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
         let settled = super::nonassociated::settle(&equilibrium, &ground.joints, &ground.strengths, forces);
-        settled.map(|s| s.solution.factor * equilibrium.factor_scale)
+        settled.filter(|_| self.pace.goes_on()).map(|s| s.solution.factor * equilibrium.factor_scale)
     }
 
     /// The factor at which a load makes a mechanism where sliding does not dilate; the other one where nothing slides.
@@ -283,7 +304,7 @@ impl Sweeper<'_> {
             let reduced = self.reduced.as_ref()?;
             let last: Vec<f64> = reduced.limits.iter().map(|row| -row.of(&effect.forces) / size).collect();
             let bounded = Bounded { first: reduced.standing - 2 * count, count };
-            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_deref()) {
+            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_deref(), &self.pace) {
                 Ended::Best(corner) => corner,
                 // Tangents of joints that crush may still be missing.
                 Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
@@ -386,6 +407,7 @@ impl Sweeper<'_> {
     fn loaded(&self, effect: &Effect) -> Equilibrium {
         let mut equilibrium = self.ground.equilibrium.clone();
         let size = sum_of_sizes(&effect.load);
+        equilibrium.pace = self.pace.clone();
         equilibrium.factor_scale = if size > 0.0 { 1.0 / size } else { 1.0 };
         equilibrium.variable = effect.load.iter().map(|p| p * equilibrium.factor_scale).collect();
         equilibrium

@@ -8,6 +8,7 @@ use super::outcome::Mechanism;
 use super::program::{Ending, Program, Role};
 use super::settings::Settings;
 use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::watch::Pace;
 
 /// How the search for a thickness ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +21,8 @@ pub enum ThicknessStatus {
     FallsAtThickest,
     /// A program was not solved to its tolerance.
     NotConverged,
+    /// It was stopped on the way.
+    Cancelled,
 }
 
 /// The least thickness and how the blocks fall below it.
@@ -45,7 +48,8 @@ struct Trial {
 }
 
 /// Searches `between` two thicknesses [m], down to a bracket of `tolerance` [m], for the least one at which gravity,
-/// permanent loads and `factor` times the variable loads are carried. `make` builds the model of a thickness.
+/// permanent loads and `factor` times the variable loads are carried. `make` builds the model of a thickness; thicknesses are tried
+/// while `pace` goes on.
 ///
 /// The search runs on a margin, not on a yes or no: the force by which every contact point can be kept compressed and
 /// every joint from sliding. It changes sign at the least thickness and is continuous there. Equilibrium alone is
@@ -55,17 +59,22 @@ pub fn minimum_thickness(
     tolerance: f64,
     factor: f64,
     settings: &Settings,
+    pace: &Pace,
     make: impl Fn(f64) -> (BlockModel, Loading),
 ) -> Result<LeastThickness, ModelError> {
     let mut trials = 0;
     let mut attempt = |thickness: f64| {
         trials += 1;
+        pace.step();
         let (model, loading) = make(thickness);
-        margin(&model, &loading, factor, settings)
+        margin(&model, &loading, factor, settings, pace)
             .map(|found| found.map(|(margin, mechanism)| Trial { thickness, margin, mechanism }))
     };
     let nothing = |status| LeastThickness { status, stands: None, falls: None, mechanism: None, trials: 0 };
-    let not_converged = || nothing(ThicknessStatus::NotConverged);
+    let not_converged = || match pace.goes_on() {
+        true => nothing(ThicknessStatus::NotConverged),
+        false => nothing(ThicknessStatus::Cancelled),
+    };
     let (Some(mut thin), Some(mut thick)) = (attempt(between[0])?, attempt(between[1])?) else {
         return Ok(not_converged());
     };
@@ -84,9 +93,10 @@ pub fn minimum_thickness(
     }
     // The secant of the margins, with the Illinois rule against one end that never moves, kept a little inside.
     let (mut low, mut high) = (thin.margin, thick.margin.max(0.0));
-    let mut last = 0;
+    let (mut last, whole) = (0, thick.thickness - thin.thickness);
     while thick.thickness - thin.thickness > tolerance {
         let width = thick.thickness - thin.thickness;
+        pace.reach((width / whole).ln() / (tolerance / whole).ln());
         let secant = thin.thickness - low * width / (high - low);
         let inset = (0.4 * tolerance).max(0.01 * width).min(0.5 * width);
         let next = secant.clamp(thin.thickness + inset, thick.thickness - inset);
@@ -119,12 +129,13 @@ fn margin(
     loading: &Loading,
     factor: f64,
     settings: &Settings,
+    pace: &Pace,
 ) -> Result<Option<(f64, Option<Mechanism>)>, ModelError> {
     if model.blocks.iter().all(|b| b.held.is_fixed()) {
         return Err(ModelError::NothingFree);
     }
     let (_, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium::new(model, loading, &joints);
+    let equilibrium = Equilibrium { pace: pace.clone(), ..Equilibrium::new(model, loading, &joints) };
     let strengths: Vec<_> = joints.iter().map(|j| j.strength).collect();
     let factor = factor / equilibrium.factor_scale;
     let rest: Vec<f64> = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
@@ -142,6 +153,6 @@ fn margin(
         role: Role::Margin,
     };
     let solution = program.solve(TOLERANCE);
-    Ok((solution.ending == Ending::Solved)
+    Ok((solution.ending == Ending::Solved && pace.goes_on())
         .then(|| (solution.factor, mechanism(model, &equilibrium, &joints, &solution.velocities))))
 }

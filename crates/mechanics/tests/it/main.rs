@@ -39,6 +39,7 @@ mod limit_models;
 mod limit_movement;
 mod limit_oracle;
 mod limit_section;
+mod limit_stops;
 mod limit_sweeper;
 mod limit_thickness;
 mod limit_walls;

@@ -94,7 +94,10 @@ fn a_load_does_not_run_down_a_steep_haunch() {
         b.loads[0].position = 1.0;
         let spread = discretise(&b).unwrap().spreads[0].clone();
         b.plan.method = bridge::Method::Limit;
-        (spread, assess::analysis::collapse_by_limit(&b).unwrap().collapse_load.unwrap())
+        (
+            spread,
+            assess::analysis::collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap(),
+        )
     };
     let (uniform, carried) = load(DispersalRule::Uniform);
     let down: f64 = uniform.forces.iter().map(|f| -f.force.y).sum();

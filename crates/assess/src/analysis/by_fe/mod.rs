@@ -49,7 +49,10 @@ pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse
         contact_points: limit::ContactPoints::FullRing,
         ..by_limit::single(bridge, &d)
     };
-    let rigid = by_limit::solve(&d, &rigid)?;
+    let rigid = by_limit::watched(&d, &rigid, watch)?;
+    if rigid.status == limit::Status::Cancelled {
+        return Ok(by_limit::cancelled(bridge, &d));
+    }
     let mut chosen = Vec::new();
     let (program, load_step) = program(&bridge.plan, &d, rigid.factor.or(rigid.associated_factor), &mut chosen)?;
     let parts = model::parts(bridge, &d);

@@ -71,10 +71,16 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k], &case);
-        let mut by_limit = super::collapse_by_limit(&one)?;
-        found.vehicles[k].governed_by(&by_limit, found.rule.capacity_factor());
+        let mut by_limit = super::collapse_by_limit(&one, watch)?;
+        match by_limit.status {
+            Status::Cancelled => {
+                let least = found.vehicles[k].factor();
+                found.vehicles[k].end(false, least);
+            }
+            _ => found.vehicles[k].governed_by(&by_limit, found.rule.capacity_factor()),
+        }
         by_limit.picture.case = Some(told::case(&found.vehicles[k], &case, &one));
-        if plan.discrete_elements {
+        if plan.discrete_elements && by_limit.status != Status::Cancelled {
             let limit = found.vehicles[k].factor();
             found.discrete_elements = Some(discrete::carried(&one, &by_limit, &found.rule, limit, watch));
         }

@@ -124,7 +124,12 @@ pub(super) fn screened(
     }
     let borders = borders(bridge, range);
     let twins = twins(vehicles, &feet);
-    let seeds = if screen && !grounds[0].is_fast() { seeds(bridge, d, &grounds[0], &feet[0]) } else { Vec::new() };
+    let seeds = match screen && !grounds[0].is_fast() {
+        true => pieces::alone("mechanisms to begin with", false, watch, |pace| {
+            seeds(bridge, d, &grounds[0], &feet[0], pace)
+        }),
+        false => Vec::new(),
+    };
     let scene = Scene {
         d,
         grounds: &grounds,
@@ -184,7 +189,7 @@ struct Parts {
 impl Scene<'_> {
     /// Positions of one drive, one after the other.
     fn part(&self, drive: usize, positions: &[f64], pace: &Pace) -> Part {
-        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(Ground::sweeper).collect();
+        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
         sweepers.iter_mut().for_each(|sweeper| sweeper.take(self.seeds));
         let mut part = Part {
             drive,
@@ -233,7 +238,11 @@ impl Scene<'_> {
                 continue;
             }
             let by_interior_point = part.slow;
-            match self.answer(&mut sweepers[key.weights], part, key, &effect) {
+            let met = self.answer(&mut sweepers[key.weights], part, key, &effect);
+            if !pace.goes_on() {
+                return None;
+            }
+            match met {
                 Met::Factor(answer) => {
                     bounded.push([at_most, answer.factor]);
                     least = least.filter(|least| least.factor <= answer.factor).or(Some(answer));
@@ -332,7 +341,7 @@ impl Scene<'_> {
             swept.end(all.whole, None);
             return swept;
         };
-        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(Ground::sweeper).collect();
+        let mut sweepers: Vec<Sweeper> = self.grounds.iter().map(|ground| ground.sweeper().paced(pace)).collect();
         let (worst, unanswered) = self.refined(&mut sweepers, worst, step, pace);
         swept.envelope.extend(unanswered.into_iter().map(|key| EnvelopePoint {
             adequacy: None,
@@ -356,6 +365,9 @@ impl Scene<'_> {
                 continue;
             }
             let level = sweeper.level_factor(&effect).map(|level| level * self.capacity);
+            if !pace.goes_on() {
+                break;
+            }
             swept.slides_at(&self.point(&key), level);
             if let Some(adequacy) = level {
                 swept.without_dilation = Some(swept.without_dilation.map_or(adequacy, |old| old.min(adequacy)));
@@ -423,6 +435,9 @@ impl Scene<'_> {
                 let position = middle + 0.1 * width * f64::from(k);
                 let Some((key, effect)) = self.again(sweepers, &worst.key, position) else { continue };
                 let found = sweepers[key.weights].factor(&effect);
+                if !pace.goes_on() {
+                    return (worst, open);
+                }
                 match (found.lower, found.upper) {
                     (Some(factor), Some(upper)) if factor < worst.factor => worst = Answer { key, factor, upper },
                     (None, _) if found.status != limit::Status::Locks => open.push(key),

@@ -5,13 +5,14 @@ use bridge::Bridge;
 use mechanics::limit::Ground;
 use structure::discretise::Discretised;
 use structure::discretise::dispersal::{Strip, spread};
+use mechanics::watch::Pace;
 
 /// Places in a span under which an axle gives the mechanisms to begin with.
 const SEEDS: usize = 12;
 
 /// Mechanisms under an axle at many places, to begin with: wherever a vehicle stands, one of them lies near.
-pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint) -> Vec<Vec<f64>> {
-    let mut sweeper = ground.sweeper();
+pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint, pace: &Pace) -> Vec<Vec<f64>> {
+    let mut sweeper = ground.sweeper().paced(pace);
     let mut motions = Vec::new();
     let mut left = 0.0;
     for (k, span) in bridge.spans.iter().enumerate() {
@@ -19,7 +20,7 @@ pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint
             let middle = left + span.span * place as f64 / SEEDS as f64;
             let strip = Strip { middle, length: foot.length, force: 1e3 };
             let spread = spread(strip, foot.dispersal, d.surface, &d.extrados);
-            if !spread.forces.is_empty() {
+            if !spread.forces.is_empty() && pace.goes_on() {
                 let effect = sweeper.effect(&spread.forces);
                 motions.push(sweeper.motion(&effect));
             }

@@ -51,7 +51,7 @@ fn alone(b: &Bridge, found: &VehicleSweep, index: usize) -> f64 {
     let factored = factored::bridge(b, &rule, &case.weights);
     let mut one = factored::with_case(&factored, plan, &rule, &vehicles[index], case);
     one.plan.friction = bridge::Friction::Associated;
-    let c = crate::analysis::collapse_by_limit(&one).unwrap();
+    let c = crate::analysis::collapse_by_limit(&one, &mut mechanics::watch::Unwatched).unwrap();
     assert!((c.reference_load / case.load - 1.0).abs() < 1e-9, "{} {}", c.reference_load, case.load);
     c.collapse_load.unwrap() / c.reference_load * rule.capacity_factor()
 }
