@@ -38,6 +38,12 @@ macro_rules! choice {
             }
         }
 
+        impl std::fmt::Display for $name {
+            fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                to.pad(self.word())
+            }
+        }
+
         impl $crate::choice::Choice for $name {
             const WORDS: &'static [$crate::choice::Word] =
                 &[$($crate::choice::Word { word: $word, doc: concat!($($doc),+).trim_ascii() }),+];

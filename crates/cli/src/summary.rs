@@ -254,7 +254,7 @@ fn combination(page: &mut String, both: &Combination) {
         let _ = writeln!(
             page,
             "  {:<6}  {:>9.2}   {:>14}   {:>12}   {:>18}   {:>15}   {}",
-            ::outcome::published::strip(part.strip),
+            part.strip,
             part.width,
             load(part.headline, 2),
             load(whole, 0),

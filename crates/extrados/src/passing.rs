@@ -4,9 +4,10 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::respond::{RespondOptions, crossed};
 use crate::watch::{Looking, Watch};
-use assess::analysis::AnalysisError;
-use assess::analysis::passage::{self, Moment, Passage, PassageStatus, Setup, report, setup};
+use assess::analysis::passage::{Setup, report, setup};
+use assess::analysis::{AnalysisError, passage};
 use bridge::Bridge;
+use outcome::passage::{Moment, Passage, PassageStatus};
 use std::borrow::Cow;
 
 /// A passage that goes on when it is told to. Its numbers are those of [`respond`](crate::respond()), by either path.

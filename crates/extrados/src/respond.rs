@@ -3,10 +3,7 @@
 use crate::passing::Passing;
 use crate::project::Project;
 use crate::refusal::Refusal;
-use crate::watch::{Looking, Watch};
-use assess::analysis::passage::passage;
 use crate::watch::Watch;
-use assess::analysis::passage::Passage;
 use bridge::Bridge;
 use bridge::passage::{PassageAnalysis, PassagePath};
 use outcome::passage::Passage;

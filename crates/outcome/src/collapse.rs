@@ -3,7 +3,7 @@
 use crate::picture::{Hinge, Picture, Point};
 use crate::warning::Warning;
 use crate::words::words;
-use bridge::{Analysis, Method, Strip};
+use bridge::{Analysis, ContactLength, Method, Strip};
 use serde::{Deserialize, Serialize};
 
 words! {
@@ -144,16 +144,6 @@ impl Status {
     }
 }
 
-words! {
-    /// Which length a contact stands for.
-    pub enum ContactLength {
-        /// As built.
-        Fixed = "fixed",
-        /// The compressed part of the joint.
-        Updated = "updated",
-    }
-}
-
 /// What only the discrete element method reports.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DemReport {
@@ -237,7 +227,7 @@ pub struct LimitReport {
 }
 
 /// What only finite elements report.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct FiniteReport {
     /// Free components of displacement.
     pub equations: usize,

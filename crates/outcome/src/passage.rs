@@ -4,6 +4,7 @@ use crate::mesh::MeshPicture;
 use crate::picture::{Point, ThrustPoint};
 use crate::warning::Warning;
 use crate::words::words;
+use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
 use serde::{Deserialize, Serialize};
 
 words! {
@@ -209,36 +210,6 @@ pub struct Influence {
 }
 
 words! {
-    /// Whether positions are at rest.
-    pub enum Analysis {
-        /// Every position at rest.
-        Static = "static",
-        /// With inertia and damping.
-        Transient = "transient",
-    }
-}
-
-words! {
-    /// Which shape equilibrium is written on.
-    pub enum Kinematics {
-        /// The bridge as built.
-        Small = "small",
-        /// The deformed bridge.
-        Large = "large",
-    }
-}
-
-words! {
-    /// How positions are solved.
-    pub enum Path {
-        /// Linear zones condensed to what iterates.
-        Condensed = "condensed",
-        /// All degrees of freedom at every position.
-        Plain = "plain",
-    }
-}
-
-words! {
     /// Which part of a run a step belongs to.
     #[derive(Default)]
     pub enum Part {
@@ -260,11 +231,11 @@ pub struct Passage {
     /// Its speed [m/s].
     pub speed: f64,
     /// At rest at every position, or with inertia.
-    pub analysis: Analysis,
+    pub analysis: PassageAnalysis,
     /// On the bridge as built, or deformed.
-    pub kinematics: Kinematics,
+    pub kinematics: PassageKinematics,
     /// How positions were solved.
-    pub path: Path,
+    pub path: PassagePath,
     /// How it ended.
     pub status: PassageStatus,
     /// Why, where it did not complete.

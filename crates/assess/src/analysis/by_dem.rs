@@ -10,7 +10,6 @@ use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::{Unwatched, Watch};
-use outcome::collapse;
 use outcome::collapse::By;
 use outcome::collapse::{Collapse, DemReport, Status};
 use outcome::picture::{ContactForce, DiscState, Motion, ParticleForce, Partner, Picture, Snapshot, Step, ThrustPoint};
@@ -218,10 +217,7 @@ pub(super) fn numbers(plan: &Plan, outcome: &dem::Outcome, broken_at: Option<(St
         critical_time_step: outcome.critical_time_step,
         single_mass_time_step: outcome.single_mass_time_step,
         damping: damping(plan.damping),
-        contact_length: match plan.contact_length {
-            ContactLength::Fixed => collapse::ContactLength::Fixed,
-            ContactLength::Updated => collapse::ContactLength::Updated,
-        },
+        contact_length: plan.contact_length,
         energy_drift: if work > 0.0 { e.drift().abs() / work } else { 0.0 },
         broken_at,
     }

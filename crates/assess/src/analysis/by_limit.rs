@@ -3,11 +3,12 @@
 use super::blank;
 use super::places::{between_rings, edge_at, lines, point, scaled};
 use super::{AnalysisError, notes, picture, pieces};
-use bridge::{Bridge, ContactPoints, Friction, Plan};
+use bridge::{Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
 use mechanics::watch::{Pace, Watch};
+use outcome::collapse::FiniteReport;
 use outcome::collapse::{By, FlowRule};
 use outcome::collapse::{Collapse, LimitReport, Status};
 use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
@@ -77,9 +78,12 @@ pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Colla
 
 /// What is told of a bridge whose analysis was stopped before it found anything.
 pub(super) fn cancelled(bridge: &Bridge, d: &Discretised) -> Collapse {
-    let mut c = Collapse::blank(bridge, d, Analysis::Load, picture::built(bridge, d, "as built"));
-    (c.method, c.status) = (bridge.plan.method, Status::Cancelled);
-    c
+    let by = match bridge.plan.method {
+        Method::Limit => By::Limit(LimitReport::default()),
+        Method::Dem => By::Dem(None),
+        Method::Fe => By::Fe(FiniteReport::default()),
+    };
+    Collapse { status: Status::Cancelled, ..blank::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }
 }
 
 /// The load factor and those that stand beside it.

@@ -5,7 +5,6 @@ use bridge::{Bridge, Strip};
 use mechanics::blocks::ModelError;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::collapse::{Collapse, Combination, Component, Status};
-use outcome::published;
 use outcome::warning::{self, Warning};
 
 /// Analyses the strip between the walls, then that of the walls, and adds up what they carry by their widths: the
@@ -102,10 +101,7 @@ fn combination(fill: &Collapse, wall: &Collapse, widths: [f64; 2]) -> Combinatio
             .to_string(),
     ];
     for c in components.iter().filter(|c| c.headline.is_none()) {
-        assumptions.push(format!(
-            "No load was found to be carried by the strip \"{}\": there is no sum.",
-            published::strip(c.strip)
-        ));
+        assumptions.push(format!("No load was found to be carried by the strip \"{}\": there is no sum.", c.strip));
     }
     Combination {
         collapse_load: sum(|c| c.collapse_load),

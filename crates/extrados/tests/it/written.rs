@@ -1,6 +1,7 @@
 //! Results are written and read back: every number to its last bit.
 
 use extrados::bridge::Method;
+use extrados::bridge::update::Search;
 use extrados::results::study::Study;
 use extrados::shelf::Unkept;
 use extrados::{
@@ -54,7 +55,7 @@ fn sweeps_and_studies_are_read_back() {
 fn a_passage_and_an_update_are_read_back() {
     let found = respond(&example("railway-arch/passage.toml"), &RespondOptions::default(), &mut Unwatched);
     read_back(&found.expect("a passage"));
-    let options = UpdateOptions { search: Some("gradient"), ..UpdateOptions::default() };
+    let options = UpdateOptions { search: Some(Search::Gradient), ..UpdateOptions::default() };
     let means = Means { shelf: &Unkept, ..Means::default() };
     let found = update(&example("railway-arch/update.toml"), &options, &means, &mut Unwatched);
     read_back(&found.expect("an update"));

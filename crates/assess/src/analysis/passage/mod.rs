@@ -14,10 +14,10 @@ pub use solve::{Passing, Slices, Solution, WantedSlices, records, slices, solve}
 
 use super::AnalysisError;
 use bridge::Bridge;
-use bridge::passage::{PassageAnalysis, PassageKinematics, PassagePath};
+use bridge::passage::PassagePath;
 use mechanics::watch::Watch;
 use outcome::passage::Channel;
-use outcome::passage::{Analysis, Kinematics, Part, Passage, PassageStatus, Path};
+use outcome::passage::{Part, Passage, PassageStatus};
 use outcome::warning::{self, Warning};
 use thiserror::Error;
 
@@ -132,9 +132,9 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         bridge: bridge.name.clone(),
         train: setup.train.clone(),
         speed: plan.speed,
-        analysis: if plan.analysis == PassageAnalysis::Transient { Analysis::Transient } else { Analysis::Static },
-        kinematics: if plan.kinematics == PassageKinematics::Large { Kinematics::Large } else { Kinematics::Small },
-        path: if solve::condenses(setup) { Path::Condensed } else { Path::Plain },
+        analysis: plan.analysis,
+        kinematics: plan.kinematics,
+        path: if solve::condenses(setup) { PassagePath::Condensed } else { PassagePath::Plain },
         status: solution.status,
         reason: solution.reason,
         times: setup.times[..solved].to_vec(),

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::samples;
+use bridge::passage::PassageAnalysis;
 use bridge::passage::{Passage as Asked, Place, Sensor, SensorKind};
 use bridge::train::{Train, built_in, read_toml};
 use outcome::passage::Quantity;
@@ -136,11 +137,11 @@ fn the_path_that_was_taken_is_told() {
         let report = report(bridge, &setup, solved());
         (report.path, report.assumptions.iter().any(|line| line.contains("in place of the condensed path")))
     };
-    assert_eq!(told(&bridge), (Path::Condensed, false));
+    assert_eq!(told(&bridge), (PassagePath::Condensed, false));
     bridge.passage.as_mut().unwrap().plan.analysis = PassageAnalysis::Transient;
-    assert_eq!(told(&bridge), (Path::Plain, true));
+    assert_eq!(told(&bridge), (PassagePath::Plain, true));
     bridge.passage.as_mut().unwrap().plan.path = PassagePath::Plain;
-    assert_eq!(told(&bridge), (Path::Plain, false));
+    assert_eq!(told(&bridge), (PassagePath::Plain, false));
 }
 
 /// The names that scripts rely on, in the units that they say.

@@ -1,19 +1,15 @@
 //! The finite element model as a function of the parameters: the file is edited, read again and crossed by its train. The mesh
 //! and what stands on it is made once, where no parameter moves it.
 
-use crate::analysis::AnalysisError;
 use crate::analysis::passage::{PassageError, Setup, WantedSlices, records, setup, slices};
-use crate::analysis::passage::{PassageError, PassageStatus, Quantity, Setup, WantedSlices, records, setup, slices};
 use crate::analysis::{AnalysisError, pieces};
 use bridge::edit::Document;
 use bridge::passage::{PassageAnalysis, PassagePlan};
 use bridge::update::Parameter;
 use bridge::{Bridge, Severity};
 use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
-use mechanics::watch::Unwatched;
-use outcome::passage::{PassageStatus, Quantity};
-use rayon::prelude::*;
 use mechanics::watch::Pace;
+use outcome::passage::{PassageStatus, Quantity};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io;

@@ -6,7 +6,6 @@ use bridge::Bridge;
 use bridge::passage::{Place, default_sensors};
 use bridge::update::{Channel as Said, Update as Asked};
 use calibrate::Channel;
-use outcome::passage::Quantity;
 use outcome::update::{RecordsUsed, RunUsed, Verdict};
 use records::{
     Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Reference, Run, Scrutiny,

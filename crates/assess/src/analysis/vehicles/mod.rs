@@ -32,6 +32,7 @@ use super::AnalysisError;
 use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::Bridge;
 use mechanics::watch::Watch;
+use outcome::collapse::Status;
 use outcome::sweep::Ended;
 use outcome::vehicles::{Swept, VehicleSweep};
 use outcome::warning::{self, Warning};

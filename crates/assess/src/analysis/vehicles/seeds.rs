@@ -3,9 +3,9 @@
 use super::factored::Footprint;
 use bridge::Bridge;
 use mechanics::limit::Ground;
+use mechanics::watch::Pace;
 use structure::discretise::Discretised;
 use structure::discretise::dispersal::{Strip, spread};
-use mechanics::watch::Pace;
 
 /// Places in a span under which an axle gives the mechanisms to begin with.
 const SEEDS: usize = 12;

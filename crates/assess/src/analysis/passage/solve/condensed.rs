@@ -7,8 +7,7 @@ use mechanics::fem::State;
 use mechanics::fem::condensed::{Condensed, CondensedError, Functional, LoadPattern, Reached, Run, Snapshot, Visited};
 use mechanics::ids::Id;
 use mechanics::watch::{Progress, Watch, Wish};
-use outcome::passage::Part;
-use outcome::passage::{Influence, PassageStatus, StepLog};
+use outcome::passage::{Influence, Part, PassageStatus, StepLog};
 use std::sync::Arc;
 
 /// All patterns: the weight, then those of the sleepers.
@@ -230,7 +229,7 @@ pub fn stand(
             sliding_pairs: visited.counts.sliding,
             ..StepLog::default()
         });
-        log.push(StepLog { stage: "self-weight".into(), time: share(step), ..of_visited(visited) });
+        log.push(StepLog { stage: Part::SelfWeight, time: share(step), ..of_visited(visited) });
     }
     if let Some(step) = stood.stopped_at {
         log.push(StepLog { stage: Part::SelfWeight, time: share(step), cuts: 1, ..StepLog::default() });

@@ -2,18 +2,14 @@
 
 use super::{AtRest, Named, Solution, Wanted, end, nearest, of_step, pictures, read, with_train};
 use crate::analysis::AnalysisError;
-use crate::analysis::passage::PassageError;
-use crate::analysis::passage::outcome::{PassageStatus, StepLog};
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
 use mechanics::fem::condensed::open_interfaces;
 use mechanics::fem::{
     Damping, Integration, Motion, Outcome, Settings, State, Status, Target, Workspace, advance, transient,
 };
-use mechanics::watch::{Progress, Unwatched, Watch, Wish};
-use outcome::passage::Part;
-use outcome::passage::StepLog;
 use mechanics::watch::{Progress, Watch, Wish};
+use outcome::passage::{Part, PassageStatus, StepLog};
 use std::collections::BTreeMap;
 
 /// Out-of-balance force over applied force of the self-weight, from which everything else starts.

@@ -11,9 +11,8 @@ use crate::analysis::passage::{PassageError, Setup};
 use bridge::Bridge;
 use mechanics::fem::condensed::{Condensed, Functional, PerturbedModel, Reached, Visited};
 use mechanics::fem::{Kinematics, State};
-use mechanics::watch::{Progress, Watch, Wish};
-use outcome::passage::PassageStatus;
 use mechanics::watch::Watch;
+use outcome::passage::PassageStatus;
 use std::sync::Arc;
 
 /// Values of the sensors at a few positions.
