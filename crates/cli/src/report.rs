@@ -126,14 +126,6 @@ impl Report {
 /// Fields that every object has.
 const COMMON: [&str; 6] = ["schema", "status", "warnings", "errors", "wall_seconds", "threads"];
 
-/// The fields of a serialised object.
-pub fn fields_of(object: impl serde::Serialize) -> Map<String, Value> {
-    match serde_json::to_value(object) {
-        Ok(Value::Object(fields)) => fields,
-        _ => Map::new(),
-    }
-}
-
 /// A finding as an object.
 fn finding_value(name: &str, text: &[u8], finding: &Diagnostic) -> Value {
     let place = bridge::text::position(text, finding.range.start);
@@ -167,10 +159,4 @@ fn drawing_value(name: &str, finding: &drawing::Finding) -> Value {
         value["y_m"] = json!(y);
     }
     value
-}
-
-/// An object as text with a line break at its end.
-pub fn text_of(value: &Value) -> String {
-    // Maps with text keys and finite or null numbers always have a text.
-    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }

@@ -3,7 +3,7 @@
 use crate::commands::Desk;
 use crate::failure::Failure;
 use crate::folder::Folder;
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::status::Status;
 use assess::analysis::AnalysisError;
 use extrados::Refusal;
@@ -55,7 +55,7 @@ pub fn publish(
                 let what = format!("{} came while this ran and is not the command's", placed.avoided.join(", "));
                 report.warn(&mut desk.screen, "F123", &format!("{what}: the results are in {}", place.display()));
             }
-            report::text_of(&report.object(&desk.schema, desk.clock))
+            ::outcome::published::json(&report.object(&desk.schema, desk.clock))
         },
     )?;
     report.summary += &written(files);

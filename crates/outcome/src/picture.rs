@@ -1,6 +1,7 @@
 //! Results as an engineer reads them: in metres, newtons and pascals, on the bridge as drawn. Figures, tables and the
 //! wire format are made from these values alone.
 
+use crate::words::words;
 use serde::{Deserialize, Serialize};
 
 /// A point or vector [m] unless said otherwise.
@@ -80,15 +81,16 @@ pub struct Motion {
     pub rotation: f64,
 }
 
-/// Where a hinge opens.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum HingeAt {
-    /// The joint turns about its intrados edge.
-    Intrados,
-    /// The joint turns about its extrados edge.
-    Extrados,
-    /// Neither: a pier course, a wall.
-    Other,
+words! {
+    /// Where a hinge opens.
+    pub enum HingeAt {
+        /// The joint turns about its intrados edge.
+        Intrados = "intrados",
+        /// The joint turns about its extrados edge.
+        Extrados = "extrados",
+        /// Neither: a pier course, a wall.
+        Other = "other",
+    }
 }
 
 /// A hinge of the mechanism.

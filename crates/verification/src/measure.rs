@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use assess::analysis;
 use mechanics::watch::Unwatched;
-use outcome::published::{CalibrationObject, CollapseObject, Run};
+use outcome::published;
 use serde_json::Value as Json;
 
 /// The result object of an input document: a bridge where it has a `[bridge]` or a `[[span]]`, a block model where it
@@ -23,12 +23,9 @@ pub fn measure(document: &toml::Table) -> Result<Json, String> {
         return calibrated(&bridge);
     }
     let found = analysis::collapse(&bridge, None, &mut Unwatched).map_err(|e| e.to_string())?;
-    let object = CollapseObject::new(&found, &Run::default());
-    let mut value = serde_json::to_value(&object).map_err(|e| e.to_string())?;
-    if let Json::Object(keys) = &mut value {
-        keys.extend(derived(&bridge, &found));
-    }
-    Ok(value)
+    let mut object = published::collapse(&found);
+    object.extend(derived(&bridge, &found));
+    Ok(object.into())
 }
 
 /// Errors in one line.
@@ -51,17 +48,15 @@ fn block_model(text: &str) -> Result<Json, String> {
         return Err(told.join("; "));
     };
     let found = analysis::collapse_of_blocks(&scene, None, &mut Unwatched).map_err(|e| e.to_string())?;
-    serde_json::to_value(CollapseObject::new(&found, &Run::default())).map_err(|e| e.to_string())
+    Ok(published::collapse(&found).into())
 }
 
 /// The result object of a calibration of fill, with its status.
 fn calibrated(bridge: &bridge::Bridge) -> Result<Json, String> {
     let found = analysis::calibrate::calibrate_fill(bridge, &mut Unwatched).map_err(|e| e.to_string())?;
-    let mut value = serde_json::to_value(CalibrationObject::new(&found)).map_err(|e| e.to_string())?;
-    if let Json::Object(keys) = &mut value {
-        keys.insert("status".to_string(), found.verdict.word().into());
-    }
-    Ok(value)
+    let mut object = published::calibration(&found);
+    object.insert("status".to_string(), found.verdict.word().into());
+    Ok(object.into())
 }
 
 /// Quantities that cases ask for and results need not repeat.

@@ -13,8 +13,7 @@ use mechanics::watch::Unwatched;
 use outcome::assessment::{Facts, Stage};
 use outcome::passage::Passage;
 use outcome::passage::RowKind;
-use outcome::published::{AssessObject, PassageObject, UpdateObject};
-use serde::Serialize;
+use outcome::published;
 use serde_json::Value as Json;
 use std::time::Instant;
 
@@ -49,13 +48,10 @@ impl File {
 }
 
 /// An object with its status, and what else cases ask for.
-fn object(of: &impl Serialize, status: &str, beside: Vec<(&str, Json)>) -> Result<Json, String> {
-    let mut value = serde_json::to_value(of).map_err(|e| e.to_string())?;
-    if let Json::Object(keys) = &mut value {
-        keys.insert("status".to_owned(), status.into());
-        keys.extend(beside.into_iter().map(|(key, value)| (key.to_owned(), value)));
-    }
-    Ok(value)
+fn with_status(mut object: published::Object, status: &str, beside: Vec<(&str, Json)>) -> Json {
+    object.insert("status".to_owned(), status.into());
+    object.extend(beside.into_iter().map(|(key, value)| (key.to_owned(), value)));
+    object.into()
 }
 
 fn responded(file: &File) -> Result<Json, String> {
@@ -69,7 +65,7 @@ fn responded(file: &File) -> Result<Json, String> {
         ("crown_thrust_kn_per_m", at_rest.into()),
         ("crown_thrust_added_kn_per_m", added.into()),
     ];
-    object(&PassageObject::new(&found), found.status.word(), beside)
+    Ok(with_status(published::passage(&found), found.status.word(), beside))
 }
 
 /// Compression across the middle joint of the first span [kN/m].
@@ -103,7 +99,7 @@ fn updated(file: &File, twin: Option<&toml::Table>) -> Result<Json, String> {
         Means { map: &Threads, watch: &mut outcome::calibrate::Unwatched, clock: &|| start.elapsed().as_secs_f64() };
     let found =
         update::update(&task, outcome::calibrate::Log::new(&task.identity()), means).map_err(|e| e.to_string())?;
-    object(&UpdateObject::new(&found), found.status.word(), Vec::new())
+    Ok(with_status(published::update(&found), found.status.word(), Vec::new()))
 }
 
 fn assessed(file: &File) -> Result<Json, String> {
@@ -146,5 +142,5 @@ fn assessed(file: &File) -> Result<Json, String> {
     };
     let checked = checks::run(&assessment);
     let assessment = assessment.judged(checked);
-    object(&AssessObject::new(&assessment), assessment.verdict.status.word(), Vec::new())
+    Ok(with_status(published::assessment(&assessment), assessment.verdict.status.word(), Vec::new()))
 }

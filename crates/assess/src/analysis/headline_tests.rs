@@ -111,9 +111,7 @@ fn with_walls_the_headline_is_the_sum_of_what_the_strips_carry() {
     assert!((both.headline.unwrap() / sum - 1.0).abs() < 1e-12);
     let headline = found.headline().unwrap();
     assert!((headline.whole / sum - 1.0).abs() < 1e-12 && (headline.load * 3.0 / sum - 1.0).abs() < 1e-12);
-    let object =
-        serde_json::to_value(outcome::published::CollapseObject::new(&found, &outcome::published::Run::default()))
-            .unwrap();
+    let object = outcome::published::collapse(&found);
     for key in ["headline_kn", "last_stable_load_kn"] {
         assert!((object[key].as_f64().unwrap() * 1e3 / sum - 1.0).abs() < 1e-9, "{key}: {}", object[key]);
     }
@@ -123,10 +121,7 @@ fn with_walls_the_headline_is_the_sum_of_what_the_strips_carry() {
 fn the_load_that_is_carried_stands_first() {
     for b in [short(), weak()] {
         let found = limit(&b);
-        let text = outcome::published::json(&outcome::published::CollapseObject::new(
-            &found,
-            &outcome::published::Run::default(),
-        ));
+        let text = outcome::published::json(&outcome::published::collapse(&found));
         let at = |key: &str| text.find(&format!("\"{key}\"")).unwrap_or_else(|| panic!("{key} in {text}"));
         assert!(at("headline_kn_per_m") < at("last_stable_load_kn_per_m"));
         assert!(at("last_stable_load_kn_per_m") < at("collapse_load_kn_per_m"));

@@ -9,7 +9,7 @@ use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::program;
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::shelf::{FolderShelf, Resume};
 use crate::signs;
@@ -74,7 +74,7 @@ pub fn answer(done: &Assessed, source: &Source) -> Report {
     let mut report =
         source.report(Status::named(done.assessment.verdict.status.word()).unwrap_or(Status::Undetermined));
     report.finished = done.assessment.verdict.finished;
-    report.fields = report::fields_of(done.object());
+    report.fields = done.object();
     let stages: Vec<serde_json::Value> = done
         .appendix
         .stages

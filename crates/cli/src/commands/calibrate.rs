@@ -4,7 +4,7 @@ use super::{Desk, Source};
 use crate::args::CalibrateFill as Arguments;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
@@ -34,7 +34,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(published::CalibrationObject::new(&found));
+    report.fields = published::calibration(&found);
     report.summary = summary::calibration(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
 }

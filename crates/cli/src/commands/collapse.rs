@@ -5,7 +5,7 @@ use crate::args::Collapse as Arguments;
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, Watcher};
@@ -120,7 +120,7 @@ fn write(
     if let Some(words) = figures::left_out(&found.picture) {
         report.warn(&mut desk.screen, warning::NOT_DRAWN, &words);
     }
-    report.fields.extend(report::fields_of(published::CollapseObject::new(found, &published::Run::default())));
+    report.fields.extend(published::collapse(found));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
     let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
     files.extend(figures::dxf::drawings(&found.picture, arguments.displacement_scale));
@@ -176,7 +176,7 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(published::VehicleSweepObject::new(found, &published::Run::default()));
+    report.fields = published::vehicle_sweep(found);
     report.summary = summary::vehicles(found, &folder.path().display().to_string());
     let mut files = Vec::new();
     if let Some(collapse) = &found.collapse {
@@ -198,7 +198,7 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
-    report.fields = report::fields_of(published::SweepObject::new(name, width, found, &published::Run::default()));
+    report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());
     let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "load factor".to_owned(), points };

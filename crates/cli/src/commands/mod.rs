@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::host::{self, Ended};
 use crate::render::{self, Paint};
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::screen::Screen;
 use crate::signs;
 use crate::status::Status;
@@ -133,7 +133,7 @@ fn speak(desk: &mut Desk, answer: Answer) -> u8 {
         }
         Answer::Report(report) => {
             let text = match desk.screen.json {
-                true => report::text_of(&report.object(&desk.schema, desk.clock)),
+                true => ::outcome::published::json(&report.object(&desk.schema, desk.clock)),
                 false => report.summary.clone(),
             };
             desk.screen.result(&text);

@@ -7,7 +7,7 @@ use super::{Desk, Source};
 use crate::args::Respond as Arguments;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
@@ -38,7 +38,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     for warning in &found.warnings {
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
-    report.fields = report::fields_of(published::PassageObject::new(&found));
+    report.fields = published::passage(&found);
     report.summary = summary::passage(&found, &folder.path().display().to_string());
     if let Some(recorder) = recorder {
         keep(&recorder, &found, &mut report)?;

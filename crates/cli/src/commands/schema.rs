@@ -2,7 +2,6 @@
 
 use super::Answer;
 use crate::args::Schema;
-use crate::report;
 
 /// The schema.
 pub fn run(arguments: &Schema) -> Answer {
@@ -12,5 +11,5 @@ pub fn run(arguments: &Schema) -> Answer {
         (.., true) => ::outcome::published::schema_of_rules(),
         _ => bridge::schema::schema(),
     };
-    Answer::Text(report::text_of(&schema))
+    Answer::Text(::outcome::published::json(&schema))
 }

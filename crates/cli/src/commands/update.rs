@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::log;
 use crate::program;
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::shelf::{FolderShelf, Resume};
 use crate::status::Status;
@@ -50,7 +50,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         let said = format!("interrupted; evaluations are kept in {path}\nthe same command with --resume goes on\n");
         return Ok(report.saying(said).with("log", path));
     }
-    report.fields = report::fields_of(published::UpdateObject::new(&found));
+    report.fields = published::update(&found);
     report.fields.insert("evaluations_taken_up".to_owned(), json!(shelf.taken_up()));
     report.summary = summary::update(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)
@@ -72,7 +72,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, F
         report.warn(&mut desk.screen, warning.code, &warning.message);
     }
     doubts(desk, &found, &mut report);
-    report.fields = report::fields_of(published::UpdateObject::new(&found));
+    report.fields = published::update(&found);
     report.summary = summary::records(&found, &folder.path().display().to_string());
     write(desk, &found, report, folder)
 }

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::program;
 use crate::render::{self, Paint};
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::shelf::{FolderShelf, Resume};
 use crate::signs;
@@ -114,7 +114,7 @@ fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) ->
     if study.rows.iter().all(|row| study.number(row).is_none()) {
         report.status = Status::Undetermined;
     }
-    let settings = std::mem::replace(&mut report.fields, report::fields_of(published::VaryObject::new(study)));
+    let settings = std::mem::replace(&mut report.fields, published::vary(study));
     report.fields.extend(settings);
     report.summary = summary::vary(study, &folder.path().display().to_string());
     let mut files = figures::study(study).map_err(|error| results::not_drawn(folder.path(), &error))?;

@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 use crate::watch::{Remembering, Watch};
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
-use outcome::published::{self, AssessObject};
+use outcome::published;
 use outcome::warning::Warning;
 use report::{Appendix, Figure, Material};
 use stages::{Halt, Stages};
@@ -113,8 +113,8 @@ impl Assessed {
     }
 
     /// The answer for scripts.
-    pub fn object(&self) -> AssessObject {
-        AssessObject::new(&self.assessment)
+    pub fn object(&self) -> published::Object {
+        published::assessment(&self.assessment)
     }
 
     /// The checks as a table (CSV).

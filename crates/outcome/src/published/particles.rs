@@ -1,6 +1,7 @@
 //! CSV tables of particles.
 
-use super::tables::{counted, row};
+use super::row;
+use super::tables::counted;
 use crate::collapse::Collapse;
 use crate::picture::{Partner, Picture, Snapshot};
 
@@ -21,19 +22,10 @@ pub fn particles(c: &Collapse) -> String {
     let rest = c.picture.snapshots.first().filter(|r| r.particles.len() == s.particles.len()).unwrap_or(s);
     for (k, ((disc, now), then)) in c.picture.particles.iter().zip(&s.particles).zip(&rest.particles).enumerate() {
         let since = |from: [f64; 2]| [0, 1].map(|i| 1e3 * (now.centre[i] - from[i]));
-        let ([px, py], [ux, uy]) = (since(disc.centre), since(then.centre));
-        let [xx, yy, xy] = now.stress.map(|v| v / 1e3);
         let layer = c.picture.layers.get(disc.layer).map_or("", |layer| layer);
-        let [x, y] = now.centre;
-        row(
-            &mut csv,
-            format_args!(
-                "{},{k},{x},{y},{},{layer},{px},{py},{ux},{uy},{},{xx},{yy},{xy}",
-                s.load / unit,
-                disc.radius,
-                now.angle
-            ),
-        );
+        let moved = [since(disc.centre), since(then.centre)];
+        let stress = now.stress.map(|v| v / 1e3);
+        row!(&mut csv, s.load / unit, k, now.centre, disc.radius, layer, moved, now.angle, stress);
     }
     csv
 }
@@ -50,22 +42,8 @@ pub fn particle_contacts(c: &Collapse) -> String {
             Partner::Shape(block) => ("block", block),
             Partner::Particle(other) => ("particle", other),
         };
-        row(
-            &mut csv,
-            format_args!(
-                "{},{},{kind},{partner},{},{},{},{},{},{},{},{}",
-                s.load / unit,
-                f.particle,
-                f.point[0],
-                f.point[1],
-                f.normal[0],
-                f.normal[1],
-                f.compression / 1e3,
-                f.shear / 1e3,
-                f.stress / 1e3,
-                f.sliding
-            ),
-        );
+        let force = [f.compression, f.shear, f.stress].map(|v| v / 1e3);
+        row!(&mut csv, s.load / unit, f.particle, kind, partner, f.point, f.normal, force, f.sliding);
     }
     csv
 }

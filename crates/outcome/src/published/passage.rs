@@ -1,155 +1,92 @@
 //! `extrados.respond/1`, and its tables.
 
-use super::tables::row;
-use crate::mesh::MeshPicture;
+use super::{Object, list, object, row};
 use crate::passage::{Channel, Passage, RowKind, StepLog};
-use serde::Serialize;
 
-/// The result of a train's passage. Status, warnings and times are those of the command.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PassageObject {
-    bridge: String,
-    train: String,
-    speed_km_per_h: f64,
-    analysis: &'static str,
-    kinematics: &'static str,
-    path: &'static str,
-    /// Why the run ended early, where it did.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<String>,
-    channels: Vec<ChannelObject>,
-    degrees_of_freedom: usize,
-    condensed_degrees_of_freedom: Option<usize>,
-    load_positions: usize,
-    iterations_total: u64,
-    open_joints: usize,
-    plastic_points: usize,
-    locking_elements: usize,
-    effective_width_m: f64,
-    tolerance: f64,
-    time_step_s: Option<f64>,
-    first_position_m: Option<f64>,
-    last_position_m: Option<f64>,
-    nodes: usize,
-    elements: usize,
-    zones: Vec<ZoneObject>,
-    moments: Vec<MomentObject>,
-    assumptions: Vec<String>,
-}
-
-/// A channel: numbers in its unit, self-weight taken off all but `self_weight`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct ChannelObject {
-    name: String,
-    quantity: &'static str,
-    unit: &'static str,
-    minimum: f64,
-    maximum: f64,
-    peak: f64,
-    time_of_peak_s: Option<f64>,
-    position_of_peak_m: Option<f64>,
-    self_weight: f64,
-    about: String,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct ZoneObject {
-    name: String,
-    elements: usize,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct MomentObject {
-    name: String,
-    time_s: f64,
-    position_m: f64,
-    axles_above: usize,
-    yielding_elements: usize,
-}
-
-impl PassageObject {
-    /// The object for a report.
-    pub fn new(passage: &Passage) -> PassageObject {
-        PassageObject {
-            bridge: passage.bridge.clone(),
-            train: passage.train.clone(),
-            speed_km_per_h: 3.6 * passage.speed,
-            analysis: passage.analysis.word(),
-            kinematics: passage.kinematics.word(),
-            path: passage.path.word(),
-            reason: passage.reason.clone(),
-            channels: channels(passage),
-            degrees_of_freedom: passage.degrees_of_freedom,
-            condensed_degrees_of_freedom: passage.condensed_degrees_of_freedom,
-            load_positions: passage.times.len(),
-            iterations_total: passage.iterations_total,
-            open_joints: passage.open_joints,
-            plastic_points: passage.plastic_points,
-            locking_elements: passage.locking_elements,
-            effective_width_m: passage.effective_width,
-            tolerance: passage.tolerance,
-            time_step_s: passage.times.get(1).map(|time| time - passage.times[0]),
-            first_position_m: passage.positions.first().copied(),
-            last_position_m: passage.positions.last().copied(),
-            nodes: passage.mesh.nodes.len(),
-            elements: passage.mesh.quads.len(),
-            zones: zones(&passage.mesh),
-            moments: moments(passage),
-            assumptions: passage.assumptions.clone(),
-        }
+/// The result of a train's passage; its status is that of the command. `reason` tells why the run ended early, where it did.
+pub fn passage(passage: &Passage) -> Object {
+    object! {
+        bridge: passage.bridge,
+        train: passage.train,
+        speed_km_per_h: 3.6 * passage.speed,
+        analysis: passage.analysis,
+        kinematics: passage.kinematics,
+        path: passage.path,
+        reason?: passage.reason,
+        channels: list(&passage.channels, |one| channel(passage, one)),
+        degrees_of_freedom: passage.degrees_of_freedom,
+        condensed_degrees_of_freedom: passage.condensed_degrees_of_freedom,
+        load_positions: passage.times.len(),
+        iterations_total: passage.iterations_total,
+        open_joints: passage.open_joints,
+        plastic_points: passage.plastic_points,
+        locking_elements: passage.locking_elements,
+        effective_width_m: passage.effective_width,
+        tolerance: passage.tolerance,
+        time_step_s: passage.times.get(1).map(|time| time - passage.times[0]),
+        first_position_m: passage.positions.first(),
+        last_position_m: passage.positions.last(),
+        nodes: passage.mesh.nodes.len(),
+        elements: passage.mesh.quads.len(),
+        zones: list(&passage.mesh.zones, |zone| object! { name: zone.name, elements: zone.quads, }),
+        moments: list(&passage.moments, |moment| object! {
+            name: moment.name,
+            time_s: moment.time,
+            position_m: moment.position,
+            axles_above: moment.axles.len(),
+            yielding_elements: moment.yielding.iter().filter(|yields| **yields).count(),
+        }),
+        assumptions: passage.assumptions,
     }
 }
 
-fn channels(passage: &Passage) -> Vec<ChannelObject> {
-    let one = |channel: &Channel| {
-        let scale = channel.quantity.scale();
-        let [minimum, maximum] = channel.range().map(|value| scale * value);
-        let at = channel.peak();
-        ChannelObject {
-            name: channel.name.clone(),
-            quantity: channel.quantity.word(),
-            unit: channel.quantity.unit(),
-            minimum,
-            maximum,
-            peak: scale * channel.peak_value(),
-            time_of_peak_s: at.and_then(|k| passage.times.get(k)).copied(),
-            position_of_peak_m: at.and_then(|k| passage.positions.get(k)).copied(),
-            self_weight: scale * channel.self_weight,
-            about: channel.about.clone(),
-        }
-    };
-    passage.channels.iter().map(one).collect()
-}
-
-fn zones(mesh: &MeshPicture) -> Vec<ZoneObject> {
-    mesh.zones.iter().map(|zone| ZoneObject { name: zone.name.clone(), elements: zone.quads }).collect()
-}
-
-fn moments(passage: &Passage) -> Vec<MomentObject> {
-    let one = |moment: &crate::passage::Moment| MomentObject {
-        name: moment.name.clone(),
-        time_s: moment.time,
-        position_m: moment.position,
-        axles_above: moment.axles.len(),
-        yielding_elements: moment.yielding.iter().filter(|yields| **yields).count(),
-    };
-    passage.moments.iter().map(one).collect()
+/// A channel: numbers in its unit, self-weight taken off all but `self_weight`.
+fn channel(passage: &Passage, channel: &Channel) -> Object {
+    let scale = channel.quantity.scale();
+    let [minimum, maximum] = channel.range().map(|value| scale * value);
+    let at = channel.peak();
+    object! {
+        name: channel.name,
+        quantity: channel.quantity,
+        unit: channel.quantity.unit(),
+        minimum: minimum,
+        maximum: maximum,
+        peak: scale * channel.peak_value(),
+        time_of_peak_s: at.and_then(|k| passage.times.get(k)),
+        position_of_peak_m: at.and_then(|k| passage.positions.get(k)),
+        self_weight: scale * channel.self_weight,
+        about: channel.about,
+    }
 }
 
 /// `channels.csv`: a time, and a column for each channel, headed by its name and unit; self-weight taken off.
 pub fn channels_table(passage: &Passage) -> String {
-    let mut csv = String::from("time_s");
-    for channel in &passage.channels {
-        csv += &format!(",{}", column(channel));
-    }
-    csv.push('\n');
-    for (k, time) in passage.times.iter().enumerate() {
-        let mut line = time.to_string();
-        for channel in &passage.channels {
-            let value = channel.values.get(k).map(|value| channel.quantity.scale() * value);
-            line += &value.map_or(",".to_owned(), |value| format!(",{value}"));
-        }
-        row(&mut csv, format_args!("{line}"));
+    columns(passage, "time_s", &passage.times, passage.channels.iter().map(|channel| &channel.values))
+}
+
+/// Influence lines: the place of the axle, and a column for each channel.
+pub fn influence_table(passage: &Passage) -> String {
+    let (positions, values) = passage.influence.as_ref().map_or((&[][..], &[][..]), |i| (&i.positions, &i.values));
+    columns(passage, "position_m", positions, values)
+}
+
+/// A table with a column for each channel, in its unit.
+fn columns<'a>(
+    passage: &Passage,
+    first: &str,
+    at: &[f64],
+    values: impl IntoIterator<Item = &'a Vec<f64>> + Clone,
+) -> String {
+    let mut csv = String::new();
+    let names = passage.channels.iter().map(|channel| {
+        let name: String = channel.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+        format!("{name}_{}", channel.quantity.unit().to_lowercase())
+    });
+    row!(&mut csv, first, names.collect::<Vec<_>>());
+    for (k, at) in at.iter().enumerate() {
+        let cells = passage.channels.iter().zip(values.clone());
+        let cells = cells.map(|(channel, values)| Some(channel.quantity.scale() * values.get(k)?));
+        row!(&mut csv, at, cells.collect::<Vec<_>>());
     }
     csv
 }
@@ -161,13 +98,8 @@ pub fn passage_log(passage: &Passage) -> String {
     );
     for step in &passage.log {
         let StepLog { stage, time, position, iterations, unbalanced, cuts, .. } = step;
-        row(
-            &mut csv,
-            format_args!(
-                "{stage},{time},{position},{iterations},{unbalanced},{cuts},{},{},{}",
-                step.plastic_points, step.open_joints, step.sliding_pairs
-            ),
-        );
+        let points = [step.plastic_points, step.open_joints, step.sliding_pairs];
+        row!(&mut csv, stage.word(), time, position, iterations, unbalanced, cuts, points);
     }
     csv
 }
@@ -181,21 +113,9 @@ pub fn joint_states(passage: &Passage) -> String {
         for joint in &moment.rows {
             let RowKind::Joint { span, joint: number } = joint.kind else { continue };
             for pair in &joint.pairs {
-                row(
-                    &mut csv,
-                    format_args!(
-                        "{k},{},{number},{},{},{},{},{},{},{},{}",
-                        span + 1,
-                        pair.at[0],
-                        pair.at[1],
-                        pair.area,
-                        pair.normal / 1e6,
-                        pair.shear / 1e6,
-                        pair.opening * 1e3,
-                        pair.sliding * 1e3,
-                        pair.state.word()
-                    ),
-                );
+                let traction = [pair.normal / 1e6, pair.shear / 1e6];
+                let movement = [pair.opening * 1e3, pair.sliding * 1e3];
+                row!(&mut csv, k, span + 1, number, pair.at, pair.area, traction, movement, pair.state.word());
             }
         }
     }
@@ -208,35 +128,9 @@ pub fn thrust_lines(passage: &Passage) -> String {
     for (k, moment) in passage.moments.iter().enumerate() {
         for (span, line) in moment.thrust_lines().iter().enumerate() {
             for point in line {
-                let [x, y] = point.point;
-                row(&mut csv, format_args!("{k},{},{x},{y},{}", span + 1, point.thrust / 1e3));
+                row!(&mut csv, k, span + 1, point.point, point.thrust / 1e3);
             }
         }
     }
     csv
-}
-
-/// Influence lines: the place of the axle, and a column for each channel.
-pub fn influence_table(passage: &Passage) -> String {
-    let mut csv = String::from("position_m");
-    for channel in &passage.channels {
-        csv += &format!(",{}", column(channel));
-    }
-    csv.push('\n');
-    let Some(influence) = &passage.influence else { return csv };
-    for (k, position) in influence.positions.iter().enumerate() {
-        let mut line = position.to_string();
-        for (channel, values) in passage.channels.iter().zip(&influence.values) {
-            let value = values.get(k).map(|value| channel.quantity.scale() * value);
-            line += &value.map_or(",".to_owned(), |value| format!(",{value}"));
-        }
-        row(&mut csv, format_args!("{line}"));
-    }
-    csv
-}
-
-/// Heading of a channel's column: its name and unit.
-fn column(channel: &Channel) -> String {
-    let name: String = channel.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
-    format!("{name}_{}", channel.quantity.unit().to_lowercase())
 }

@@ -1,10 +1,9 @@
-//! CSV tables: a header with units, a row per item, points as decimal separators, no quoting needed.
+//! CSV tables of collapse analyses and sweeps: a header with units, a row per item.
 
-use super::collapse::edge;
+use super::row;
 use crate::collapse::Collapse;
 use crate::sweep::Sweep;
 use bridge::Analysis;
-use std::fmt::Write;
 
 /// What the states of an analysis are counted by, and what divides its SI unit: a load, or the movement of a support.
 pub(super) fn counted(c: &Collapse) -> (&'static str, f64) {
@@ -19,8 +18,7 @@ pub fn path(c: &Collapse) -> String {
     let (name, unit) = counted(c);
     let mut csv = format!("{name},displacement_x_mm,displacement_y_mm,iterations,unbalanced_ratio,at_rest\n");
     for s in &c.picture.path {
-        let [x, y] = s.displacement.map(|d| 1e3 * d);
-        row(&mut csv, format_args!("{},{x},{y},{},{},{}", s.load / unit, s.iterations, s.unbalanced_ratio, s.at_rest));
+        row!(&mut csv, s.load / unit, s.displacement.map(|d| 1e3 * d), s.iterations, s.unbalanced_ratio, s.at_rest);
     }
     csv
 }
@@ -29,9 +27,7 @@ pub fn path(c: &Collapse) -> String {
 pub fn hinges(c: &Collapse) -> String {
     let mut csv = String::from("x_m,y_m,edge,rotation,first_side,second_side\n");
     for h in &c.hinges {
-        let [first, second] = c.sides(h).unwrap_or_default().map(super::vary::quoted);
-        let [x, y] = h.point;
-        row(&mut csv, format_args!("{x},{y},{},{},{first},{second}", edge(h.edge), h.rotation));
+        row!(&mut csv, h.point, h.edge.word(), h.rotation, c.sides(h).unwrap_or_default());
     }
     csv
 }
@@ -44,23 +40,8 @@ pub fn contacts(c: &Collapse) -> String {
     );
     for s in &c.picture.snapshots {
         for k in &s.contacts {
-            row(
-                &mut csv,
-                format_args!(
-                    "{},{},{},{},{},{},{},{},{},{},{}",
-                    s.load / unit,
-                    k.blocks[0],
-                    k.blocks[1],
-                    k.point[0],
-                    k.point[1],
-                    k.normal[0],
-                    k.normal[1],
-                    k.compression / 1e3,
-                    k.shear / 1e3,
-                    k.stress / 1e6,
-                    k.sliding
-                ),
-            );
+            let force = [k.compression / 1e3, k.shear / 1e3, k.stress / 1e6];
+            row!(&mut csv, s.load / unit, k.blocks, k.point, k.normal, force, k.sliding);
         }
     }
     csv
@@ -71,7 +52,7 @@ pub fn thrust_line(c: &Collapse) -> String {
     let mut csv = String::from("line,x_m,y_m,thrust_kn_per_m\n");
     for (k, line) in c.picture.thrust_lines.iter().enumerate() {
         for p in line {
-            row(&mut csv, format_args!("{k},{},{},{}", p.point[0], p.point[1], p.thrust / 1e3));
+            row!(&mut csv, k, p.point, p.thrust / 1e3);
         }
     }
     csv
@@ -86,19 +67,9 @@ pub fn blocks(c: &Collapse) -> String {
     for s in &c.picture.snapshots {
         let rows = c.picture.shapes.iter().zip(&s.motions).zip(&c.block_names).enumerate();
         for (k, ((shape, m), name)) in rows {
-            let [x, y] = m.translation.map(|d| 1e3 * d);
-            let stress = s.stresses.get(k).map(|stress| stress.map(|v| (v / 1e6).to_string()));
-            let [xx, yy, xy] = stress.unwrap_or_default();
-            row(
-                &mut csv,
-                format_args!(
-                    "{},{k},{name},{},{},{x},{y},{},{xx},{yy},{xy}",
-                    s.load / unit,
-                    shape.role,
-                    shape.held,
-                    m.rotation
-                ),
-            );
+            let moved = m.translation.map(|d| 1e3 * d);
+            let stress = super::each(s.stresses.get(k).map(|stress| stress.map(|v| v / 1e6)));
+            row!(&mut csv, s.load / unit, k, name, shape.role, shape.held, moved, m.rotation, stress);
         }
     }
     csv
@@ -109,26 +80,10 @@ pub fn sweep_table(sweep: &Sweep) -> String {
     let mut csv = String::from(
         "position_m,offset_m,status,load_factor,last_stable_load_kn_per_m,collapse_load_kn_per_m,first_axle,last_axle\n",
     );
-    let number = |v: Option<f64>| v.map_or(String::new(), |v| v.to_string());
     for p in &sweep.points {
-        row(
-            &mut csv,
-            format_args!(
-                "{},{},{},{},{},{},{},{}",
-                p.position,
-                p.offset,
-                p.status.word(),
-                number(p.load_factor),
-                number(p.collapse_load.map(|l| l / 1e3)),
-                number(p.collapse_load.map(|l| l / 1e3)),
-                p.axles[0] + 1,
-                p.axles[1] + 1
-            ),
-        );
+        let load = p.collapse_load.map(|l| l / 1e3);
+        let axles = p.axles.map(|k| k + 1);
+        row!(&mut csv, p.position, p.offset, p.status.word(), p.load_factor, load, load, axles);
     }
     csv
-}
-
-pub(super) fn row(csv: &mut String, cells: std::fmt::Arguments<'_>) {
-    writeln!(csv, "{cells}").expect("a string takes every line");
 }

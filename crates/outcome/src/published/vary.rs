@@ -1,12 +1,10 @@
 //! `extrados.vary/1`, its table, and the record of one run.
 
-use super::kilo;
+use super::{Object, kilo, list, object, row};
 use crate::collapse::Collapse;
-use crate::study::{Outcome, Row, Sensitivity, Study, sensitivity};
-use bridge::vary::{Setting, Varied};
-use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value, json};
-use std::fmt::Write;
+use crate::study::{Outcome, Row, Study, sensitivity};
+use bridge::vary::Setting;
+use serde_json::{Value, json};
 
 /// The numbers of a collapse analysis, by the names they have in `extrados.collapse/1`.
 pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
@@ -36,215 +34,121 @@ pub fn collapse_numbers(c: &Collapse) -> Vec<(String, f64)> {
 /// Format of the record; it changes with what the record holds.
 const RECORD: &str = "extrados.vary-run/1";
 
-/// A finished run as it is kept.
-#[derive(Debug, Serialize, Deserialize)]
-struct Record {
-    schema: String,
-    status: String,
-    outcomes: Map<String, Value>,
-    warnings: Vec<String>,
-    seconds: f64,
-}
-
 /// The record of a finished run.
 pub fn run_record(outcome: &Outcome, seconds: f64) -> String {
-    super::json(&Record {
-        schema: RECORD.to_owned(),
-        status: outcome.status.clone(),
+    super::json(&object! {
+        schema: RECORD,
+        status: outcome.status,
         outcomes: numbers(outcome),
-        warnings: outcome.warnings.clone(),
-        seconds,
+        warnings: outcome.warnings,
+        seconds: seconds,
     })
 }
 
 /// A finished run and its seconds, from its record; none where the bytes are no whole record.
 pub fn run_from_record(bytes: &[u8]) -> Option<(Outcome, f64)> {
-    let record: Record = serde_json::from_slice(bytes).ok().filter(|record: &Record| record.schema == RECORD)?;
-    let numbers: Option<Vec<(String, f64)>> =
-        record.outcomes.into_iter().map(|(name, value)| Some((name, value.as_f64()?))).collect();
-    let outcome = Outcome { status: record.status, numbers: numbers?, warnings: record.warnings, message: None };
-    Some((outcome, record.seconds))
+    let record: Object =
+        serde_json::from_slice(bytes).ok().filter(|record: &Object| record.get("schema") == Some(&json!(RECORD)))?;
+    let number = |(name, value): (&String, &Value)| Some((name.clone(), value.as_f64()?));
+    let word = |value: &Value| value.as_str().map(str::to_owned);
+    let outcome = Outcome {
+        status: word(record.get("status")?)?,
+        numbers: record.get("outcomes")?.as_object()?.iter().map(number).collect::<Option<_>>()?,
+        warnings: record.get("warnings")?.as_array()?.iter().map(word).collect::<Option<_>>()?,
+        message: None,
+    };
+    Some((outcome, record.get("seconds")?.as_f64()?))
 }
 
-fn numbers(outcome: &Outcome) -> Map<String, Value> {
+fn numbers(outcome: &Outcome) -> Object {
     outcome.numbers.iter().map(|(name, number)| (name.clone(), json!(number))).collect()
 }
 
-/// The fields of a study.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct VaryObject {
-    bridge: String,
-    command: &'static str,
-    method: &'static str,
-    analysis: &'static str,
-    design: &'static str,
-    outcome: String,
-    outcome_resolution: f64,
-    quantities: Vec<QuantityObject>,
-    baseline: Option<RowObject>,
-    rows: Vec<RowObject>,
-    sensitivity: Vec<SensitivityObject>,
-    runs: usize,
-    runs_from_cache: usize,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct QuantityObject {
-    quantity: String,
-    unit: String,
-    own: Option<ValueObject>,
-    values: Vec<ValueObject>,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct ValueObject {
-    text: String,
-    number: Option<f64>,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct RowObject {
-    run: usize,
-    varied: Option<String>,
-    values: Map<String, Value>,
-    status: String,
-    outcomes: Map<String, Value>,
-    warnings: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    message: Option<String>,
-    seconds: f64,
-    cached: bool,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct SensitivityObject {
-    quantity: String,
-    low: Option<ExtremeObject>,
-    high: Option<ExtremeObject>,
-    swing_percent: Option<f64>,
-    elasticity: Option<f64>,
-    trend: &'static str,
-    runs_without_outcome: usize,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct ExtremeObject {
-    value: String,
-    outcome: f64,
-    change_percent: Option<f64>,
-}
-
-impl VaryObject {
-    /// The fields of a study.
-    pub fn new(study: &Study) -> VaryObject {
-        let row = |(number, row): (usize, &Row)| RowObject {
+/// The fields of a study; its first row is the baseline.
+pub fn vary(study: &Study) -> Object {
+    let mut rows = list(study.rows.iter().enumerate(), |(number, row)| {
+        object! {
             run: number,
-            varied: row.run.varied.map(|quantity| study.quantities[quantity].path.to_string()),
-            values: (0..study.quantities.len()).map(|quantity| value_of(study, row, quantity)).collect(),
-            status: row.outcome.status.clone(),
+            varied: row.run.varied.map(|quantity| path(study, quantity)),
+            values: (0..study.quantities.len()).map(|quantity| value_of(study, row, quantity)).collect::<Object>(),
+            status: row.outcome.status,
             outcomes: numbers(&row.outcome),
-            warnings: row.outcome.warnings.clone(),
-            message: row.outcome.message.clone(),
+            warnings: row.outcome.warnings,
+            message?: row.outcome.message,
             seconds: row.seconds,
             cached: row.cached,
-        };
-        let mut rows: Vec<RowObject> = study.rows.iter().enumerate().map(row).collect();
-        let baseline = if rows.is_empty() { None } else { Some(rows.remove(0)) };
-        VaryObject {
-            bridge: study.bridge.clone(),
-            command: study.command.word(),
-            method: super::collapse::method(study.method),
-            analysis: super::collapse::analysis(study.analysis),
-            design: study.design.word(),
-            outcome: study.outcome.clone(),
-            outcome_resolution: study.resolution,
-            quantities: study.quantities.iter().map(quantity).collect(),
-            baseline,
-            rows,
-            sensitivity: sensitivity(study).iter().map(|one| sensitivity_object(study, one)).collect(),
-            runs: study.rows.len(),
-            runs_from_cache: study.rows.iter().filter(|row| row.cached).count(),
         }
+    });
+    let baseline = if rows.is_empty() { None } else { Some(rows.remove(0)) };
+    let value = |setting: &Setting| object! { text: setting.text, number: setting.number, };
+    object! {
+        bridge: study.bridge,
+        command: study.command,
+        method: super::collapse::method(study.method),
+        analysis: super::collapse::analysis(study.analysis),
+        design: study.design,
+        outcome: study.outcome,
+        outcome_resolution: study.resolution,
+        quantities: list(&study.quantities, |varied| object! {
+            quantity: varied.path.to_string(),
+            unit: varied.unit,
+            own: varied.own.as_ref().map(value),
+            values: list(&varied.values, value),
+        }),
+        baseline: baseline,
+        rows: rows,
+        sensitivity: list(&sensitivity(study), |one| object! {
+            quantity: path(study, one.quantity),
+            low: one.low.as_ref().map(extreme),
+            high: one.high.as_ref().map(extreme),
+            swing_percent: one.swing_percent,
+            elasticity: one.elasticity,
+            trend: one.trend,
+            runs_without_outcome: one.without_answer,
+        }),
+        runs: study.rows.len(),
+        runs_from_cache: study.rows.iter().filter(|row| row.cached).count(),
     }
 }
 
-fn quantity(varied: &Varied) -> QuantityObject {
-    let value = |setting: &Setting| ValueObject { text: setting.text.clone(), number: setting.number };
-    QuantityObject {
-        quantity: varied.path.to_string(),
-        unit: varied.unit.clone(),
-        own: varied.own.as_ref().map(value),
-        values: varied.values.iter().map(value).collect(),
-    }
+fn path(study: &Study, quantity: usize) -> String {
+    study.quantities[quantity].path.to_string()
 }
 
 /// A value by the path of its quantity: its number in the unit of the quantity, or its word.
 fn value_of(study: &Study, row: &Row, quantity: usize) -> (String, Value) {
-    let value = match study.setting(row, quantity) {
-        Some(Setting { number: Some(number), .. }) => json!(number),
-        Some(setting) => json!(setting.text),
-        None => Value::Null,
-    };
-    (study.quantities[quantity].path.to_string(), value)
+    let setting = study.setting(row, quantity);
+    let number = setting.and_then(|setting| setting.number).map(|number| json!(number));
+    (path(study, quantity), number.unwrap_or_else(|| json!(setting.map(|setting| &setting.text))))
 }
 
-fn sensitivity_object(study: &Study, one: &Sensitivity) -> SensitivityObject {
-    let extreme = |end: &Option<crate::study::Extreme>| {
-        end.as_ref().map(|end| ExtremeObject {
-            value: end.value.clone(),
-            outcome: end.outcome,
-            change_percent: end.change_percent,
-        })
-    };
-    SensitivityObject {
-        quantity: study.quantities[one.quantity].path.to_string(),
-        low: extreme(&one.low),
-        high: extreme(&one.high),
-        swing_percent: one.swing_percent,
-        elasticity: one.elasticity,
-        trend: one.trend.word(),
-        runs_without_outcome: one.without_answer,
-    }
+fn extreme(end: &crate::study::Extreme) -> Object {
+    object! { value: end.value, outcome: end.outcome, change_percent: end.change_percent, }
 }
 
 /// Every run in a line, units in the heading.
 pub fn vary_table(study: &Study) -> String {
-    let heading = |varied: &Varied| match varied.unit.as_str() {
+    let headings = study.quantities.iter().map(|varied| match varied.unit.as_str() {
         "" => varied.path.to_string(),
         unit => format!("{} [{unit}]", varied.path),
-    };
+    });
     let names = study.numbers();
-    let head = ["run".to_owned(), "varied".to_owned()].into_iter().chain(study.quantities.iter().map(heading));
-    let head = head.chain(std::iter::once("status".to_owned())).chain(names.iter().map(|name| (*name).to_owned()));
-    let mut table = head.map(|cell| quoted(&cell)).collect::<Vec<_>>().join(",") + "\n";
+    let mut csv = String::new();
+    row!(&mut csv, "run", "varied", headings.collect::<Vec<_>>(), "status", names);
     for (number, row) in study.rows.iter().enumerate() {
         let varied = match row.run.varied {
-            Some(quantity) => study.quantities[quantity].path.to_string(),
+            Some(quantity) => path(study, quantity),
             None if number == 0 => "as the file has it".to_owned(),
             None => "all".to_owned(),
         };
-        let values = (0..study.quantities.len()).map(|quantity| match study.setting(row, quantity) {
-            Some(Setting { number: Some(number), .. }) => number.to_string(),
-            Some(setting) => setting.text.clone(),
-            None => String::new(),
+        let settings = (0..study.quantities.len()).map(|quantity| study.setting(row, quantity));
+        let values = settings.map(|setting| {
+            setting.map(|setting| setting.number.map_or_else(|| setting.text.clone(), |number| number.to_string()))
         });
-        let found =
-            names.iter().map(|name| row.outcome.number(name).map_or(String::new(), |number| number.to_string()));
-        let cells = [number.to_string(), varied].into_iter().chain(values);
-        let cells = cells.chain(std::iter::once(row.outcome.status.clone())).chain(found);
-        let line = cells.map(|cell| quoted(&cell)).collect::<Vec<_>>().join(",");
-        // Writing to a string cannot fail.
-        let _ = writeln!(table, "{line}");
+        let found = names.iter().map(|name| row.outcome.number(name));
+        row!(&mut csv, number, varied, values.collect::<Vec<_>>(), row.outcome.status, found.collect::<Vec<_>>());
     }
-    table
-}
-
-/// A cell as spreadsheets read it (RFC 4180).
-pub(super) fn quoted(cell: &str) -> String {
-    match cell.contains(['"', ',', '\n', '\r']) {
-        true => format!("\"{}\"", cell.replace('"', "\"\"")),
-        false => cell.to_owned(),
-    }
+    csv
 }
 
 #[cfg(test)]
@@ -271,6 +175,8 @@ mod tests {
 
     #[test]
     fn cells_with_commas_are_quoted() {
-        assert_eq!([quoted("a"), quoted("a,b"), quoted("a \"b\"")], ["a", "\"a,b\"", "\"a \"\"b\"\"\""]);
+        let mut csv = String::new();
+        row!(&mut csv, "a", "a,b", "a \"b\"");
+        assert_eq!(csv, "a,\"a,b\",\"a \"\"b\"\"\"\n");
     }
 }

@@ -7,7 +7,7 @@ use crate::commands::{Desk, Source};
 use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
 use crate::program;
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::results;
 use crate::signs;
 use crate::status::Status;
@@ -166,7 +166,7 @@ fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: 
         |names, place, _| {
             report.fields.insert("out".to_owned(), json!(place.display().to_string()));
             report.fields.insert("files".to_owned(), json!(names));
-            report::text_of(&report.object("extrados.assess/1", crate::clock::Clock::start()))
+            ::outcome::published::json(&report.object("extrados.assess/1", crate::clock::Clock::start()))
         },
     );
     if let Err(failure) = written {
