@@ -12,8 +12,8 @@ const SLEEPER: f64 = 0.25;
 
 /// Why vehicles or a rule cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum Unknown {
-    /// No vehicle has this code.
     #[error(
         "there is no vehicle, load model or train \"{code}\": write {near}one of {known}, or name its file in `vehicle_files`"
     )]
@@ -25,7 +25,6 @@ pub enum Unknown {
         /// Codes that there are.
         known: String,
     },
-    /// No rule has this code.
     #[error("there is no rule \"{code}\": write {near}one of {known}, or name its file in `rule_file`")]
     Rule {
         /// As written.
@@ -35,7 +34,6 @@ pub enum Unknown {
         /// Codes that there are.
         known: String,
     },
-    /// The rule was not made for a vehicle.
     #[error(
         "rule \"{rule}\" is not made for \"{vehicle}\" of load model \"{model}\": write a vehicle of {made_for}, or a rule that is \
          made for it ({others}), or give its factors under this rule in a file of your own ([[under]] of a vehicle file, \
@@ -46,14 +44,12 @@ pub enum Unknown {
         vehicle: String,
         /// Its load model.
         model: String,
-        /// The rule.
         rule: String,
         /// Load models that the rule is made for.
         made_for: String,
         /// Rules that are made for the load model.
         others: String,
     },
-    /// A span is longer than the load model goes.
     #[error(
         "\"{vehicle}\" is not made for spans over {longest} m, and this bridge has one of {span} m: {reason}: write a vehicle that \
          is made for this span, or the loading's whole train in a file of your own"
@@ -68,7 +64,6 @@ pub enum Unknown {
         /// Why not longer ones.
         reason: String,
     },
-    /// A file cannot be used.
     #[error("{0}")]
     File(String),
 }

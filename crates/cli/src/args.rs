@@ -8,7 +8,9 @@ use bridge::update::{Search, Start, Variant};
 use bridge::{Analysis, ContactLength, ContactPoints, Friction, Method};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use extrados::StageName;
 use std::path::PathBuf;
+use verification::footing::Ground;
 
 /// Masonry arch bridges: from a bridge file to a collapse load, by discrete elements and by limit analysis.
 #[derive(Debug, Parser)]
@@ -22,6 +24,9 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// How to speak.
+    #[command(flatten)]
+    pub speech: Speech,
 }
 
 /// The commands.
@@ -61,16 +66,16 @@ pub enum Command {
 #[derive(Debug, Clone, Args)]
 pub struct Speech {
     /// Print exactly one JSON object on stdout
-    #[arg(long)]
+    #[arg(long, global = true)]
     pub json: bool,
     /// No progress and no warnings on stderr
-    #[arg(long, short)]
+    #[arg(long, short, global = true)]
     pub quiet: bool,
     /// Where stderr is no terminal, say this often how far the run is; 0 for never
-    #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = seconds, global = true)]
     pub progress_every: f64,
     /// Threads to use [default: one per core]; the numbers are the same whatever it is
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), global = true)]
     pub threads: Option<u16>,
 }
 
@@ -82,9 +87,6 @@ pub struct New {
     /// Which example
     #[arg(long, value_name = "NAME", default_value = "bridgemill")]
     pub from: String,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados check`.
@@ -95,9 +97,6 @@ pub struct Check {
     /// Folder for the drawing [default: out/NAME]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados collapse`.
@@ -126,9 +125,6 @@ pub struct Collapse {
     /// Keep a checkpoint this often
     #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds)]
     pub keep_every: f64,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// Which analysis, and how exactly, in place of the file's plan.
@@ -181,9 +177,6 @@ pub struct Vary {
     /// Which analysis.
     #[command(flatten)]
     pub choice: Choice,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados respond`.
@@ -206,9 +199,6 @@ pub struct Respond {
     /// Write the channels as a logger would have, labelled synthetic, to this table (CSV); never over a measured record
     #[arg(long, value_name = "FILE")]
     pub records: Option<PathBuf>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
     /// How that record is taken.
     #[command(flatten)]
     pub logger: Logger,
@@ -267,9 +257,6 @@ pub struct Update {
     /// Judge the records beside one passage of the start model, and seek nothing
     #[arg(long, conflicts_with_all = ["search", "variant", "start", "resume"])]
     pub records_only: bool,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados assess`.
@@ -281,57 +268,11 @@ pub struct Assess {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Leave a stage out
-    #[arg(long, value_name = "STAGE")]
-    pub skip: Vec<AssessStage>,
+    #[arg(long, value_name = "STAGE", value_parser = one_of(STAGES))]
+    pub skip: Vec<StageName>,
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
     pub resume: bool,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
-}
-
-/// A stage of an assessment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum AssessStage {
-    /// Moduli from records; the file's own values count
-    Update,
-    /// The train that crosses
-    Service,
-    /// The loads of the file at collapse
-    Collapse,
-    /// The vehicles of [sweep]
-    Vehicles,
-    /// The support that moves
-    SupportMovement,
-    /// What would change the verdict
-    Sensitivity,
-}
-
-impl AssessStage {
-    /// The stage.
-    pub fn named(self) -> extrados::StageName {
-        match self {
-            AssessStage::Update => extrados::StageName::Update,
-            AssessStage::Service => extrados::StageName::Service,
-            AssessStage::Collapse => extrados::StageName::Collapse,
-            AssessStage::Vehicles => extrados::StageName::Vehicles,
-            AssessStage::SupportMovement => extrados::StageName::SupportMovement,
-            AssessStage::Sensitivity => extrados::StageName::Sensitivity,
-        }
-    }
-
-    /// As on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            AssessStage::Update => "update",
-            AssessStage::Service => "service",
-            AssessStage::Collapse => "collapse",
-            AssessStage::Vehicles => "vehicles",
-            AssessStage::SupportMovement => "support-movement",
-            AssessStage::Sensitivity => "sensitivity",
-        }
-    }
 }
 
 /// `extrados calibrate-fill`.
@@ -348,9 +289,6 @@ pub struct CalibrateFill {
     /// Folder for results [default: out/NAME]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// Numerical settings in place of the file's.
@@ -399,9 +337,6 @@ pub struct Convert {
     /// Replace TO where it exists; never the input
     #[arg(long)]
     pub overwrite: bool,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados explain`.
@@ -409,9 +344,6 @@ pub struct Convert {
 pub struct Explain {
     /// A code such as B104, or a status such as collapsed; without one, all are listed
     pub code: Option<String>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados vehicles`.
@@ -419,9 +351,6 @@ pub struct Explain {
 pub struct Vehicles {
     /// A vehicle, a load model or a rule, such as lm71 or cs-454; without a name, all are listed
     pub name: Option<String>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados schema`.
@@ -436,9 +365,6 @@ pub struct Schema {
     /// Of files of a rule
     #[arg(long, conflicts_with_all = ["blocks", "vehicles"])]
     pub rule: bool,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados verify`.
@@ -453,9 +379,6 @@ pub struct Verify {
     /// Write the verification manual to this file (Markdown)
     #[arg(long, value_name = "FILE")]
     pub manual: Option<PathBuf>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// `extrados bench`.
@@ -470,8 +393,8 @@ pub struct Bench {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=10_000_000))]
     pub count: Option<u32>,
     /// What yields, for `footing` (von-mises)
-    #[arg(long, value_name = "LAW")]
-    pub material: Option<BenchGround>,
+    #[arg(long, value_name = "LAW", value_parser = one_of(GROUNDS))]
+    pub material: Option<Ground>,
     /// For `disks`: compare with this many boxes stepped side by side, one thread each
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
     pub copies: Option<u16>,
@@ -481,9 +404,6 @@ pub struct Bench {
     /// For `disks --steps`: keep the state in DIR every now and then, and go on from the one that is there
     #[arg(long, value_name = "DIR", requires = "steps")]
     pub checkpoint: Option<PathBuf>,
-    /// How to speak.
-    #[command(flatten)]
-    pub speech: Speech,
 }
 
 /// A measure of speed.
@@ -505,65 +425,94 @@ pub enum BenchName {
     Update,
 }
 
+/// A word on the command line, what it means there, and what it stands for.
+pub type Word<T> = (&'static str, &'static str, T);
+
+const PASSAGE_ANALYSES: &[Word<PassageAnalysis>] = &[
+    ("static", "Every position at rest", PassageAnalysis::Static),
+    ("transient", "With inertia and damping", PassageAnalysis::Transient),
+];
+
+const PASSAGE_PATHS: &[Word<PassagePath>] = &[
+    ("condensed", "Linear zones condensed to what iterates", PassagePath::Condensed),
+    ("plain", "All degrees of freedom at every position", PassagePath::Plain),
+];
+
+const SEARCHES: &[Word<&str>] = &[
+    ("hierarchical", "The railway paper's, by single sweeps and surfaces of two", "hierarchical"),
+    ("modern", "Trust-region least squares from many starts", "modern"),
+    ("referee", "Evolution over the whole ranges", "referee"),
+    ("gradient", "A plain gradient search from one start", "gradient"),
+    ("all", "One after the other", "all"),
+];
+
+const STARTS: &[Word<&str>] = &[
+    ("stated", "The values of the file", "stated"),
+    ("means", "The middle of every range", "means"),
+    ("bounds", "All lower bounds, then all upper bounds", "bounds"),
+    ("all", "Means, then bounds", "all"),
+];
+
+const VARIANTS: &[Word<&str>] = &[
+    ("printed", "The three cases as printed", "printed"),
+    ("as-practised", "A decided descent to a bound freezes a parameter there", "as-practised"),
+    ("both", "One after the other", "both"),
+];
+
+/// Stages of an assessment.
+pub const STAGES: &[Word<StageName>] = &[
+    ("update", "Moduli from records; the file's own values count", StageName::Update),
+    ("service", "The train that crosses", StageName::Service),
+    ("collapse", "The loads of the file at collapse", StageName::Collapse),
+    ("vehicles", "The vehicles of [sweep]", StageName::Vehicles),
+    ("support-movement", "The support that moves", StageName::SupportMovement),
+    ("sensitivity", "What would change the verdict", StageName::Sensitivity),
+];
+
 /// Ground under the footing of `bench footing`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum BenchGround {
-    /// Clay
-    VonMises,
-    /// Frictional, with associated flow
-    DruckerPrager,
-    /// Frictional, without dilation: an unsymmetric tangent
-    NonAssociated,
-    /// Frictional, the pyramid in place of the cone, with associated flow
-    MohrCoulomb,
+pub const GROUNDS: &[Word<Ground>] = &[
+    ("von-mises", "Clay", Ground::VonMises),
+    ("drucker-prager", "Frictional, with associated flow", Ground::DruckerPrager),
+    ("non-associated", "Frictional, without dilation: an unsymmetric tangent", Ground::NonAssociated),
+    ("mohr-coulomb", "Frictional, the pyramid in place of the cone, with associated flow", Ground::MohrCoulomb),
+];
+
+const METHODS: &[Word<Method>] = &[
+    ("dem", "Discrete elements", Method::Dem),
+    ("limit", "Limit analysis of rigid blocks", Method::Limit),
+    ("fe", "Finite elements: one ring between fixed abutments", Method::Fe),
+];
+
+const ANALYSES: &[Word<Analysis>] = &[
+    ("load", "The load that makes a mechanism", Analysis::Load),
+    ("thickness", "The least ring thickness that stands", Analysis::Thickness),
+    ("support-movement", "The support movement that makes a mechanism", Analysis::SupportMovement),
+];
+
+const CONTACT_LENGTHS: &[Word<ContactLength>] =
+    &[("fixed", "Force formulation", ContactLength::Fixed), ("updated", "Stress formulation", ContactLength::Updated)];
+
+const FRICTIONS: &[Word<Friction>] = &[
+    ("associated", "Sliding dilates: exact bounds", Friction::Associated),
+    ("non-associated", "Sliding does not dilate: iterative correction", Friction::NonAssociated),
+    ("automatic", "Non-associated where sliding takes part in the mechanism or lowers the load", Friction::Automatic),
+];
+
+const CONTACT_POINTS: &[Word<ContactPoints>] = &[
+    ("rounded", "Between the rounded corners", ContactPoints::Rounded),
+    ("full-ring", "Anywhere in the full ring", ContactPoints::FullRing),
+];
+
+/// Takes one of these words for what it stands for.
+fn one_of<T: Copy + Send + Sync>(words: &'static [Word<T>]) -> impl TypedValueParser<Value = T> {
+    let known = words.iter().map(|(word, about, _)| PossibleValue::new(word).help(about));
+    PossibleValuesParser::new(known)
+        .map(|said| words.iter().find(|(word, ..)| *word == said).expect("only these words pass").2)
 }
 
-/// Words of a key of bridge files, with what the reference says of them.
-fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
-    let words = T::WORDS.iter().map(|choice| PossibleValue::new(choice.word).help(choice.doc));
-    PossibleValuesParser::new(words).try_map(|word| T::named(&word).ok_or("unknown"))
-}
-
-impl Command {
-    /// How the command speaks.
-    pub fn speech(&self) -> &Speech {
-        match self {
-            Command::New(new) => &new.speech,
-            Command::Check(check) => &check.speech,
-            Command::Collapse(collapse) => &collapse.speech,
-            Command::Convert(convert) => &convert.speech,
-            Command::Vary(vary) => &vary.speech,
-            Command::Respond(respond) => &respond.speech,
-            Command::Update(update) => &update.speech,
-            Command::Assess(assess) => &assess.speech,
-            Command::CalibrateFill(calibrate) => &calibrate.speech,
-            Command::Explain(explain) => &explain.speech,
-            Command::Vehicles(vehicles) => &vehicles.speech,
-            Command::Schema(schema) => &schema.speech,
-            Command::Verify(verify) => &verify.speech,
-            Command::Bench(bench) => &bench.speech,
-        }
-    }
-
-    /// Its name, which is also that of its object.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Command::New(_) => "new",
-            Command::Check(_) => "check",
-            Command::Collapse(_) => "collapse",
-            Command::Convert(_) => "convert",
-            Command::Vary(_) => "vary",
-            Command::Respond(_) => "respond",
-            Command::Update(_) => "update",
-            Command::Assess(_) => "assess",
-            Command::CalibrateFill(_) => "calibrate-fill",
-            Command::Explain(_) => "explain",
-            Command::Vehicles(_) => "vehicles",
-            Command::Schema(_) => "schema",
-            Command::Verify(_) => "verify",
-            Command::Bench(_) => "bench",
-        }
-    }
+/// The word for one of these.
+pub fn word_for<T: PartialEq>(words: &[Word<T>], value: T) -> &'static str {
+    words.iter().find(|(.., one)| *one == value).map_or("", |(word, ..)| word)
 }
 
 impl Choice {
@@ -590,13 +539,8 @@ fn damping(text: &str) -> Result<bridge::Damping, String> {
         Some((kind, share)) => (kind, Some(share)),
         None => (text, None),
     };
-    let share = share.map(|words| {
-        words
-            .parse::<f64>()
-            .ok()
-            .filter(|share| *share > 0.0 && *share <= 1.0)
-            .ok_or("the share lies above 0 and up to 1")
-    });
+    let share =
+        share.map(|words| number(words, |share| share > 0.0 && share <= 1.0, "the share lies above 0 and up to 1"));
     match (kind, share.transpose()?) {
         ("local", share) => Ok(bridge::Damping::Local(share.unwrap_or(0.8))),
         ("viscous", share) => Ok(bridge::Damping::Viscous(share.unwrap_or(0.8))),
@@ -607,24 +551,20 @@ fn damping(text: &str) -> Result<bridge::Damping, String> {
 }
 
 fn seconds(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|seconds| *seconds >= 0.0 && *seconds <= 1e6)
-        .ok_or_else(|| "write a number of seconds, such as 2".to_owned())
+    number(text, |seconds| (0.0..=1e6).contains(&seconds), "write a number of seconds, such as 2")
 }
 
 fn times(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|times| *times > 0.0 && *times <= 1e6)
-        .ok_or_else(|| "write a positive number, such as 50".to_owned())
+    number(text, |times| times > 0.0 && times <= 1e6, "write a positive number, such as 50")
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|ratio| *ratio > 0.0 && *ratio <= 0.1)
-        .ok_or_else(|| "the tolerance is a ratio above 0 and up to 0.1, such as 1e-5".to_owned())
+    let fits = |ratio| ratio > 0.0 && ratio <= 0.1;
+    number(text, fits, "the tolerance is a ratio above 0 and up to 0.1, such as 1e-5")
+}
+
+fn number(text: &str, fits: impl FnOnce(f64) -> bool, help: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|number: &f64| fits(*number)).ok_or_else(|| help.to_owned())
 }
 
 #[cfg(test)]

@@ -28,185 +28,108 @@ pub struct Card {
     pub text: &'static str,
 }
 
-/// Every failure, in the order of its code.
-pub const CARDS: &[Card] = &[
-    Card {
-        code: "F101",
-        title: "the file cannot be read",
-        text: "The path is not a readable file: it does not exist, is a folder, or permissions forbid reading. Paths \
+macro_rules! cards { ($($code:literal, $title:literal, $text:literal;)*) => {
+    /// Every failure, in the order of its code.
+    pub const CARDS: &[Card] = &[$(Card { code: $code, title: $title, text: $text }),*];
+} }
+
+cards! {
+    "F101", "the file cannot be read",
+        "The path is not a readable file: it does not exist, is a folder, or permissions forbid reading. Paths \
                are relative to the folder in which the command runs.\n\nExample: `extrados check bridge.toml` in a \
-               folder without bridge.toml.",
-    },
-    Card {
-        code: "F102",
-        title: "the folder for results cannot be written",
-        text: "Results go to out/NAME in the current folder, where NAME is the file's name without its extension, or \
-               to the folder after --out. The folder is tested before anything is computed, so that no run is lost.",
-    },
-    Card {
-        code: "F103",
-        title: "the folder exists",
-        text: "`extrados new` writes into a new or empty folder only, so that it never overwrites work.",
-    },
-    Card {
-        code: "F104",
-        title: "no example of this name",
-        text: "`extrados new DIR --from NAME` copies an example that comes with the program. The message lists the names.",
-    },
-    Card {
-        code: "F105",
-        title: "no card of this code",
-        text: "`extrados explain CODE` knows the codes of errors (B…), doubts (P…), findings in drawings and block models (D…), warnings of analyses (A…), failures (F…) and the \
-               words of `status`. `extrados explain` without a code lists them all.",
-    },
-    Card {
-        code: "F106",
-        title: "the checkpoint belongs to another run",
-        text: "A checkpoint can only be used by the run that wrote it: the same bridge, the same analysis, the same \
+               folder without bridge.toml.";
+    "F102", "the folder for results cannot be written",
+        "Results go to out/NAME in the current folder, where NAME is the file's name without its extension, or \
+               to the folder after --out. The folder is tested before anything is computed, so that no run is lost.";
+    "F103", "the folder exists",
+        "`extrados new` writes into a new or empty folder only, so that it never overwrites work.";
+    "F104", "no example of this name",
+        "`extrados new DIR --from NAME` copies an example that comes with the program. The message lists the names.";
+    "F105", "no card of this code",
+        "`extrados explain CODE` knows the codes of errors (B…), doubts (P…), findings in drawings and block models (D…), warnings of analyses (A…), failures (F…) and the \
+        words of `status`. `extrados explain` without a code lists them all.";
+    "F106", "the checkpoint belongs to another run",
+        "A checkpoint can only be used by the run that wrote it: the same bridge, the same analysis, the same \
                settings. Otherwise the numbers would belong to neither run. Run without --resume to start from the \
-               beginning.",
-    },
-    Card {
-        code: "F107",
-        title: "the command line cannot be understood",
-        text: "An option is misspelt, missing its value, or has a value that does not fit. `extrados COMMAND --help` lists them.",
-    },
-    Card {
-        code: "F108",
-        title: "the analysis cannot be set up",
-        text: "The file can be read, but this analysis needs something that the file does not have, or cannot use what \
-               it has. The message says what: a load step, a stiffness, a support movement.",
-    },
-    Card {
-        code: "F109",
-        title: "the results could not be written",
-        text: "The analysis finished, but writing its files failed: the disk is full or the folder was removed. No \
-               incomplete file remains. Run again with another --out folder.",
-    },
-    Card {
-        code: "F110",
-        title: "the checkpoint cannot be used",
-        text: "The checkpoint is damaged or cannot be read. Checkpoints are written whole or not at all, so this is \
-               most often an incomplete copy. Run without --resume to start from the beginning.",
-    },
-    Card {
-        code: "F111",
-        title: "no verification cases found",
-        text: "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/ of the \
-               current folder. The cases come with the source and not with the program: run it in a clone, or name the folder.",
-    },
-    Card {
-        code: "F112",
-        title: "a verification case cannot be read",
-        text: "Each case has a case.toml with title, kind, source and at least one [[expect]]: a quantity, its value or bounds, a \
-               tolerance and the reason for it. The message names the file and what is missing or misspelt in it.",
-    },
-    Card {
-        code: "F113",
-        title: "there is nothing to vary",
-        text: "`extrados vary` needs quantities and their values: [[vary]] tables in the bridge file, --set on the command line, or \
-               --ranges with a file of [[vary]] tables. `extrados vary FILE --list` shows every quantity that the file has.\n\n\
-               Example: extrados vary bridge.toml --set joint.friction_angle=30deg..40deg:5",
-    },
-    Card {
-        code: "F114",
-        title: "a varied value is refused",
-        text: "With this value the bridge file cannot be used, for the reason that the message quotes; its code has a \
+               beginning.";
+    "F107", "the command line cannot be understood",
+        "An option is misspelt, missing its value, or has a value that does not fit. `extrados COMMAND --help` lists them.";
+    "F108", "the analysis cannot be set up",
+        "The file can be read, but this analysis needs something that the file does not have, or cannot use what \
+               it has. The message says what: a load step, a stiffness, a support movement.";
+    "F109", "the results could not be written",
+        "The analysis finished, but writing its files failed: the disk is full or the folder was removed. No \
+               incomplete file remains. Run again with another --out folder.";
+    "F110", "the checkpoint cannot be used",
+        "The checkpoint is damaged or cannot be read. Checkpoints are written whole or not at all, so this is \
+               most often an incomplete copy. Run without --resume to start from the beginning.";
+    "F111", "no verification cases found",
+        "`extrados verify FOLDER` looks for folders that hold a case.toml. Without FOLDER it looks in verification/ of the \
+        current folder. The cases come with the source and not with the program: run it in a clone, or name the folder.";
+    "F112", "a verification case cannot be read",
+        "Each case has a case.toml with title, kind, source and at least one [[expect]]: a quantity, its value or bounds, a \
+        tolerance and the reason for it. The message names the file and what is missing or misspelt in it.";
+    "F113", "there is nothing to vary",
+        "`extrados vary` needs quantities and their values: [[vary]] tables in the bridge file, --set on the command line, or \
+        --ranges with a file of [[vary]] tables. `extrados vary FILE --list` shows every quantity that the file has.\n\n\
+        Example: extrados vary bridge.toml --set joint.friction_angle=30deg..40deg:5";
+    "F114", "a varied value is refused",
+        "With this value the bridge file cannot be used, for the reason that the message quotes; its code has a \
                card of its own. Every value is read by the reader of bridge files before anything is computed, so that \
                no run is lost. Where a key applies only with a certain word of another key, vary the two in separate \
-               files.",
-    },
-    Card {
-        code: "F115",
-        title: "too many runs",
-        text: "A grid of all combinations grows fast: five values of five quantities are 3125 runs. The message counts \
+               files.";
+    "F115", "too many runs",
+        "A grid of all combinations grows fast: five values of five quantities are 3125 runs. The message counts \
                them and estimates the time from the bridge as its file has it, which was run once and is kept. \
-               --most-runs N allows more; fewer values, or one quantity at a time (without --grid), need fewer runs.",
-    },
-    Card {
-        code: "F116",
-        title: "the command line fixes what is varied",
-        text: "A flag such as --method or --friction overrides the file, and so the varied values of the file: every \
-               run would be the same. Leave out the flag or the quantity.",
-    },
-    Card {
-        code: "F117",
-        title: "no number of this name",
-        text: "--outcome names one of the numbers that the runs found, which the message lists. Which there are depends on the \
-               analysis: limit analysis has bounds, discrete elements have iterations.",
-    },
-    Card {
-        code: "F118",
-        title: "no conversion between these files",
-        text: "`extrados convert FROM TO` chooses the conversion by the extensions: a bridge file or block model file \
+               --most-runs N allows more; fewer values, or one quantity at a time (without --grid), need fewer runs.";
+    "F116", "the command line fixes what is varied",
+        "A flag such as --method or --friction overrides the file, and so the varied values of the file: every \
+               run would be the same. Leave out the flag or the quantity.";
+    "F117", "no number of this name",
+        "--outcome names one of the numbers that the runs found, which the message lists. Which there are depends on the \
+        analysis: limit analysis has bounds, discrete elements have iterations.";
+    "F118", "no conversion between these files",
+        "`extrados convert FROM TO` chooses the conversion by the extensions: a bridge file or block model file \
                (.toml) becomes a drawing (.dxf), a ParaView file (.vtu) or a block model file with every block listed \
-               (.toml); a drawing becomes a block model file, a ParaView file, or a cleaned drawing in metres.",
-    },
-    Card {
-        code: "F119",
-        title: "the file to be written exists",
-        text: "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
-               drawing that this one names. `extrados respond --records FILE` replaces a record that is labelled synthetic, and never another \
-               file: measured records cannot be made again. `extrados verify --manual FILE` replaces an earlier manual alone.",
-    },
-    Card {
-        code: "F120",
-        title: "a saved packing cannot be used",
-        text: "`file` in [particles] names a table of particles beside the bridge file: a heading that names the \
+               (.toml); a drawing becomes a block model file, a ParaView file, or a cleaned drawing in metres.";
+    "F119", "the file to be written exists",
+        "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
+        drawing that this one names. `extrados respond --records FILE` replaces a record that is labelled synthetic, and never another \
+        file: measured records cannot be made again. `extrados verify --manual FILE` replaces an earlier manual alone.";
+    "F120", "a saved packing cannot be used",
+        "`file` in [particles] names a table of particles beside the bridge file: a heading that names the \
                columns x_m, y_m and radius_m, then a row per particle; lines that begin with # are comments. The \
                message names each line that cannot be read. Every run writes its packing as packing.csv into its \
-               folder of results.",
-    },
-    Card {
-        code: "F121",
-        title: "a train cannot be used",
-        text: "`file` in [train] names the vehicles beside the bridge file: TOML with [[vehicle]] tables as they may stand in the bridge \
-               file as [[train.vehicle]], or a table (.csv) headed axle_load_t,distance_m or axle_force_kn,distance_m with a row per \
-               axle, its distance counted from the first axle back. The message names each line that cannot be read.",
-    },
-    Card {
-        code: "F122",
-        title: "an output would replace an input",
-        text: "A result would replace a file of the same name that the command reads: for example a drawing model.dxf \
+               folder of results.";
+    "F121", "a train cannot be used",
+        "`file` in [train] names the vehicles beside the bridge file: TOML with [[vehicle]] tables as they may stand in the bridge \
+        file as [[train.vehicle]], or a table (.csv) headed axle_load_t,distance_m or axle_force_kn,distance_m with a row per \
+        axle, its distance counted from the first axle back. The message names each line that cannot be read.";
+    "F122", "an output would replace an input",
+        "A result would replace a file of the same name that the command reads: for example a drawing model.dxf \
                with --out . in its folder. Nothing was computed and nothing was written. Name another folder with \
-               --out DIR.",
-    },
-    Card {
-        code: "F123",
-        title: "an output would replace a file that the command did not make",
-        text: "The command keeps a list of the files that it made in a folder of results (.NAME.extrados-files.json beside the folder) with a hash of each, \
-               and replaces those alone. A file that is not on it, or was changed since it was made, is yours: the message names it, \
-               nothing was computed and nothing was written. Move the file, or name another folder with --out DIR.",
-    },
-    Card {
-        code: "F124",
-        title: "the model is too large",
-        text: "The size of the model was estimated before it was made, and it is too large: the message gives the \
-               number and its limit. Most often a length such as `size` in [mesh] was meant in another unit.",
-    },
-    Card {
-        code: "F125",
-        title: "results of another run were kept",
-        text: "The folder held the results of another run (another analysis or method, a sweep, a grid) or of another \
+               --out DIR.";
+    "F123", "an output would replace a file that the command did not make",
+        "The command keeps a list of the files that it made in a folder of results (.NAME.extrados-files.json beside the folder) with a hash of each, \
+        and replaces those alone. A file that is not on it, or was changed since it was made, is yours: the message names it, \
+        nothing was computed and nothing was written. Move the file, or name another folder with --out DIR.";
+    "F124", "the model is too large",
+        "The size of the model was estimated before it was made, and it is too large: the message gives the \
+               number and its limit. Most often a length such as `size` in [mesh] was meant in another unit.";
+    "F125", "results of another run were kept",
+        "The folder held the results of another run (another analysis or method, a sweep, a grid) or of another \
                file of the same name. They were moved to `earlier` in that folder before the new results were written. \
-               --out DIR gives each run its own folder.",
-    },
-    Card {
-        code: "F126",
-        title: "no vehicle, load model or rule of this name",
-        text: "`extrados vehicles NAME` knows the vehicles, load models and rules of the library; `extrados vehicles` \
+               --out DIR gives each run its own folder.";
+    "F126", "no vehicle, load model or rule of this name",
+        "`extrados vehicles NAME` knows the vehicles, load models and rules of the library; `extrados vehicles` \
                without a name lists them all. Your own vehicles and rules are in files that the bridge file names \
-               (`vehicle_files` and `rule_file` in [sweep]).",
-    },
-    Card {
-        code: "F130",
-        title: "nothing can be updated",
-        text: "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] \
+               (`vehicle_files` and `rule_file` in [sweep]).";
+    "F130", "nothing can be updated",
+        "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] \
                with `place`, a table or a folder beside the file) and at least one [[parameter]] with a range. At \
                least one channel of the records must be usable: the message lists what was found in them. Columns are \
-               named after sensors, or assigned to them by `column` in [[channel]].",
-    },
-];
+               named after sensors, or assigned to them by `column` in [[channel]].";
+}
 
 impl Failure {
     /// The input cannot be used.

@@ -1,55 +1,66 @@
 //! How a command ended: the words of `status`, each with its exit code and its card.
 
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// A load set the blocks moving without end.
-    Collapsed,
-    /// Every load up to the limit was carried.
-    StableToLastLoad,
-    /// A load neither came to rest nor collapsed.
-    Stalled,
-    /// The bridge does not stand under its own weight.
-    UnstableUnderSelfWeight,
-    /// No load collapses it.
-    Locks,
-    /// A stage used up its iterations.
-    StepLimit,
-    /// The method found no answer.
-    NotConverged,
-    /// Interrupted; can be resumed.
-    Cancelled,
-    /// Done.
-    Completed,
-    /// Every check that was made is met.
-    Adequate,
-    /// A check is not met.
-    Inadequate,
-    /// No answer that can be vouched for.
-    Undetermined,
-    /// The input cannot be used.
-    UnusableInput,
-    /// The results could not be written.
-    NotWritten,
-}
+/// Statuses: the word that scripts read, the exit code of the command, what it means and what to do.
+macro_rules! statuses { ($($Name:ident: $word:literal, $code:literal, $meaning:literal;)*) => {
+    /// How a command ended.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Status { $($Name),* }
 
-/// Every status, in the order of the manual.
-pub const ALL: [Status; 14] = [
-    Status::Collapsed,
-    Status::StableToLastLoad,
-    Status::Stalled,
-    Status::UnstableUnderSelfWeight,
-    Status::Locks,
-    Status::StepLimit,
-    Status::NotConverged,
-    Status::Cancelled,
-    Status::Completed,
-    Status::Adequate,
-    Status::Inadequate,
-    Status::Undetermined,
-    Status::UnusableInput,
-    Status::NotWritten,
-];
+    /// Every status, in the order of the manual.
+    pub const ALL: &[Status] = &[$(Status::$Name),*];
+
+    impl Status {
+        fn row(self) -> (&'static str, u8, &'static str) {
+            match self { $(Status::$Name => ($word, $code, $meaning)),* }
+        }
+    }
+} }
+
+statuses! {
+    Collapsed: "collapsed", 0,
+        "A load was found that turns the bridge into a mechanism: the result of a collapse analysis.";
+    StableToLastLoad: "stable-to-last-load", 0,
+        "Every load up to the largest one tried was carried. Raise `load_limit` in [analysis] to find the collapse load.";
+    Stalled: "stalled", 0,
+        "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. \
+                 The last stable load is valid, and no collapse load is given. Another damping, or a smaller time step \
+                 factor, often gives a clear result.";
+    UnstableUnderSelfWeight: "unstable-under-self-weight", 1,
+        "The blocks do not stand under their own weight, before any load is applied. Check thickness, supports \
+                 and densities, and look at the picture. A thin ring under deep fill may stand only because the fill \
+                 resists: see [fill_pressure], and as = \"blocks\" in [backing].";
+    Locks: "locks", 0,
+        "The limit load is infinite: as rigid blocks with these joints the bridge cannot become a mechanism \
+                 under this load. Give the masonry a compressive strength, or let a support move.";
+    StepLimit: "step-limit", 3,
+        "A load step used up its iterations while it was still settling. Raise `step_limit` in [analysis], or choose another damping.";
+    NotConverged: "not-converged", 3,
+        "The method found no reliable result: a number stopped being finite, or the solver stopped early. The \
+                 message says where.";
+    Cancelled: "cancelled", 130,
+        "The run was interrupted. Its state is in the checkpoint; the same command with --resume continues to \
+                 the same numbers. `vary` keeps finished runs, and the same command uses them automatically. A sweep \
+                 holds the positions solved by then.";
+    Completed: "completed", 0,
+        "The command did what it was asked.";
+    Adequate: "adequate", 0,
+        "An assessment finished, an ultimate check was made under factors with a source, and every check that \
+                 could be made is met. Checks without a limit in the file are listed as not made and do not count; the \
+                 result also lists what qualifies the verdict. extrados explain A190 has the ladder of verdicts.";
+    Inadequate: "inadequate", 1,
+        "The command finished, and a check or a verification case is not met, or records were found doubtful.";
+    Undetermined: "undetermined", 3,
+        "The command finished without a result: an analysis on which a check depends did not finish, no \
+                 position of the loads turns the bridge into a mechanism, a position of a sweep has no result, no run \
+                 of `vary` found the requested number, or no contact stiffness gives the fill the wanted modulus. An \
+                 assessment whose analyses all finished, but which made no ultimate check under factors with a source, \
+                 is undetermined too and ends with exit code 1: its limits may be met, its strength was not assessed, \
+                 and `missing` says what to write.";
+    UnusableInput: "unusable-input", 2,
+        "The input cannot be used; `errors` says what is wrong, where, and what to write instead.";
+    NotWritten: "not-written", 3,
+        "The results could not be written; the message says where and why.";
+}
 
 impl Status {
     /// The word that scripts read.
@@ -69,91 +80,7 @@ impl Status {
 
     /// The status of this name.
     pub fn named(name: &str) -> Option<Status> {
-        ALL.into_iter().find(|status| status.name() == name)
-    }
-
-    fn row(self) -> (&'static str, u8, &'static str) {
-        match self {
-            Status::Collapsed => (
-                "collapsed",
-                0,
-                "A load was found that turns the bridge into a mechanism: the result of a collapse analysis.",
-            ),
-            Status::StableToLastLoad => (
-                "stable-to-last-load",
-                0,
-                "Every load up to the largest one tried was carried. Raise `load_limit` in [analysis] to find the collapse load.",
-            ),
-            Status::Stalled => (
-                "stalled",
-                0,
-                "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. \
-                 The last stable load is valid, and no collapse load is given. Another damping, or a smaller time step \
-                 factor, often gives a clear result.",
-            ),
-            Status::UnstableUnderSelfWeight => (
-                "unstable-under-self-weight",
-                1,
-                "The blocks do not stand under their own weight, before any load is applied. Check thickness, supports \
-                 and densities, and look at the picture. A thin ring under deep fill may stand only because the fill \
-                 resists: see [fill_pressure], and as = \"blocks\" in [backing].",
-            ),
-            Status::Locks => (
-                "locks",
-                0,
-                "The limit load is infinite: as rigid blocks with these joints the bridge cannot become a mechanism \
-                 under this load. Give the masonry a compressive strength, or let a support move.",
-            ),
-            Status::StepLimit => (
-                "step-limit",
-                3,
-                "A load step used up its iterations while it was still settling. Raise `step_limit` in [analysis], or choose another damping.",
-            ),
-            Status::NotConverged => (
-                "not-converged",
-                3,
-                "The method found no reliable result: a number stopped being finite, or the solver stopped early. The \
-                 message says where.",
-            ),
-            Status::Cancelled => (
-                "cancelled",
-                130,
-                "The run was interrupted. Its state is in the checkpoint; the same command with --resume continues to \
-                 the same numbers. `vary` keeps finished runs, and the same command uses them automatically. A sweep \
-                 holds the positions solved by then.",
-            ),
-            Status::Completed => ("completed", 0, "The command did what it was asked."),
-            Status::Adequate => (
-                "adequate",
-                0,
-                "An assessment finished, an ultimate check was made under factors with a source, and every check that \
-                 could be made is met. Checks without a limit in the file are listed as not made and do not count; the \
-                 result also lists what qualifies the verdict. extrados explain A190 has the ladder of verdicts.",
-            ),
-            Status::Inadequate => (
-                "inadequate",
-                1,
-                "The command finished, and a check or a verification case is not met, or records were found doubtful.",
-            ),
-            Status::Undetermined => (
-                "undetermined",
-                3,
-                "The command finished without a result: an analysis on which a check depends did not finish, no \
-                 position of the loads turns the bridge into a mechanism, a position of a sweep has no result, no run \
-                 of `vary` found the requested number, or no contact stiffness gives the fill the wanted modulus. An \
-                 assessment whose analyses all finished, but which made no ultimate check under factors with a source, \
-                 is undetermined too and ends with exit code 1: its limits may be met, its strength was not assessed, \
-                 and `missing` says what to write.",
-            ),
-            Status::UnusableInput => (
-                "unusable-input",
-                2,
-                "The input cannot be used; `errors` says what is wrong, where, and what to write instead.",
-            ),
-            Status::NotWritten => {
-                ("not-written", 3, "The results could not be written; the message says where and why.")
-            }
-        }
+        ALL.iter().copied().find(|status| status.name() == name)
     }
 }
 
@@ -163,7 +90,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_lead_back() {
-        for status in ALL {
+        for &status in ALL {
             assert_eq!(Status::named(status.name()), Some(status));
         }
         assert_eq!(Status::named("fine"), None);

@@ -218,58 +218,42 @@ pub struct BlockModel {
 
 /// Why a model cannot be analysed.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum ModelError {
-    /// A block's outline and rounding do not go together.
     #[error("block {block}: {source}")]
-    Outline {
-        /// The block.
-        block: u32,
-        /// What is wrong.
-        source: PolygonError,
-    },
-    /// A number that must be positive is not.
+    Outline { block: u32, source: PolygonError },
     #[error("block {block}: {what} must be positive and finite, it is {value}")]
     NotPositive {
-        /// The block.
         block: u32,
         /// Which number.
         what: &'static str,
         /// Its value.
         value: f64,
     },
-    /// A particle has a number that makes no sense.
     #[error("particle {particle}: {what} must be positive and finite, it is {value}")]
     Particle {
-        /// The particle.
         particle: u32,
         /// Which number.
         what: &'static str,
         /// Its value.
         value: f64,
     },
-    /// More particles, more groups of particles or a wider range of sizes than one model can hold.
     #[error("particles: {what} is {value}, at most {most} can be modelled")]
     TooMany {
         /// Of what.
         what: &'static str,
         /// How many.
         value: f64,
-        /// The most.
         most: f64,
     },
-    /// Limit analysis has no particles.
     #[error("limit analysis knows blocks only, and this model has {0} particles: use discrete elements for it")]
     ParticlesInLimitAnalysis(usize),
-    /// A contact law of particles asks for what particles do not have.
     #[error("contacts of particles have no {0}")]
     ParticleLaw(&'static str),
-    /// Nothing is free to move.
     #[error("every block is held: there is nothing to analyse")]
     NothingFree,
-    /// The state to be taken up was kept for another model, or is damaged.
     #[error("the kept state does not belong to this model, or is damaged")]
     ForeignState,
-    /// A contact law has a number that makes no sense.
     #[error("contact law: {what} cannot be {value}")]
     Law {
         /// Which number.
@@ -277,10 +261,8 @@ pub enum ModelError {
         /// Its value.
         value: f64,
     },
-    /// A support movement is imposed on a block that is free to move that way.
     #[error("block {0} is to be moved in a direction in which it is not held")]
     MovedWhileFree(u32),
-    /// A force, a movement, a law or a program names something that the model does not have.
     #[error("there is no {what} {id} in this model")]
     Unknown {
         /// What is named: a block or a group.
@@ -288,7 +270,6 @@ pub enum ModelError {
         /// The id it is named by.
         id: u32,
     },
-    /// Two blocks share more than their surface.
     #[error("blocks {0} and {1} overlap by {2:.6} m where they are built")]
     Overlap(u32, u32, f64),
 }

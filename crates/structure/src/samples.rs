@@ -216,3 +216,27 @@ pub fn backing(height: f64) -> Backing {
         cohesion: None,
     }
 }
+
+/// Numbers between 0 and 1 that look random and are the same in every run (splitmix64).
+pub struct Dice(pub u64);
+
+impl Dice {
+    /// The next one.
+    pub fn roll(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A number between two others.
+    pub fn between(&mut self, a: f64, b: f64) -> f64 {
+        a + (b - a) * self.roll()
+    }
+
+    /// One of these.
+    pub fn choose<T: Clone>(&mut self, from: &[T]) -> T {
+        from[(self.roll() * from.len() as f64) as usize].clone()
+    }
+}

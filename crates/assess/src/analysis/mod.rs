@@ -45,6 +45,7 @@ use thiserror::Error;
 
 /// Why an analysis cannot be set up. What the file must change is in the words.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum AnalysisError {
     /// The bridge cannot be cut into blocks.
     #[error(transparent)]
@@ -52,7 +53,6 @@ pub enum AnalysisError {
     /// The blocks cannot be analysed.
     #[error(transparent)]
     Model(#[from] ModelError),
-    /// The discrete element method needs a stiffness.
     #[error(
         "the discrete element method needs the normal and the shear stiffness of the {joint}: give them in the file"
     )]
@@ -60,25 +60,20 @@ pub enum AnalysisError {
         /// Which joint.
         joint: &'static str,
     },
-    /// A loading block is part of the blocks, which a sweep does not move.
     #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]
     MovedBlock,
     /// The fill cannot be packed.
     #[error(transparent)]
     Packing(#[from] PackingError),
-    /// Calibration needs fill that is particles.
     #[error("no layer of the file is modelled as particles: write as = \"particles\" in a [[cover]]")]
     NoParticles,
-    /// Calibration needs several packings.
     #[error("calibration packs the fill anew for every seed: remove `file` from [particles]")]
     SavedPacking,
-    /// The fill did not come to rest.
     #[error("the fill packed with seed {seed} does not come to rest on its ring: look at it with extrados collapse")]
     FillNotAtRest {
         /// Seed of the packing.
         seed: u64,
     },
-    /// The fill is too shallow for a sample.
     #[error(
         "no square of {size} m fits into the fill between rings, end walls and road: write a smaller sample_size in [calibration]"
     )]
@@ -86,7 +81,6 @@ pub enum AnalysisError {
         /// Side of the square [m].
         size: f64,
     },
-    /// A sample that holds next to nothing.
     #[error(
         "a square of {size} m holds too few particles of {diameter:.3} m: write a sample_size of {:.2} m or more in [calibration]",
         LEAST_SAMPLE * .diameter
@@ -97,7 +91,6 @@ pub enum AnalysisError {
         /// Mean diameter of the particles [m].
         diameter: f64,
     },
-    /// A packing that was saved belongs to another bridge.
     #[error(
         "{astray} of the {count} particles of the saved packing lie outside the region of the fill, the first at \
          x = {:.3} m, y = {:.3} m: the packing is of another bridge", first[0], first[1]
@@ -113,28 +106,22 @@ pub enum AnalysisError {
     /// A train's passage cannot be set up.
     #[error(transparent)]
     Passage(#[from] passage::PassageError),
-    /// Finite elements know one ring between fixed abutments.
     #[error(
         "finite elements make one ring between fixed abutments collapse, without walls, particles or loading blocks: write \
          method = \"dem\" or \"limit\" for this bridge"
     )]
     NotOneRing,
-    /// Finite elements only increase loads.
     #[error("finite elements increase loads and nothing else: write method = \"dem\" or \"limit\" for {0}")]
     NotByFiniteElements(&'static str),
-    /// The mesh of a ring is none.
     #[error("the mesh of the ring cannot be analysed: {0}")]
     Elements(mechanics::fem::ModelError),
-    /// The equations of a ring cannot be set up.
     #[error("the equations of the ring cannot be set up: {0}")]
     Equations(mechanics::fem::FactorError),
     /// A vehicle or a rule of a sweep is not known.
     #[error(transparent)]
     Vehicles(#[from] crate::vehicles::Refused),
-    /// There is no load to increase.
     #[error("no load of the file reaches the rings: there is nothing to increase; describe one with [[load]]")]
     NoLoad,
-    /// A number of the plan is missing that cannot be chosen from the bridge.
     #[error("the plan gives no {what}: {why}")]
     Missing {
         /// Which entry.

@@ -4,7 +4,7 @@ mod fleet;
 mod pdf;
 
 use super::{Desk, Source};
-use crate::args::Assess as Arguments;
+use crate::args::{Assess as Arguments, STAGES, word_for};
 use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
@@ -36,9 +36,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return Ok(source.report(Status::Cancelled).saying(format!("interrupted; {KEPT}\n")));
     };
     let mut report = answer(&done, &source);
-    for warning in done.warnings() {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &done.warnings());
     if !done.assessment.verdict.strength.assessed {
         report.warn(
             &mut desk.screen,
@@ -100,7 +98,7 @@ fn assessed(
 ) -> Result<Option<Assessed>, Failure> {
     let shelf = FolderShelf::new(folder, Resume::WherePossible);
     let options = AssessOptions {
-        skip: arguments.skip.iter().map(|stage| stage.named()).collect(),
+        skip: arguments.skip.clone(),
         command: command(arguments, source.project.name()),
         day: today(),
     };
@@ -116,7 +114,7 @@ fn assessed(
 
 /// The command that makes this bridge's report by itself.
 fn command(arguments: &Arguments, file: &str) -> String {
-    let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {}", stage.word())).collect();
+    let skipped: String = arguments.skip.iter().map(|stage| format!(" --skip {}", word_for(STAGES, *stage))).collect();
     format!("extrados assess {file}{skipped}")
 }
 

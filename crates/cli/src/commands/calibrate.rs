@@ -31,9 +31,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     if found.verdict == Verdict::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = published::calibration(&found);
     report.summary = summary::calibration(&found, &folder.path().display().to_string());
     write(desk, &found, report, &folder)

@@ -107,9 +107,7 @@ fn write(
     mut report: Report,
     folder: &Folder,
 ) -> Result<Report, Failure> {
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     for warning in found.wall_strip.iter().flat_map(|wall| &wall.warnings) {
         // What is said of the other strip already need not be repeated.
         if !found.warnings.contains(warning) {
@@ -146,8 +144,7 @@ fn tables(found: &Collapse) -> Vec<figures::File> {
         ("particle-contacts", published::particle_contacts(found)),
         ("packing", structure::packing_file::write(found)),
     ];
-    let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
-    filled.map(|(name, text)| table(name, text)).collect()
+    results::tables(all).collect()
 }
 
 /// The vehicles of the file's [sweep] moved over the bridge, or its loads where it has none.
@@ -173,9 +170,7 @@ fn sweep(
 /// Writes a sweep of vehicles.
 fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder: &Folder) -> Result<Report, Failure> {
     let mut report = source.report(ended(found.status()));
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = published::vehicle_sweep(found);
     report.summary = summary::vehicles(found, &folder.path().display().to_string());
     let mut files = Vec::new();
@@ -194,9 +189,7 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
 /// Writes a sweep of the file's loads.
 fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder) -> Result<Report, Failure> {
     let mut report = source.report(ended(found.ended()));
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
     report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());

@@ -63,7 +63,7 @@ fn all() -> Vec<Card> {
     for card in failure::CARDS {
         cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
     }
-    for status in status::ALL {
+    for &status in status::ALL {
         cards.push(Card {
             code: status.name().to_owned(),
             title: format!("status, exit code {}", status.exit_code()),

@@ -26,8 +26,8 @@ use crate::report::Report;
 use crate::screen::Screen;
 use crate::signs;
 use crate::status::Status;
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches};
 use extrados::{Disk, Files, Project};
 use serde_json::json;
 use std::ffi::OsString;
@@ -57,15 +57,16 @@ impl From<Report> for Answer {
 /// Runs the command line and gives the exit code.
 pub fn run(words: Vec<OsString>) -> u8 {
     let clock = Clock::start();
-    let arguments = match Arguments::try_parse_from(&words) {
-        Ok(arguments) => arguments,
+    let parsed = Arguments::command().try_get_matches_from(&words);
+    let parsed = parsed.and_then(|said| Ok((Arguments::from_arg_matches(&said)?, said)));
+    let (Arguments { command, speech }, said) = match parsed {
+        Ok(parsed) => parsed,
         Err(error) => return misspoken(&words, &error, clock),
     };
-    let speech = arguments.command.speech().clone();
-    let schema = format!("extrados.{}/1", arguments.command.name());
+    let schema = format!("extrados.{}/1", said.subcommand_name().unwrap_or("command"));
     let mut desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema };
     // Speeds are compared core by core.
-    let unasked = u16::from(matches!(arguments.command, Command::Bench(_)));
+    let unasked = u16::from(matches!(command, Command::Bench(_)));
     let threads = usize::from(speech.threads.unwrap_or(unasked));
     // Only fails when a pool is there already; then its size is the one that `threads` reports.
     let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(host::STACK).build_global();
@@ -73,7 +74,7 @@ pub fn run(words: Vec<OsString>) -> u8 {
     let lines = host::lines(speech.quiet, speech.progress_every);
     let schema = desk.schema.clone();
     let work = move || {
-        let answer = obey(&mut desk, &arguments.command);
+        let answer = obey(&mut desk, &command);
         (desk, answer)
     };
     let (mut desk, answer) = match host::wait(work, lines) {

@@ -35,9 +35,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     if found.status == PassageStatus::Cancelled {
         return Ok(report.saying("interrupted; nothing was written\n".to_owned()));
     }
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = published::passage(&found);
     report.summary = summary::passage(&found, &folder.path().display().to_string());
     if let Some(recorder) = recorder {

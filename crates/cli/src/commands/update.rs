@@ -32,7 +32,8 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let shelf = FolderShelf::new(&folder, if arguments.resume { Resume::Asked } else { Resume::No });
     let means = Means { shelf: &shelf, clock: &desk.clock, program: &program::hash() };
     let mut spectator = Spectator::new(desk.screen.quiet);
-    let found = extrados::update(&source.project, &options(arguments), &means, &mut spectator);
+    let options = UpdateOptions { search: arguments.search, variant: arguments.variant, start: arguments.start };
+    let found = extrados::update(&source.project, &options, &means, &mut spectator);
     spectator.finish();
     let trouble = shelf.trouble();
     // Where the log could not be opened, its own failure says more than the refusal.
@@ -41,9 +42,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     if let Some(failure) = trouble {
         report.warn(&mut desk.screen, failure.code, &failure.message);
     }
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     doubts(desk, &found, &mut report);
     if found.status == UpdateStatus::Cancelled {
         let path = folder.file(log::NAME).display().to_string();
@@ -68,9 +67,7 @@ fn judged(desk: &mut Desk, source: &Source, folder: &Folder) -> Result<Report, F
     }
     let status = if found.records.doubted() { Status::Inadequate } else { Status::Completed };
     let mut report = source.report(status);
-    for warning in &found.warnings {
-        report.warn(&mut desk.screen, warning.code, &warning.message);
-    }
+    report.warn_of(&mut desk.screen, &found.warnings);
     doubts(desk, &found, &mut report);
     report.fields = published::update(&found);
     report.summary = summary::records(&found, &folder.path().display().to_string());
@@ -84,11 +81,6 @@ fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
             report.warn_at(&mut desk.screen, file, finding);
         }
     }
-}
-
-/// What the command line says in place of the file.
-fn options(arguments: &Arguments) -> UpdateOptions {
-    UpdateOptions { search: arguments.search, variant: arguments.variant, start: arguments.start }
 }
 
 fn write(desk: &mut Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {

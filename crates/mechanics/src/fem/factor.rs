@@ -188,50 +188,29 @@ impl Solver {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(FactorError::Singular);
         }
-        if self.definite(pattern, values) && self.values_are_finite() {
-            self.kind = Kind::Definite;
-        } else if self.indefinite(pattern, values) && self.values_are_finite() {
-            self.kind = Kind::Indefinite;
-        } else {
-            return Err(FactorError::Singular);
-        }
+        let kinds = [Kind::Definite, Kind::Indefinite];
+        let done = kinds.into_iter().find(|kind| self.factorised_as(*kind, pattern, values));
+        self.kind = done.ok_or(FactorError::Singular)?;
         Ok(self.kind == Kind::Definite)
     }
 
-    fn definite(&mut self, pattern: &Pattern, values: &[f64]) -> bool {
+    /// Whether there is a factor of this kind, all of it finite.
+    fn factorised_as(&mut self, kind: Kind, pattern: &Pattern, values: &[f64]) -> bool {
         let matrix = SparseColMatRef::new(structure(pattern), values);
-        let stack = MemStack::new(&mut self.memory);
-        let plain = LltRegularization::default();
-        let done = self.symbolic.factorize_numeric_llt(
-            &mut self.values,
-            matrix,
-            Side::Lower,
-            plain,
-            Par::Seq,
-            stack,
-            Default::default(),
-        );
-        done.is_ok()
-    }
-
-    fn indefinite(&mut self, pattern: &Pattern, values: &[f64]) -> bool {
-        let matrix = SparseColMatRef::new(structure(pattern), values);
-        let stack = MemStack::new(&mut self.memory);
-        let plain = LdltRegularization::default();
-        let done = self.symbolic.factorize_numeric_ldlt(
-            &mut self.values,
-            matrix,
-            Side::Lower,
-            plain,
-            Par::Seq,
-            stack,
-            Default::default(),
-        );
-        done.is_ok()
-    }
-
-    fn values_are_finite(&self) -> bool {
-        self.values.iter().all(|value| value.is_finite())
+        let (to, stack, side) = (&mut self.values, MemStack::new(&mut self.memory), Side::Lower);
+        let plain = Default::default();
+        let done = match kind {
+            Kind::Nothing => false,
+            Kind::Definite => {
+                let rule = LltRegularization::default();
+                self.symbolic.factorize_numeric_llt(to, matrix, side, rule, Par::Seq, stack, plain).is_ok()
+            }
+            Kind::Indefinite => {
+                let (rule, plain) = (LdltRegularization::default(), Default::default());
+                self.symbolic.factorize_numeric_ldlt(to, matrix, side, rule, Par::Seq, stack, plain).is_ok()
+            }
+        };
+        done && self.values.iter().all(|value| value.is_finite())
     }
 
     /// `x` becomes the inverse of the factorised symmetric part times `x`.

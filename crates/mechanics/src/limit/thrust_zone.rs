@@ -31,18 +31,10 @@ pub fn thrust_zone(
     factor: f64,
     settings: &Settings,
 ) -> Result<ThrustZone, ModelError> {
-    if model.blocks.iter().all(|b| b.held.is_fixed()) {
-        return Err(ModelError::NothingFree);
-    }
-    let (interfaces, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium::new(model, loading, &joints);
-    let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
-    let factor = factor / equilibrium.factor_scale;
-    let loads: Vec<f64> =
-        equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
-    let zone = Zone { equilibrium: &equilibrium, joints: &joints, strengths: &strengths, loads: &loads };
-    let reach = (0..joints.len()).map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?])).collect();
-    Ok(ThrustZone { interfaces, reach, least_thrust: zone.line(-1.0), greatest_thrust: zone.line(1.0) })
+    let zone = Zone::of(model, loading, factor, settings)?;
+    let reach = (0..zone.joints.len()).map(|j| Some([zone.extreme(j, -1.0)?, zone.extreme(j, 1.0)?])).collect();
+    let (least_thrust, greatest_thrust) = (zone.line(-1.0), zone.line(1.0));
+    Ok(ThrustZone { interfaces: zone.interfaces, reach, least_thrust, greatest_thrust })
 }
 
 /// The joints, and the line of thrust of the state with the least compression summed over all of them, under gravity,
@@ -54,28 +46,32 @@ pub fn least_thrust(
     factor: f64,
     settings: &Settings,
 ) -> Result<(Vec<Interface>, Option<Vec<Option<Resultant>>>), ModelError> {
-    if model.blocks.iter().all(|b| b.held.is_fixed()) {
-        return Err(ModelError::NothingFree);
-    }
-    let (interfaces, joints) = joints(model, settings)?;
-    let equilibrium = Equilibrium::new(model, loading, &joints);
-    let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
-    let factor = factor / equilibrium.factor_scale;
-    let loads: Vec<f64> =
-        equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
-    let zone = Zone { equilibrium: &equilibrium, joints: &joints, strengths: &strengths, loads: &loads };
+    let zone = Zone::of(model, loading, factor, settings)?;
     let line = zone.line(-1.0);
-    Ok((interfaces, line))
+    Ok((zone.interfaces, line))
 }
 
-struct Zone<'a> {
-    equilibrium: &'a Equilibrium,
-    joints: &'a [Joint],
-    strengths: &'a [Strength],
-    loads: &'a [f64],
+struct Zone {
+    interfaces: Vec<Interface>,
+    joints: Vec<Joint>,
+    strengths: Vec<Strength>,
+    equilibrium: Equilibrium,
+    loads: Vec<f64>,
 }
 
-impl Zone<'_> {
+impl Zone {
+    fn of(model: &BlockModel, loading: &Loading, factor: f64, settings: &Settings) -> Result<Zone, ModelError> {
+        if model.blocks.iter().all(|b| b.held.is_fixed()) {
+            return Err(ModelError::NothingFree);
+        }
+        let (interfaces, joints) = joints(model, settings)?;
+        let equilibrium = Equilibrium::new(model, loading, &joints);
+        let strengths = joints.iter().map(|j| j.strength).collect();
+        let factor = factor / equilibrium.factor_scale;
+        let loads = equilibrium.permanent.iter().zip(&equilibrium.variable).map(|(w, p)| w + factor * p).collect();
+        Ok(Zone { interfaces, joints, strengths, equilibrium, loads })
+    }
+
     /// Farthest place of the resultant of joint `j` to one side of its tangent. A ratio of two forces, moment over
     /// compression, made linear by taking the compression as the unit of force (Charnes and Cooper 1962).
     fn extreme(&self, j: usize, side: f64) -> Option<Vec2> {
@@ -86,10 +82,10 @@ impl Zone<'_> {
         }
         let nothing = vec![0.0; self.equilibrium.rows];
         let solution = Program {
-            equilibrium: self.equilibrium,
-            joints: self.joints,
-            strengths: self.strengths,
-            drive: self.loads,
+            equilibrium: &self.equilibrium,
+            joints: &self.joints,
+            strengths: &self.strengths,
+            drive: &self.loads,
             rest: &nothing,
             cap: None,
             reward: vec![(c, -side), (c + 1, side)],
@@ -109,11 +105,11 @@ impl Zone<'_> {
             reward.extend((c..c + joint.points.len()).map(|column| (column, sign)));
         }
         let solution = Program {
-            equilibrium: self.equilibrium,
-            joints: self.joints,
-            strengths: self.strengths,
+            equilibrium: &self.equilibrium,
+            joints: &self.joints,
+            strengths: &self.strengths,
             drive: &nothing,
-            rest: self.loads,
+            rest: &self.loads,
             // `t` has no part in this program.
             cap: Some(0.0),
             reward,
@@ -121,7 +117,7 @@ impl Zone<'_> {
             role: Role::Factor,
         }
         .solve(TOLERANCE);
-        let forces = joint_forces(self.equilibrium, self.joints, &solution.forces);
+        let forces = joint_forces(&self.equilibrium, &self.joints, &solution.forces);
         (solution.ending == Ending::Solved)
             .then(|| self.joints.iter().zip(&forces).map(|(j, f)| resultant(j, f)).collect())
     }

@@ -11,20 +11,16 @@ pub struct Polygon {
 
 /// Why a list of points is no block outline.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum PolygonError {
-    /// Fewer than three vertices.
     #[error("an outline needs at least three vertices, this one has {0}")]
     TooFewVertices(usize),
-    /// A coordinate is not a number.
     #[error("vertex {0} has a coordinate that is not finite")]
     NotFinite(usize),
-    /// Two neighbouring vertices coincide.
     #[error("vertices {0} and {1} coincide")]
     Coincident(usize, usize),
-    /// The outline turns the wrong way at a vertex, or runs clockwise, or crosses itself.
     #[error("the outline is not convex and counter-clockwise at vertex {0}")]
     NotConvex(usize),
-    /// The rounding radius leaves nothing of an edge.
     #[error("corners rounded by {radius} m leave nothing of edge {edge}")]
     RoundedAway {
         /// The edge that vanishes.

@@ -174,31 +174,18 @@ pub struct Discretised {
 
 /// Why a bridge cannot be cut into blocks.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum DiscretiseError {
-    /// A voussoir has no usable outline.
     #[error("voussoir {voussoir} of ring {ring} in span {span} has no usable outline: {source}")]
-    Voussoir {
-        /// Span, from 1.
-        span: usize,
-        /// Ring, from 1.
-        ring: usize,
-        /// Voussoir, from 1.
-        voussoir: usize,
-        /// What is wrong.
-        source: PolygonError,
-    },
-    /// An abutment or pier has no usable outline.
+    Voussoir { span: usize, ring: usize, voussoir: usize, source: PolygonError },
     #[error("support {support} (0 is the left abutment) has no usable outline: {source}")]
     Support {
         /// Support, from the left, 0 the left abutment.
         support: usize,
-        /// What is wrong.
         source: PolygonError,
     },
-    /// The rings of neighbouring spans cross above their pier.
     #[error("the rings on both sides of pier {support} cross by {overlap:.3} m: its width of {width} m is too small")]
     RingsCross {
-        /// Support.
         support: usize,
         /// By how much [m].
         overlap: f64,
@@ -216,52 +203,31 @@ pub enum DiscretiseError {
     /// The spandrel wall cannot be cut into bricks.
     #[error(transparent)]
     Wall(#[from] WallError),
-    /// Backing cannot be laid as blocks.
     #[error("backing cannot be laid as blocks on these haunches: {0}; write as = \"weight\" in [backing]")]
     Backing(WallError),
-    /// The strip below the walls is asked for, and there are none.
     #[error("the bridge has no spandrel wall: describe it with [spandrel_wall], or analyse strip = \"fill\"")]
     NoWall,
-    /// A loading block would stand on cover.
     #[error(
         "load {load} stands on cover that is weight alone and cannot carry its block: write through = \"cover\", or analyse \
          strip = \"wall\""
     )]
-    BlockOnCover {
-        /// The load, from 1.
-        load: usize,
-    },
-    /// A layer that is weight alone would lie on particles.
+    BlockOnCover { load: usize },
     #[error(
         "layer {layer} of the cover is weight alone, and weight cannot act on particles: write as = \"particles\" or as = \
          \"nothing\" for it"
     )]
-    WeightOnParticles {
-        /// The layer, from 1.
-        layer: usize,
-    },
-    /// Backing that is weight alone would carry particles.
+    WeightOnParticles { layer: usize },
     #[error("[backing] is weight alone and cannot carry particles: leave it out, or model no layer as particles")]
     BackingUnderParticles,
-    /// A load would act on particles directly.
     #[error("load {load} would act on particles: write through = \"block\" and the block's weight")]
-    LoadOnParticles {
-        /// The load, from 1.
-        load: usize,
-    },
-    /// Layers do not follow one another as bodies can.
+    LoadOnParticles { load: usize },
     #[error(
         "layer {layer} of the cover cannot lie on the one below it: from the extrados up come particles, then blocks, then \
          what is weight alone or nothing"
     )]
-    LayerOrder {
-        /// The layer, from 1.
-        layer: usize,
-    },
-    /// There is nothing between the extrados and the road.
+    LayerOrder { layer: usize },
     #[error("there is no region between the extrados and the road that particles could fill")]
     NoRegion,
-    /// The file moves a support that does not exist.
     #[error("support {support} does not exist: the last is {last}")]
     NoSuchSupport {
         /// Support named.

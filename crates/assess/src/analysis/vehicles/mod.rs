@@ -48,7 +48,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let step = plan.step.unwrap_or(shortest / 60.0);
     let weights = weights::combinations(bridge, &rule);
-    let swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, watch)?;
+    let swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, true, watch)?;
     let governing = swept
         .iter()
         .enumerate()

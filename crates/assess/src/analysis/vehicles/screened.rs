@@ -58,9 +58,8 @@ fn the_least_factors_are_those_of_the_full_search() {
         let plan = b.sweep.as_ref().unwrap();
         let (rule, vehicles) = chosen(&b, plan).unwrap();
         let weights = &weights::combinations(&b, &rule)[..1];
-        let with = |screen| {
-            search::screened(&b, &rule, plan, &vehicles, weights, step, screen, &mut Unwatched).unwrap().remove(0)
-        };
+        let with =
+            |screen| search::all(&b, &rule, plan, &vehicles, weights, step, screen, &mut Unwatched).unwrap().remove(0);
         let [all, few] = [with(false), with(true)];
         assert!(few.cases < all.cases, "{seed}: {} of {} cases", few.cases, all.cases);
         assert_eq!(few.by_interior_point, few.cases, "{seed}");

@@ -78,23 +78,10 @@ struct Part {
 /// Share of the work that all positions are; the rest seeks the worst ones.
 const POSITIONS: f64 = 0.8;
 
-/// Answers every case of every vehicle under every combination of factors on weights. Where the onlooker wishes to stop, vehicles
-/// that were not finished say so.
-pub fn all(
-    bridge: &Bridge,
-    rule: &Rule,
-    plan: &SweepPlan,
-    vehicles: &[Chosen],
-    weights: &[Weights],
-    step: f64,
-    watch: &mut dyn Watch,
-) -> Result<Vec<Swept>, AnalysisError> {
-    screened(bridge, rule, plan, vehicles, weights, step, true, watch)
-}
-
-/// The same with or without cases left out.
+/// Answers every case of every vehicle under every combination of factors on weights, with or without cases left out by a `screen`.
+/// Where the onlooker wishes to stop, vehicles that were not finished say so.
 #[allow(clippy::too_many_arguments)]
-pub(super) fn screened(
+pub fn all(
     bridge: &Bridge,
     rule: &Rule,
     plan: &SweepPlan,

@@ -1,6 +1,6 @@
 //! `extrados bench footing`: yielding ground under a rough footing, from the mesh to the last load step.
 
-use crate::args::{Bench, BenchGround};
+use crate::args::{Bench, GROUNDS, word_for};
 use crate::clock::Clock;
 use crate::commands::Desk;
 use crate::failure::Failure;
@@ -19,22 +19,17 @@ const TOLERANCE: f64 = 1e-6;
 /// Repeats the push and gives the least and the middle time.
 pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     let columns = arguments.count.unwrap_or(COLUMNS) as usize;
-    let (ground, name) = match arguments.material.unwrap_or(BenchGround::VonMises) {
-        BenchGround::VonMises => (Ground::VonMises, "von-mises"),
-        BenchGround::DruckerPrager => (Ground::DruckerPrager, "drucker-prager"),
-        BenchGround::NonAssociated => (Ground::NonAssociated, "non-associated"),
-        BenchGround::MohrCoulomb => (Ground::MohrCoulomb, "mohr-coulomb"),
-    };
+    let ground = arguments.material.unwrap_or(Ground::VonMises);
     let refused =
         |error: verification::footing::FootingError| Failure::input("F108", error.to_string(), "ask for less");
     let mut onlooker = Spectator::new(desk.screen.quiet || desk.screen.json);
     let (mut seconds, mut last) = (Vec::new(), None);
     for _ in 0..arguments.repeats {
         let clock = Clock::start();
-        let ground = footing(columns, ground, fem::Element::Q4).map_err(refused)?;
-        let pushed = ground.push(&settings(TOLERANCE), &mut onlooker).map_err(refused)?;
+        let mesh = footing(columns, ground, fem::Element::Q4).map_err(refused)?;
+        let pushed = mesh.push(&settings(TOLERANCE), &mut onlooker).map_err(refused)?;
         seconds.push(clock.seconds());
-        last = Some((pushed, ground.model.equations()));
+        last = Some((pushed, mesh.model.equations()));
         if asked_to_stop() {
             break;
         }
@@ -57,7 +52,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         .with("name", "footing")
         .with("size", columns * columns.div_ceil(2))
         .with("repeats", seconds.len())
-        .with("material", name)
+        .with("material", word_for(GROUNDS, ground))
         .with("seconds", least)
         .with("seconds_median", middle)
         .with("iterations_total", pushed.outcome.iterations)
@@ -70,10 +65,11 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         .with("tolerance", TOLERANCE)
         .with("degrees_of_freedom", equations)
         .saying(format!(
-            "footing: {least:.3} s (median {middle:.3} s of {}), {name}, {columns} x {} elements, {equations} degrees of freedom, one \
+            "footing: {least:.3} s (median {middle:.3} s of {}), {}, {columns} x {} elements, {equations} degrees of freedom, one \
              core\n{ended} at {:.1} % of the push in {kept} steps and {} iterations to {TOLERANCE:.0e}; mean pressure {pressure:.1} \
              kPa{beyond}; {} points flow\n",
             seconds.len(),
+            word_for(GROUNDS, ground),
             columns.div_ceil(2),
             100.0 * pushed.outcome.reached,
             pushed.outcome.iterations,

@@ -54,6 +54,7 @@ pub struct Meshed {
 
 /// Why a bridge has no mesh.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum MeshError {
     /// The intrados of a span cannot be drawn.
     #[error("the intrados of span {span} has no curve: {misfit}")]
@@ -69,13 +70,11 @@ pub enum MeshError {
          for example \"fill\" of 0.3 m"
     )]
     NoFill,
-    /// The rings of neighbouring spans leave no room for fill on their pier.
     #[error(
         "the rings on both sides of pier {support} leave {gap:.3} m between their backs on its top: the mesh needs {least:.3} m; \
          give a pier {wider:.3} m wider"
     )]
     RingsMeet {
-        /// Support, from 1.
         support: usize,
         /// Room between them [m].
         gap: f64,
@@ -84,7 +83,6 @@ pub enum MeshError {
         /// What is missing [m].
         wider: f64,
     },
-    /// The mesh would be too large.
     #[error("a mesh of this size would have about {nodes} nodes, more than {most}: give a larger `size` in [mesh]")]
     TooFine {
         /// Nodes expected.
@@ -92,12 +90,10 @@ pub enum MeshError {
         /// Most nodes.
         most: usize,
     },
-    /// An element is folded or all but flat.
     #[error(
         "an element of the {zone} at x = {x:.2} m, y = {y:.2} m would be folded or flat (scaled Jacobian {value:.4}): {help}"
     )]
     Folded {
-        /// Zone.
         zone: String,
         /// Place [m].
         x: f64,

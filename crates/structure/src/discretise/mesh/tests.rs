@@ -1,30 +1,11 @@
 //! Tests of meshes: they fill the bridge once, their faces fit, and any bridge has one.
 
 use super::*;
-use crate::samples::{bridgemill, spans};
+use crate::samples::{Dice, bridgemill, spans};
 use bridge::ring::Profile;
 use bridge::*;
 use mechanics::ids::NodeId;
 use mechanics::plane::{Vec2, vec2};
-
-/// Random numbers (splitmix64).
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, a: f64, b: f64) -> f64 {
-        a + (b - a) * self.roll()
-    }
-    fn choose<T: Clone>(&mut self, from: &[T]) -> T {
-        from[(self.roll() * from.len() as f64) as usize].clone()
-    }
-}
 
 fn ring(thickness: f64, voussoirs: usize) -> Ring {
     Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs }

@@ -57,8 +57,8 @@ pub struct Piece {
 
 /// Why a wall cannot be cut into bricks.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[expect(missing_docs, reason = "the messages say what each is")]
 pub enum WallError {
-    /// The top lies too low.
     #[error(
         "the spandrel wall is {height:.3} m high at x = {x:.3} m, less than the least piece of {least:.3} m: give a higher \
          `top` or a smaller `least_piece` in [spandrel_wall]"
@@ -71,7 +71,6 @@ pub enum WallError {
         /// Least thickness of a piece [m].
         least: f64,
     },
-    /// A piece would be a sliver.
     #[error(
         "a piece of the spandrel wall at x = {x:.3} m, y = {y:.3} m would be {width:.3} m thick, less than the least piece of \
          {least:.3} m: use fewer voussoirs in the uppermost ring, a wider pier or abutment, or a smaller `least_piece` in \
@@ -87,17 +86,14 @@ pub enum WallError {
         /// Least thickness of a piece [m].
         least: f64,
     },
-    /// A piece has no usable outline.
     #[error("a piece of the spandrel wall at x = {x:.3} m, y = {y:.3} m has no usable outline: {source}")]
     Outline {
         /// Where [m].
         x: f64,
         /// Level [m].
         y: f64,
-        /// What is wrong.
         source: PolygonError,
     },
-    /// Bricks so small that their number is no model.
     #[error(
         "about {count:.0} bricks of {length} x {height} m make the spandrel wall, more than the {most} that are analysed: \
              describe larger ones in [spandrel_wall]"
@@ -112,13 +108,11 @@ pub enum WallError {
         /// As many as can be.
         most: usize,
     },
-    /// The faces below the wall do not run from left to right.
     #[error("the extrados leans back over x = {x:.3} m, where no wall can stand on it")]
     Overhang {
         /// Where [m].
         x: f64,
     },
-    /// A block stands beside the wall.
     #[error(
         "the loading block at x = {x:.3} m does not stand on the spandrel wall, which runs from {from:.3} m to {to:.3} m"
     )]

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::discretise::{DiscretiseError, Discretised, Origin, discretise};
-use crate::samples::{bridgemill, spans};
+use crate::samples::{Dice, bridgemill, spans};
 use bridge::ring::Profile;
 use bridge::{Ring, Span, Strip};
 use mechanics::blocks::interfaces;
@@ -103,25 +103,6 @@ fn is_partition(bridge: &Bridge, d: &Discretised) -> usize {
         }
     }
     pieces.len()
-}
-
-/// Numbers between 0 and 1 that look random and are the same in every run (splitmix64).
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, a: f64, b: f64) -> f64 {
-        a + (b - a) * self.roll()
-    }
-    fn choose<T: Copy>(&mut self, from: &[T]) -> T {
-        from[(self.roll() * from.len() as f64) as usize]
-    }
 }
 
 fn random_span(dice: &mut Dice, kind: usize) -> Span {
