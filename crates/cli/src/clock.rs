@@ -7,7 +7,6 @@ use std::time::Instant;
 pub struct Clock(Instant);
 
 impl Clock {
-    /// Starts it.
     pub fn start() -> Clock {
         Clock(Instant::now())
     }

@@ -3,13 +3,10 @@
 /// A file of an example.
 #[derive(Debug)]
 pub struct File {
-    /// Its name.
     pub name: &'static str,
-    /// Its text.
     pub text: &'static str,
 }
 
-/// An example.
 #[derive(Debug)]
 pub struct Example {
     /// What it is called.
@@ -18,7 +15,6 @@ pub struct Example {
     pub about: &'static str,
     /// The file to start with.
     pub main: &'static str,
-    /// Its files.
     pub files: &'static [File],
 }
 
@@ -105,7 +101,6 @@ pub const ALL: &[Example] = &[
     },
 ];
 
-/// The example of this name.
 pub fn named(name: &str) -> Option<&'static Example> {
     ALL.iter().find(|example| example.name == name)
 }

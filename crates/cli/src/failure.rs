@@ -20,7 +20,6 @@ pub struct Failure {
 
 /// A failure that has a card.
 pub struct Card {
-    /// The code.
     pub code: &'static str,
     /// In a few words.
     pub title: &'static str,

@@ -9,7 +9,6 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
-/// Name of the log.
 pub const NAME: &str = "evaluations.log";
 
 /// A log that is written to.

@@ -13,7 +13,6 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// A screen.
     pub fn new(json: bool, quiet: bool) -> Screen {
         Screen { json, quiet, failed: None }
     }

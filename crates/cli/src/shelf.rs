@@ -38,7 +38,6 @@ struct Opened {
 }
 
 impl<'a> FolderShelf<'a> {
-    /// The shelf of a folder.
     pub fn new(folder: &'a Folder, resume: Resume) -> FolderShelf<'a> {
         FolderShelf { folder, resume, log: Mutex::default() }
     }

@@ -28,7 +28,6 @@ pub struct Now {
     pub fraction: Option<f64>,
     /// When the part began.
     pub begun: Option<Instant>,
-    /// What is kept of it.
     pub kept: Option<Kept>,
 }
 

@@ -78,7 +78,6 @@ impl Status {
         self.row().2
     }
 
-    /// The status of this name.
     pub fn named(name: &str) -> Option<Status> {
         ALL.iter().copied().find(|status| status.name() == name)
     }

@@ -104,7 +104,6 @@ const MODEL_SPACE: &str = "1";
 const PAPER_SPACE: &str = "2";
 const ROOT: &str = "3";
 const GROUPS: &str = "4";
-/// The last of them.
 const LAST_FIXED: u32 = 4;
 const NOBODY: &str = "0";
 

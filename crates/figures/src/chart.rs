@@ -6,7 +6,6 @@ use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Spot, 
 use crate::ticks::Ticks;
 use crate::words::four_digits;
 
-/// One axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis<'a> {
     /// What it measures, with its unit.
@@ -177,7 +176,6 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// Draws it.
     pub fn draw(self, sheet: &mut Sheet, at: Spot, colour: &str) {
         match self {
             Mark::Full => sheet.circle(at, 3.6, Pen::shape(colour, colour, MEDIUM).class("point")),

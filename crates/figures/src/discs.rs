@@ -38,7 +38,6 @@ pub fn left_out(picture: &Picture) -> Option<String> {
     })
 }
 
-/// The colour of a layer.
 pub fn layer_colour(layer: usize) -> &'static str {
     LAYERS[layer % LAYERS.len()][0]
 }

@@ -238,15 +238,12 @@ pub fn key(sheet: &mut Sheet, top: f64, entries: &[(Sign, &str)]) -> f64 {
 /// The signs of a key, and of the drawing it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sign {
-    /// A hinge.
     Hinge,
     /// A joint that slides.
     Sliding,
-    /// A load.
     Load,
     /// The bridge as built.
     AsBuilt,
-    /// A support.
     Support,
     /// The line of thrust.
     Thrust,

@@ -69,7 +69,6 @@ fn pretty(text: &str) -> String {
     text.replace("^2", "²").replace("^3", "³")
 }
 
-/// A number with its unit.
 fn with_unit(number: f64, name: &str) -> String {
     let (_, unit) = name_and_unit(name);
     let digits = crate::words::four_digits(number);

@@ -5,7 +5,6 @@
 pub struct Ticks {
     /// Values, from the first at or below the range to the last at or above it.
     pub values: Vec<f64>,
-    /// Decimals.
     pub decimals: usize,
 }
 

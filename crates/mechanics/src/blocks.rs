@@ -227,7 +227,6 @@ pub enum ModelError {
         block: u32,
         /// Which number.
         what: &'static str,
-        /// Its value.
         value: f64,
     },
     #[error("particle {particle}: {what} must be positive and finite, it is {value}")]
@@ -235,12 +234,10 @@ pub enum ModelError {
         particle: u32,
         /// Which number.
         what: &'static str,
-        /// Its value.
         value: f64,
     },
     #[error("particles: {what} is {value}, at most {most} can be modelled")]
     TooMany {
-        /// Of what.
         what: &'static str,
         /// How many.
         value: f64,
@@ -258,7 +255,6 @@ pub enum ModelError {
     Law {
         /// Which number.
         what: &'static str,
-        /// Its value.
         value: f64,
     },
     #[error("block {0} is to be moved in a direction in which it is not held")]

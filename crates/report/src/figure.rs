@@ -36,7 +36,6 @@ impl Figure {
     }
 }
 
-/// A tag without an attribute.
 fn without(tag: &str, attribute: &str) -> String {
     let pattern = format!(" {attribute}=\"");
     let Some(start) = tag.find(&pattern) else { return tag.to_owned() };

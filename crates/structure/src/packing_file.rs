@@ -67,7 +67,6 @@ pub fn read(text: &[u8]) -> Result<Vec<[f64; 3]>, PackingFileError> {
     if complaints.is_empty() { Ok(grains) } else { Err(PackingFileError { complaints }) }
 }
 
-/// One row.
 fn grain(row: &csv::StringRecord, columns: [usize; 3]) -> Result<[f64; 3], String> {
     let mut grain = [0.0_f64; 3];
     for ((value, column), name) in grain.iter_mut().zip(columns).zip(["x_m", "y_m", "radius_m"]) {

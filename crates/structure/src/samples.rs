@@ -235,7 +235,6 @@ impl Dice {
         a + (b - a) * self.roll()
     }
 
-    /// One of these.
     pub fn choose<T: Clone>(&mut self, from: &[T]) -> T {
         from[(self.roll() * from.len() as f64) as usize].clone()
     }

@@ -6,7 +6,6 @@ use outcome::collapse::{By, Collapse, Sought, Status};
 use outcome::picture::Picture;
 use structure::discretise::Discretised;
 
-/// Of a bridge.
 pub(super) fn of_bridge(bridge: &Bridge, d: &Discretised, by: By, picture: Picture) -> Collapse {
     Collapse {
         bridge: bridge.name.clone(),

@@ -56,10 +56,7 @@ pub enum AnalysisError {
     #[error(
         "the discrete element method needs the normal and the shear stiffness of the {joint}: give them in the file"
     )]
-    NoStiffness {
-        /// Which joint.
-        joint: &'static str,
-    },
+    NoStiffness { joint: &'static str },
     #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]
     MovedBlock,
     /// The fill cannot be packed.

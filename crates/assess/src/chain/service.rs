@@ -109,9 +109,7 @@ pub enum Wanted {
 /// A sensor of the assessment's own: where it sits, and what is made of its values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Probe {
-    /// The sensor.
     pub sensor: Sensor,
-    /// Which place.
     pub place: facts::Place,
     /// Span, from 1.
     pub span: usize,

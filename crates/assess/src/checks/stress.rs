@@ -25,7 +25,6 @@ const SOURCE: &str = "Table 7 of the railway paper: 26.4 kg/cm2 in compression, 
 /// Both readings of the augment: the word, and which of [`outcome::published::AugmentFacts::on`] it is.
 pub(super) const READINGS: [(Reading, usize); 2] = [(Reading::Design, 0), (Reading::Total, 1)];
 
-/// A reading in words.
 pub(super) fn told(word: Reading, augment: f64) -> String {
     format!("{word} CDA {augment:.3}")
 }

@@ -100,7 +100,6 @@ fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
     )
 }
 
-/// The comparison of a vehicle.
 fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> Comparison {
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);

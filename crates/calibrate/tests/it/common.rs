@@ -36,7 +36,6 @@ pub fn plain() -> Misfit {
     Misfit { weights: Weights::Equal, scaling: Scaling::Uncertainty, ..Misfit::default() }
 }
 
-/// A channel of one value with its uncertainty.
 pub fn value(name: &str, measured: f64, uncertainty: f64) -> Channel {
     Channel { uncertainty: Some(uncertainty), ..Channel::peak(name, "", measured) }
 }

@@ -59,7 +59,6 @@ fn problem() -> Problem {
 /// A search with everything that it reports as one text.
 type Search = fn(&mut Evaluator, &Basis) -> String;
 
-/// The searches.
 fn searches() -> Vec<(&'static str, Search)> {
     fn text(outcome: impl Debug) -> String {
         format!("{outcome:?}")

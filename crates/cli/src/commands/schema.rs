@@ -3,7 +3,6 @@
 use super::Answer;
 use crate::args::Schema;
 
-/// The schema.
 pub fn run(arguments: &Schema) -> Answer {
     let schema = match (arguments.blocks, arguments.vehicles, arguments.rule) {
         (true, ..) => bridge::schema::schema_of_blocks(),

@@ -50,7 +50,6 @@ fn nothing_and_what_is_no_drawing_is_refused() {
     }
 }
 
-/// A drawing of these entities.
 fn drawn(blocks: &str, entities: &str) -> Vec<u8> {
     format!("0\nSECTION\n2\nBLOCKS\n{blocks}0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n")
         .into_bytes()

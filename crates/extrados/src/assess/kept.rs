@@ -8,7 +8,6 @@ use serde_json::{Value, json};
 
 /// A finished stage.
 pub struct Finished<T> {
-    /// Its facts.
     pub facts: T,
     /// Its drawings.
     pub figures: Vec<Figure>,

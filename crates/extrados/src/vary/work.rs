@@ -13,7 +13,6 @@ use std::io;
 
 /// What every run is made with.
 pub struct Work<'a> {
-    /// The analysis.
     pub analysis: &'a Analysis,
     /// The shelf and the clock.
     pub means: &'a Means<'a>,

@@ -86,7 +86,6 @@ pub struct Pen<'a> {
 }
 
 impl<'a> Pen<'a> {
-    /// A line.
     pub const fn line(stroke: &'a str, width: f64) -> Pen<'a> {
         Pen { fill: "none", stroke, width, dashes: "", class: "" }
     }
@@ -94,12 +93,10 @@ impl<'a> Pen<'a> {
     pub const fn shape(fill: &'a str, stroke: &'a str, width: f64) -> Pen<'a> {
         Pen { fill, stroke, width, dashes: "", class: "" }
     }
-    /// With dashes.
     pub const fn dashed(mut self, dashes: &'a str) -> Pen<'a> {
         self.dashes = dashes;
         self
     }
-    /// With a class.
     pub const fn class(mut self, class: &'a str) -> Pen<'a> {
         self.class = class;
         self
@@ -176,7 +173,6 @@ impl Sheet {
     pub fn line(&mut self, from: Spot, to: Spot, pen: Pen) {
         self.polyline(&[from, to], pen);
     }
-    /// A circle.
     pub fn circle(&mut self, at: Spot, radius: f64, pen: Pen) {
         if at.iter().any(|c| !c.is_finite()) {
             return;
@@ -185,7 +181,6 @@ impl Sheet {
         pen.write(&mut self.body);
         self.body.push_str("/>\n");
     }
-    /// A rectangle.
     pub fn rectangle(&mut self, area: Area, pen: Pen) {
         let Area { left, top, right, bottom } = area;
         self.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], pen);
@@ -340,9 +335,7 @@ pub const GREY_TEXT: &str = "#404040";
 pub struct Style {
     /// Font size.
     pub size: f64,
-    /// Weight.
     pub weight: Weight,
-    /// Colour.
     pub colour: &'static str,
     /// Which part of the text its point is.
     pub anchor: Anchor,
@@ -361,7 +354,6 @@ impl Style {
     pub fn on_drawing() -> Style {
         Style { size: SMALL, halo: true, ..Style::default() }
     }
-    /// Anchored.
     pub fn anchored(mut self, anchor: Anchor) -> Style {
         self.anchor = anchor;
         self

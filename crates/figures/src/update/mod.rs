@@ -20,7 +20,6 @@ use outcome::calibrate::search::hierarchical::Variant;
 use outcome::calibrate::{Parameter, Scale};
 use outcome::update::{PaperSearch, Update};
 
-/// As measured.
 const MEASURED: &str = "#222222";
 /// Of the start model.
 const START: &str = "#d07a00";

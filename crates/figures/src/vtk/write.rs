@@ -18,9 +18,7 @@ pub enum Values<'a> {
 pub struct Array<'a> {
     /// Name in ParaView.
     pub name: &'a str,
-    /// Components.
     pub components: usize,
-    /// Values.
     pub values: Values<'a>,
 }
 
@@ -55,7 +53,6 @@ impl<'a> Array<'a> {
     }
 }
 
-/// A grid.
 pub struct Grid<'a> {
     /// Whether numbers are written with four bytes instead of eight: seven digits, enough for what is looked at.
     pub short: bool,
@@ -78,7 +75,6 @@ pub struct Grid<'a> {
 }
 
 impl Grid<'_> {
-    /// The file.
     pub fn file(&self) -> String {
         let mut out = String::from("<?xml version=\"1.0\"?>\n");
         // Two hyphens would end the remark.

@@ -121,7 +121,6 @@ pub fn fine_grid() -> Study {
     study(Design::Grid, quantities, |v| ("collapsed", number(v[0]) * number(v[1])))
 }
 
-/// All of them.
 pub fn every() -> Vec<(&'static str, Study)> {
     vec![("usual", usual()), ("flat", flat()), ("grid", grid()), ("fine grid", fine_grid())]
 }

@@ -33,7 +33,6 @@ pub fn node(nx: usize, i: usize, j: usize) -> NodeId {
     NodeId::new(j * (nx + 1) + i)
 }
 
-/// An elastic section.
 pub fn elastic(modulus: f64, ratio: f64, plane: Plane, element: Element) -> Section {
     of(Material::Elastic(Elastic { modulus, ratio }), plane, element)
 }

@@ -118,7 +118,6 @@ pub fn loose(columns: usize, rows: usize, seed: u64) -> Vec<(Vec2, f64)> {
         .collect()
 }
 
-/// A block with rounded corners.
 pub fn stone(corners: &[(f64, f64)], rounding: f64, held: Held) -> Block {
     let outline = Polygon::new(corners.iter().map(|&(x, y)| vec2(x, y)).collect()).unwrap();
     Block { outline, rounding, density: 2400.0, group: GroupId(0), held }

@@ -39,7 +39,6 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.split(end).enumerate().map(|(k, line)| (k + 1, line.strip_suffix('\r').unwrap_or(line)))
 }
 
-/// Whether a line is a comment.
 pub(super) fn is_comment(line: &str) -> bool {
     line.trim_start().starts_with(['#', '%'])
 }

@@ -40,7 +40,6 @@ fn judged(runs: Vec<Run>) -> Series {
     examine(runs, &Scrutiny::default())
 }
 
-/// The one finding with a code.
 fn the<'a>(findings: &'a [Finding], code: &str) -> &'a Finding {
     let mut all = findings.iter().filter(|finding| finding.code == code);
     let words = || findings.iter().map(Finding::words).collect::<Vec<_>>();

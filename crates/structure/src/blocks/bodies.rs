@@ -131,7 +131,6 @@ fn same(a: &str, b: &str) -> bool {
     a.to_uppercase() == b.to_uppercase()
 }
 
-/// The entry of a layer.
 fn entry<'a>(part: &'a DrawingPart, layer: &str) -> Option<&'a MappedLayer> {
     part.layers.iter().find(|mapped| same(&mapped.name, layer))
 }

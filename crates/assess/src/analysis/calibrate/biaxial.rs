@@ -26,7 +26,6 @@ const GIVEN_WAY: f64 = 0.05;
 /// the lid as the sample is confined.
 const GAP: f64 = 0.5;
 
-/// The box.
 pub struct Box2 {
     settings: dem::Settings,
     laws: Laws,

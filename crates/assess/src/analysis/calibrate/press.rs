@@ -30,7 +30,6 @@ pub struct Pressed {
     pub path: Vec<[f64; 2]>,
     /// The first rest and the last.
     pub moments: Vec<AtRest>,
-    /// Iterations.
     pub iterations: u64,
 }
 
@@ -40,7 +39,6 @@ impl Rig {
         Rig { plan: bridge.calibration.clone(), settings: settings(bridge), laws: laws.clone() }
     }
 
-    /// The plan.
     pub fn plan(&self) -> &Calibration {
         &self.plan
     }

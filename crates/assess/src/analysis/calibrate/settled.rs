@@ -25,7 +25,6 @@ pub struct SettledFill {
 /// Who touches whom how.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws {
-    /// The laws.
     pub table: LawTable,
     /// Names of the groups.
     pub groups: Table<GroupId, String>,

@@ -26,7 +26,6 @@ pub struct Searches {
     pub gradient: Option<gradient::Outcome>,
     /// Whether somebody asked to stop.
     pub stopped: bool,
-    /// What failed.
     pub failed: Option<String>,
 }
 

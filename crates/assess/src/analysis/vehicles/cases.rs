@@ -7,7 +7,6 @@ use structure::discretise::Discretised;
 
 /// A vehicle in one arrangement, driving one way.
 pub struct Drive {
-    /// Which vehicle.
     pub vehicle: usize,
     /// The arrangement, as the vehicle drives: its first axle first.
     pub pattern: Pattern,

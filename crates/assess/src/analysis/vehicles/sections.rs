@@ -11,7 +11,6 @@ use structure::discretise::{Discretised, Origin};
 pub struct Watched {
     /// Its place among the interfaces.
     pub joint: usize,
-    /// Its name.
     pub name: String,
     /// See [`SectionEnvelope`].
     pub at: [f64; 2],
@@ -121,7 +120,6 @@ impl<K: Clone> Extremes<K> {
         }
     }
 
-    /// The envelopes.
     pub fn told(self, watched: &[Watched], case: impl Fn(&K) -> Case) -> Vec<SectionEnvelope> {
         let each = watched.iter().zip(self.rows).map(|(w, row)| {
             let told = OF.into_iter().zip(row).filter_map(|(of, kept)| {

@@ -13,7 +13,6 @@ use structure::discretise::dispersal::{Strip, spread};
 /// One case, by numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Key {
-    /// Which drive.
     pub drive: usize,
     /// Which combination of factors on weights.
     pub weights: usize,

@@ -47,7 +47,6 @@ pub struct Written {
 }
 
 impl Written {
-    /// Its label.
     pub fn label(&self) -> &str {
         self.run.synthetic.as_deref().unwrap_or_default()
     }

@@ -36,7 +36,6 @@ const WAYS: [Rows; 4] = [
 /// A way whose elements all have at least this scaled Jacobian is taken; otherwise the one with the largest.
 const FAIR: f64 = 0.15;
 
-/// Makes the mesh.
 pub fn build(bridge: &Bridge, options: MeshOptions) -> Result<Meshed, MeshError> {
     let arches = arches(bridge)?;
     room_on_piers(&arches, options.size)?;

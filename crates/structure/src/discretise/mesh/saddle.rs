@@ -29,7 +29,6 @@ pub struct Layers {
 
 /// One side of a support: the arch that springs there, or the line over an abutment's back at this x.
 pub enum Side<'a> {
-    /// An arch.
     Arch(&'a Arch<'a>, End),
     /// An abutment's back [m].
     Back(f64),

@@ -114,7 +114,6 @@ impl Breaks {
         }
     }
 
-    /// The stations.
     pub fn stations(&self) -> Stations {
         let mut shares = Vec::new();
         let mut first = Vec::with_capacity(self.breaks.len());

@@ -54,7 +54,6 @@ impl Flank {
 
 /// A support as points, and where on its sides the skewbacks lie.
 pub struct Support {
-    /// Its points.
     pub points: Points,
     /// Of the left and the right flank: steps of the skewback in the flank, and in the upper side.
     steps: [[usize; 2]; 2],
