@@ -428,37 +428,6 @@ pub enum BenchName {
 /// A word on the command line, what it means there, and what it stands for.
 pub type Word<T> = (&'static str, &'static str, T);
 
-const PASSAGE_ANALYSES: &[Word<PassageAnalysis>] = &[
-    ("static", "Every position at rest", PassageAnalysis::Static),
-    ("transient", "With inertia and damping", PassageAnalysis::Transient),
-];
-
-const PASSAGE_PATHS: &[Word<PassagePath>] = &[
-    ("condensed", "Linear zones condensed to what iterates", PassagePath::Condensed),
-    ("plain", "All degrees of freedom at every position", PassagePath::Plain),
-];
-
-const SEARCHES: &[Word<&str>] = &[
-    ("hierarchical", "The railway paper's, by single sweeps and surfaces of two", "hierarchical"),
-    ("modern", "Trust-region least squares from many starts", "modern"),
-    ("referee", "Evolution over the whole ranges", "referee"),
-    ("gradient", "A plain gradient search from one start", "gradient"),
-    ("all", "One after the other", "all"),
-];
-
-const STARTS: &[Word<&str>] = &[
-    ("stated", "The values of the file", "stated"),
-    ("means", "The middle of every range", "means"),
-    ("bounds", "All lower bounds, then all upper bounds", "bounds"),
-    ("all", "Means, then bounds", "all"),
-];
-
-const VARIANTS: &[Word<&str>] = &[
-    ("printed", "The three cases as printed", "printed"),
-    ("as-practised", "A decided descent to a bound freezes a parameter there", "as-practised"),
-    ("both", "One after the other", "both"),
-];
-
 /// Stages of an assessment.
 pub const STAGES: &[Word<StageName>] = &[
     ("update", "Moduli from records; the file's own values count", StageName::Update),
@@ -477,31 +446,11 @@ pub const GROUNDS: &[Word<Ground>] = &[
     ("mohr-coulomb", "Frictional, the pyramid in place of the cone, with associated flow", Ground::MohrCoulomb),
 ];
 
-const METHODS: &[Word<Method>] = &[
-    ("dem", "Discrete elements", Method::Dem),
-    ("limit", "Limit analysis of rigid blocks", Method::Limit),
-    ("fe", "Finite elements: one ring between fixed abutments", Method::Fe),
-];
-
-const ANALYSES: &[Word<Analysis>] = &[
-    ("load", "The load that makes a mechanism", Analysis::Load),
-    ("thickness", "The least ring thickness that stands", Analysis::Thickness),
-    ("support-movement", "The support movement that makes a mechanism", Analysis::SupportMovement),
-];
-
-const CONTACT_LENGTHS: &[Word<ContactLength>] =
-    &[("fixed", "Force formulation", ContactLength::Fixed), ("updated", "Stress formulation", ContactLength::Updated)];
-
-const FRICTIONS: &[Word<Friction>] = &[
-    ("associated", "Sliding dilates: exact bounds", Friction::Associated),
-    ("non-associated", "Sliding does not dilate: iterative correction", Friction::NonAssociated),
-    ("automatic", "Non-associated where sliding takes part in the mechanism or lowers the load", Friction::Automatic),
-];
-
-const CONTACT_POINTS: &[Word<ContactPoints>] = &[
-    ("rounded", "Between the rounded corners", ContactPoints::Rounded),
-    ("full-ring", "Anywhere in the full ring", ContactPoints::FullRing),
-];
+/// Words of a key of bridge files, with what the reference says of them.
+fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    let words = T::WORDS.iter().map(|choice| PossibleValue::new(choice.word).help(choice.doc));
+    PossibleValuesParser::new(words).try_map(|word| T::named(&word).ok_or("unknown"))
+}
 
 /// Takes one of these words for what it stands for.
 fn one_of<T: Copy + Send + Sync>(words: &'static [Word<T>]) -> impl TypedValueParser<Value = T> {
