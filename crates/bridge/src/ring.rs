@@ -132,9 +132,9 @@ pub struct Misfit {
     /// Which entry of its list, from 0, where it is one of them.
     pub entry: Option<usize>,
     /// What is wrong.
-    pub message: String,
+    pub message: Box<str>,
     /// Words under the caret.
-    pub label: String,
+    pub label: Box<str>,
     /// What to do.
     pub help: &'static str,
 }
@@ -143,8 +143,8 @@ impl Misfit {
     fn new(
         code: &'static str,
         key: &'static str,
-        message: impl Into<String>,
-        label: impl Into<String>,
+        message: impl Into<Box<str>>,
+        label: impl Into<Box<str>>,
         help: &'static str,
     ) -> Misfit {
         Misfit { code, key, entry: None, message: message.into(), label: label.into(), help }

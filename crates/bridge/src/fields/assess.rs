@@ -256,7 +256,7 @@ fn expected(table: &Table<'_>, findings: &mut Findings) -> Option<Expected> {
         findings.error("B107", table.place("lower"), "the expected range is empty", "lower end", help);
         return None;
     }
-    read!(table, findings, Expected { parameter, source, below, above; lower: lower, upper: upper })
+    read!(table, findings, Expected { parameter, source, below, above; lower, upper })
 }
 
 /// An end of a range: a number with a unit in SI, or a bare number.

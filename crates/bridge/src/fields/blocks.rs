@@ -356,8 +356,8 @@ fn drawing(table: &Table<'_>, names: &[String], findings: &mut Findings) -> Opti
         DrawingPart {
             chord_tolerance,
             gap_tolerance;
-            file: file,
-            range: range,
+            file,
+            range,
             unit: unit?.and_then(metres).map(|unit| unit.size),
             cut_concave: match concave? {
                 Concave::Refuse => false,

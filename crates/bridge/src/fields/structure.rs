@@ -237,7 +237,7 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
     let (profile, span, rise) = profile?;
     if let Err(misfit) = Intrados::new(&profile, span, rise) {
         let entries = table.entry(misfit.key).and_then(|(_, raw)| raw.get_ref().as_array());
-        let entry = misfit.entry.and_then(|index| entries?.iter().nth(index));
+        let entry = misfit.entry.and_then(|index| entries?.get(index));
         let place = entry.map_or(table.place(misfit.key), |entry| entry.span().into());
         findings.error(misfit.code, place, misfit.message, misfit.label, misfit.help);
         return None;

@@ -1,4 +1,4 @@
-//! From the tree to the bridge: one file per part, each reporting everything that is wrong with it.
+//! From the tables to the bridge, each reporting everything that is wrong with it, and whether its parts fit together.
 
 mod geometry;
 

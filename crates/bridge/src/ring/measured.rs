@@ -34,7 +34,7 @@ pub(super) fn curve(span: f64, _: f64, points: &[[f64; 2]]) -> Result<Form, Misf
     Ok(Form::Whole { curve: Arc::new(Measured::new(points)?), crown })
 }
 
-fn misfit(entry: Option<usize>, message: impl Into<String>, label: &str, help: &'static str) -> Misfit {
+fn misfit(entry: Option<usize>, message: impl Into<Box<str>>, label: &str, help: &'static str) -> Misfit {
     Misfit { entry, ..Misfit::new("B204", "points", message, label, help) }
 }
 
