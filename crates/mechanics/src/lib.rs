@@ -1,4 +1,4 @@
-//! Rigid blocks in contact: discrete elements and limit analysis on one block model.
+//! Rigid blocks in contact: discrete elements, the path of equilibrium and limit analysis on one block model.
 //!
 //! This crate computes and has never heard of a bridge. It owns no file, clock, thread or format.
 //!
@@ -12,10 +12,13 @@
 //! - Stress tensors are tension-positive.
 //! - Results do not depend on the number of threads: every sum has a fixed order.
 
+mod acting;
 pub mod blocks;
+pub mod contact;
 pub mod dem;
 pub mod fem;
 pub mod ids;
 pub mod limit;
+pub mod path;
 pub mod plane;
 pub mod watch;

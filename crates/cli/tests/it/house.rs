@@ -133,7 +133,7 @@ fn no_word_of_a_bridge_file_is_matched_as_text() {
 
 #[test]
 fn the_methods_do_not_use_one_another() {
-    let methods = ["dem", "limit", "fem"];
+    let methods = ["dem", "limit", "path", "fem"];
     let pairs = methods.iter().flat_map(|one| methods.iter().filter(move |two| one != *two).map(move |two| (one, two)));
     for (folder, other) in pairs {
         for path in sources(&format!("crates/mechanics/src/{folder}")) {

@@ -1,8 +1,10 @@
 //! What a kept state belongs to: one number for a model, its loading, the program and the settings.
 
-use super::model::{Model, Resultant};
-use super::settings::{ContactLength, Damping, Program, Settings};
+use super::model::Model;
+use super::settings::{Damping, Program, Settings};
+use crate::acting::Resultant;
 use crate::blocks::Stiffness;
+use crate::contact::ContactLength;
 use crate::ids::{GroupId, Id};
 use crate::plane::Vec2;
 
@@ -93,7 +95,11 @@ pub(super) fn fingerprint(model: &Model, program: &Program, settings: &Settings)
     };
     d.word(kind);
     d.number(share);
-    d.word(u64::from(settings.contact_length == ContactLength::Updated));
+    d.word(match settings.contact_length {
+        ContactLength::Fixed => 0,
+        ContactLength::Updated => 1,
+        ContactLength::Distributed => 2,
+    });
     d.number(settings.tolerance);
     d.word(settings.step_limit);
     d.number(settings.time_step_factor);

@@ -23,13 +23,14 @@ mod take_over;
 mod touch;
 mod words;
 
+pub use crate::contact::ContactLength;
 pub use account::{contacts, energy, frame, stresses};
 pub use model::Model;
 pub use outcome::{Body, ContactState, Energy, Frame, Outcome, ParticleContact, ParticleState, PathPoint, Status};
 pub use packing::{Grain, Packed, Packing, PackingError, Recipe, Target, pack};
 pub use particles::Disc;
 pub use run::{Rested, collapse, collapse_from, rest};
-pub use settings::{ContactLength, Damping, Program, Settings};
+pub use settings::{Damping, Program, Settings};
 pub use state::State;
 pub use step::{StepReport, Workspace, begin, critical_time_step, exact_critical_time_step, step};
 pub use stepping::Stepping;

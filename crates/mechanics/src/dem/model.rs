@@ -2,43 +2,10 @@
 
 use super::particles::{Blocks, MOST_GROUPS, MOST_PARTICLES, ParticleModel};
 use super::search::close_pairs;
+use crate::acting::Resultant;
 use crate::blocks::{BlockModel, ContactLaw, LawTable, Loading, ModelError, PointForce, Stiffness};
 use crate::ids::{BlockId, GroupId, Id, Table};
 use crate::plane::{Core, Pose, Vec2, meet, vec2};
-
-/// Forces on one block that keep their direction while their points of application move with the block. The moment
-/// of force `F` at arm `a`, turned by `(cos, sin)`, is `cos (a x F) - sin (a . F)`, so two sums stand for any number
-/// of forces.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Resultant {
-    /// Sum of the forces [N/m].
-    pub force: Vec2,
-    /// Sum of `a x F` as built [N].
-    pub cross: f64,
-    /// Sum of `a . F` as built [N].
-    pub dot: f64,
-}
-
-impl Resultant {
-    fn add(&mut self, arm: Vec2, force: Vec2) {
-        self.force += force;
-        self.cross += arm.cross(force);
-        self.dot += arm.dot(force);
-    }
-    /// This resultant plus `factor` times another.
-    pub fn plus(&self, other: &Resultant, factor: f64) -> Resultant {
-        Resultant {
-            force: self.force + other.force * factor,
-            cross: self.cross + other.cross * factor,
-            dot: self.dot + other.dot * factor,
-        }
-    }
-    /// Work done since the block was built [J/m].
-    pub fn work(&self, built: Vec2, now: &Pose) -> f64 {
-        let c = now.rotation.cos - 1.0;
-        self.force.dot(now.position - built) + c * self.dot + now.rotation.sin * self.cross
-    }
-}
 
 /// What a step needs of one body, side by side in memory.
 #[derive(Debug, Clone, Copy)]

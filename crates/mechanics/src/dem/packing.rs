@@ -4,10 +4,11 @@
 
 use super::model::Model;
 use super::particles::Disc;
-use super::settings::{ContactLength, Damping, Settings};
+use super::settings::{Damping, Settings};
 use super::state::State;
 use super::step::{Workspace, begin, step};
 use crate::blocks::{BlockModel, Held, Loading, ModelError, Particle};
+use crate::contact::ContactLength;
 use crate::ids::{GroupId, Table};
 use crate::plane::{Vec2, bounds, vec2};
 use crate::watch::{Progress, Watch, Wish};

@@ -1,9 +1,9 @@
 //! Which pairs may touch, and with which features. Pairs come and go; what their contact points remember stays.
 
 use super::model::Model;
-use super::settings::ContactLength;
 use super::state::State;
 use super::touch::{Memory, Touch};
+use crate::contact::ContactLength;
 use crate::ids::{BlockId, Id};
 use crate::plane::{Pose, Vec2, meet};
 

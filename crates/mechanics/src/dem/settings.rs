@@ -1,5 +1,6 @@
 //! What a run may be told.
 
+use crate::contact::ContactLength;
 use crate::ids::BlockId;
 use crate::plane::Vec2;
 
@@ -14,15 +15,6 @@ pub enum Damping {
     Adaptive,
     /// None: for dynamics.
     None,
-}
-
-/// How long a stretch of a joint one contact point stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ContactLength {
-    /// Fixed when the contact is made (force formulation).
-    Fixed,
-    /// Updated with the compressed part of the joint, bounded below (stress formulation).
-    Updated,
 }
 
 /// Settings of the discrete element method.

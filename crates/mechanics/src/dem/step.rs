@@ -1,12 +1,16 @@
 //! One step: search, resist, integrate.
 
 use super::account::energy;
-use super::model::{Model, Resultant};
+use super::model::Model;
 use super::particles::Cells;
 use super::search::{find_pairs, search};
-use super::settings::{ContactLength, Damping, Settings};
+use super::settings::{Damping, Settings};
 use super::state::State;
 use super::stiffness;
+use super::touch::{Reaction, Touch, Velocities};
+use crate::acting::Resultant;
+use crate::contact::ContactLength;
+use crate::plane::Pose;
 
 /// Scratch, disposable.
 #[derive(Debug, Clone, Default)]
@@ -114,8 +118,9 @@ pub fn step(model: &Model, state: &mut State, work: &mut Workspace, settings: &S
         state.time_step = settings.time_step_factor * critical_time_step(model, state, settings);
     }
     match settings.contact_length {
-        ContactLength::Fixed => resist::<false>(state, behind),
-        ContactLength::Updated => resist::<true>(state, behind),
+        ContactLength::Fixed => resist(state, behind, Touch::resist::<false>),
+        ContactLength::Updated => resist(state, behind, Touch::resist::<true>),
+        ContactLength::Distributed => resist(state, behind, Touch::resist_distributed),
     }
     let blocks = model.blocks(&state.poses);
     let (velocities, on_blocks) = (&state.velocities, &mut state.contact_forces);
@@ -157,18 +162,19 @@ fn integrate_particles(state: &mut State, damping: Damping, report: StepReport, 
 
 /// Contact forces from where the blocks are and how they got there, gathered per block in the fixed order of the
 /// touches.
-fn resist<const UPDATED: bool>(state: &mut State, dt: f64) {
+#[inline(always)]
+fn resist(state: &mut State, dt: f64, one: impl Fn(&mut Touch, (&Pose, &Pose), Velocities, f64) -> Option<Reaction>) {
     let (poses, velocities) = (&state.poses[..], &state.velocities[..]);
     let forces = &mut state.contact_forces[..];
     forces.fill([0.0; 3]);
     let mut dissipated = 0.0;
     for touch in &mut state.touches {
-        let (one, two) = (touch.one as usize, touch.two as usize);
-        let bodies = (&poses[one], &poses[two]);
-        if let Some(r) = touch.resist::<UPDATED>(bodies, (&velocities[one], &velocities[two]), dt) {
-            let on = &mut forces[one];
+        let (first, second) = (touch.one as usize, touch.two as usize);
+        let bodies = (&poses[first], &poses[second]);
+        if let Some(r) = one(touch, bodies, (&velocities[first], &velocities[second]), dt) {
+            let on = &mut forces[first];
             *on = [on[0] - r.force.x, on[1] - r.force.y, on[2] + r.on_one];
-            let on = &mut forces[two];
+            let on = &mut forces[second];
             *on = [on[0] + r.force.x, on[1] + r.force.y, on[2] + r.on_two];
             dissipated += r.dissipated;
         }

@@ -2,6 +2,7 @@
 
 use super::end::end;
 use crate::blocks::ContactLaw;
+use crate::contact::{ContactLength, Resistance};
 use crate::plane::{Core, Meeting, Pose, Vec2, vec2};
 
 /// What a contact point remembers.
@@ -22,6 +23,9 @@ pub(super) struct Memory {
     /// Whether it slides now.
     pub sliding: bool,
 }
+
+/// Velocities of the two blocks of a touch: translations [m/s] and rotation [rad/s].
+pub(super) type Velocities<'a> = (&'a [f64; 3], &'a [f64; 3]);
 
 /// What a touch does to its two blocks in one step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -51,6 +55,8 @@ pub(super) struct Touch {
     /// The longest that a point of the joint may come to stand for [m]: half the distance between its two points when
     /// they were last looked at, at least the least length; the given length where one is given.
     pub half_joint: f64,
+    /// Elastic energy of a distributed pressure [J/m]; none where points press.
+    pub stored: Option<f64>,
     /// Unit vector of the reference edge, in the frame of `one`.
     direction: Vec2,
     /// Start of the reference edge (or the corner) of `one`: along the edge, and outwards across it.
@@ -141,6 +147,7 @@ impl Touch {
             meeting,
             memory: [Memory::default(); 2],
             half_joint: law.least_length,
+            stored: None,
             along: start.dot(direction),
             across: start.dot(direction.right()),
             direction,
@@ -252,7 +259,7 @@ impl Touch {
     pub fn resist<const UPDATED: bool>(
         &mut self,
         bodies: (&Pose, &Pose),
-        velocities: (&[f64; 3], &[f64; 3]),
+        velocities: Velocities,
         dt: f64,
     ) -> Option<Reaction> {
         let points = self.points(bodies.0, bodies.1);
@@ -295,6 +302,69 @@ impl Touch {
         }
         reaction.force = points.normal() * compression + points.direction * shear;
         Some(reaction)
+    }
+
+    /// The same for a pressure that is spread over the compressed part of a common face. A corner presses in its point.
+    pub fn resist_distributed(&mut self, bodies: (&Pose, &Pose), velocities: Velocities, dt: f64) -> Option<Reaction> {
+        if self.count == 1 {
+            return self.resist::<true>(bodies, velocities, dt);
+        }
+        let points = self.points(bodies.0, bodies.1);
+        let law = self.resistance();
+        let length = points.stretch().max(0.0);
+        let ends = law.ends(ContactLength::Distributed, points.overlap, length);
+        self.stored = Some(law.energy(points.overlap, length));
+        let (v1, v2) = velocities;
+        let glide = vec2(v2[0] - v1[0], v2[1] - v1[1]).dot(points.direction);
+        let mut reaction = Reaction::default();
+        let (mut compression, mut shear) = (0.0, 0.0);
+        for k in 0..2 {
+            let (n, now) = (ends.compression[k], ends.length[k]);
+            if now <= 0.0 {
+                reaction.dissipated += self.open(k);
+                continue;
+            }
+            let one_n = -(points.along + points.s[k]);
+            let one_d = points.across + points.lift(k);
+            let slip_rate = glide + v2[2] * (one_d - points.between.y) - v1[2] * one_d;
+            let memory = &mut self.memory[k];
+            let stiffness = law.shear * now;
+            // What is sheared stays so where the compressed part grows or shrinks; its energy goes with the length.
+            let sheared = if memory.closed { memory.shear / (law.shear * memory.length) } else { 0.0 };
+            let released =
+                if memory.closed { 0.5 * law.shear * sheared * sheared * (memory.length - now) } else { 0.0 };
+            let trial = stiffness * (sheared - slip_rate * dt);
+            let cap = law.cohesion * now + law.friction * n;
+            let force = trial.clamp(-cap, cap);
+            reaction.dissipated += released - 0.5 * (stiffness * sheared + force) * (force - trial) / stiffness;
+            *memory = Memory {
+                shear: force,
+                compression: n,
+                length: now,
+                closed: true,
+                sliding: trial.abs() > cap,
+                ..Memory::default()
+            };
+            compression += n;
+            shear += force;
+            reaction.on_one -= n * one_n + force * one_d;
+            reaction.on_two += n * (one_n + points.between.x) + force * (one_d - points.between.y);
+        }
+        reaction.force = points.normal() * compression + points.direction * shear;
+        Some(reaction)
+    }
+
+    /// The law of the pair with the numbers of this touch.
+    fn resistance(&self) -> Resistance {
+        Resistance {
+            normal: self.normal_stiffness,
+            shear: self.shear_stiffness,
+            friction: self.friction,
+            cohesion: self.cohesion,
+            crushing: self.crushing,
+            fixed_length: None,
+            least_length: self.least_length,
+        }
     }
 
     /// Compression and shear of point `k`, or nothing if it is open.
@@ -377,14 +447,13 @@ impl Touch {
 
     /// Elastic energy of the closed points [J/m].
     pub fn elastic_energy(&self) -> f64 {
-        self.memory
-            .iter()
-            .filter(|m| m.closed && m.length > 0.0)
-            .map(|m| {
-                0.5 * (m.compression * m.compression / self.normal_stiffness + m.shear * m.shear / self.shear_stiffness)
-                    / m.length
-            })
-            .sum()
+        let of_points = |m: &Memory| match self.stored {
+            Some(_) => 0.0,
+            None => m.compression * m.compression / self.normal_stiffness,
+        };
+        let closed = self.memory.iter().filter(|m| m.closed && m.length > 0.0);
+        let each = closed.map(|m| 0.5 * (of_points(m) + m.shear * m.shear / self.shear_stiffness) / m.length);
+        self.stored.unwrap_or(0.0) + each.sum::<f64>()
     }
 }
 

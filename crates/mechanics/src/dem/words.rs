@@ -15,7 +15,7 @@ use crate::ids::{BlockId, Id, ParticleId, Table};
 use crate::plane::{Meeting, Pose, Rotation, Vec2};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_4144_0003;
+const LAYOUT: u64 = 0x4558_5452_4144_0004;
 
 /// Something that can be written as words and read back.
 trait Words: Sized {
@@ -204,10 +204,13 @@ impl Words for Meeting {
 }
 
 /// A touch without what follows from the model.
-type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], [f64; 3]));
+type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], [f64; 4]));
 
 fn store_touch(t: &Touch) -> StoredTouch {
-    ((t.ids(), t.meeting), (t.memory, [t.normal_stiffness, t.shear_stiffness, t.half_joint]))
+    (
+        (t.ids(), t.meeting),
+        (t.memory, [t.normal_stiffness, t.shear_stiffness, t.half_joint, t.stored.unwrap_or(f64::NAN)]),
+    )
 }
 
 fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTouch) -> Option<Touch> {
@@ -227,7 +230,9 @@ fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTou
     let law = model.laws.between(model.groups[a], model.groups[b]);
     let mut touch = Touch::new(ids, meeting, cores, law, 0.0);
     touch.memory = memory;
-    [touch.normal_stiffness, touch.shear_stiffness, touch.half_joint] = stiffness;
+    let stored;
+    [touch.normal_stiffness, touch.shear_stiffness, touch.half_joint, stored] = stiffness;
+    touch.stored = (!stored.is_nan()).then_some(stored);
     Some(touch)
 }
 

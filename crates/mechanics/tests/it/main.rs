@@ -54,3 +54,5 @@ mod particle_steps;
 mod particle_support;
 mod particle_take_over;
 mod particle_threads;
+mod path_arch;
+mod path_known;

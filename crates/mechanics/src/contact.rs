@@ -1,0 +1,250 @@
+//! How a joint answers the overlap of its two sides: one law for the block engine and for the path of equilibrium.
+//!
+//! The overlap is linear along the common face, so its values at the two ends say all. What presses is given back as one
+//! force at each end, statically equivalent to the pressure between them.
+
+use crate::blocks::ContactLaw;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// How long a stretch of a joint presses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLength {
+    /// Each end for a length that is fixed when the contact is made (force formulation of Rouxinol, Providência and Lemos).
+    Fixed,
+    /// Each end for half of the compressed part, bounded below (stress formulation).
+    Updated,
+    /// The whole compressed part: the pressure is normal stiffness times overlap, at most the crushing strength.
+    Distributed,
+}
+
+/// A number that a law is computed with: `f64`, or one that carries its derivatives.
+pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+    /// A constant.
+    fn of(value: f64) -> Self;
+    /// Its value.
+    fn value(self) -> f64;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn of(value: f64) -> f64 {
+        value
+    }
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+}
+
+/// The law of one joint with its numbers: stiffness is that for the distance between its two blocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resistance {
+    /// Normal stiffness per unit area [Pa/m].
+    pub normal: f64,
+    /// Shear stiffness per unit area [Pa/m].
+    pub shear: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Cohesion [Pa] over the compressed part.
+    pub cohesion: f64,
+    /// Compressive strength [Pa]; infinite for none.
+    pub crushing: f64,
+    /// Length that a point of the force formulation stands for [m], where it is given.
+    pub fixed_length: Option<f64>,
+    /// Least length of a point of the stress formulation [m].
+    pub least_length: f64,
+}
+
+impl Resistance {
+    /// The law for centres of mass `distance` [m] apart along the normal.
+    pub fn new(law: &ContactLaw, distance: f64) -> Resistance {
+        Resistance {
+            normal: law.normal.at(distance),
+            shear: law.shear.at(distance),
+            friction: law.friction,
+            cohesion: law.cohesion,
+            crushing: law.crushing,
+            fixed_length: law.fixed_length,
+            least_length: law.least_length,
+        }
+    }
+
+    /// Compression [N/m] at the two ends of a face of `length` [m] that overlap by `overlap` [m], and the length [m] for
+    /// which each end resists shear. An open end has neither.
+    pub fn ends<T: Number>(&self, contact_length: ContactLength, overlap: [T; 2], length: T) -> Ends<T> {
+        match contact_length {
+            ContactLength::Fixed => {
+                let half = self.fixed_length.map_or(length * T::of(0.5), T::of);
+                self.points(overlap, [half; 2])
+            }
+            ContactLength::Updated => {
+                let half = length * T::of(0.5);
+                self.points(overlap, [0, 1].map(|k| self.updated(overlap[k], overlap[1 - k], half)))
+            }
+            ContactLength::Distributed => self.distributed(overlap, length),
+        }
+    }
+
+    /// Work that closed the compressed part of a face in the distributed formulation [J/m], which opening gives back.
+    pub fn energy(&self, overlap: [f64; 2], length: f64) -> f64 {
+        let most = self.crushing / self.normal;
+        let beyond = if most.is_finite() { squares(overlap.map(|o| o - most)) } else { 0.0 };
+        0.5 * self.normal * length * (squares(overlap) - beyond)
+    }
+
+    /// Each end by itself.
+    fn points<T: Number>(&self, overlap: [T; 2], length: [T; 2]) -> Ends<T> {
+        let mut ends = Ends { compression: [T::of(0.0); 2], length: [T::of(0.0); 2] };
+        for k in 0..2 {
+            if overlap[k].value() >= 0.0 {
+                let stress = T::of(self.normal) * overlap[k];
+                let stress = if stress.value() > self.crushing { T::of(self.crushing) } else { stress };
+                ends.compression[k] = stress * length[k];
+                ends.length[k] = length[k];
+            }
+        }
+        ends
+    }
+
+    /// Half the compressed part, or half the face where the other end is closed too; at least the least length.
+    fn updated<T: Number>(&self, here: T, there: T, half: T) -> T {
+        let compressed = here.value() > 0.0 && there.value() < 0.0;
+        let length = if compressed { half * here / (here - there) } else { half };
+        if length.value() < self.least_length { T::of(self.least_length) } else { length }
+    }
+
+    /// The pressure `normal * overlap`, nowhere less than nothing and nowhere more than the crushing strength.
+    pub fn distributed<T: Number>(&self, overlap: [T; 2], length: T) -> Ends<T> {
+        let (mut pressed, share) = compressed(overlap);
+        let most = self.crushing / self.normal;
+        if overlap.iter().any(|o| o.value() > most) {
+            let (beyond, _) = compressed(overlap.map(|o| o - T::of(most)));
+            pressed = [pressed[0] - beyond[0], pressed[1] - beyond[1]];
+        }
+        let scale = T::of(self.normal) * length;
+        Ends { compression: pressed.map(|p| scale * p), length: share.map(|s| length * s) }
+    }
+}
+
+/// What the two ends of a joint carry.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ends<T> {
+    /// Compression [N/m], positive.
+    pub compression: [T; 2],
+    /// Length that resists shear [m].
+    pub length: [T; 2],
+}
+
+/// Integrals over a face of unit length of the positive part of a linear function, and of one where it is positive, each
+/// weighted by the share of an end: `1 - x` for the first, `x` for the second.
+fn compressed<T: Number>(ends: [T; 2]) -> ([T; 2], [T; 2]) {
+    let zero = T::of(0.0);
+    let [a, b] = ends;
+    match (a.value() >= 0.0, b.value() >= 0.0) {
+        (true, true) => {
+            let (two, sixth) = (T::of(2.0), T::of(1.0 / 6.0));
+            ([(two * a + b) * sixth, (a + two * b) * sixth], [T::of(0.5); 2])
+        }
+        (false, false) => ([zero; 2], [zero; 2]),
+        (true, false) => one_end(a, b),
+        (false, true) => {
+            let ([far, near], [far_share, near_share]) = {
+                let (pressed, share) = one_end(b, a);
+                ([pressed[1], pressed[0]], [share[1], share[0]])
+            };
+            ([far, near], [far_share, near_share])
+        }
+    }
+}
+
+/// The same where the function is positive at the first end alone.
+fn one_end<T: Number>(near: T, far: T) -> ([T; 2], [T; 2]) {
+    let part = near / (near - far);
+    let square = part * part;
+    let (half, sixth) = (T::of(0.5), T::of(1.0 / 6.0));
+    ([near * (part * half - square * sixth), near * square * sixth], [part - square * half, square * half])
+}
+
+/// Integral over a face of unit length of the square of the positive part of a linear function.
+fn squares([a, b]: [f64; 2]) -> f64 {
+    match (a >= 0.0, b >= 0.0) {
+        (true, true) => (a * a + a * b + b * b) / 3.0,
+        (false, false) => 0.0,
+        (true, false) => a * a * a / (3.0 * (a - b)),
+        (false, true) => b * b * b / (3.0 * (b - a)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn resistance(crushing: f64) -> Resistance {
+        Resistance {
+            normal: 2e9,
+            shear: 1e9,
+            friction: 0.6,
+            cohesion: 0.0,
+            crushing,
+            fixed_length: None,
+            least_length: 0.05,
+        }
+    }
+
+    /// The same integrals by many strips.
+    fn by_strips(law: &Resistance, overlap: [f64; 2], length: f64) -> Ends<f64> {
+        let strips = 20_000;
+        let mut ends = Ends { compression: [0.0; 2], length: [0.0; 2] };
+        for k in 0..strips {
+            let x = (k as f64 + 0.5) / strips as f64;
+            let here = overlap[0] * (1.0 - x) + overlap[1] * x;
+            if here < 0.0 {
+                continue;
+            }
+            let pressure = (law.normal * here).min(law.crushing);
+            for (end, share) in [1.0 - x, x].into_iter().enumerate() {
+                ends.compression[end] += pressure * share * length / strips as f64;
+                ends.length[end] += share * length / strips as f64;
+            }
+        }
+        ends
+    }
+
+    #[test]
+    fn closed_forms_are_the_sums_over_strips() {
+        for crushing in [f64::INFINITY, 1e6] {
+            let law = resistance(crushing);
+            for overlap in [[1e-3, 2e-3], [1e-3, -2e-3], [-4e-4, 1e-3], [3e-4, 1e-4], [-1e-3, -1e-4], [2e-3, -1e-5]] {
+                let energy = |o: [f64; 2]| law.energy(o, 0.7);
+                let step = 1e-9;
+                // The work of a small motion is what its forces do.
+                for k in 0..2 {
+                    let (mut more, mut less) = (overlap, overlap);
+                    more[k] += step;
+                    less[k] -= step;
+                    let force = law.ends(ContactLength::Distributed, overlap, 0.7).compression[k];
+                    let slope = (energy(more) - energy(less)) / (2.0 * step);
+                    assert!((slope - force).abs() < 1e-4 * 1e6, "{overlap:?}: {slope} {force}");
+                }
+                let (exact, sum) = (law.ends(ContactLength::Distributed, overlap, 0.7), by_strips(&law, overlap, 0.7));
+                for k in 0..2 {
+                    let (force, length) = (exact.compression[k] - sum.compression[k], exact.length[k] - sum.length[k]);
+                    assert!(force.abs() < 1e-4 * 1e6 && length.abs() < 1e-4, "{overlap:?}: {exact:?} {sum:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_bedded_face_presses_alike_whichever_way_it_is_taken() {
+        let law = resistance(f64::INFINITY);
+        for contact_length in [ContactLength::Fixed, ContactLength::Updated, ContactLength::Distributed] {
+            let even = law.ends(contact_length, [1e-3; 2], 0.7);
+            let total: f64 = even.compression.iter().sum();
+            assert!((total - 2e9 * 1e-3 * 0.7).abs() < 1e-6, "{contact_length:?}: {total}");
+            let turned = law.ends(contact_length, [1e-3, -5e-4], 0.7);
+            let back = law.ends(contact_length, [-5e-4, 1e-3], 0.7);
+            assert_eq!([turned.compression[1], turned.compression[0]], back.compression, "{contact_length:?}");
+        }
+    }
+}

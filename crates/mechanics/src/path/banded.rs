@@ -1,0 +1,144 @@
+//! A square matrix with a band about its diagonal, factorised with row exchanges.
+//!
+//! Rings of voussoirs have some tens to a thousand equations and a band of a few: the general sparse factorisation spends
+//! most of its time there on its own bookkeeping.
+
+/// The band, row by row: entry `(row, column)` stands at `row * width + column + below - row`. Row exchanges need room for
+/// `below` more entries above the diagonal.
+#[derive(Debug, Clone)]
+pub(super) struct Banded {
+    size: usize,
+    below: usize,
+    width: usize,
+    entries: Vec<f64>,
+    exchanged: Vec<u32>,
+    /// Sign of the determinant; 0 where a pivot vanished.
+    pub sign: i8,
+}
+
+impl Banded {
+    /// A matrix of zeros with `below` diagonals on either side of the main one.
+    pub fn new(size: usize, below: usize) -> Banded {
+        let width = 3 * below + 1;
+        Banded { size, below, width, entries: vec![0.0; size * width], exchanged: vec![0; size], sign: 0 }
+    }
+
+    /// Back to zeros.
+    pub fn clear(&mut self) {
+        self.entries.fill(0.0);
+    }
+
+    #[inline(always)]
+    fn at(&self, row: usize, column: usize) -> usize {
+        row * self.width + column + self.below - row
+    }
+
+    /// Adds to every entry of the diagonal.
+    pub fn add_to_diagonal(&mut self, value: f64) {
+        for k in 0..self.size {
+            self.add(k, k, value);
+        }
+    }
+
+    /// Adds to an entry within the band.
+    #[inline(always)]
+    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+        let at = self.at(row, column);
+        self.entries[at] += value;
+    }
+
+    /// Factorises in place; `false` where a pivot vanishes.
+    pub fn factorise(&mut self) -> bool {
+        let (size, below) = (self.size, self.below);
+        self.sign = 1;
+        for k in 0..size {
+            let last = (k + below).min(size - 1);
+            let mut pivot = k;
+            for row in k + 1..=last {
+                if self.entries[self.at(row, k)].abs() > self.entries[self.at(pivot, k)].abs() {
+                    pivot = row;
+                }
+            }
+            self.exchanged[k] = pivot as u32;
+            let right = (k + 2 * below).min(size - 1);
+            if pivot != k {
+                self.sign = -self.sign;
+                for column in k..=right {
+                    let (a, b) = (self.at(k, column), self.at(pivot, column));
+                    self.entries.swap(a, b);
+                }
+            }
+            let start = self.at(k, k);
+            let diagonal = self.entries[start];
+            if diagonal == 0.0 || !diagonal.is_finite() {
+                self.sign = 0;
+                return false;
+            }
+            if diagonal < 0.0 {
+                self.sign = -self.sign;
+            }
+            let count = right - k;
+            for row in k + 1..=last {
+                let at = self.at(row, k);
+                if self.entries[at] == 0.0 {
+                    continue;
+                }
+                let share = self.entries[at] / diagonal;
+                self.entries[at] = share;
+                let (upper, lower) = self.entries.split_at_mut(at);
+                let from = &upper[start + 1..=start + count];
+                for (to, from) in lower[1..=count].iter_mut().zip(from) {
+                    *to -= share * from;
+                }
+            }
+        }
+        true
+    }
+
+    /// Solves in place with what [`factorise`](Self::factorise) left.
+    pub fn solve(&self, right: &mut [f64]) {
+        for k in 0..self.size {
+            right.swap(k, self.exchanged[k] as usize);
+            let value = right[k];
+            for row in k + 1..=(k + self.below).min(self.size - 1) {
+                right[row] -= self.entries[self.at(row, k)] * value;
+            }
+        }
+        for k in (0..self.size).rev() {
+            let last = (k + 2 * self.below).min(self.size - 1);
+            let mut value = right[k];
+            for column in k + 1..=last {
+                value -= self.entries[self.at(k, column)] * right[column];
+            }
+            right[k] = value / self.entries[self.at(k, k)];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Banded;
+
+    #[test]
+    fn a_system_with_exchanges_is_solved_and_its_determinant_has_its_sign() {
+        let (size, below) = (9, 2);
+        let entry = |row: usize, column: usize| ((row * 7 + column * 13) % 11) as f64 - 5.0;
+        let mut matrix = Banded::new(size, below);
+        let exact: Vec<f64> = (0..size).map(|k| k as f64 - 3.5).collect();
+        let mut right = vec![0.0; size];
+        let mut whole = faer::Mat::<f64>::zeros(size, size);
+        for row in 0..size {
+            for column in row.saturating_sub(below)..=(row + below).min(size - 1) {
+                matrix.add(row, column, entry(row, column));
+                whole[(row, column)] = entry(row, column);
+                right[row] += entry(row, column) * exact[column];
+            }
+        }
+        assert!(matrix.factorise());
+        matrix.solve(&mut right);
+        for (found, exact) in right.iter().zip(&exact) {
+            assert!((found - exact).abs() < 1e-10, "{right:?}");
+        }
+        assert_eq!(f64::from(matrix.sign), whole.determinant().signum());
+    }
+}

@@ -1,0 +1,126 @@
+//! A balanced state as it is reported.
+
+use super::joint::{Joint, Response};
+use super::model::Model;
+use super::outcome::{EndState, Frame, JointState, PathPoint};
+use super::settings::{Program, Settings};
+use super::system::{State, respond};
+use crate::contact::ContactLength;
+use crate::ids::Id;
+use crate::plane::{Pose, Rotation, Vec2, vec2};
+
+/// The blocks and joints of a balanced state.
+pub(super) fn frame(model: &Model, settings: &Settings, state: &State, step: usize) -> Frame {
+    let pose = |(i, motion): (usize, &[f64; 3])| Pose {
+        position: model.built[i] + vec2(motion[0], motion[1]),
+        rotation: Rotation::by(motion[2]),
+    };
+    let joints = (0..model.joints.len()).map(|k| joint(model, settings, state, k)).collect();
+    Frame { factor: state.factor, step, poses: state.motions.iter().enumerate().map(pose).collect(), joints }
+}
+
+/// A joint of a state that its memory belongs to.
+fn joint(model: &Model, settings: &Settings, state: &State, k: usize) -> JointState {
+    let joint = &model.joints[k];
+    let response = respond(model, settings, &state.memory[k], k, state);
+    let first = state.motions[joint.first];
+    let half = Rotation::by(first[2] + 0.5 * (state.motions[joint.second][2] - first[2]));
+    let centre = model.built[joint.first] + vec2(first[0], first[1]);
+    let turn = Rotation::by(first[2]);
+    let end = |e: usize| EndState {
+        at: centre + turn.turn(vec2(response.at[e][0], response.at[e][1])),
+        compression: response.ends.compression[e],
+        shear: response.shear[e],
+        length: response.ends.length[e],
+        overlap: response.overlap[e],
+        sliding: slides(joint, &response, e),
+    };
+    JointState {
+        normal: half.turn(joint.normal),
+        ends: [end(0), end(1)],
+        stress: stress(settings, joint, &response),
+        opened: opened(&response.overlap),
+        crushed: crushed(settings, joint, &response.overlap),
+    }
+}
+
+/// Whether the shear of an end is as large as its strength.
+fn slides(joint: &Joint, response: &Response<f64>, end: usize) -> bool {
+    let law = &joint.resistance;
+    let strength = law.friction * response.ends.compression[end] + law.cohesion * response.ends.length[end];
+    response.ends.compression[end] > 0.0 && response.shear[end].abs() >= strength * (1.0 - 1e-6)
+}
+
+/// Greatest compressive stress [Pa].
+fn stress(settings: &Settings, joint: &Joint, response: &Response<f64>) -> f64 {
+    let law = &joint.resistance;
+    let at_end = |k: usize| match settings.contact_length {
+        ContactLength::Distributed => (law.normal * response.overlap[k]).clamp(0.0, law.crushing),
+        _ if response.ends.length[k] > 0.0 => response.ends.compression[k] / response.ends.length[k],
+        _ => 0.0,
+    };
+    at_end(0).max(at_end(1))
+}
+
+/// Share of the face where its sides are apart.
+fn opened(overlap: &[f64; 2]) -> f64 {
+    beyond([-overlap[0], -overlap[1]])
+}
+
+/// Share of the face whose stress is at the strength.
+fn crushed(settings: &Settings, joint: &Joint, overlap: &[f64; 2]) -> f64 {
+    let most = joint.resistance.crushing / joint.resistance.normal;
+    match settings.contact_length {
+        ContactLength::Distributed if most.is_finite() => beyond([overlap[0] - most, overlap[1] - most]),
+        _ => 0.0,
+    }
+}
+
+/// Share of a stretch on which a linear function is positive.
+fn beyond([a, b]: [f64; 2]) -> f64 {
+    match (a > 0.0, b > 0.0) {
+        (true, true) => 1.0,
+        (false, false) => 0.0,
+        (true, false) => a / (a - b),
+        (false, true) => b / (b - a),
+    }
+}
+
+/// The numbers of a balanced state.
+pub(super) fn point(
+    model: &Model,
+    (settings, program): (&Settings, &Program),
+    state: &State,
+    (iterations, residual): (u32, f64),
+) -> PathPoint {
+    let mut point = PathPoint {
+        factor: state.factor,
+        displacement: watched(model, program, state),
+        opened: 0.0,
+        hinges: 0,
+        sliding: 0,
+        stress: 0.0,
+        crushed: 0.0,
+        iterations,
+        residual,
+    };
+    for (k, joint) in model.joints.iter().enumerate() {
+        let response = respond(model, settings, &state.memory[k], k, state);
+        let open = opened(&response.overlap);
+        // A joint that is open throughout carries nothing: it is no hinge.
+        if open < 1.0 {
+            point.opened = point.opened.max(open);
+            point.hinges += u32::from(open > 0.5);
+        }
+        point.sliding += u32::from((0..2).any(|e| slides(joint, &response, e)));
+        point.stress = point.stress.max(stress(settings, joint, &response));
+        point.crushed = point.crushed.max(crushed(settings, joint, &response.overlap));
+    }
+    point
+}
+
+/// Displacement of the watched point [m].
+fn watched(model: &Model, program: &Program, state: &State) -> Vec2 {
+    let (block, at) = program.watched;
+    model.moved(block.index(), at, state.motions[block.index()]) - at
+}

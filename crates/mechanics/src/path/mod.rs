@@ -1,0 +1,24 @@
+//! The path of equilibrium: rigid blocks whose joints give, from their own weight to the largest load and past it.
+//!
+//! Each joint answers the overlap of its two sides (`contact`), the blocks move by any amount, and Newton's method with exact
+//! tangents finds the states in which all forces balance. The length of the path, and not the load, is what is prescribed
+//! (Riks 1979; Crisfield 1981), so that the load may fall.
+//!
+//! Read in the order of the method: `model` numbers the equations, `joint` gives the forces of one joint and `system` those of
+//! all, `correct` balances a guess, `trace` goes from state to state, `frame` says what a state is like.
+
+mod banded;
+mod correct;
+mod dual;
+mod frame;
+mod joint;
+mod jump;
+mod model;
+mod outcome;
+mod settings;
+mod system;
+mod trace;
+
+pub use outcome::{Cause, EndState, Frame, JointState, Outcome, PathPoint, Status};
+pub use settings::{Program, Settings};
+pub use trace::collapse;

@@ -1,0 +1,180 @@
+//! What is fixed once the path is set up: joints, loads and the order of the equations.
+
+use super::joint::Joint;
+use super::settings::Settings;
+use crate::acting::Resultant;
+use crate::blocks::{BlockModel, Interface, Loading, ModelError, interfaces};
+use crate::ids::{BlockId, Id};
+use crate::plane::{Vec2, vec2};
+
+/// An equation number that stands for a prevented motion.
+pub(super) const HELD: u32 = u32::MAX;
+
+/// Rigid blocks, their joints and what acts on them.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// The joints as built, in the order of their blocks.
+    pub interfaces: Vec<Interface>,
+    pub(super) joints: Vec<Joint>,
+    /// Centre of mass of each block as built [m].
+    pub(super) built: Vec<Vec2>,
+    /// Weight and permanent forces of each block.
+    pub(super) permanent: Vec<Resultant>,
+    /// Variable forces at load factor 1.
+    pub(super) variable: Vec<Resultant>,
+    /// Motion imposed at load factor 1: translations [m] and rotation [rad].
+    pub(super) movement: Vec<[f64; 3]>,
+    /// Equation of each motion of each block, or [`HELD`].
+    pub(super) equation: Vec<[u32; 3]>,
+    pub(super) equations: usize,
+    /// Diagonals that the tangent has on either side of the main one.
+    pub(super) band: usize,
+    /// Force that rounding of coordinates alone may leave out of balance [N/m].
+    pub(super) rounding: f64,
+    /// Length that rotations are multiplied by, so that all unknowns are lengths [m]: mean side of the free blocks.
+    pub(super) size: f64,
+}
+
+impl Model {
+    /// Sets the equations up.
+    ///
+    /// # Errors
+    /// What makes a model unusable: particles, no free block, a movement of a block that is free to move, a block that is
+    /// named but not there, a joint without length.
+    pub fn new(model: &BlockModel, loading: &Loading, settings: &Settings) -> Result<Model, ModelError> {
+        if !model.particles.is_empty() {
+            return Err(ModelError::ParticlesInLimitAnalysis(model.particles.len()));
+        }
+        let named = loading.permanent.iter().chain(&loading.variable).map(|f| f.block);
+        for block in named.chain(loading.movements.iter().map(|m| m.block)) {
+            if block.index() >= model.blocks.len() {
+                return Err(ModelError::Unknown { what: "block", id: block.0 });
+            }
+        }
+        for law in model.laws.clone().iter_mut() {
+            for (what, stiffness) in [("normal stiffness", law.normal), ("shear stiffness", law.shear)] {
+                let value = stiffness.at(0.0);
+                if !(value > 0.0) {
+                    return Err(ModelError::Law { what, value });
+                }
+            }
+            if !(law.crushing > 0.0) {
+                return Err(ModelError::Law { what: "compressive strength", value: law.crushing });
+            }
+        }
+        let interfaces = interfaces(model, settings.touching)?;
+        let joints = Joint::all(model, &interfaces)?;
+        let built: Vec<Vec2> = model.blocks.iter().map(|b| b.outline.centroid()).collect();
+        let held: Vec<[bool; 3]> = model.blocks.iter().map(|b| [b.held.x, b.held.y, b.held.rotation]).collect();
+        let free: Vec<usize> = (0..built.len()).filter(|&i| held[i] != [true; 3]).collect();
+        if free.is_empty() {
+            return Err(ModelError::NothingFree);
+        }
+        let (equation, equations) = numbered(&held, &joints);
+        let band = joints.iter().map(|joint| spread(&equation, joint)).max().unwrap_or(0).max(2);
+        let side = |&i: &usize| model.blocks[BlockId::new(i)].outline.area().sqrt();
+        let size = free.iter().map(side).sum::<f64>() / free.len() as f64;
+        let rounding = joints.iter().map(Joint::rounding).fold(0.0, f64::max);
+        let mut permanent = vec![Resultant::default(); built.len()];
+        for (id, block) in model.blocks.pairs() {
+            permanent[id.index()].add(Vec2::ZERO, model.gravity * block.mass());
+        }
+        let mut variable = vec![Resultant::default(); built.len()];
+        for (into, forces) in [(&mut permanent, &loading.permanent), (&mut variable, &loading.variable)] {
+            for f in forces {
+                into[f.block.index()].add(f.at - built[f.block.index()], f.force);
+            }
+        }
+        let mut movement = vec![[0.0; 3]; built.len()];
+        for motion in &loading.movements {
+            let (i, by) = (motion.block.index(), [motion.translation.x, motion.translation.y, motion.rotation]);
+            for c in 0..3 {
+                if by[c] != 0.0 && !held[i][c] {
+                    return Err(ModelError::MovedWhileFree(motion.block.0));
+                }
+                movement[i][c] += by[c];
+            }
+        }
+        Ok(Model {
+            interfaces,
+            joints,
+            built,
+            permanent,
+            variable,
+            movement,
+            equation,
+            equations,
+            band,
+            rounding,
+            size,
+        })
+    }
+
+    /// Where a point of a block as built [m] is after the block's motion.
+    pub(super) fn moved(&self, block: usize, built: Vec2, motion: [f64; 3]) -> Vec2 {
+        let (sine, cosine) = motion[2].sin_cos();
+        let arm = built - self.built[block];
+        self.built[block] + vec2(motion[0] + cosine * arm.x - sine * arm.y, motion[1] + sine * arm.x + cosine * arm.y)
+    }
+}
+
+/// Equations of the free motions, block by block from neighbour to neighbour, so that the band is narrow (Cuthill and McKee
+/// 1969).
+fn numbered(held: &[[bool; 3]], joints: &[Joint]) -> (Vec<[u32; 3]>, usize) {
+    let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); held.len()];
+    let free = |i: usize| held[i] != [true; 3];
+    for joint in joints.iter().filter(|j| free(j.first) && free(j.second)) {
+        neighbours[joint.first].push(joint.second);
+        neighbours[joint.second].push(joint.first);
+    }
+    let degrees: Vec<usize> = neighbours.iter().map(Vec::len).collect();
+    for list in &mut neighbours {
+        list.sort_unstable_by_key(|&j| (degrees[j], j));
+    }
+    let mut order = Vec::new();
+    let mut seen = vec![false; held.len()];
+    let mut starts: Vec<usize> = (0..held.len()).filter(|&i| free(i)).collect();
+    starts.sort_by_key(|&i| (degrees[i], i));
+    for start in starts {
+        if seen[start] {
+            continue;
+        }
+        // From the far end of the part that the block belongs to.
+        let from = *breadth_first(start, &neighbours, &mut seen.clone()).last().expect("it begins with the start");
+        order.extend(breadth_first(from, &neighbours, &mut seen));
+    }
+    let mut equation = vec![[HELD; 3]; held.len()];
+    let mut count = 0;
+    for block in order {
+        for c in 0..3 {
+            if !held[block][c] {
+                equation[block][c] = count;
+                count += 1;
+            }
+        }
+    }
+    (equation, count as usize)
+}
+
+fn breadth_first(start: usize, neighbours: &[Vec<usize>], seen: &mut [bool]) -> Vec<usize> {
+    let mut order = vec![start];
+    seen[start] = true;
+    let mut next = 0;
+    while next < order.len() {
+        for &j in &neighbours[order[next]] {
+            if !seen[j] {
+                seen[j] = true;
+                order.push(j);
+            }
+        }
+        next += 1;
+    }
+    order
+}
+
+/// How far apart the equations of a joint are.
+fn spread(equation: &[[u32; 3]], joint: &Joint) -> usize {
+    let both = equation[joint.first].iter().chain(&equation[joint.second]).filter(|&&e| e != HELD);
+    let (least, most) = both.fold((u32::MAX, 0), |(least, most), &e| (least.min(e), most.max(e)));
+    most.saturating_sub(least) as usize
+}

@@ -1,0 +1,205 @@
+//! Equilibrium of all blocks and its exact tangent.
+
+use super::banded::Banded;
+use super::joint::{Bedding, Memory, Relative, Response};
+use super::model::{HELD, Model};
+use super::settings::Settings;
+use crate::acting::Resultant;
+
+/// A state of the blocks: what a checkpoint must contain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Translations [m] and rotation [rad] of each block since it was built.
+    pub motions: Vec<[f64; 3]>,
+    /// Load factor.
+    pub factor: f64,
+    pub(super) memory: Vec<Memory>,
+    /// See [`Bedding`].
+    pub(super) pressed: f64,
+}
+
+impl State {
+    /// As built, without load.
+    pub(super) fn as_built(model: &Model) -> State {
+        State {
+            motions: vec![[0.0; 3]; model.built.len()],
+            factor: 0.0,
+            memory: vec![Memory::default(); model.joints.len()],
+            pressed: 0.0,
+        }
+    }
+}
+
+/// Sum of the sizes of all forces that act on free blocks [N/m].
+pub(super) fn scale(model: &Model, factor: f64) -> f64 {
+    let size = |r: &Resultant| r.force.x.abs() + r.force.y.abs();
+    let free = (0..model.built.len()).filter(|&i| model.equation[i] != [HELD; 3]);
+    let of = |i: usize| size(&model.permanent[i]) + factor.abs() * size(&model.variable[i]);
+    free.map(of).sum::<f64>().max(f64::MIN_POSITIVE)
+}
+
+/// Scratch: forces and tangent of one trial state.
+#[derive(Debug, Clone)]
+pub(super) struct Workspace {
+    /// `-dF/du`.
+    pub tangent: Banded,
+    /// Out-of-balance forces `F` [N/m]; moments are divided by the size of the blocks.
+    pub unbalanced: Vec<f64>,
+    /// `dF/dfactor`.
+    pub growing: Vec<f64>,
+}
+
+impl Workspace {
+    pub fn new(model: &Model) -> Workspace {
+        Workspace {
+            tangent: Banded::new(model.equations, model.band),
+            unbalanced: vec![0.0; model.equations],
+            growing: vec![0.0; model.equations],
+        }
+    }
+    /// Largest out-of-balance force [N/m].
+    pub fn largest(&self) -> f64 {
+        self.unbalanced.iter().fold(0.0, |most, f| if f.is_finite() { f.abs().max(most) } else { f64::INFINITY })
+    }
+}
+
+/// Response of joint `k` in a state, with shear that follows from the last balanced one.
+pub(super) fn respond(model: &Model, settings: &Settings, memory: &Memory, k: usize, state: &State) -> Response<f64> {
+    let joint = &model.joints[k];
+    joint.respond(bedding(settings, state), memory, relative(model, k, state))
+}
+
+fn bedding(settings: &Settings, state: &State) -> Bedding {
+    Bedding { contact_length: settings.contact_length, pressed: state.pressed }
+}
+
+pub(super) fn relative(model: &Model, k: usize, state: &State) -> Relative<f64> {
+    let joint = &model.joints[k];
+    joint.relative(state.motions[joint.first], state.motions[joint.second])
+}
+
+/// Out-of-balance forces of a trial state, and the tangent; the state's memory is that of the last balanced one.
+pub(super) fn assemble(model: &Model, settings: &Settings, state: &State, work: &mut Workspace) {
+    work.tangent.clear();
+    work.unbalanced.fill(0.0);
+    work.growing.fill(0.0);
+    for block in 0..model.built.len() {
+        act(model, block, state, work);
+    }
+    for k in 0..model.joints.len() {
+        join(model, settings, k, state, work);
+    }
+}
+
+/// Loads of one block.
+fn act(model: &Model, block: usize, state: &State, work: &mut Workspace) {
+    let equations = model.equation[block];
+    if equations == [HELD; 3] {
+        return;
+    }
+    let (sine, cosine) = state.motions[block][2].sin_cos();
+    let moment = |r: &Resultant| (cosine * r.cross - sine * r.dot) / model.size;
+    let grows = &model.variable[block];
+    let now = model.permanent[block].plus(grows, state.factor);
+    let forces = [now.force.x, now.force.y, moment(&now)];
+    let growing = [grows.force.x, grows.force.y, moment(grows)];
+    for c in 0..3 {
+        if equations[c] != HELD {
+            work.unbalanced[equations[c] as usize] += forces[c];
+            work.growing[equations[c] as usize] += growing[c];
+        }
+    }
+    if equations[2] != HELD {
+        // The unknown is the rotation times the size, and the moment is divided by it.
+        let slope = (-sine * now.cross - cosine * now.dot) / (model.size * model.size);
+        work.tangent.add(equations[2] as usize, equations[2] as usize, -slope);
+    }
+}
+
+/// Forces of one joint on its two blocks, with their derivatives.
+fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut Workspace) {
+    let joint = &model.joints[k];
+    let pose = relative(model, k, state);
+    let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], pose);
+    let (f, mut slope) = (response.force.map(|f| f.value), response.force.map(|f| f.slope));
+    let [lent_normal, lent_shear, lent_turn] = joint.lent();
+    let (n, t) = (joint.normal, joint.tangent());
+    for (row, (a, b)) in [(n.x, t.x), (n.y, t.y)].into_iter().enumerate() {
+        for (column, (c, d)) in [(n.x, t.x), (n.y, t.y)].into_iter().enumerate() {
+            slope[row][column] -= lent_normal * a * c + lent_shear * b * d;
+        }
+    }
+    slope[2][2] -= lent_turn;
+    let d = joint.apart(pose);
+    let (sine, cosine) = state.motions[joint.first][2].sin_cos();
+    // Change of the relative pose with the six motions: translations and rotation of the first, then of the second.
+    let change = [
+        [-cosine, -sine, d.y, cosine, sine, 0.0],
+        [sine, -cosine, -d.x, -sine, cosine, 0.0],
+        [0.0, 0.0, -1.0, 0.0, 0.0, 1.0],
+    ];
+    let on_second = [cosine * f[0] - sine * f[1], sine * f[0] + cosine * f[1]];
+    let moment_on_first = -f[2] - (d.x * f[1] - d.y * f[0]);
+    let forces = [-on_second[0], -on_second[1], moment_on_first, on_second[0], on_second[1], f[2]];
+    let mut tangent = [[0.0; 6]; 6];
+    for motion in 0..6 {
+        let by: [f64; 3] = [0, 1, 2].map(|row| (0..3).map(|c| slope[row][c] * change[c][motion]).sum());
+        let mut global = [cosine * by[0] - sine * by[1], sine * by[0] + cosine * by[1]];
+        if motion == 2 {
+            global = [global[0] - on_second[1], global[1] + on_second[0]];
+        }
+        let turned = change[0][motion] * f[1] - change[1][motion] * f[0] + d.x * by[1] - d.y * by[0];
+        let column = [-global[0], -global[1], -by[2] - turned, global[0], global[1], by[2]];
+        for row in 0..6 {
+            tangent[row][motion] = column[row];
+        }
+    }
+    let scale = [1.0, 1.0, 1.0 / model.size];
+    let equation = |i: usize| model.equation[if i < 3 { joint.first } else { joint.second }][i % 3];
+    let moved = [joint.first, joint.second].map(|block| model.movement[block]);
+    for row in 0..6 {
+        let to = equation(row);
+        if to == HELD {
+            continue;
+        }
+        let to = to as usize;
+        work.unbalanced[to] += forces[row] * scale[row % 3];
+        for motion in 0..6 {
+            let value = tangent[row][motion] * scale[row % 3];
+            match equation(motion) {
+                HELD => work.growing[to] += value * moved[motion / 3][motion % 3],
+                column => work.tangent.add(to, column as usize, -value * scale[motion % 3]),
+            }
+        }
+    }
+}
+
+/// Moves a state by a change of its unknowns, none where it is empty, and of the factor.
+pub(super) fn advance(model: &Model, state: &mut State, change: &[f64], factor: f64) {
+    state.factor += factor;
+    for (block, motion) in state.motions.iter_mut().enumerate() {
+        let imposed = model.movement[block];
+        for c in 0..3 {
+            match model.equation[block][c] {
+                HELD => motion[c] = state.factor * imposed[c],
+                _ if change.is_empty() => {}
+                equation if c == 2 => motion[c] += change[equation as usize] / model.size,
+                equation => motion[c] += change[equation as usize],
+            }
+        }
+    }
+}
+
+/// Share of its shear that a joint keeps.
+const HOLDS: f64 = 1.0 - 1e-9;
+
+/// Lets the joints remember the state: it is balanced. What slides is left a hair below its strength, so that the tangent there
+/// is that of joints that hold: whether they slide on is for the next state to show.
+pub(super) fn commit(model: &Model, settings: &Settings, state: &mut State) {
+    for k in 0..model.joints.len() {
+        let response = respond(model, settings, &state.memory[k], k, state);
+        let stiffness = response.ends.length.map(|length| length * model.joints[k].resistance.shear);
+        let sheared = [0, 1].map(|e| if stiffness[e] > 0.0 { HOLDS * response.shear[e] / stiffness[e] } else { 0.0 });
+        state.memory[k] = Memory { sheared, glide: response.glide };
+    }
+}
