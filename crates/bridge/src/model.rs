@@ -554,6 +554,8 @@ pub struct Plan {
     pub step_limit: u64,
     /// Damping of the discrete element method.
     pub damping: Damping,
+    /// Where joints carry what presses them; none where neither the file nor the caller says.
+    pub contact: Option<JointContact>,
     /// Whether the length of a contact point is updated (stress formulation) or fixed (force formulation).
     pub contact_length: ContactLength,
     /// Share of the critical time step.
@@ -575,6 +577,8 @@ choice! {
         Dem = "dem",
         /// limit analysis: the exact collapse load of rigid blocks
         Limit = "limit",
+        /// the path of equilibrium: rigid blocks on joints that give, past the largest load
+        Path = "path",
         /// finite elements: elastic stones on joints that open and slide; one ring between fixed abutments
         Fe = "fe",
     }
@@ -613,6 +617,16 @@ pub enum Damping {
     Viscous(f64),
     /// Global viscous with an intensity that follows the motion.
     Adaptive,
+}
+
+choice! {
+    /// Where a joint carries what presses it.
+    pub enum JointContact {
+        /// in a contact point at each of its two ends
+        Points = "points",
+        /// over the whole compressed part, with a pressure that grows with the overlap
+        Distributed = "distributed",
+    }
 }
 
 choice! {

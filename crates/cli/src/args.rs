@@ -5,7 +5,7 @@ use crate::quantities;
 use bridge::choice::Choice as Words;
 use bridge::passage::{PassageAnalysis, PassagePath};
 use bridge::update::{Search, Start, Variant};
-use bridge::{Analysis, ContactLength, ContactPoints, Friction, Method};
+use bridge::{Analysis, ContactLength, ContactPoints, Friction, JointContact, Method};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use extrados::StageName;
@@ -298,6 +298,9 @@ pub struct Overrides {
     /// local, viscous or adaptive, the first two with a share: "local:0.8"
     #[arg(long, value_name = "KIND[:SHARE]", value_parser = damping)]
     pub damping: Option<bridge::Damping>,
+    /// Where joints carry what presses them: in points at their ends, or over their compressed part
+    #[arg(long, value_parser = word::<JointContact>())]
+    pub contact: Option<JointContact>,
     /// Whether the length of a contact point is kept or updated
     #[arg(long, value_parser = word::<ContactLength>())]
     pub contact_length: Option<ContactLength>,
@@ -474,6 +477,7 @@ impl Choice {
             method: self.method,
             resolution: resolution.transpose()?,
             damping: own.damping,
+            contact: own.contact,
             contact_length: own.contact_length,
             friction: own.friction,
             contact_points: own.contact_points,

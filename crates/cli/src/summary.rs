@@ -156,6 +156,7 @@ fn title(found: &Collapse) -> String {
     let method = match found.method() {
         Method::Dem => "discrete elements",
         Method::Limit => "limit analysis",
+        Method::Path => "the path of equilibrium",
         Method::Fe => "finite elements",
     };
     format!("{} by {method}, {} blocks", found.status.word().replace('-', " "), found.blocks)
@@ -193,6 +194,9 @@ fn loads(page: &mut String, found: &Collapse) {
     line("load step", found.load_step);
     line("limit load, rigid", found.limit_load.filter(|_| found.method() != Method::Limit));
     line("limit load, crushing", found.crushing_limit_load);
+    for limit in found.along().iter().flat_map(|along| &along.permissible) {
+        line(limit.criterion.word(), Some(limit.load));
+    }
     if let Some(limit) = found.limit() {
         line("lower bound", limit.lower_bound);
         line("upper bound", limit.upper_bound);
@@ -202,6 +206,9 @@ fn loads(page: &mut String, found: &Collapse) {
         line("without fill pressure", limit.without_fill_pressure_load);
         line("all passive pressure", limit.full_fill_pressure_load);
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
+    }
+    if let Some(along) = found.along() {
+        let _ = writeln!(page, "  {:<22}  {:>9}", "ended", along.ended);
     }
     factor(page, found);
     axles(page, found);

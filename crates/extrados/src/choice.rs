@@ -1,6 +1,6 @@
 //! What a caller says in place of a file's plan.
 
-use bridge::{Analysis, ContactLength, ContactPoints, Damping, Friction, Method, Plan};
+use bridge::{Analysis, ContactLength, ContactPoints, Damping, Friction, JointContact, Method, Plan};
 
 /// Entries of `[analysis]` that take the place of the file's; what is none stays as the file has it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Choice {
     pub resolution: Option<f64>,
     /// Damping of discrete elements.
     pub damping: Option<Damping>,
+    /// Where joints carry what presses them.
+    pub contact: Option<JointContact>,
     /// Length of contacts in discrete elements.
     pub contact_length: Option<ContactLength>,
     /// Friction rule of limit analysis.
@@ -32,6 +34,7 @@ impl Choice {
         plan.method = self.method.unwrap_or(plan.method);
         plan.resolution = self.resolution.or(plan.resolution);
         plan.damping = self.damping.unwrap_or(plan.damping);
+        plan.contact = self.contact.or(plan.contact);
         plan.contact_length = self.contact_length.unwrap_or(plan.contact_length);
         plan.friction = self.friction.unwrap_or(plan.friction);
         plan.contact_points = self.contact_points.unwrap_or(plan.contact_points);

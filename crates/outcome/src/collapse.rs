@@ -3,7 +3,7 @@
 use crate::picture::{Hinge, Picture, Point};
 use crate::warning::Warning;
 use crate::words::words;
-use bridge::{Analysis, ContactLength, Method, Strip};
+use bridge::{Analysis, ContactLength, JointContact, Method, Strip};
 use serde::{Deserialize, Serialize};
 
 words! {
@@ -57,6 +57,7 @@ impl Collapse {
         let (own, rigid) = match self.by {
             By::Limit(_) => ("limit analysis, lower bound", None),
             By::Dem(_) => ("discrete elements, last stable step", self.limit_load),
+            By::Path(_) => ("path of equilibrium, largest load in balance", self.limit_load),
             By::Fe(_) => ("finite elements, largest load in balance", self.limit_load),
         };
         let others = [
@@ -81,6 +82,7 @@ impl Collapse {
         match self.by {
             By::Limit(_) => Method::Limit,
             By::Dem(_) => Method::Dem,
+            By::Path(_) => Method::Path,
             By::Fe(_) => Method::Fe,
         }
     }
@@ -107,6 +109,11 @@ impl Collapse {
     /// What only finite elements report.
     pub fn finite(&self) -> Option<&FiniteReport> {
         if let By::Fe(report) = &self.by { Some(report) } else { None }
+    }
+
+    /// What only the path of equilibrium reports.
+    pub fn along(&self) -> Option<&PathReport> {
+        if let By::Path(report) = &self.by { Some(report) } else { None }
     }
 
     /// The least thickness that stands.
@@ -226,6 +233,72 @@ pub struct LimitReport {
     pub iterations: u32,
 }
 
+words! {
+    /// How a path of equilibrium ended.
+    #[derive(Default)]
+    pub enum Ended {
+        /// The load passed a largest value, for joints had opened.
+        LimitPoint = "limit-point",
+        /// The same, for joints slid.
+        Sliding = "sliding",
+        /// The same, for joints crushed.
+        Crushing = "crushing",
+        /// The blocks may leave the path sideways at that load.
+        Bifurcation = "bifurcation",
+        /// Every load up to the limit was carried.
+        LoadLimit = "load-limit",
+        /// Not even the self-weight was carried.
+        SelfWeight = "self-weight",
+        /// The next balanced state was not found; the last one is kept.
+        #[default]
+        NotConverged = "not-converged",
+        /// Stopped by its onlooker.
+        Cancelled = "cancelled",
+    }
+}
+
+words! {
+    /// A state that a load should not reach in service.
+    pub enum Criterion {
+        /// The thrust leaves the middle third of a joint, which with distributed pressure begins to open then.
+        MiddleThird = "out of middle third",
+        /// A joint is open over half of its depth.
+        HalfOpen = "a joint half open",
+        /// A joint is stressed to half of its strength.
+        HalfStrength = "half the strength",
+        /// The load moves twice as far as at first for a little more of it.
+        HalfStiffness = "half the stiffness",
+    }
+}
+
+/// The load at which a state is first reached.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Permissible {
+    /// Which state.
+    pub criterion: Criterion,
+    /// The load [N/m]; zero where the self-weight alone brings it about.
+    pub load: f64,
+}
+
+/// What only the path of equilibrium reports.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PathReport {
+    /// How it ended.
+    pub ended: Ended,
+    /// Where joints carry what presses them.
+    pub contact: Option<JointContact>,
+    /// Loads at which states are first reached that a bridge should not come to in service.
+    pub permissible: Vec<Permissible>,
+    /// How often balance was lost and found again close by, as where a hinge moves to the next joint.
+    pub snaps: u32,
+    /// Largest out-of-balance force of a state, relative to all forces that act.
+    pub equilibrium_residual: f64,
+    /// Largest shear beyond the strength of a joint's end, relative to all forces that act.
+    pub yield_violation: f64,
+    /// Iterations of Newton's method in all.
+    pub iterations_total: u32,
+}
+
 /// What only finite elements report.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct FiniteReport {
@@ -269,6 +342,8 @@ pub enum By {
     Limit(LimitReport),
     /// Discrete elements; none where the run never began.
     Dem(Option<DemReport>),
+    /// The path of equilibrium.
+    Path(PathReport),
     /// Finite elements.
     Fe(FiniteReport),
 }

@@ -3,7 +3,7 @@
 use super::blank;
 use super::places::{lines, moving, point, scaled};
 use super::{AnalysisError, by_limit, notes, picture};
-use bridge::{Bridge, ContactLength, Damping, Plan, Strip};
+use bridge::{Bridge, ContactLength, Damping, JointContact, Plan, Strip};
 use mechanics::blocks::interfaces;
 use mechanics::dem::{self, Body};
 use mechanics::ids::Id;
@@ -29,14 +29,20 @@ pub(super) fn settings_of(plan: &Plan) -> dem::Settings {
             Damping::Viscous(share) => dem::Damping::Viscous(share),
             Damping::Adaptive => dem::Damping::Adaptive,
         },
-        contact_length: match plan.contact_length {
-            ContactLength::Fixed => dem::ContactLength::Fixed,
-            ContactLength::Updated => dem::ContactLength::Updated,
-        },
+        contact_length: contact_length(plan, JointContact::Points),
         tolerance: plan.tolerance,
         step_limit: plan.step_limit,
         time_step_factor: plan.time_step_factor,
         scaled_inertia: false,
+    }
+}
+
+/// Where joints press, by the plan, or by a method's own choice where that does not say.
+pub(super) fn contact_length(plan: &Plan, own: JointContact) -> mechanics::contact::ContactLength {
+    match (plan.contact.unwrap_or(own), plan.contact_length) {
+        (JointContact::Distributed, _) => dem::ContactLength::Distributed,
+        (JointContact::Points, ContactLength::Fixed) => dem::ContactLength::Fixed,
+        (JointContact::Points, ContactLength::Updated) => dem::ContactLength::Updated,
     }
 }
 
@@ -68,7 +74,10 @@ pub fn stepping(bridge: &Bridge) -> Result<(Discretised, dem::Stepping), Analysi
 }
 
 /// The blocks with the loads that are increased, and limit analysis of the same blocks.
-fn increased(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(Discretised, limit::Outcome), AnalysisError> {
+pub(super) fn increased(
+    bridge: &Bridge,
+    watch: &mut dyn Watch,
+) -> Result<(Discretised, limit::Outcome), AnalysisError> {
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();

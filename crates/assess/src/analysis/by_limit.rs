@@ -8,9 +8,9 @@ use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit;
 use mechanics::watch::{Pace, Watch};
-use outcome::collapse::FiniteReport;
 use outcome::collapse::{By, FlowRule};
 use outcome::collapse::{Collapse, LimitReport, Status};
+use outcome::collapse::{FiniteReport, PathReport};
 use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
 use structure::discretise::{Discretised, discretise, pressure};
 
@@ -81,6 +81,7 @@ pub(super) fn cancelled(bridge: &Bridge, d: &Discretised) -> Collapse {
     let by = match bridge.plan.method {
         Method::Limit => By::Limit(LimitReport::default()),
         Method::Dem => By::Dem(None),
+        Method::Path => By::Path(PathReport::default()),
         Method::Fe => By::Fe(FiniteReport::default()),
     };
     Collapse { status: Status::Cancelled, ..blank::of_bridge(bridge, d, by, picture::built(bridge, d, "as built")) }

@@ -6,6 +6,7 @@ mod blank;
 pub mod by_dem;
 pub mod by_fe;
 pub mod by_limit;
+pub mod by_path;
 pub mod calibrate;
 mod caveats;
 mod dimensions;
@@ -27,6 +28,7 @@ pub mod vehicles;
 pub use by_dem::{collapse_by_dem, status as dem_status};
 pub use by_fe::collapse_by_fe;
 pub use by_limit::collapse_by_limit;
+pub use by_path::collapse_by_path;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use planned::planned;
@@ -110,6 +112,10 @@ pub enum AnalysisError {
     NotOneRing,
     #[error("finite elements increase loads and nothing else: write method = \"dem\" or \"limit\" for {0}")]
     NotByFiniteElements(&'static str),
+    #[error(
+        "the path of equilibrium follows loads on rings, piers and walls: write method = \"dem\" or \"limit\" for {0}"
+    )]
+    NotByPath(&'static str),
     #[error("the mesh of the ring cannot be analysed: {0}")]
     Elements(mechanics::fem::ModelError),
     #[error("the equations of the ring cannot be set up: {0}")]
@@ -146,6 +152,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge, watch),
         (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),
+        (Analysis::Load, Method::Path) => collapse_by_path(bridge, watch),
         (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
             Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
             None => collapse_by_dem(bridge, resume, watch),

@@ -36,6 +36,7 @@ pub fn support_movement(
     let mut c = match bridge.plan.method {
         Method::Dem => by_dem(bridge, &d, step, largest, resume, watch)?,
         Method::Limit => by_limit(bridge, &d, step, largest, watch)?,
+        Method::Path => return Err(AnalysisError::NotByPath("support movements")),
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("support movements")),
     };
     c.assumptions.push("The loads of the file do not act; the support moves slowly against the weights alone.".into());

@@ -221,6 +221,38 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     }
 }
 
+/// Notes on the path of equilibrium.
+pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
+    common(bridge, d, c);
+    if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
+        c.assumptions.push(
+            "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press \
+             sideways."
+                .into(),
+        );
+    }
+    c.assumptions.push(match distributed {
+        true => "Rigid blocks on joints that give: the pressure grows with the overlap over the compressed part of a joint, \
+                 without tension; displacements are large."
+            .into(),
+        false => "Rigid blocks on joints that give at two points, without tension; displacements are large.".to_owned(),
+    });
+    c.assumptions.push(
+        "The blocks that touch as built are those that press: a contact that only forms during the motion is left out."
+            .into(),
+    );
+    if bridge.joint.tensile_strength > 0.0 {
+        c.assumptions.push("The tensile strength of the joints is left out.".into());
+    }
+    if bridge.masonry.compressive_strength.is_some() && distributed {
+        c.assumptions
+            .push("Joints whose pressure is at the compressive strength keep it, and open again elastically.".into());
+    }
+    if bridge.masonry.rounding > 0.0 {
+        c.warnings.push(inset(bridge));
+    }
+}
+
 /// Notes on fill that is particles.
 pub fn filled(bridge: &Bridge, c: &mut Collapse) {
     c.assumptions.push(

@@ -33,6 +33,7 @@ pub fn collapse_of_blocks(
     let mut found = match scene.plan.method {
         Method::Dem => dem(scene, &d, resume, watch),
         Method::Limit => limit(scene, &d, watch),
+        Method::Path => Err(AnalysisError::NotByPath("blocks of a drawing")),
         Method::Fe => Err(AnalysisError::NotByFiniteElements("blocks of a drawing")),
     }?;
     found.block_names = scene.bodies.iter().map(|body| body.name.clone()).collect();

@@ -27,12 +27,14 @@ fn one(bridge: &Bridge) -> Result<(), AnalysisError> {
     match bridge.plan.analysis {
         Analysis::Load if bridge.loads.is_empty() => Ok(()),
         Analysis::Load => load(bridge),
+        Analysis::Thickness if method == Method::Path => Err(AnalysisError::NotByPath("the least thickness")),
         Analysis::Thickness if method == Method::Fe => Err(AnalysisError::NotByFiniteElements("the least thickness")),
         Analysis::Thickness => thickness::thickened(bridge, 1.0).map(|_| ()),
         Analysis::SupportMovement if bridge.plan.support_movement.is_none() => {
             let why = "which support moves, and where, is the question";
             Err(AnalysisError::Missing { what: "support_movement", why })
         }
+        Analysis::SupportMovement if method == Method::Path => Err(AnalysisError::NotByPath("support movements")),
         Analysis::SupportMovement if method == Method::Fe => {
             Err(AnalysisError::NotByFiniteElements("support movements"))
         }
@@ -53,6 +55,9 @@ fn load(bridge: &Bridge) -> Result<(), AnalysisError> {
         return ring_mesh(&d, bridge.service.mesh.ring_nodes).map(|_| ()).ok_or(AnalysisError::NotOneRing);
     }
     let Some(particles) = fill::wanted(bridge) else { return Ok(()) };
+    if bridge.plan.method == Method::Path {
+        return Err(AnalysisError::NotByPath("particles"));
+    }
     let Some(region) = &d.fill else { return Err(AnalysisError::NoLoad) };
     if bridge.plan.load_step.is_none() {
         let why = "limit analysis, from which it would be chosen, knows no particles";

@@ -54,6 +54,7 @@ pub fn thickness(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, Ana
     let mut c = match bridge.plan.method {
         Method::Limit => by_limit(bridge, watch)?,
         Method::Dem => by_dem(bridge, watch)?,
+        Method::Path => return Err(AnalysisError::NotByPath("the least thickness")),
         Method::Fe => return Err(AnalysisError::NotByFiniteElements("the least thickness")),
     };
     c.assumptions.push("Rings are thinned on the same intrados; the loads of the file rest on them.".into());

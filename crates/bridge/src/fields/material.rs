@@ -1,8 +1,9 @@
 //! Masonry and joints.
 
-use super::{Field, Kind, Section};
+use super::{Field, Kind, Section, joined};
+use crate::choice::Choice;
 use crate::findings::Findings;
-use crate::model::{Joint, JointStiffness, Masonry};
+use crate::model::{Joint, JointContact, JointStiffness, Masonry};
 use crate::quantity::Dimension::{self, Angle, Density, Length, Stress};
 use crate::tree::Table;
 use crate::values::read;
@@ -103,7 +104,16 @@ pub(super) static JOINT: Section = Section {
     doc: "Joints between voussoirs, at springings and between the courses of piers. Stiffness is that of the contact as a \
           whole (`normal_stiffness`), or of the mortar joint alone (`mortar_normal_stiffness`), to which the deformation \
           of the blocks is added by 1/k = 1/k' + l/E (Rouxinol, Providência and Lemos, eq. 1).",
-    fields: JOINT_FIELDS,
+    fields: &joined::<10>(&[
+        JOINT_FIELDS,
+        &[Field::new(
+            "contact",
+            Kind::Word(JointContact::WORDS),
+            "where all joints of the bridge carry what presses them",
+            "distributed",
+        )
+        .optional("\"points\" with method \"dem\", \"distributed\" with method \"path\"")],
+    ]),
 };
 
 pub(super) static WALL_JOINT: Section = Section {

@@ -4,8 +4,8 @@ use super::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::findings::Findings;
 use crate::model::{
-    Analysis, ContactLength, ContactPoints, Damping, Friction, Joint, JointStiffness, Load, Masonry, Method, Plan,
-    Strip, SupportMovement,
+    Analysis, ContactLength, ContactPoints, Damping, Friction, Joint, JointContact, JointStiffness, Load, Masonry,
+    Method, Plan, Strip, SupportMovement,
 };
 use crate::quantity::Dimension::{AngleRate, Length};
 use crate::tree::{Table, shorten, wrong_type};
@@ -141,6 +141,7 @@ pub(crate) fn plan(
         Some(_) => file.optional("support_movement", findings, |t, f| support_movement(t, spans, f)),
         None => Some(None),
     };
+    let contact = contact(file, findings);
     file.part("analysis", findings, |table, findings| {
         let strip = strip(file, table, findings);
         let damping = table.read("damping", findings);
@@ -161,6 +162,7 @@ pub(crate) fn plan(
                 contact_points,
                 seed;
                 strip: strip?,
+                contact: contact?,
                 load_step: load_step?,
                 load_limit: load_limit?,
                 resolution: resolution?,
@@ -173,6 +175,17 @@ pub(crate) fn plan(
             }
         )
     })
+}
+
+/// What `[joint]` says of where joints press; block models say it on the command alone.
+fn contact(file: &Table<'_>, findings: &mut Findings) -> Option<Option<JointContact>> {
+    let one = |kind| matches!(kind, Kind::Table(section) if section.field("contact").is_some());
+    if !file.section.field("joint").is_some_and(|field| one(field.kind)) {
+        return Some(None);
+    }
+    // What else is wrong with the table is reported where it is read.
+    let of = |joint: &Table<'_>, _: &mut Findings| joint.read("contact", findings);
+    file.optional("joint", &mut Findings::default(), of).map(Option::flatten)
 }
 
 /// Which strip: the word of the plan. Walls add strength in their plane only where somebody asks for it.

@@ -96,6 +96,7 @@ pub(super) fn point(
     let mut point = PathPoint {
         factor: state.factor,
         displacement: watched(model, program, state),
+        eccentricity: 0.0,
         opened: 0.0,
         hinges: 0,
         sliding: 0,
@@ -111,6 +112,11 @@ pub(super) fn point(
         if open < 1.0 {
             point.opened = point.opened.max(open);
             point.hinges += u32::from(open > 0.5);
+        }
+        let [a, b] = response.ends.compression;
+        if a + b > 0.0 {
+            let arm = 0.5 * response.length / joint.built_length().max(response.length);
+            point.eccentricity = point.eccentricity.max(arm * ((b - a) / (a + b)).abs());
         }
         point.sliding += u32::from((0..2).any(|e| slides(joint, &response, e)));
         point.stress = point.stress.max(stress(settings, joint, &response));

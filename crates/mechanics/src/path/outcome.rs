@@ -39,6 +39,8 @@ pub struct PathPoint {
     pub factor: f64,
     /// Displacement of the watched point since it was built [m].
     pub displacement: Vec2,
+    /// Largest distance of a joint's thrust from its middle, as a share of the joint's length, 0 to 0.5.
+    pub eccentricity: f64,
     /// Largest share of a joint's length that is open, 0 to 1.
     pub opened: f64,
     /// Joints that are open over more than half of their length.

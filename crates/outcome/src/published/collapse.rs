@@ -8,6 +8,7 @@ use bridge::{Analysis, Method, Strip};
 pub(super) fn method(method: Method) -> &'static str {
     match method {
         Method::Dem => "dem",
+        Method::Path => "path",
         Method::Limit => "limit",
         Method::Fe => "fe",
     }
@@ -99,6 +100,21 @@ pub fn collapse(c: &Collapse) -> Object {
             equilibrium_residual: l.equilibrium_residual,
             yield_violation: l.yield_violation,
             solver_iterations: l.iterations,
+            thrust_line: thrust_line(c),
+        }),
+        ..c.along().map(|p| object! {
+            peak_load_kn_per_m: per_metre(c.last_stable_load),
+            ended: p.ended,
+            contact: p.contact,
+            path: path(c),
+            permissible: list(&p.permissible, |limit| object! {
+                criterion: limit.criterion,
+                load_kn_per_m: kilo(limit.load),
+            }),
+            snaps: p.snaps,
+            equilibrium_residual: p.equilibrium_residual,
+            yield_violation: p.yield_violation,
+            iterations_total: p.iterations_total,
             thrust_line: thrust_line(c),
         }),
         ..c.finite().map(|f| object! {

@@ -183,7 +183,7 @@ fn plan(page: &mut String, plan: &bridge::Plan) {
     let method = match plan.method {
         Method::Limit => Method::Limit,
         // Blocks of a drawing are not meshed.
-        Method::Dem | Method::Fe => Method::Dem,
+        Method::Dem | Method::Fe | Method::Path => Method::Dem,
     };
     let _ = writeln!(page, "[analysis]\nmethod = \"{}\"", method.word());
     for (key, value) in

@@ -1,0 +1,224 @@
+//! Collapse along the path of equilibrium: joints that give, up to the largest load and past it.
+
+use super::by_dem::{contact_length, increased};
+use super::places::{lines, moving, point, scaled};
+use super::{AnalysisError, blank, by_limit, notes, picture};
+use bridge::{Bridge, JointContact};
+use mechanics::blocks::Interface;
+use mechanics::contact::ContactLength;
+use mechanics::ids::Id;
+use mechanics::limit;
+use mechanics::path::{self, Cause, Frame, PathPoint};
+use mechanics::watch::Watch;
+use outcome::collapse::{By, Collapse, Criterion, Ended, PathReport, Permissible, Status};
+use outcome::picture::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
+use structure::discretise::Discretised;
+
+/// First increment of the load, as a share of that of rigid blocks.
+const FIRST_STEP: f64 = 0.05;
+
+/// The load beyond which no more is sought, in loads of rigid blocks: theirs is never passed but by a hair.
+const BEYOND: f64 = 1.5;
+
+/// Pictures of the path: as many as its result shows.
+const MOST_PICTURES: usize = 24;
+
+/// Follows the balanced states of the bridge from its own weight to its largest load.
+pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    if bridge.particles.is_some() && structure::discretise::fill::wanted(bridge).is_some() {
+        return Err(AnalysisError::NotByPath("particles"));
+    }
+    let (d, rigid) = increased(bridge, watch)?;
+    if rigid.status == limit::Status::Cancelled {
+        return Ok(by_limit::cancelled(bridge, &d));
+    }
+    let bound = rigid.factor.or(rigid.associated_factor);
+    let given = |load: Option<f64>| load.map(|load| load / d.reference_load);
+    let program = path::Program {
+        increment: given(bridge.plan.load_step).or(bound.map(|b| FIRST_STEP * b)).unwrap_or(1.0),
+        limit: given(bridge.plan.load_limit.map(|most| most - d.counted_weight))
+            .or(bound.map(|b| BEYOND * b))
+            .unwrap_or(f64::INFINITY),
+        watched: d.watched,
+    };
+    let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
+    let settings = path::Settings::new(contact_length(&bridge.plan, contact));
+    let outcome = path::collapse(&d.model, &d.loading, (&settings, &program), watch)?;
+    let mut c = report(bridge, &d, (&settings, contact), &outcome);
+    c.load_step = Some(d.load(program.increment));
+    c.limit_load = rigid.factor.map(|factor| d.load(factor));
+    notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);
+    notes::apart(rigid.status, &mut c);
+    if by_limit::settings(bridge).crushing {
+        let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
+        c.crushing_limit_load = crushed.map(|factor| d.load(factor));
+    }
+    Ok(c)
+}
+
+fn report(
+    bridge: &Bridge,
+    d: &Discretised,
+    (settings, contact): (&path::Settings, JointContact),
+    outcome: &path::Outcome,
+) -> Collapse {
+    let load = |factor: Option<f64>| factor.map(|f| d.load(f));
+    let strength = d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min);
+    let report = PathReport {
+        ended: ended(outcome),
+        contact: Some(contact),
+        permissible: permissible(d, &outcome.path, strength),
+        snaps: outcome.snaps,
+        equilibrium_residual: outcome.path.iter().map(|p| p.residual).fold(0.0, f64::max),
+        yield_violation: 0.0,
+        iterations_total: outcome.iterations,
+    };
+    let mut picture = picture::built(bridge, d, "path of equilibrium");
+    draw(d, outcome, &mut picture);
+    let at_peak = outcome.peak.and_then(|k| outcome.frames.get(k));
+    let mut c = blank::of_bridge(bridge, d, By::Path(report), picture);
+    c.status = status(outcome.status);
+    c.collapse_load = load(outcome.collapse_factor);
+    c.last_stable_load = load(outcome.last_stable_factor);
+    c.max_compressive_stress = at_peak.map(|frame| outcome.path[frame.step].stress);
+    c.contacts =
+        at_peak.map_or(0, |frame| frame.joints.iter().flat_map(|j| &j.ends).filter(|e| e.compression > 0.0).count());
+    c.tolerance = settings.tolerance;
+    c.hinges.clone_from(&c.picture.hinges);
+    c.sliding_joints.clone_from(&c.picture.sliding);
+    c
+}
+
+fn status(status: path::Status) -> Status {
+    match status {
+        path::Status::LimitPoint | path::Status::Bifurcation => Status::Collapsed,
+        path::Status::StableToLastLoad => Status::StableToLastLoad,
+        path::Status::UnstableUnderSelfWeight => Status::UnstableUnderSelfWeight,
+        path::Status::NotConverged => Status::NotConverged,
+        path::Status::Cancelled => Status::Cancelled,
+    }
+}
+
+fn ended(outcome: &path::Outcome) -> Ended {
+    match (outcome.status, outcome.cause) {
+        (path::Status::LimitPoint, Some(Cause::Sliding)) => Ended::Sliding,
+        (path::Status::LimitPoint, Some(Cause::Crushing)) => Ended::Crushing,
+        (path::Status::LimitPoint, _) => Ended::LimitPoint,
+        (path::Status::Bifurcation, _) => Ended::Bifurcation,
+        (path::Status::StableToLastLoad, _) => Ended::LoadLimit,
+        (path::Status::UnstableUnderSelfWeight, _) => Ended::SelfWeight,
+        (path::Status::NotConverged, _) => Ended::NotConverged,
+        (path::Status::Cancelled, _) => Ended::Cancelled,
+    }
+}
+
+/// Loads at which the states of a path first meet each criterion, between two of them in proportion.
+fn permissible(d: &Discretised, path: &[PathPoint], strength: f64) -> Vec<Permissible> {
+    let rising = path.iter().enumerate().take_while(|(k, p)| *k == 0 || p.factor >= path[k - 1].factor);
+    let rising: Vec<&PathPoint> = rising.map(|(_, p)| p).collect();
+    let first = |measure: &dyn Fn(&PathPoint) -> f64, most: f64| {
+        let k = rising.iter().position(|p| measure(p) > most)?;
+        let now = rising[k];
+        let Some(before) = k.checked_sub(1).map(|k| rising[k]) else { return Some(now.factor) };
+        let share = (most - measure(before)) / (measure(now) - measure(before));
+        Some(before.factor + share * (now.factor - before.factor))
+    };
+    let stress = |p: &PathPoint| if strength.is_finite() { p.stress / strength } else { 0.0 };
+    let found = [
+        (Criterion::MiddleThird, first(&|p| p.eccentricity, 1.0 / 6.0)),
+        (Criterion::HalfOpen, first(&|p| p.opened, 0.5)),
+        (Criterion::HalfStrength, first(&stress, 0.5)),
+        (Criterion::HalfStiffness, softened(&rising)),
+    ];
+    found.into_iter().filter_map(|(criterion, factor)| Some(Permissible { criterion, load: d.load(factor?) })).collect()
+}
+
+/// Factor at which the loaded point moves twice as far as at first for a little more of the load.
+fn softened(path: &[&PathPoint]) -> Option<f64> {
+    let slope = |k: usize| {
+        let (a, b) = (path.get(k)?, path.get(k + 1)?);
+        let grown = b.factor - a.factor;
+        (grown > 0.0).then(|| (b.displacement - a.displacement).norm() / grown)
+    };
+    let begin = slope(0)?;
+    let middle = |k: usize| 0.5 * (path[k].factor + path[k + 1].factor);
+    let k = (1..path.len().saturating_sub(1)).find(|&k| slope(k).is_some_and(|s| s > 2.0 * begin))?;
+    let (before, now) = (slope(k - 1)?, slope(k)?);
+    let share = ((2.0 * begin - before) / (now - before)).clamp(0.0, 1.0);
+    Some(middle(k - 1) + share * (middle(k) - middle(k - 1)))
+}
+
+fn draw(d: &Discretised, outcome: &path::Outcome, picture: &mut Picture) {
+    let step = |p: &PathPoint| Step {
+        load: d.load(p.factor),
+        displacement: point(p.displacement),
+        iterations: u64::from(p.iterations),
+        unbalanced_ratio: p.residual,
+        at_rest: true,
+    };
+    picture.path = outcome.path.iter().map(step).collect();
+    let shown = shown(outcome);
+    picture.last_stable = outcome.peak.and_then(|peak| shown.iter().position(|&k| k == peak));
+    picture.snapshots = shown.iter().map(|&k| snapshot(d, &outcome.interfaces, &outcome.frames[k])).collect();
+    if let Some(frame) = outcome.peak.map(|k| &outcome.frames[k]) {
+        picture.thrust_lines = thrust_lines(d, &outcome.interfaces, frame);
+    }
+    let motions = outcome.mechanism.iter().map(|&(v, rotation)| Motion { translation: point(v), rotation });
+    picture.mechanism = scaled(motions.collect());
+    if let Some(mechanism) = &picture.mechanism {
+        let found = moving(d, &outcome.interfaces, mechanism);
+        (picture.hinges, picture.sliding) = (found.hinges, found.sliding);
+    }
+}
+
+/// Frames that are drawn: the first, the peak, the last and some between.
+fn shown(outcome: &path::Outcome) -> Vec<usize> {
+    let count = outcome.frames.len();
+    let every = count.div_ceil(MOST_PICTURES).max(1);
+    (0..count).filter(|&k| k % every == 0 || k + 1 == count || Some(k) == outcome.peak).collect()
+}
+
+fn snapshot(d: &Discretised, joints: &[Interface], frame: &Frame) -> Snapshot {
+    let mut contacts = Vec::new();
+    for (joint, state) in joints.iter().zip(&frame.joints) {
+        for end in state.ends.iter().filter(|end| end.compression > 0.0) {
+            contacts.push(ContactForce {
+                blocks: [joint.first.index(), joint.second.index()],
+                point: point(end.at),
+                normal: point(state.normal),
+                compression: end.compression,
+                shear: end.shear,
+                stress: state.stress.min(end.compression / end.length.max(f64::MIN_POSITIVE)),
+                sliding: end.sliding,
+            });
+        }
+    }
+    let loads: Vec<_> = d
+        .loading
+        .permanent
+        .iter()
+        .map(|f| (*f, 1.0))
+        .chain(d.loading.variable.iter().map(|f| (*f, frame.factor)))
+        .collect();
+    let motion = |(id, pose): (_, &mechanics::plane::Pose)| {
+        let block: &mechanics::blocks::Block = &d.model.blocks[id];
+        let turned = pose.rotation;
+        Motion { translation: point(pose.position - block.outline.centroid()), rotation: turned.sin.atan2(turned.cos) }
+    };
+    Snapshot {
+        load: d.load(frame.factor),
+        motions: frame.poses.pairs().map(motion).collect(),
+        velocities: vec![[0.0; 2]; d.model.blocks.len()],
+        stresses: picture::stresses(d, &contacts, &loads),
+        contacts,
+        ..Snapshot::default()
+    }
+}
+
+fn thrust_lines(d: &Discretised, joints: &[Interface], frame: &Frame) -> Vec<Vec<ThrustPoint>> {
+    let points = joints.iter().zip(&frame.joints).filter_map(|(joint, state)| {
+        let at = state.resultant()?;
+        Some((joint.first, joint.second, ThrustPoint { point: point(at), thrust: state.force().norm() }))
+    });
+    lines(d, points)
+}
