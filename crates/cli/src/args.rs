@@ -418,6 +418,8 @@ pub enum BenchName {
     Arch,
     /// Bridgemill's ring and dispersed knife load by limit analysis, building and both bounds included
     Limit,
+    /// The same ring along the path of equilibrium, joints with distributed contact, from its weight to past its peak
+    Path,
     /// The elastic stiffness of a finite element mesh: analysed, assembled, factorised, solved with
     Factor,
     /// A rough footing pushed into yielding ground, in ten load steps

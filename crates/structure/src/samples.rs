@@ -57,6 +57,7 @@ pub fn bridgemill() -> Bridge {
             tolerance: 1e-4,
             step_limit: 200_000,
             damping: Damping::Local(0.7),
+            contact: None,
             contact_length: ContactLength::Fixed,
             time_step_factor: 0.5,
             friction: Friction::Automatic,

@@ -16,8 +16,9 @@ use crate::results;
 use crate::status::Status;
 use assess::analysis::{AnalysisError, by_dem, by_limit};
 use bridge::Bridge;
+use mechanics::contact::ContactLength;
 use mechanics::watch::Unwatched;
-use mechanics::{dem, limit};
+use mechanics::{dem, limit, path};
 use structure::discretise::discretise;
 
 /// Measures.
@@ -26,6 +27,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchName::Disks => disks::run(desk, arguments),
         BenchName::Arch => bridgemill(arguments, arch),
         BenchName::Limit => bridgemill(arguments, limit),
+        BenchName::Path => bridgemill(arguments, path),
         BenchName::Factor => factor::run(arguments),
         BenchName::Footing => footing::run(desk, arguments),
         BenchName::Passage => passage::run(desk, arguments),
@@ -65,6 +67,15 @@ fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisEr
                 "arch: {least:.3} s to collapse (median {middle:.3} s of {repeats}), {iterations} iterations with adaptive \
                  damping, {blocks} blocks, one core\n"
             )),
+        BenchName::Path => report
+            .with("name", "path")
+            .with("seconds_to_peak", least)
+            .with("seconds_median", middle)
+            .saying(format!(
+                "path: {:.3} ms past the peak (median {:.3} ms of {repeats}), {iterations} iterations, {blocks} blocks, one core\n",
+                1e3 * least,
+                1e3 * middle
+            )),
         _ => {
             let (least, middle) = (1e3 * least, 1e3 * middle);
             report.with("name", "limit").with("milliseconds", least).with("milliseconds_median", middle).saying(format!(
@@ -95,6 +106,22 @@ fn arch(bridge: &Bridge) -> Result<Found, AnalysisError> {
     Ok(Found {
         blocks: d.model.blocks.len(),
         iterations: found.iterations_total,
+        stands: found.last_stable_factor.map(|f| f * d.reference_load),
+        falls: found.collapse_factor.map(|f| f * d.reference_load),
+        tolerance: settings.tolerance,
+    })
+}
+
+/// Case 1 on joints with distributed contact, from the bridge to past its largest load.
+fn path(bridge: &Bridge) -> Result<Found, AnalysisError> {
+    let d = discretise(bridge)?;
+    let settings = path::Settings::new(ContactLength::Distributed);
+    let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
+    let program = path::Program { increment: step, limit: 100.0 * step, watched: d.watched };
+    let found = path::collapse(&d.model, &d.loading, (&settings, &program), &mut Unwatched)?;
+    Ok(Found {
+        blocks: d.model.blocks.len(),
+        iterations: u64::from(found.iterations),
         stands: found.last_stable_factor.map(|f| f * d.reference_load),
         falls: found.collapse_factor.map(|f| f * d.reference_load),
         tolerance: settings.tolerance,
