@@ -1,13 +1,6 @@
 //! What is wrong with a file, as plain data. Rendering is a face's business.
 
-/// How bad it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Severity {
-    /// The file can be used; a reader should look.
-    Warning,
-    /// The file cannot be used.
-    Error,
-}
+use ::findings::Severity;
 
 /// A stretch of the source text, in bytes; line and column are counted from 1, columns in characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +16,7 @@ pub struct TextRange {
 pub struct Diagnostic {
     /// Stable code: `B…` for errors in the file, `P…` for plausibility. `extrados explain CODE` tells more.
     pub code: &'static str,
-    /// Error or warning.
+    /// Error or warning; a file has no notes.
     pub severity: Severity,
     /// What is wrong, in one line.
     pub message: String,

@@ -7,9 +7,9 @@ mod update;
 mod vary;
 mod warnings;
 
-/// The card of a code.
+/// The card of a code about files, with lines that raise it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Card {
+pub struct FileCard {
     /// The code: `B…` for errors in the file, `P…` for plausibility.
     pub code: &'static str,
     /// What is found, in a line.
@@ -26,7 +26,7 @@ pub struct Card {
     pub source: &'static str,
 }
 
-impl Card {
+impl FileCard {
     /// What to write instead, as it is shown. A value that the file must get from its own bridge is an ellipsis before its unit: the
     /// value of another bridge is no remedy. Numbers of the wrong lines stay, for there it is the writing that is wrong.
     pub fn instead(&self) -> String {
@@ -61,16 +61,16 @@ fn masked(line: &str, leave_out: impl Fn(&str) -> bool) -> String {
 }
 
 /// All cards, by subject.
-pub const CARDS: [&[Card]; 6] =
+pub const CARDS: [&[FileCard]; 6] =
     [errors::CARDS, geometry::CARDS, passage::CARDS, update::CARDS, vary::CARDS, warnings::CARDS];
 
 /// All cards one after the other.
-pub fn cards() -> impl Iterator<Item = &'static Card> {
+pub fn cards() -> impl Iterator<Item = &'static FileCard> {
     CARDS.into_iter().flatten()
 }
 
 /// The card of a code, however it is capitalised.
-pub fn explain(code: &str) -> Option<&'static Card> {
+pub fn explain(code: &str) -> Option<&'static FileCard> {
     cards().find(|card| card.code.eq_ignore_ascii_case(code.trim()))
 }
 

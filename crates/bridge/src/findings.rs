@@ -1,6 +1,7 @@
 //! Collects what is wrong, all of it.
 
-use crate::diagnostic::{Diagnostic, Severity, TextRange};
+use crate::diagnostic::{Diagnostic, TextRange};
+use ::findings::Severity;
 
 /// Findings reported in one go; whoever has more starts with the first ones.
 const MOST: usize = 500;

@@ -30,7 +30,8 @@ pub mod update;
 mod values;
 pub mod vary;
 
-pub use diagnostic::{Diagnostic, Severity, TextRange};
+pub use ::findings::Severity;
+pub use diagnostic::{Diagnostic, TextRange};
 pub use model::*;
 pub use service::*;
 pub use text::Position;

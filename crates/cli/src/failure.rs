@@ -18,21 +18,7 @@ pub struct Failure {
     pub help: String,
 }
 
-/// A failure that has a card.
-pub struct Card {
-    pub code: &'static str,
-    /// In a few words.
-    pub title: &'static str,
-    /// Why, and what to do.
-    pub text: &'static str,
-}
-
-macro_rules! cards { ($($code:literal, $title:literal, $text:literal;)*) => {
-    /// Every failure, in the order of its code.
-    pub const CARDS: &[Card] = &[$(Card { code: $code, title: $title, text: $text }),*];
-} }
-
-cards! {
+findings::cards! {
     "F101", "the file cannot be read",
         "The path is not a readable file: it does not exist, is a folder, or permissions forbid reading. Paths \
                are relative to the folder in which the command runs.\n\nExample: `extrados check bridge.toml` in a \
@@ -199,6 +185,6 @@ mod tests {
 
     #[test]
     fn codes_are_in_order() {
-        assert!(CARDS.windows(2).all(|pair| pair[0].code < pair[1].code));
+        assert!(findings::Card::are_complete(CARDS));
     }
 }

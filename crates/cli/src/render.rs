@@ -38,10 +38,8 @@ impl Paint {
     }
 
     fn of(&self, severity: Severity) -> (&'static str, &Style) {
-        match severity {
-            Severity::Error => ("error", &self.error),
-            Severity::Warning => ("warning", &self.warning),
-        }
+        let style = if severity == Severity::Error { &self.error } else { &self.warning };
+        (severity.word(), style)
     }
 }
 
@@ -65,15 +63,15 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
     let mut notes: Vec<(&drawing::Finding, usize)> = Vec::new();
     for finding in list {
         let (word, style) = match finding.severity {
-            drawing::Severity::Error => {
+            Severity::Error => {
                 errors += 1;
                 paint.of(Severity::Error)
             }
-            drawing::Severity::Warning => {
+            Severity::Warning => {
                 warnings += 1;
                 paint.of(Severity::Warning)
             }
-            drawing::Severity::Note => {
+            Severity::Note => {
                 let same = |(known, _): &&mut (&drawing::Finding, usize)| {
                     known.code == finding.code && known.place.layer == finding.place.layer
                 };
@@ -86,7 +84,7 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
         };
         let head = style.apply_to(format!("{word}[{}]", finding.code));
         let _ = writeln!(page, "{head}{}", paint.bold.apply_to(format!(": {}", finding.message)));
-        let words = finding.place.words();
+        let words = finding.place.to_string();
         let _ = writeln!(page, "  {name}{}{words}", if words.is_empty() { "" } else { ": " });
         if !finding.help.is_empty() {
             let _ = writeln!(page, "  help: {}", finding.help);
@@ -99,8 +97,7 @@ pub fn drawing(name: &str, list: &[drawing::Finding], paint: &Paint) -> String {
             2 => ", and once more on this layer".to_owned(),
             n => format!(", and {} times more on this layer", n - 1),
         };
-        let _ =
-            writeln!(page, "note[{}]: {}{others} ({name}: {})", finding.code, finding.message, finding.place.words());
+        let _ = writeln!(page, "note[{}]: {}{others} ({name}: {})", finding.code, finding.message, finding.place);
     }
     if errors + warnings > 0 {
         let number = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });

@@ -63,7 +63,7 @@ impl Report {
             let value = finding_value(name, text, finding);
             match finding.severity {
                 Severity::Error => self.errors.push(value),
-                Severity::Warning => self.warnings.push(value),
+                Severity::Warning | Severity::Note => self.warnings.push(value),
             }
         }
     }
@@ -74,9 +74,9 @@ impl Report {
         for finding in list {
             let value = drawing_value(name, finding);
             match finding.severity {
-                drawing::Severity::Error => self.errors.push(value),
-                drawing::Severity::Warning => self.warnings.push(value),
-                drawing::Severity::Note => notes.push(value),
+                Severity::Error => self.errors.push(value),
+                Severity::Warning => self.warnings.push(value),
+                Severity::Note => notes.push(value),
             }
         }
         if !notes.is_empty() {

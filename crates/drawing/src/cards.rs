@@ -1,22 +1,6 @@
 //! What a code of a finding means.
 
-/// The card of a code.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Card {
-    /// The code.
-    pub code: &'static str,
-    /// In a few words.
-    pub title: &'static str,
-    /// Why it matters, and what to do.
-    pub text: &'static str,
-}
-
-macro_rules! cards { ($($code:literal, $title:literal, $text:literal;)*) => {
-    /// Every card, in the order of the codes.
-    pub const CARDS: &[Card] = &[$(Card { code: $code, title: $title, text: $text }),*];
-} }
-
-cards! {
+findings::cards! {
     "D101", "not a readable drawing",
         "The file is empty, binary, incomplete, or not a DXF file; or it has no outline or circle. Save the drawing as \
          DXF with text (ASCII), version R2000 or later, with the outlines of the blocks in model space.";
@@ -100,18 +84,13 @@ cards! {
         tensile_strength is zero; the compressive strength of that material is not used.";
 }
 
-/// The card of a code, however it is capitalised.
-pub fn explain(code: &str) -> Option<&'static Card> {
-    CARDS.iter().find(|card| card.code.eq_ignore_ascii_case(code.trim()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn cards_are_complete_and_in_order() {
-        assert!(CARDS.windows(2).all(|pair| pair[0].code < pair[1].code));
-        assert!(CARDS.iter().all(|card| !card.title.is_empty() && card.text.len() > 40));
+        assert!(findings::Card::are_complete(CARDS));
+        assert!(CARDS.iter().all(|card| card.text.len() > 40));
     }
 }

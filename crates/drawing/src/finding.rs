@@ -1,17 +1,8 @@
 //! What was found in a drawing, as plain data.
 
 use crate::Point;
-
-/// How bad it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Severity {
-    /// Something was made simpler, within the stated tolerance.
-    Note,
-    /// Something was repaired or left out: a reader should look.
-    Warning,
-    /// The drawing cannot be used.
-    Error,
-}
+use findings::Severity;
+use std::fmt;
 
 /// Where in a drawing.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -29,9 +20,15 @@ impl Place {
     pub fn at(&self, point: Point) -> Place {
         Place { at: Some(point), ..self.clone() }
     }
+}
 
-    /// In words: "layer RING, LWPOLYLINE 2F, at (1.250, 3.000) m".
-    pub fn words(&self) -> String {
+impl findings::Place for Place {
+    const CARDS: &'static [findings::Card] = crate::cards::CARDS;
+}
+
+/// In words: "layer RING, LWPOLYLINE 2F, at (1.250, 3.000) m".
+impl fmt::Display for Place {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut parts = Vec::new();
         if !self.layer.is_empty() {
             parts.push(format!("layer {}", self.layer));
@@ -43,24 +40,12 @@ impl Place {
             // Adding zero takes the sign off a negative zero.
             parts.push(format!("at ({:.4}, {:.4}) m", x + 0.0, y + 0.0));
         }
-        parts.join(", ")
+        to.write_str(&parts.join(", "))
     }
 }
 
 /// One finding about a drawing.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    /// Stable code, `D…`; its card is in [`cards`](crate::cards).
-    pub code: &'static str,
-    /// How bad it is.
-    pub severity: Severity,
-    /// Where.
-    pub place: Place,
-    /// What was found, in one line.
-    pub message: String,
-    /// What to do about it; empty where nothing has to be done.
-    pub help: String,
-}
+pub type Finding = findings::Finding<Place>;
 
 /// No list of findings is longer; more say no more.
 const MOST: usize = 2000;

@@ -22,7 +22,8 @@ mod transform;
 mod units;
 mod write;
 
-pub use finding::{Finding, Place, Severity};
+pub use finding::{Finding, Place};
+pub use findings::Severity;
 pub use read::{Circle, Concave, Drawing, Options, Outline, Read, read};
 pub use units::{UNITS, Unit};
 pub use write::{Item, Layer, Sheet, layer_name};

@@ -79,7 +79,7 @@ fn report(a: &Outline, b: &Outline, findings: &mut Findings) {
     let at = common.centroid().map_or(a.points[0], |c| [c.x(), c.y()]);
     let smaller = signed_area(&a.points).min(signed_area(&b.points));
     let larger = signed_area(&a.points).max(signed_area(&b.points));
-    let other = crate::Place { at: None, ..b.place.clone() }.words();
+    let other = crate::Place { at: None, ..b.place.clone() }.to_string();
     // To a thousandth of the area: drawn over one another by hand, they are still the same block.
     let (message, help) = if shared >= 0.999 * larger {
         (format!("the same outline is drawn twice: here and as {other}"), "delete one of them")

@@ -1,9 +1,10 @@
 //! Reading a drawing: from bytes to outlines and circles, with every finding.
 
 use crate::Point;
-use crate::finding::{Finding, Findings, Place, Severity};
+use crate::finding::{Finding, Findings, Place};
 use crate::units::numbered;
 use crate::{chain, entities, entity, outline, overlap, sieve};
+use findings::Severity;
 use std::collections::BTreeSet;
 
 /// What to do with an outline that is not convex.

@@ -28,26 +28,7 @@ impl<'de> Deserialize<'de> for Warning {
     }
 }
 
-/// What a code means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Card {
-    /// The code.
-    pub code: &'static str,
-    /// In a few words.
-    pub title: &'static str,
-    /// Why it matters and what to do.
-    pub text: &'static str,
-}
-
-macro_rules! cards {
-    ($($(#[$meta:meta])* $name:ident = $code:literal, $title:literal, $text:literal;)*) => {
-        $($(#[$meta])* pub const $name: &str = $code;)*
-        /// Every card, in order of the codes.
-        pub const CARDS: &[Card] = &[$(Card { code: $code, title: $title, text: $text }),*];
-    };
-}
-
-cards! {
+findings::cards! {
     /// Associated friction where sliding takes part.
     ASSOCIATED_SLIDING = "A101", "associated friction where joints slide",
         "In limit analysis with associated friction a sliding joint also opens, at the friction angle. Real joints do \
@@ -366,15 +347,10 @@ impl Warning {
     }
 }
 
-/// The card of a code.
-pub fn explain(code: &str) -> Option<&'static Card> {
-    CARDS.iter().find(|c| c.code.eq_ignore_ascii_case(code))
-}
-
 #[cfg(test)]
 mod tests {
     #[test]
     fn codes_are_unique_and_in_order() {
-        assert!(super::CARDS.windows(2).all(|w| w[0].code < w[1].code));
+        assert!(findings::Card::are_complete(super::CARDS));
     }
 }

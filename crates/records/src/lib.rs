@@ -27,8 +27,9 @@ mod unit;
 mod verdict;
 mod write;
 
-pub use cards::{CARDS, Card};
-pub use finding::{Done, Finding, Place, Severity};
+pub use cards::CARDS;
+pub use finding::{Done, Finding, Place};
+pub use findings::Severity;
 pub use health::{Accept, Expected, LeaveOut, Limits, Scrutiny, examine};
 pub use peaks::{Peak, PeakTable, SpeedGroup, peaks};
 pub use prepare::{Align, Cut, Detrend, Preparation, Reference, Zero, noise_bandwidth, prepare};

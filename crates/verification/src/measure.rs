@@ -43,7 +43,7 @@ fn block_model(text: &str) -> Result<Json, String> {
     let assembled = structure::blocks::assemble(&file, dxf.as_deref());
     let Some(scene) = assembled.scene else {
         let errors = assembled.findings.iter().filter(|f| f.severity == drawing::Severity::Error);
-        let drawn = errors.map(|f| format!("{} {} ({})", f.code, f.message, f.place.words()));
+        let drawn = errors.map(|f| format!("{} {} ({})", f.code, f.message, f.place));
         let told = drawn.chain([said(&assembled.diagnostics)]).collect::<Vec<_>>();
         return Err(told.join("; "));
     };

@@ -1,6 +1,6 @@
 //! Adequacy factor at ultimate.
 
-use super::{Card, Check, Probe, limit, of, strength};
+use super::{Check, CheckCard, Probe, limit, of, strength};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -9,8 +9,8 @@ use outcome::collapse::Status;
 pub struct Adequacy;
 
 impl Check for Adequacy {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C201",
             title: "adequacy factor",
             clause: "factor on loads at collapse",

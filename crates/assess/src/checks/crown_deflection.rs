@@ -1,7 +1,7 @@
 //! Deflection of crowns in service.
 
 use super::stress::{READINGS, columns, told};
-use super::{Card, Check, limit, of, used};
+use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::Watched;
@@ -10,8 +10,8 @@ use outcome::facts::Watched;
 pub struct CrownDeflection;
 
 impl Check for CrownDeflection {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C101",
             title: "crown deflection",
             clause: "deflection of the crown, self-weight and live load",

@@ -1,6 +1,6 @@
 //! Permissible limit: range of stress in service.
 
-use super::{Card, Check, limit, of, used};
+use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::PlaceFacts;
@@ -15,8 +15,8 @@ pub fn bound(cycles: f64) -> f64 {
 }
 
 impl Check for StressRange {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C203",
             title: "range of stress",
             clause: "permissible limit: fatigue of masonry in compression",

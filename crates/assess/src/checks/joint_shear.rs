@@ -1,6 +1,6 @@
 //! Shear stress in joints in service.
 
-use super::{Card, Check, Probe, limit, of_joints, used};
+use super::{Check, CheckCard, Probe, limit, of_joints, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 
@@ -8,8 +8,8 @@ use outcome::checked::{Comparison, NotMade, Unit};
 pub struct JointShear;
 
 impl Check for JointShear {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C105",
             title: "joint shear",
             clause: "shear stress in joints of the ring",

@@ -1,6 +1,6 @@
 //! MEXE's allowable axle load.
 
-use super::{Card, Check, Probe, mexe, used};
+use super::{Check, CheckCard, Probe, mexe, used};
 use crate::evidence::Evidence;
 use bridge::assess::{Mexe, MexeAxles};
 use outcome::checked::{Comparison, NotMade, Unit};
@@ -9,8 +9,8 @@ use outcome::checked::{Comparison, NotMade, Unit};
 pub struct MexeAxle;
 
 impl Check for MexeAxle {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C301",
             title: "modified MEXE",
             clause: "modified axle load of the MEXE method",

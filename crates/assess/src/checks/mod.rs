@@ -26,7 +26,7 @@ use outcome::facts::{JointFacts, ServiceLoadFacts};
 
 /// What a check is: `extrados explain CODE` prints it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Card {
+pub struct CheckCard {
     /// Code, `C…`.
     pub code: &'static str,
     /// In a few words.
@@ -59,7 +59,7 @@ pub enum Probe {
 /// A check.
 pub trait Check: Sync {
     /// What it is.
-    fn card(&self) -> Card;
+    fn card(&self) -> CheckCard;
     /// How its sensitivities are found.
     fn probe(&self) -> Probe {
         Probe::Sensors
@@ -94,7 +94,7 @@ pub fn run(assessment: &Evidence) -> Vec<Checked> {
 }
 
 /// The card of a code.
-pub fn cards() -> impl Iterator<Item = Card> {
+pub fn cards() -> impl Iterator<Item = CheckCard> {
     CHECKS.iter().map(|check| check.card())
 }
 

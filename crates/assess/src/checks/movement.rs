@@ -1,6 +1,6 @@
 //! Tolerance of settlement.
 
-use super::{Card, Check, Probe, limit, of, used};
+use super::{Check, CheckCard, Probe, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -9,8 +9,8 @@ use outcome::collapse::Status;
 pub struct SupportMovement;
 
 impl Check for SupportMovement {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C401",
             title: "settlement tolerance",
             clause: "support movement over the movement that makes a mechanism",

@@ -1,6 +1,6 @@
 //! Permissible limit: share of the ultimate load in service.
 
-use super::{Card, Check, Probe, limit, of, used};
+use super::{Check, CheckCard, Probe, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -9,8 +9,8 @@ use outcome::collapse::Status;
 pub struct PermissibleShare;
 
 impl Check for PermissibleShare {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C202",
             title: "share of the ultimate load",
             clause: "permissible limit: load in service over load at collapse",

@@ -148,7 +148,7 @@ fn qualifications(a: &Evidence) -> Vec<String> {
     let stages =
         [a.facts.vehicles.made().map(|facts| &facts.warnings), a.facts.ultimate.made().map(|facts| &facts.warnings)];
     for Warning { code, message } in stages.into_iter().flatten().flatten() {
-        let title = warning::explain(code).map_or(message.as_str(), |card| card.title);
+        let title = findings::Card::of(code, warning::CARDS).map_or(message.as_str(), |card| card.title);
         let line = format!("{title} ({code})");
         if !BESIDE.contains(code) && !list.contains(&line) {
             list.push(line);

@@ -1,6 +1,6 @@
 //! Stresses along the ring in service: crown, abutments, piers.
 
-use super::{Card, Check, limit, of, used};
+use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::facts::{Place, PlaceFacts, Reading, ServiceFacts, Watched};
@@ -82,9 +82,9 @@ fn run(a: &Evidence, place: Place) -> Result<Vec<Comparison>, NotMade> {
 }
 
 impl Check for Crown {
-    fn card(&self) -> Card {
+    fn card(&self) -> CheckCard {
         let clause = "longitudinal stress at the crown";
-        Card { code: "C102", title: "crown stress", clause, text: TEXT, source: SOURCE }
+        CheckCard { code: "C102", title: "crown stress", clause, text: TEXT, source: SOURCE }
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
@@ -93,9 +93,9 @@ impl Check for Crown {
 }
 
 impl Check for Abutment {
-    fn card(&self) -> Card {
+    fn card(&self) -> CheckCard {
         let clause = "longitudinal stress at the abutments";
-        Card { code: "C103", title: "abutment stress", clause, text: TEXT, source: SOURCE }
+        CheckCard { code: "C103", title: "abutment stress", clause, text: TEXT, source: SOURCE }
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
@@ -104,9 +104,9 @@ impl Check for Abutment {
 }
 
 impl Check for Pier {
-    fn card(&self) -> Card {
+    fn card(&self) -> CheckCard {
         let clause = "longitudinal stress at the piers";
-        Card { code: "C104", title: "pier stress", clause, text: TEXT, source: SOURCE }
+        CheckCard { code: "C104", title: "pier stress", clause, text: TEXT, source: SOURCE }
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {

@@ -139,7 +139,7 @@ fn a_check_that_lacks_its_limit_offers_no_value() {
 
 #[test]
 fn codes_are_unique_and_in_order_and_say_something() {
-    let cards: Vec<Card> = cards().collect();
+    let cards: Vec<CheckCard> = cards().collect();
     assert!(cards.windows(2).all(|pair| pair[0].code < pair[1].code));
     assert!(cards.iter().all(|card| card.text.len() > 100 && !card.source.is_empty() && !card.clause.is_empty()));
 }

@@ -1,6 +1,6 @@
 //! The line of thrust in service.
 
-use super::{Card, Check, Probe, of_joints, used};
+use super::{Check, CheckCard, Probe, of_joints, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 
@@ -8,8 +8,8 @@ use outcome::checked::{Comparison, NotMade, Unit};
 pub struct ThrustZone;
 
 impl Check for ThrustZone {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C106",
             title: "thrust line",
             clause: "thrust within the middle third or the middle half of the ring",

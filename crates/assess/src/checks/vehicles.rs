@@ -1,7 +1,7 @@
 //! Vehicles under the factors of a rule.
 
 use super::model_factor::model_factor;
-use super::{Card, Check, Probe, of};
+use super::{Check, CheckCard, Probe, of};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
 use outcome::collapse::Status;
@@ -12,8 +12,8 @@ use rules::Confidence;
 pub struct Vehicles;
 
 impl Check for Vehicles {
-    fn card(&self) -> Card {
-        Card {
+    fn card(&self) -> CheckCard {
+        CheckCard {
             code: "C204",
             title: "adequacy of vehicles",
             clause: "adequacy factor of every vehicle under the factors of its rule",

@@ -1,10 +1,10 @@
 //! Cards of errors in text, keys and quantities.
 
-use super::Card;
+use super::FileCard;
 
 /// The cards, in the order of their codes.
-pub(super) const CARDS: &[Card] = &[
-    Card {
+pub(super) const CARDS: &[FileCard] = &[
+    FileCard {
         code: "B001",
         title: "the file is not UTF-8 text",
         meaning: "Every byte of the file must belong to UTF-8 text.",
@@ -13,7 +13,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"name = "Pont de Palé"      # saved as UTF-8"#,
         source: "TOML 1.1, Spec",
     },
-    Card {
+    FileCard {
         code: "B002",
         title: "a line is not TOML",
         meaning: "The file is read as TOML: [section] headers and key = value lines.",
@@ -23,7 +23,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"width = "8.30 m""#,
         source: "TOML 1.1",
     },
-    Card {
+    FileCard {
         code: "B003",
         title: "the file is too long",
         meaning: "A bridge file has a few kilobytes; a file of more than a megabyte is not a bridge file.",
@@ -32,7 +32,7 @@ pub(super) const CARDS: &[Card] = &[
         right: "extrados check bridge.toml",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B010",
         title: "unknown key",
         meaning: "Every key must be one that the section knows. The nearest known key is named.",
@@ -41,7 +41,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"friction_angle = "35.6 deg""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B011",
         title: "something is missing",
         meaning: "A section lacks a required key, or the file lacks a required section.",
@@ -53,7 +53,7 @@ density = "2100 kg/m^3"
 "#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B012",
         title: "wrong type of value",
         meaning: "A key takes one type of value: text, a number, a list, a table.",
@@ -62,7 +62,7 @@ density = "2100 kg/m^3"
         right: "poisson_ratio = 0.2",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B013",
         title: "unknown word",
         meaning: "Some keys take one of a few words. The nearest is named, and all are listed.",
@@ -71,7 +71,7 @@ density = "2100 kg/m^3"
         right: r#"profile = "segmental""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B015",
         title: "a key without effect here",
         meaning: "Some keys apply only to one choice of another key: `haunch_radius` applies only to a three-centred \
@@ -83,7 +83,7 @@ slope = "2:1""#,
 slope = "2:1""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B016",
         title: "two keys that exclude one another",
         meaning: "Some quantities can be given in two ways; a file must use only one of them.",
@@ -93,7 +93,7 @@ crown_thickness = "0.60 m""#,
         right: r#"thickness = "0.711 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B101",
         title: "a number without a unit where a quantity is expected",
         meaning: "A value that has a dimension is written with its unit, in quotes.",
@@ -103,7 +103,7 @@ crown_thickness = "0.60 m""#,
         right: r#"rise = "2.85 m""#,
         source: "Rouxinol, Providência and Lemos, section 3.1 and Table 1",
     },
-    Card {
+    FileCard {
         code: "B102",
         title: "a quantity without unit",
         meaning: "There is a number in quotes, but no unit after it.",
@@ -112,7 +112,7 @@ crown_thickness = "0.60 m""#,
         right: r#"rise = "2.85 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B103",
         title: "unknown unit",
         meaning: "The program does not know this unit. Capitals matter: MPa is a million pascals, mPa would be a \
@@ -122,7 +122,7 @@ crown_thickness = "0.60 m""#,
         right: r#"elastic_modulus = "15 GPa""#,
         source: "BIPM, The International System of Units, chapter 3",
     },
-    Card {
+    FileCard {
         code: "B104",
         title: "wrong dimension",
         meaning: "The unit has another dimension: a pressure where a length is expected, a weight per volume where a \
@@ -132,7 +132,7 @@ crown_thickness = "0.60 m""#,
         right: r#"rise = "2.85 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B105",
         title: "not a number",
         meaning: "A quantity starts with a number with a decimal point.",
@@ -141,7 +141,7 @@ crown_thickness = "0.60 m""#,
         right: r#"span = "18.30 m""#,
         source: "BIPM, The International System of Units, 5.4.4",
     },
-    Card {
+    FileCard {
         code: "B106",
         title: "a number too large or too small for any bridge",
         meaning: "The number is infinite, zero where it must not be, or larger than any value of a bridge.",
@@ -150,7 +150,7 @@ crown_thickness = "0.60 m""#,
         right: r#"span = "18.30 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B107",
         title: "a number outside its possible range",
         meaning: "Lengths, densities and stiffnesses are positive, Poisson's ratio lies between 0 and 0.5, a friction angle below 90 degrees.",
@@ -159,7 +159,7 @@ crown_thickness = "0.60 m""#,
         right: r#"rise = "2.85 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B108",
         title: "an impossible count",
         meaning: "Numbers of voussoirs, courses or iterations are whole, positive and not too large.",
@@ -168,7 +168,7 @@ crown_thickness = "0.60 m""#,
         right: "voussoirs = 62",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B109",
         title: "an unreadable slope or share",
         meaning: r#"A slope is written "2:1", vertical to horizontal; a position on a span "1/4 of span 1", "30% of span 2" or "crown of span 1"."#,

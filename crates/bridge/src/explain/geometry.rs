@@ -1,10 +1,10 @@
 //! Cards of errors in geometry, loads and plan.
 
-use super::Card;
+use super::FileCard;
 
 /// The cards, in the order of their codes.
-pub(super) const CARDS: &[Card] = &[
-    Card {
+pub(super) const CARDS: &[FileCard] = &[
+    FileCard {
         code: "B201",
         title: "a rise that does not fit its profile",
         meaning: "A segment and a three-centred arch rise by at most half their span, a semicircle by exactly half.",
@@ -13,7 +13,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"rise = "2.85 m""#,
         source: "geometry of the circle",
     },
-    Card {
+    FileCard {
         code: "B202",
         title: "haunch circles too large",
         meaning: "The radius of the haunch circles must be less than the rise.",
@@ -22,7 +22,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"haunch_radius = "1.5 m""#,
         source: "geometry of three-centred arches",
     },
-    Card {
+    FileCard {
         code: "B203",
         title: "a pointed arch without a point",
         meaning: "A pointed arch of two arcs centred on the springing line rises by more than half its span.",
@@ -35,7 +35,7 @@ span = "4.0 m"
 rise = "3.0 m""#,
         source: "geometry of pointed arches",
     },
-    Card {
+    FileCard {
         code: "B204",
         title: "measured points that do not form an intrados",
         meaning: "There are at least three surveyed points, from the left to the right springing, without turning \
@@ -45,7 +45,7 @@ rise = "3.0 m""#,
         right: r#"["12.0 m", "6.45 m"], ["13.0 m", "6.60 m"], ["14.0 m", "6.45 m"]"#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B205",
         title: "a ring thicker than half its span",
         meaning: "The thickness of a ring is less than half its span.",
@@ -54,7 +54,7 @@ rise = "3.0 m""#,
         right: r#"thickness = "0.711 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B206",
         title: "joints that cross",
         meaning: "The two joints of a voussoir, perpendicular to the intrados, must not meet inside the ring.",
@@ -63,7 +63,7 @@ rise = "3.0 m""#,
         right: r#"["12.0 m", "6.45 m"], ["13.0 m", "6.60 m"], ["14.0 m", "6.45 m"]"#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B207",
         title: "rounding too large for the joint",
         meaning: "Two rounded corners must fit on every joint, and on every voussoir's edge, with some straight face between.",
@@ -72,7 +72,7 @@ rise = "3.0 m""#,
         right: r#"rounding = "10 mm""#,
         source: "Rouxinol, Providência and Lemos, section 3.1",
     },
-    Card {
+    FileCard {
         code: "B208",
         title: "a contact length longer than the joint",
         meaning: "The length of joint that a contact point represents, fixed or least, is at most the length of the \
@@ -82,7 +82,7 @@ rise = "3.0 m""#,
         right: r#"fixed_length = "0.3455 m""#,
         source: "Rouxinol, Providência and Lemos, Table 2",
     },
-    Card {
+    FileCard {
         code: "B209",
         title: "the wrong number of piers",
         meaning: "There is one pier between every two adjacent spans; a single [[pier]] describes all of them.",
@@ -91,7 +91,7 @@ rise = "3.0 m""#,
         right: "repeat = 2",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B210",
         title: "a pier too narrow for its rings",
         meaning: "The two skewbacks on a pier must fit side by side on its top. The width of a skewback is the ring \
@@ -101,7 +101,7 @@ rise = "3.0 m""#,
         right: r#"width = "0.80 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B211",
         title: "backing above the road",
         meaning: "Backing ends below the road surface.",
@@ -110,7 +110,7 @@ rise = "3.0 m""#,
         right: r#"height = "0.60 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B212",
         title: "too many spans or voussoirs",
         meaning: "More than 200 spans or 100,000 voussoirs are not analysed as one structure.",
@@ -119,7 +119,7 @@ rise = "3.0 m""#,
         right: "repeat = 2",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B213",
         title: "a spandrel wall that does not fit",
         meaning: "The walls' total thickness is less than the width of the bridge, they stand on the abutments, and \
@@ -129,7 +129,7 @@ rise = "3.0 m""#,
         right: r#"thickness = "0.44 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B214",
         title: "smallest and largest diameter are swapped",
         meaning: "The smallest diameter of the particles is at most the largest.",
@@ -138,7 +138,7 @@ rise = "3.0 m""#,
         right: r#"smallest_diameter = "0.12 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B215",
         title: "particles that stick together",
         meaning: "Contacts of particles carry no tension.",
@@ -147,7 +147,7 @@ rise = "3.0 m""#,
         right: r#"fixed_length = "0.15 m""#,
         source: "Rouxinol, Providência and Lemos, Table 2",
     },
-    Card {
+    FileCard {
         code: "B216",
         title: "bodies of cover without particles",
         meaning: "Layers as blocks and backing as particles need particles around them: at least one layer of the \
@@ -158,7 +158,7 @@ rise = "3.0 m""#,
         right: "thickness = \"0.150 m\"\nweighs = false",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B217",
         title: "a drawing in place of a bridge file",
         meaning: "The file is a drawing (DXF). A bridge file is text; a drawing is named in a block model file.",
@@ -167,7 +167,7 @@ rise = "3.0 m""#,
         right: "extrados collapse blocks.toml # with [drawing] file = \"bridge.dxf\"",
         source: "the format of block model files",
     },
-    Card {
+    FileCard {
         code: "B218",
         title: "a workbook or an archive in place of a bridge file",
         meaning: "The file is a workbook (XLSX, XLS) or an archive (ZIP). A bridge file is text.",
@@ -176,7 +176,7 @@ rise = "3.0 m""#,
         right: "extrados check bridge.toml",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B301",
         title: "a load off the bridge",
         meaning: "A load is between the first and the last springing, on an existing span.",
@@ -185,7 +185,7 @@ rise = "3.0 m""#,
         right: r#"at = "1/4 of span 1""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B302",
         title: "axles and spacings do not match",
         meaning: "A pattern of axles has one spacing less than it has axles.",
@@ -194,7 +194,7 @@ rise = "3.0 m""#,
         right: r#"axle_spacings = ["1.8 m"]"#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B303",
         title: "an axle wider than the barrel",
         meaning: "The effective width that carries an axle is at most the width of the barrel.",
@@ -203,7 +203,7 @@ rise = "3.0 m""#,
         right: r#"effective_width = "2.5 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B304",
         title: "dispersal without depth",
         meaning: "Rules that divide by the depth of the extrados need a cover above the crown.",
@@ -217,7 +217,7 @@ rule = "none"
 "#,
         source: "Rouxinol, Providência and Lemos, eq. 2",
     },
-    Card {
+    FileCard {
         code: "B305",
         title: "a loading block without a support below it",
         meaning: "A load through a block needs a wall on which the block stands.",
@@ -226,7 +226,7 @@ rule = "none"
         right: r#"strip = "wall""#,
         source: "Rouxinol, Providência and Lemos, section 3.4",
     },
-    Card {
+    FileCard {
         code: "B401",
         title: "the method needs more data than the file has",
         meaning: "The discrete element method needs stiffnesses and a load step; the series rule needs the moduli of the blocks.",
@@ -238,7 +238,7 @@ normal_stiffness = "4.84 GPa/m"
 shear_stiffness = "0.573 GPa/m""#,
         source: "Rouxinol, Providência and Lemos, eq. 1",
     },
-    Card {
+    FileCard {
         code: "B402",
         title: "nothing to analyse",
         meaning: "The analysis of a load needs a [[load]], that of a support movement a [support_movement]. A file with a [passage] or a \
@@ -252,7 +252,7 @@ length = "0.3 m"
 position = "2.0 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B403",
         title: "a support movement without direction",
         meaning: "At least one of `horizontal`, `vertical` and `rotation` is not zero.",
@@ -265,7 +265,7 @@ vertical = -0.5
 rotation = "0.5 deg/m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B404",
         title: "no such support",
         meaning: r#"Supports are "left abutment", "pier 1" and so on from the left, and "right abutment"."#,
@@ -274,7 +274,7 @@ rotation = "0.5 deg/m""#,
         right: r#"support = "pier 1""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B405",
         title: "steps larger than their limit",
         meaning: "For a load or a movement, the resolution is smaller than the step, and the step smaller than the \
@@ -284,7 +284,7 @@ rotation = "0.5 deg/m""#,
         right: r#"load_step = "5 kN/m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B406",
         title: "a strip that the bridge does not have",
         meaning: "The strip \"wall\" needs a [spandrel_wall], and both strips together are analysed for a load only.",

@@ -1,10 +1,10 @@
 //! Cards of trains, tracks, passages and sensors.
 
-use super::Card;
+use super::FileCard;
 
 /// The cards, in the order of their codes.
-pub(super) const CARDS: &[Card] = &[
-    Card {
+pub(super) const CARDS: &[FileCard] = &[
+    FileCard {
         code: "B651",
         title: "no such train",
         meaning: "A train without vehicles and without a file must have the name of a train of the library.",
@@ -13,7 +13,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"name = "paper-short""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B652",
         title: "axles that do not add up",
         meaning: "A vehicle has one load for each axle, or one for all, and one spacing between every two adjacent \
@@ -23,7 +23,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"axle_loads = ["20 t", "21 t"]"#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B653",
         title: "sleepers that overlap",
         meaning: "A sleeper is narrower along the bridge than the distance to the next.",
@@ -32,7 +32,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"sleeper_breadth = "0.25 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B654",
         title: "damping without two frequencies in order",
         meaning: "Rayleigh damping has the given ratio at two frequencies; give the lower one first.",
@@ -41,7 +41,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"damping_frequencies = ["8 Hz", "40 Hz"]"#,
         source: "R. W. Clough and J. Penzien, Dynamics of Structures: Rayleigh damping",
     },
-    Card {
+    FileCard {
         code: "B655",
         title: "a passage that ends before it starts, or has too many positions",
         meaning: "The first axle starts to the left of its end position, and there are at most 720,000 positions \
@@ -51,7 +51,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"to = "60 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B656",
         title: "a sensor position that the bridge does not have",
         meaning: "A sensor is on an existing span, at a springing that this span has, and a strain gauge fits on one \
@@ -62,7 +62,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"gauge_length = "100 mm""#,
         source: "the railway paper, section 3.2",
     },
-    Card {
+    FileCard {
         code: "B657",
         title: "channels that cannot be told apart",
         meaning: "Every sensor has a unique name that can be a column heading of a table, and there are 1000 sensors \
@@ -72,7 +72,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"name = "crown strain""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B660",
         title: "an edge distance beyond the middle of the barrel",
         meaning: "edge_distance of [carriageway] is at most half the width of the barrel.",
@@ -81,7 +81,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"edge_distance = "0.8 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B661",
         title: "more vehicles abreast than fit",
         meaning: "The vehicles of [carriageway] must fit on the barrel: (lanes - 1) times lane_width is not more than \
@@ -91,7 +91,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"lanes = 2"#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "P051",
         title: "an unusual axle load",
         meaning: "Railway axles carry 1 to 45 t.",
@@ -101,7 +101,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"axle_loads = ["20 t", "21 t"]"#,
         source: "EN 15528 (axle loads of line categories, up to 25 t); heavy haul lines up to 40 t",
     },
-    Card {
+    FileCard {
         code: "P052",
         title: "an unusual track",
         meaning: "Track moduli are 5 to 200 MPa for one rail, bending stiffnesses of rails 0.5 to 10 MNm^2, and \
@@ -111,7 +111,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"track_modulus = "30 MPa""#,
         source: "A. D. Kerr, Fundamentals of Railway Track Engineering, 2003; C. Esveld, Modern Railway Track, 2001",
     },
-    Card {
+    FileCard {
         code: "P053",
         title: "an unusual speed",
         meaning: "Trains cross masonry bridges at 1 to 250 km/h.",
@@ -120,7 +120,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"speed = "45 km/h""#,
         source: "common range",
     },
-    Card {
+    FileCard {
         code: "P054",
         title: "an effective width smaller than the sleepers",
         meaning: "The effective width of an axle is less than the length of its sleepers.",
@@ -129,7 +129,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"effective_width = "3.9 m""#,
         source: "NR/GN/CIV/025 and CS 454: load spreads from the sleeper's ends outwards",
     },
-    Card {
+    FileCard {
         code: "P060",
         title: "a skew bridge",
         meaning: "The bridge is skew by more than 10 degrees; every model here is plane and square.",

@@ -1,10 +1,10 @@
 //! Cards of errors in [records], [[channel]] and [[parameter]].
 
-use super::Card;
+use super::FileCard;
 
 /// The cards, in the order of their codes.
-pub(super) const CARDS: &[Card] = &[
-    Card {
+pub(super) const CARDS: &[FileCard] = &[
+    FileCard {
         code: "B670",
         title: "no range to search in",
         meaning: "A parameter has a number in the file, the start model, and its range contains that number.",
@@ -13,7 +13,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"lower = "20 MPa""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B671",
         title: "no such channel",
         meaning: "A [[channel]] names one sensor, and only one [[channel]] names it; clocks are aligned by an existing \
@@ -23,7 +23,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"sensor = "crown strain""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B672",
         title: "a parameter is there twice, or there are too many",
         meaning: "Every quantity is a parameter only once, with its own name, and there are twenty parameters at most.",

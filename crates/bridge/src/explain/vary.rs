@@ -1,10 +1,10 @@
 //! Cards of errors in [[vary]].
 
-use super::Card;
+use super::FileCard;
 
 /// The cards, in the order of their codes.
-pub(super) const CARDS: &[Card] = &[
-    Card {
+pub(super) const CARDS: &[FileCard] = &[
+    FileCard {
         code: "B501",
         title: "no such quantity",
         meaning: "A path names a quantity of this file: its sections and its key with dots between, and [1] for the \
@@ -14,7 +14,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"quantity = "joint.friction_angle""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B502",
         title: "no such entry",
         meaning: "Where a file has several spans, layers or loads, a path says which, counted from 1 in the order of the file.",
@@ -23,7 +23,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"quantity = "span[1].ring[2].crown_thickness""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B503",
         title: "values that cannot be worked out",
         meaning: "Both ends of a range are numbers of the same dimension. Relative values, \"-5 %\" or \"x0.5\", need a quantity that has a number in the file or by default.",
@@ -32,7 +32,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"to = "+5 %""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "B504",
         title: "a quantity is varied twice",
         meaning: "Every quantity has one table of values.",

@@ -1,10 +1,10 @@
 //! Cards of warnings.
 
-use super::Card;
+use super::FileCard;
 
 /// The cards, in the order of their codes.
-pub(super) const CARDS: &[Card] = &[
-    Card {
+pub(super) const CARDS: &[FileCard] = &[
+    FileCard {
         code: "P001",
         title: "unusual density of masonry",
         meaning: "Masonry has a density of 1500 to 3000 kg/m^3.",
@@ -13,7 +13,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"density = "2100 kg/m^3""#,
         source: "EN 1991-1-1, Annex A, Table A.2 (natural stone 20 to 31 kN/m^3; brick lighter)",
     },
-    Card {
+    FileCard {
         code: "P002",
         title: "unusual modulus of masonry",
         meaning: "Masonry units have a Young's modulus of 0.3 to 100 GPa.",
@@ -22,7 +22,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"elastic_modulus = "15 GPa""#,
         source: "common range of bricks and building stones",
     },
-    Card {
+    FileCard {
         code: "P003",
         title: "unusual strength of masonry",
         meaning: "Masonry crushes at 0.5 to 400 MPa.",
@@ -31,7 +31,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"compressive_strength = "10 MPa""#,
         source: "common range of bricks and building stones",
     },
-    Card {
+    FileCard {
         code: "P004",
         title: "unusual friction in a joint",
         meaning: "Masonry joints slide at angles of friction of 15 to 60 degrees.",
@@ -40,7 +40,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"friction_angle = "35.6 deg""#,
         source: "common range of stone on stone and of mortar joints",
     },
-    Card {
+    FileCard {
         code: "P005",
         title: "unusual cohesion in a joint",
         meaning: "Mortar joints have a cohesion of less than 2 MPa, and old ones almost none.",
@@ -49,7 +49,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"cohesion = "100 kPa""#,
         source: "EN 1996-1-1, Table 3.4 (initial shear strength 0.1 to 0.4 MPa)",
     },
-    Card {
+    FileCard {
         code: "P006",
         title: "unusual density above the ring",
         meaning: "Fill, road and ballast have a density of 1000 to 2700 kg/m^3, backing of up to 3000.",
@@ -58,7 +58,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"density = "2000 kg/m^3""#,
         source: "EN 1991-1-1, Annex A, Tables A.1 and A.6",
     },
-    Card {
+    FileCard {
         code: "P007",
         title: "unusual gravity",
         meaning: "Gravity on the ground is 9.76 to 9.83 m/s^2.",
@@ -67,7 +67,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"gravity = "9.81 m/s^2""#,
         source: "World Geodetic System 1984",
     },
-    Card {
+    FileCard {
         code: "P008",
         title: "unusual width",
         meaning: "Bridges are 1 to 40 m wide.",
@@ -76,7 +76,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"width = "8.30 m""#,
         source: "common range",
     },
-    Card {
+    FileCard {
         code: "P009",
         title: "a load partly beside the bridge",
         meaning: "Part of the load is beyond the first or last springing.",
@@ -85,7 +85,7 @@ pub(super) const CARDS: &[Card] = &[
         right: r#"position = "2.0 m""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "P010",
         title: "crushing is not considered",
         meaning: "No compressive strength is given, so hinges may bear on an edge.",
@@ -95,7 +95,7 @@ pub(super) const CARDS: &[Card] = &[
 compressive_strength = "20 MPa""#,
         source: "J. Heyman, The Masonry Arch, 1982: infinite strength is an assumption to be stated",
     },
-    Card {
+    FileCard {
         code: "P011",
         title: "corners rounded by more than a tenth of the ring",
         meaning: "The radius of rounding is more than a tenth of the thinnest ring.",
@@ -105,7 +105,7 @@ compressive_strength = "20 MPa""#,
         right: r#"rounding = "10 mm""#,
         source: "limit analysis of Bridgemill with and without rounding: 219.4 and 231.5 kN/m",
     },
-    Card {
+    FileCard {
         code: "P012",
         title: "a cover stiffer than the masonry",
         meaning: "A layer of the cover has a higher modulus than the ring on which it lies.",
@@ -114,7 +114,7 @@ compressive_strength = "20 MPa""#,
         right: r#"elastic_modulus = "60 MPa""#,
         source: "Rouxinol, Providência and Lemos, section 3.1 and Table 1",
     },
-    Card {
+    FileCard {
         code: "P013",
         title: "a contact stiffer than its blocks",
         meaning: "The stiffness of the whole contact is above that of the blocks alone, modulus over length.",
@@ -124,7 +124,7 @@ compressive_strength = "20 MPa""#,
         right: r#"normal_stiffness = "4.84 GPa/m""#,
         source: "Rouxinol, Providência and Lemos, eq. 1",
     },
-    Card {
+    FileCard {
         code: "P014",
         title: "a joint stiffer in shear than in compression",
         meaning: "The shear stiffness is above the normal stiffness.",
@@ -133,7 +133,7 @@ compressive_strength = "20 MPa""#,
         right: r#"shear_stiffness = "0.573 GPa/m""#,
         source: "Hooke's law for a thin layer",
     },
-    Card {
+    FileCard {
         code: "P015",
         title: "tension beyond the friction cone",
         meaning: "The tensile strength is above cohesion over the tangent of the friction angle.",
@@ -142,7 +142,7 @@ compressive_strength = "20 MPa""#,
         right: r#"tensile_strength = "50 kPa""#,
         source: "Mohr-Coulomb criterion",
     },
-    Card {
+    FileCard {
         code: "P016",
         title: "unusual thickness for the span",
         meaning: "Rings are 1/10 to 1/40 of their span thick; below 1/70 or above 1/4 a unit is probably wrong.",
@@ -151,7 +151,7 @@ compressive_strength = "20 MPa""#,
         right: r#"thickness = "0.711 m""#,
         source: "J. Page, Masonry Arch Bridges, 1993; rules of thumb of Alberti, Perronet and Rankine",
     },
-    Card {
+    FileCard {
         code: "P017",
         title: "an unusually flat arch",
         meaning: "The rise is less than 1/20 of the span.",
@@ -160,7 +160,7 @@ compressive_strength = "20 MPa""#,
         right: r#"rise = "2.85 m""#,
         source: "J. Page, Masonry Arch Bridges, 1993",
     },
-    Card {
+    FileCard {
         code: "P018",
         title: "a pier that widens upwards",
         meaning: "The base of a pier is narrower than its top.",
@@ -169,7 +169,7 @@ compressive_strength = "20 MPa""#,
         right: r#"base_width = "0.90 m""#,
         source: "common practice",
     },
-    Card {
+    FileCard {
         code: "P019",
         title: "an unusually slender pier",
         meaning: "The pier is more than 15 times as high as wide.",
@@ -180,7 +180,7 @@ courses = 6"#,
 courses = 6"#,
         source: "J. Page, Masonry Arch Bridges, 1993",
     },
-    Card {
+    FileCard {
         code: "P020",
         title: "a loose tolerance",
         meaning: "The out-of-balance force allowed at rest is above a thousandth of the acting forces.",
@@ -189,7 +189,7 @@ courses = 6"#,
         right: "tolerance = 1e-5",
         source: "see the theory of the discrete element method: convergence",
     },
-    Card {
+    FileCard {
         code: "P021",
         title: "an unusual slope of dispersal",
         meaning: "The slope is flatter than 1:2 or steeper than 4:1.",
@@ -198,7 +198,7 @@ courses = 6"#,
         right: r#"slope = "2:1""#,
         source: "codes of practice: 2:1 in soil, 4:1 in ballast, 1:1 in concrete",
     },
-    Card {
+    FileCard {
         code: "P022",
         title: "particles that no layer uses",
         meaning: "The file describes particles or their contacts, but no layer of the cover is modelled as particles.",
@@ -207,7 +207,7 @@ courses = 6"#,
         right: r#"as = "particles""#,
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "P023",
         title: "unusual modulus of fill",
         meaning: "Granular fill has a Young's modulus of 20 to 200 MPa, up to 850 MPa where it is very well compacted.",
@@ -216,7 +216,7 @@ courses = 6"#,
         right: r#"elastic_modulus = "110 MPa""#,
         source: "ranges used for updating a monitored four-span railway arch: 20 to 200 MPa above the ring, 20 to 850 MPa behind abutments",
     },
-    Card {
+    FileCard {
         code: "P024",
         title: "unusual mortar",
         meaning: "Mortar has a Young's modulus of 0.1 to 10 GPa, and its joints are 3 to 25 mm thick.",
@@ -226,7 +226,7 @@ courses = 6"#,
         right: r#"thickness = "12.5 mm""#,
         source: "W. S. McNary and D. P. Abrams, Mechanics of masonry in compression, 1985, for the modulus of weak mortar",
     },
-    Card {
+    FileCard {
         code: "P025",
         title: "a load that spreads further to the side than it goes down",
         meaning: "A slope of dispersal is written vertical to horizontal. This one is flatter than 1:1: on each side \
@@ -237,7 +237,7 @@ courses = 6"#,
         right: r#"slope = "2:1""#,
         source: "codes of practice: 2 vertical to 1 horizontal in soil, 4:1 in ballast, 1:1 in concrete",
     },
-    Card {
+    FileCard {
         code: "P026",
         title: "a ring of very few voussoirs",
         meaning: "A ring has fewer than seven voussoirs.",
@@ -247,7 +247,7 @@ courses = 6"#,
         right: "voussoirs = 62",
         source: "the mechanism of four hinges: J. Heyman, The masonry arch, 1982",
     },
-    Card {
+    FileCard {
         code: "P027",
         title: "joints between rings of a bridge with single rings",
         meaning: "The file has [ring_joint], but no span has two rings.",
@@ -257,7 +257,7 @@ courses = 6"#,
         right: "[dispersal]",
         source: "the format of bridge files",
     },
-    Card {
+    FileCard {
         code: "P028",
         title: "a block model without a width",
         meaning: "[model] states no width; 1 m is assumed.",
@@ -266,7 +266,7 @@ courses = 6"#,
         right: "[model]\nname = \"Wall\"\nwidth = \"2 m\"",
         source: "the format of block model files",
     },
-    Card {
+    FileCard {
         code: "P029",
         title: "a block model without supports",
         meaning: "No layer of the drawing and no listed block is a support.",
@@ -275,7 +275,7 @@ courses = 6"#,
         right: "role = \"support\"",
         source: "the format of block model files",
     },
-    Card {
+    FileCard {
         code: "P030",
         title: "a block model without a load",
         meaning: "The file has no [[load]].",
@@ -284,7 +284,7 @@ courses = 6"#,
         right: "[[load]]",
         source: "the format of block model files",
     },
-    Card {
+    FileCard {
         code: "P070",
         title: "a cone stronger than the soil",
         meaning: "The fill yields on the Drucker-Prager cone that matches Mohr-Coulomb in triaxial compression.",

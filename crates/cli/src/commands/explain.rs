@@ -4,13 +4,20 @@ use crate::args::Explain;
 use crate::failure::{self, Failure};
 use crate::report::Report;
 use crate::status::{self, Status};
+use findings::Card;
 use std::fmt::Write;
 
-/// A card as it is printed.
-struct Card {
+/// What is printed about a code or a status.
+struct Entry {
     code: String,
     title: String,
     text: String,
+}
+
+impl Entry {
+    fn new(code: &str, title: impl Into<String>, text: impl Into<String>) -> Entry {
+        Entry { code: code.to_owned(), title: title.into(), text: text.into() }
+    }
 }
 
 /// Prints one card, or the list of all.
@@ -44,37 +51,28 @@ fn list() -> Report {
     Report::new(Status::Completed).with("cards", codes).saying(summary)
 }
 
-/// Every card there is: of files, of analyses, of the command, of its statuses.
-fn all() -> Vec<Card> {
-    let mut cards = Vec::new();
-    for card in bridge::explain::cards() {
-        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: of_file(card) });
-    }
-    for card in outcome::warning::CARDS {
-        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
-    }
-    for card in assess::checks::cards() {
+/// Every entry there is: of files, of analyses, of checks, of drawings, of records, of the command, of its statuses.
+fn all() -> Vec<Entry> {
+    let plain = |card: &Card| Entry::new(card.code, card.title, card.text);
+    let file = bridge::explain::cards().map(|card| Entry::new(card.code, card.title, of_file(card)));
+    let analysis = outcome::warning::CARDS.iter().map(plain);
+    let check = assess::checks::cards().map(|card| {
         let text = format!("{}\n\nClause: {}\n\nSource: {}", card.text, card.clause, card.source);
-        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text });
-    }
-    for card in drawing::cards::CARDS {
-        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
-    }
-    for card in failure::CARDS {
-        cards.push(Card { code: card.code.to_owned(), title: card.title.to_owned(), text: card.text.to_owned() });
-    }
-    for &status in status::ALL {
-        cards.push(Card {
-            code: status.name().to_owned(),
-            title: format!("status, exit code {}", status.exit_code()),
-            text: status.meaning().to_owned(),
-        });
-    }
-    cards
+        Entry::new(card.code, card.title, text)
+    });
+    let drawing = drawing::cards::CARDS.iter().map(plain);
+    let record = records::CARDS.iter().map(|card| {
+        Entry::new(card.code, card.title, format!("Found in measured records. What is done about it: {}.", card.text))
+    });
+    let command = failure::CARDS.iter().map(plain);
+    let status = status::ALL
+        .iter()
+        .map(|status| Entry::new(status.name(), format!("status, exit code {}", status.exit_code()), status.meaning()));
+    file.chain(analysis).chain(check).chain(drawing).chain(record).chain(command).chain(status).collect()
 }
 
 /// A card about files: what is checked and why, an example and its remedy, the source.
-fn of_file(card: &bridge::explain::Card) -> String {
+fn of_file(card: &bridge::explain::FileCard) -> String {
     let indented = |lines: &str| lines.lines().map(|line| format!("  {line}")).collect::<Vec<_>>().join("\n");
     let mut text = format!("{} {}\n\nRaised by:\n{}\n", card.meaning, card.why, indented(card.wrong));
     if !card.right.is_empty() {

@@ -264,7 +264,7 @@ fn new_explain_schema_and_bench_answer() {
     let (answer, _) = stage.object(&["new", "fresh"]);
     assert_eq!(answer["example"], "bridgemill");
     assert_eq!(answer["files"].as_array().map(Vec::len), Some(stage.names("fresh").len()));
-    for code in ["B104", "p010", "A102", "F101", "collapsed"] {
+    for code in ["B104", "p010", "A102", "C102", "D101", "R041", "F101", "collapsed"] {
         let (card, ending) = stage.object(&["explain", code]);
         assert_eq!(ending.code, Some(0), "{code}");
         assert!(card["title"].is_string() && card["text"].is_string(), "{card}");

@@ -8,6 +8,6 @@ fuzz_target!(|bytes: &[u8]| {
     let options = drawing::Options { unit: Some(1.0), ..drawing::Options::default() };
     let read = drawing::read(bytes, &options);
     for finding in &read.findings {
-        assert!(drawing::cards::explain(finding.code).is_some());
+        assert!(drawing::cards::CARDS.iter().any(|card| card.code == finding.code));
     }
 });

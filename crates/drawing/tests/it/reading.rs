@@ -95,7 +95,7 @@ fn repairs_are_said_with_their_places() {
         let found: Vec<_> = on(&read, layer, severity).into_iter().filter(|f| f.code == code).collect();
         assert_eq!(found.len(), count, "{layer} {code}");
         let place = &found[0].place;
-        assert!(place.at.is_some() && place.entity.contains(' '), "{}", place.words());
+        assert!(place.at.is_some() && place.entity.contains(' '), "{place}");
     }
 }
 

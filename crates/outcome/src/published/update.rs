@@ -173,7 +173,7 @@ fn records(update: &Update) -> Object {
         findings: list(used.findings.iter().zip(&used.places), |(finding, file)| object! {
             code: finding.code,
             severity: finding.severity.word(),
-            place: finding.place.words(),
+            place: finding.place.to_string(),
             message: finding.message,
             help: finding.help,
             file: said(file),

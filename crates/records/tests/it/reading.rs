@@ -150,7 +150,7 @@ fn every_code_has_a_card_and_stands_in_the_page() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let page = std::fs::read_to_string(root.join("../../docs/theory/records.md")).expect("docs/theory/records.md");
     for card in CARDS {
-        let row = format!("| {} | {} | {} |", card.code, card.title, card.then);
+        let row = format!("| {} | {} | {} |", card.code, card.title, card.text);
         assert!(page.contains(&row), "docs/theory/records.md lacks: {row}");
     }
     let mut open = vec![root.join("src")];

@@ -179,7 +179,7 @@ fn drawn(
     said: &mut Said,
 ) {
     let wrong = |mapped: &MappedLayer, what: &str, place: &drawing::Place, said: &mut Said| {
-        let message = format!("{what} on layer {} ({})", mapped.name, place.words());
+        let message = format!("{what} on layer {} ({place})", mapped.name);
         let help = "move it to another layer of the drawing, or change the role of this one".to_owned();
         said.error("D403", mapped.range, message, "does not fit the role of the layer", help);
     };
@@ -201,7 +201,7 @@ fn drawn(
         match (mapped.role, mapped.material) {
             (Role::Particles, Some(material)) => {
                 let (centre, radius) = (circle.centre, circle.radius);
-                places.push((mapped.range, circle.place.at(centre).words()));
+                places.push((mapped.range, circle.place.at(centre).to_string()));
                 particles.push(Particle { layer: circle.layer.clone(), material, centre, radius });
             }
             (Role::Block | Role::Support, _) => wrong(mapped, "a circle", &circle.place, said),

@@ -1,0 +1,8 @@
+//! What is found in files and analyses: how bad it is, where, and the card that explains its code. A leaf: it knows neither files nor
+//! analyses.
+
+mod card;
+mod finding;
+
+pub use card::Card;
+pub use finding::{Finding, Place, Severity};
