@@ -60,9 +60,6 @@ type Resolved = (Option<Bridge>, Vec<vary::Request>, Option<update::Update>, Opt
 /// Sections that say how to update a bridge, and are no part of it.
 pub const UPDATE_SECTIONS: [&str; 4] = fields::update::SECTIONS;
 
-/// Sections that say how to assess a bridge, and are no part of it.
-pub const ASSESS_SECTIONS: [&str; 4] = fields::assess::SECTIONS;
-
 /// Beyond this skew [rad] a square model says nothing that a verdict may rest on.
 pub const DOUBTFUL_SKEW: f64 = fields::sweep::DOUBTFUL_SKEW;
 

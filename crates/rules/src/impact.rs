@@ -147,11 +147,6 @@ impl Impact {
         if below > 0.0 { (numerator / below + constant).clamp(*least, *most) } else { *most }
     }
 
-    /// Whether the factor depends on the loaded length.
-    pub fn depends_on_length(&self) -> bool {
-        matches!(self, Impact::Augment { .. } | Impact::Root { .. })
-    }
-
     /// Where it is from: every source of it.
     pub fn sources(&self) -> Vec<&Source> {
         match self {

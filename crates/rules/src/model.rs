@@ -126,11 +126,6 @@ impl LoadModel {
         self.vehicles.iter().find(|vehicle| vehicle.code.eq_ignore_ascii_case(code))
     }
 
-    /// The share of axle loads in a lane, from 0, when vehicles stand abreast.
-    pub fn share_in_lane(&self, lane: usize) -> f64 {
-        if self.abreast.is_empty() { 1.0 } else { self.abreast.get(lane).copied().unwrap_or(0.0) }
-    }
-
     /// Where a vehicle of the model is from: its own source, or the model's.
     pub fn source_of<'a>(&'a self, vehicle: &'a Vehicle) -> &'a Source {
         vehicle.source.as_ref().unwrap_or(&self.source)

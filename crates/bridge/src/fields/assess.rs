@@ -174,9 +174,6 @@ pub(super) static EXPECTED: Section = Section {
     ],
 };
 
-/// Sections of an assessment, which are no part of the bridge.
-pub(crate) const SECTIONS: [&str; 4] = ["assess", "service_load", "mexe", "expected"];
-
 /// What the file asks for; a file that says nothing of it asks for what needs no limit.
 pub(crate) fn assess(file: &Table<'_>, spans: Option<usize>, findings: &mut Findings) -> Option<Assess> {
     let limits = file.part("assess", findings, limits);
