@@ -31,7 +31,7 @@ const fn usual(
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Wide on purpose: a value outside deserves a second look, not a quarrel. Sources are on the codes' cards.
+/// Wide on purpose: a value outside is to be checked and may be right. Sources are on the codes' cards.
 const USUAL: &[Usual] = &[
     usual("P001", "masonry", "density", 1500.0, 3000.0, "masonry usually weighs 1500 to 3000 kg/m^3"),
     usual("P002", "masonry", "elastic_modulus", 0.3e9, 100e9, "masonry units usually have 0.3 to 100 GPa"),

@@ -19,7 +19,7 @@ pub struct Collinearity {
     /// The parameters.
     pub parameters: Vec<usize>,
     /// The index: one over the least singular value of their columns, each of length one. 1 where all act differently;
-    /// at 10, a change of one can be made good by the others down to a tenth.
+    /// at 10, a change of one can be compensated by the others down to a tenth.
     pub index: f64,
 }
 
@@ -204,17 +204,17 @@ fn words(found: &Identifiability, names: &[String]) -> Vec<String> {
     for set in found.collinearities.iter().filter(|set| set.parameters.len() == 2 && set.index >= COLLINEAR) {
         let [a, b] = [set.parameters[0], set.parameters[1]].map(|k| &names[k]);
         words.push(format!(
-            "{a} and {b} act alike (collinearity {:.0}): the data tell a combination of them and neither alone.",
+            "{a} and {b} act alike (collinearity {:.0}): the data determine a combination of them and neither alone.",
             set.index
         ));
     }
     if found.rank < n {
-        words.push(format!("The data see {} of {n} combinations of the parameters.", found.rank));
+        words.push(format!("The data determine {} of {n} combinations of the parameters.", found.rank));
     }
     let all = found.collinearities.iter().find(|set| set.parameters.len() == n && n > 2 && set.index >= COLLINEAR);
     if let Some(all) = all.filter(|_| found.rank == n) {
         words.push(format!(
-            "Taken all together the parameters are collinear ({:.0}): changes of some can be made good by others.",
+            "Taken all together the parameters are collinear ({:.0}): changes of some can be compensated by others.",
             all.index
         ));
     }
@@ -248,7 +248,7 @@ mod tests {
     fn fewer_residuals_than_parameters_and_silent_ones_are_said() {
         let found = judge(vec![vec![1.0], vec![0.5], vec![0.0]], vec![false, true, false], &names(3));
         assert_eq!((found.rank, found.condition), (1, f64::INFINITY));
-        assert!(found.words.iter().any(|line| line.starts_with("The data see 1 of 3")));
+        assert!(found.words.iter().any(|line| line.starts_with("The data determine 1 of 3")));
         assert!(found.words.iter().any(|line| line.starts_with("p2 hardly shows")));
         assert!(found.words.iter().any(|line| line.starts_with("p1 stands on a bound")));
     }

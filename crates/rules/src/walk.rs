@@ -6,7 +6,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Most mistakes that are told of one file.
+/// Most mistakes that are reported of one file.
 const MOST: usize = 100;
 
 /// Everything in which a text differs from a shape, in the order of its lines; what is missing comes where its table begins.

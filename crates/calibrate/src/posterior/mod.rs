@@ -297,8 +297,8 @@ fn words(posterior: &Posterior, parameters: &[crate::parameter::Parameter]) -> V
             if correlation.abs() >= 0.9 {
                 let (one, two) = (&posterior.parameters[a].name, &posterior.parameters[b].name);
                 words.push(format!(
-                    "{one} and {two} are told together (correlation {correlation:.2}): a change of one can be made good \
-                     by the other."
+                    "{one} and {two} are strongly correlated ({correlation:.2}): a change of one can be compensated by \
+                     the other."
                 ));
             }
         }

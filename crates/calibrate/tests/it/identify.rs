@@ -24,7 +24,7 @@ fn a_sum_is_told_and_its_parts_are_not() {
         assert_eq!((found.rank, found.identifiable.clone()), (2, vec![false, false, true]), "{found:?}");
         assert!(found.condition > 1e6);
         assert!(found.words.iter().any(|line| line.starts_with("a and b act alike")), "{:?}", found.words);
-        assert!(found.words.iter().any(|line| line.starts_with("The data see 2 of 3")));
+        assert!(found.words.iter().any(|line| line.starts_with("The data determine 2 of 3")));
     });
 }
 

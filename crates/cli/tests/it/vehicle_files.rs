@@ -25,7 +25,7 @@ fn slips_in_names_and_files_are_told_together() {
     for part in ["our-lorry", "LM1", "hb46"] {
         assert!(said.iter().any(|message| message.contains(part)), "{part}: {said:?}");
     }
-    // Several slips of one file are told together, each with its line.
+    // Several slips of one file are reported at once, each with its line.
     let wrong =
         LORRY.replace("ways = \"road\"", "ways = \"water\"").replace("= [4.0]", "= []").replace("= 1.8", "= \"1.8 m\"");
     stage.write("bridge/lorry.toml", &wrong);

@@ -1,6 +1,6 @@
 //! A palette of at most 255 colours for all frames: drawings have few, and the rims of their shapes blend between them.
 
-/// Colours are told apart by the upper five bits of red, green and blue.
+/// Colours are distinguished by the upper five bits of red, green and blue.
 const BINS: usize = 1 << 15;
 
 fn bin(pixel: &[u8]) -> usize {

@@ -33,7 +33,7 @@ impl Column {
             above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
         }
     }
-    /// The column that surely presses: backing weighs no more than the fill it replaces.
+    /// The column that presses in any case: backing weighs no more than the fill it replaces.
     pub fn pressing(mut self) -> Column {
         let fill = self.fill.1;
         self.backing = self.backing.map(|(top, weight)| (top, weight.min(fill)));
