@@ -1,7 +1,9 @@
-//! How a command ended: the words of `status`, each with its exit code and its card.
+//! How a command ended: the words of `status`, each with its exit code and its card. Those of an analysis are its own.
 
-/// Statuses: the word that scripts read, the exit code of the command, what it means and what to do.
-macro_rules! statuses { ($($Name:ident: $word:literal, $code:literal, $meaning:literal;)*) => {
+use outcome::collapse::Status as AnalysisStatus;
+
+/// Statuses: the word that scripts read with the exit code of the command, what it means and what to do.
+macro_rules! statuses { ($($Name:ident: $head:expr, $meaning:literal;)*) => {
     /// How a command ended.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Status { $($Name),* }
@@ -11,54 +13,60 @@ macro_rules! statuses { ($($Name:ident: $word:literal, $code:literal, $meaning:l
 
     impl Status {
         fn row(self) -> (&'static str, u8, &'static str) {
-            match self { $(Status::$Name => ($word, $code, $meaning)),* }
+            let ((word, code), meaning) = match self { $(Status::$Name => ($head, $meaning)),* };
+            (word, code, meaning)
         }
     }
 } }
 
+/// The word and the exit code of an analysis that ended so.
+fn of(status: AnalysisStatus) -> (&'static str, u8) {
+    (status.word(), status.exit_code())
+}
+
 statuses! {
-    Collapsed: "collapsed", 0,
+    Collapsed: of(AnalysisStatus::Collapsed),
         "A load was found that turns the bridge into a mechanism: the result of a collapse analysis.";
-    StableToLastLoad: "stable-to-last-load", 0,
+    StableToLastLoad: of(AnalysisStatus::StableToLastLoad),
         "Every load up to the largest one tried was carried. Raise `load_limit` in [analysis] to find the collapse load.";
-    Stalled: "stalled", 0,
+    Stalled: of(AnalysisStatus::Stalled),
         "A load step neither came to rest nor collapsed: the out-of-balance force oscillates without settling. \
                  The last stable load is valid, and no collapse load is given. Another damping, or a smaller time step \
                  factor, often gives a clear result.";
-    UnstableUnderSelfWeight: "unstable-under-self-weight", 1,
+    UnstableUnderSelfWeight: of(AnalysisStatus::UnstableUnderSelfWeight),
         "The blocks do not stand under their own weight, before any load is applied. Check thickness, supports \
                  and densities, and look at the picture. A thin ring under deep fill may stand only because the fill \
                  resists: see [fill_pressure], and as = \"blocks\" in [backing].";
-    Locks: "locks", 0,
+    Locks: of(AnalysisStatus::Locks),
         "The limit load is infinite: as rigid blocks with these joints the bridge cannot become a mechanism \
                  under this load. Give the masonry a compressive strength, or let a support move.";
-    StepLimit: "step-limit", 3,
+    StepLimit: of(AnalysisStatus::StepLimit),
         "A load step used up its iterations while it was still settling. Raise `step_limit` in [analysis], or choose another damping.";
-    NotConverged: "not-converged", 3,
+    NotConverged: of(AnalysisStatus::NotConverged),
         "The method found no reliable result: a number stopped being finite, or the solver stopped early. The \
                  message says where.";
-    Cancelled: "cancelled", 130,
+    Cancelled: of(AnalysisStatus::Cancelled),
         "The run was interrupted. Its state is in the checkpoint; the same command with --resume continues to \
                  the same numbers. `vary` keeps finished runs, and the same command uses them automatically. A sweep \
                  holds the positions solved by then.";
-    Completed: "completed", 0,
+    Completed: of(AnalysisStatus::Completed),
         "The command did what it was asked.";
-    Adequate: "adequate", 0,
+    Adequate: ("adequate", 0),
         "An assessment finished, an ultimate check was made under factors with a source, and every check that \
                  could be made is met. Checks without a limit in the file are listed as not made and do not count; the \
                  result also lists what qualifies the verdict. extrados explain A190 has the ladder of verdicts.";
-    Inadequate: "inadequate", 1,
+    Inadequate: ("inadequate", 1),
         "The command finished, and a check or a verification case is not met, or records were found doubtful.";
-    Undetermined: "undetermined", 3,
+    Undetermined: ("undetermined", 3),
         "The command finished without a result: an analysis on which a check depends did not finish, no \
                  position of the loads turns the bridge into a mechanism, a position of a sweep has no result, no run \
                  of `vary` found the requested number, or no contact stiffness gives the fill the wanted modulus. An \
                  assessment whose analyses all finished, but which made no ultimate check under factors with a source, \
                  is undetermined too and ends with exit code 1: its limits may be met, its strength was not assessed, \
                  and `missing` says what to write.";
-    UnusableInput: "unusable-input", 2,
+    UnusableInput: ("unusable-input", 2),
         "The input cannot be used; `errors` says what is wrong, where, and what to write instead.";
-    NotWritten: "not-written", 3,
+    NotWritten: ("not-written", 3),
         "The results could not be written; the message says where and why.";
 }
 
