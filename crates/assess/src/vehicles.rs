@@ -2,7 +2,7 @@
 
 use bridge::{Bridge, SweepPlan};
 use rules::{Acting, Confidence};
-pub use rules::{Library, LoadModel, Place, Rule, Source, Spacing, Uniform, Vehicle, Ways};
+pub use rules::{Extent, Library, LoadModel, Rule, Source, Spacing, Uniform, Vehicle, Ways};
 
 /// Code of the load model that holds the trains of passages.
 const TRAINS: &str = "trains";

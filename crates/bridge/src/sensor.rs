@@ -16,7 +16,7 @@ pub struct Sensor {
     /// What it measures.
     pub kind: SensorKind,
     /// Where.
-    pub place: Place,
+    pub place: SensorPosition,
     /// On which face of the ring.
     pub face: Face,
 }
@@ -53,7 +53,7 @@ choice! {
 
 /// Where a sensor sits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
+pub enum SensorPosition {
     /// At a share of a span's length between its springings: 0 left, 0.5 crown, 1 right.
     Span {
         /// The span, counted from 0 on the left.
@@ -221,7 +221,7 @@ fn sensor(
 }
 
 /// Where the sensor sits: one of three ways to say it.
-fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) -> Option<Place> {
+fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) -> Option<SensorPosition> {
     let number: Option<Option<usize>> = table.read("span", findings);
     let word: Option<Option<NamedPlace>> = table.read("place", findings);
     let at = share(table, layout, findings);
@@ -243,14 +243,14 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
         for key in ["x", "y"].into_iter().filter(|key| !table.has(key)) {
             table.need(key, findings);
         }
-        return Some(Place::Point([x??, y??]));
+        return Some(SensorPosition::Point([x??, y??]));
     }
     let layout = layout?;
     if table.has("at") {
         let at = at?;
         let span = layout.spans.iter().position(|&(start, end)| (start..=end).contains(&at))?;
         let (start, end) = layout.spans[span];
-        return Some(Place::Span { span, share: (at - start) / (end - start) });
+        return Some(SensorPosition::Span { span, share: (at - start) / (end - start) });
     }
     if !table.has("place") {
         table.need("place", findings);
@@ -288,12 +288,12 @@ fn place(table: &Table<'_>, layout: Option<&Layout>, findings: &mut Findings) ->
             "write \"left-springing\" or \"right-springing\"",
         );
     }
-    Some(Place::Span { span, share: share? })
+    Some(SensorPosition::Span { span, share: share? })
 }
 
 /// A strain gauge sits on one stone: at the intrados that is checked here, elsewhere with the mesh.
 fn stone(table: &Table<'_>, sensor: &Sensor, spans: &[PlacedSpan], findings: &mut Findings) -> bool {
-    let (SensorKind::Strain { gauge_length }, Place::Span { span, .. }) = (sensor.kind, sensor.place) else {
+    let (SensorKind::Strain { gauge_length }, SensorPosition::Span { span, .. }) = (sensor.kind, sensor.place) else {
         return true;
     };
     if sensor.face == Face::Extrados {
@@ -330,8 +330,12 @@ pub fn default_sensors(spans: usize) -> Vec<Sensor> {
     let right = if spans > 1 { "pier springing" } else { "right springing" };
     let left = if spans > 1 { "abutment springing" } else { "left springing" };
     let places = [("crown", 0.5), (right, 1.0), (left, 0.0)];
-    let sensor =
-        |name: String, kind, share| Sensor { name, kind, place: Place::Span { span: 0, share }, face: Face::Intrados };
+    let sensor = |name: String, kind, share| Sensor {
+        name,
+        kind,
+        place: SensorPosition::Span { span: 0, share },
+        face: Face::Intrados,
+    };
     let displacements = places.into_iter().map(|(name, share)| {
         let direction = if share == 0.5 { Direction::Vertical } else { Direction::Lateral };
         sensor(format!("{name} displacement"), SensorKind::Displacement(direction), share)

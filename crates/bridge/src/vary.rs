@@ -6,7 +6,7 @@ mod scale;
 mod spread;
 
 pub use command_line::parse_setting;
-pub use quantities::{Known, Quantity, find, known};
+pub use quantities::{Known, Variable, find, known};
 pub use spread::{Setting, Spread, Varied, settle};
 
 use crate::diagnostic::TextRange;

@@ -41,6 +41,6 @@ pub use linearised::Linearised;
 pub use log::Log;
 pub use misfit::Misfit;
 pub use parameter::{Parameter, Scale, Start};
-pub use problem::{Finding, Problem};
+pub use problem::{Flaw, Problem};
 pub use report::{Found, FoundChannel, FoundParameter};
 pub use watch::{Progress, Stopped, Unwatched, Watch, Wish};

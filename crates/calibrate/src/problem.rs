@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// Something that keeps a problem from being posed: where, what, and what to write instead.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Finding {
+pub struct Flaw {
     /// The parameter or channel.
     pub place: String,
     /// What is wrong.
@@ -27,7 +27,7 @@ pub struct Problem {
 
 impl Problem {
     /// Poses the problem, or says everything that is wrong with it.
-    pub fn new(parameters: Vec<Parameter>, channels: Vec<Channel>, misfit: Misfit) -> Result<Self, Vec<Finding>> {
+    pub fn new(parameters: Vec<Parameter>, channels: Vec<Channel>, misfit: Misfit) -> Result<Self, Vec<Flaw>> {
         let mut findings = Vec::new();
         check_parameters(&parameters, &mut findings);
         check_channels(&channels, &misfit, &mut findings);
@@ -78,9 +78,9 @@ impl Problem {
     }
 }
 
-fn check_parameters(parameters: &[Parameter], findings: &mut Vec<Finding>) {
+fn check_parameters(parameters: &[Parameter], findings: &mut Vec<Flaw>) {
     let mut say = |place: &str, message: String, help: &str| {
-        findings.push(Finding { place: place.to_owned(), message, help: help.to_owned() });
+        findings.push(Flaw { place: place.to_owned(), message, help: help.to_owned() });
     };
     if parameters.is_empty() {
         say("parameters", "there is none".to_owned(), "state at least one parameter with a range");
@@ -104,10 +104,10 @@ fn check_parameters(parameters: &[Parameter], findings: &mut Vec<Finding>) {
     }
 }
 
-fn check_channels(channels: &[Channel], misfit: &Misfit, findings: &mut Vec<Finding>) {
+fn check_channels(channels: &[Channel], misfit: &Misfit, findings: &mut Vec<Flaw>) {
     let mut say = |place: &str, message: &str, help: &str| {
         let (place, message, help) = (place.to_owned(), message.to_owned(), help.to_owned());
-        findings.push(Finding { place, message, help });
+        findings.push(Flaw { place, message, help });
     };
     if !channels.iter().any(Channel::counts) {
         say("channels", "none takes part in the norm", "keep at least one channel");

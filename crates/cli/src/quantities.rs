@@ -54,14 +54,14 @@ const LEAST_RATE: f64 = 0.1;
 const MOST_RATE: f64 = 1e5;
 
 /// A size of displacements or of strains in a unit of records, and which of the two it is; none of them is below zero [SI].
-pub fn of_records(option: &str, text: &str) -> Result<(records::Quantity, f64), Failure> {
+pub fn of_records(option: &str, text: &str) -> Result<(records::Dimension, f64), Failure> {
     let help = || format!("write {option} \"0.01 mm\" or {option} \"0.05 microstrain\"");
     let refuse = |why: &str| Failure::input("F107", format!("{option} \"{text}\" {why}"), help());
     let start = text.find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E').unwrap_or(text.len());
     let (number, unit) = text.split_at(start);
     let number: f64 = number.trim().parse().map_err(|_| refuse("is no number with a unit"))?;
     let unit = records::Unit::named(unit).ok_or_else(|| refuse("has no unit of displacements or strains"))?;
-    if !matches!(unit.quantity, records::Quantity::Length | records::Quantity::Strain) {
+    if !matches!(unit.quantity, records::Dimension::Length | records::Dimension::Strain) {
         return Err(refuse("is neither a displacement nor a strain"));
     }
     if !(0.0..=MOST_OF_RECORDS).contains(&unit.to_si(number)) {
@@ -118,8 +118,8 @@ mod tests {
             assert_eq!(frequency("--rate", wrong).unwrap_err().code, "F107", "{wrong}");
         }
         let size = |text| of_records("--deviation", text);
-        assert_eq!(size("0.05 microstrain"), Ok((records::Quantity::Strain, 0.05 / 1e6)));
-        assert_eq!(size("1e-2mm"), Ok((records::Quantity::Length, 0.01 / 1e3)));
+        assert_eq!(size("0.05 microstrain"), Ok((records::Dimension::Strain, 0.05 / 1e6)));
+        assert_eq!(size("1e-2mm"), Ok((records::Dimension::Length, 0.01 / 1e3)));
         for wrong in ["0.01", "mm", "-1 mm", "nan mm", "1 kN", "1 furlong", "5 m", ""] {
             assert_eq!(size(wrong).unwrap_err().code, "F107", "{wrong}");
         }

@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             put(&format!("{name}/{}", file.name), &file.bytes)?;
         }
     }
-    if let Some(svg) = figures::envelope("Bridgemill, two axles", figures::Quantity::Factor, &sample::sweeps(), None) {
+    if let Some(svg) = figures::envelope("Bridgemill, two axles", figures::Ordinate::Factor, &sample::sweeps(), None) {
         for file in figures::both("envelope", &svg)? {
             put(&file.name, &file.bytes)?;
         }

@@ -5,13 +5,13 @@ use crate::geometry::{Extent, View};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Spot, Style};
 use crate::words;
-use outcome::picture::{Dimension, Measure};
+use outcome::picture::{DimensionLine, Measure};
 
 const LINE: Pen = Pen::line(INK, HAIR).class("dimension");
 const EXTENSION: Pen = Pen::line("#777777", HAIR);
 
 /// Draws all dimensions; `lowest` is the extent of the drawing. Returns the y below the span dimensions.
-pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[Dimension], extent: Extent, room: Room) -> f64 {
+pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[DimensionLine], extent: Extent, room: Room) -> f64 {
     let foot = view.spot(extent.low)[1];
     // Spans and piers form one chain of dimensions below the drawing.
     let spans = || dimensions.iter().filter(|d| matches!(d.measure, Measure::Span | Measure::Width));
@@ -26,7 +26,7 @@ pub fn draw(sheet: &mut Sheet, view: &View, dimensions: &[Dimension], extent: Ex
             Measure::Rise => upright(sheet, view, d, d.to[0], room),
             Measure::Height | Measure::Depth => upright(sheet, view, d, d.from[0], room),
             Measure::Thickness => {
-                let near = |r: &Dimension| (view.spot(r.to)[0] - view.spot(d.from)[0]).abs() < 40.0;
+                let near = |r: &DimensionLine| (view.spot(r.to)[0] - view.spot(d.from)[0]).abs() < 40.0;
                 let taken = dimensions.iter().any(|r| r.measure == Measure::Rise && near(r));
                 thickness(sheet, view, d, taken, room);
             }
@@ -41,7 +41,7 @@ fn tick(sheet: &mut Sheet, at: Spot) {
     sheet.line([at[0] - 3.0, at[1] + 3.0], [at[0] + 3.0, at[1] - 3.0], Pen::line(INK, 1.4));
 }
 
-fn span(sheet: &mut Sheet, view: &View, d: &Dimension, y: f64) {
+fn span(sheet: &mut Sheet, view: &View, d: &DimensionLine, y: f64) {
     let (a, b) = (view.spot(d.from), view.spot(d.to));
     for p in [a, b] {
         sheet.line([p[0], p[1] + 4.0], [p[0], y + 5.0], EXTENSION);
@@ -54,7 +54,7 @@ fn span(sheet: &mut Sheet, view: &View, d: &Dimension, y: f64) {
 }
 
 /// A vertical dimension at a given place along the bridge.
-fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64, room: Room) {
+fn upright(sheet: &mut Sheet, view: &View, d: &DimensionLine, x: f64, room: Room) {
     let (low, high) = (d.from[1].min(d.to[1]), d.from[1].max(d.to[1]));
     let (a, b) = (view.spot([x, low]), view.spot([x, high]));
     let from = view.spot(d.from);
@@ -75,7 +75,7 @@ fn upright(sheet: &mut Sheet, view: &View, d: &Dimension, x: f64, room: Room) {
 
 /// Two arrows that press on the ring from both sides, with the value on the intrados' side. Where a rise takes that
 /// place: a line across the ring, with the value where there is room.
-fn thickness(sheet: &mut Sheet, view: &View, d: &Dimension, taken: bool, room: Room) {
+fn thickness(sheet: &mut Sheet, view: &View, d: &DimensionLine, taken: bool, room: Room) {
     let (a, b) = (view.spot(d.from), view.spot(d.to));
     let length = (b[0] - a[0]).hypot(b[1] - a[1]);
     if !length.is_finite() || length <= 0.0 {

@@ -9,7 +9,7 @@ use crate::words;
 
 /// What the vertical axis of an envelope is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Ordinate {
     /// Collapse load over the load as described.
     Factor,
     /// Adequacy factor of a vehicle under a rule.
@@ -35,8 +35,8 @@ const X_NAME: &str = "position of the reference point along the bridge [m]";
 const FIRST_AXLE: &str = "position of the first axle along the bridge [m]";
 
 /// The curves, with the least value of all marked as governing, and a note below them. None without a finite point.
-pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep], note: Option<&str>) -> Option<String> {
-    let unit = |v: f64| if quantity == Quantity::Load { v / 1e3 } else { v };
+pub fn envelope(title: &str, quantity: Ordinate, sweeps: &[Sweep], note: Option<&str>) -> Option<String> {
+    let unit = |v: f64| if quantity == Ordinate::Load { v / 1e3 } else { v };
     let finite = |&(x, v): &(f64, f64)| x.is_finite() && v.is_finite();
     let points = || sweeps.iter().flat_map(|s| s.points.iter().copied()).filter(finite);
     let governing = points().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.total_cmp(&b.0)))?;
@@ -48,21 +48,21 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep], note: Option<
 
     let mut sheet = Sheet::new("envelope");
     let second = match quantity {
-        Quantity::Factor => "Load factor at collapse over the position of the load",
-        Quantity::Adequacy => "Adequacy factor over the position of the vehicle, worst axles at each",
-        Quantity::Load => "Collapse load over the position of the load",
+        Ordinate::Factor => "Load factor at collapse over the position of the load",
+        Ordinate::Adequacy => "Adequacy factor over the position of the vehicle, worst axles at each",
+        Ordinate::Load => "Collapse load over the position of the load",
     };
     let top = sheet.title(title, second);
     let y_name = match quantity {
-        Quantity::Factor => "load factor at collapse [–]",
-        Quantity::Adequacy => "adequacy factor [–]",
-        Quantity::Load => "collapse load [kN/m]",
+        Ordinate::Factor => "load factor at collapse [–]",
+        Ordinate::Adequacy => "adequacy factor [–]",
+        Ordinate::Load => "collapse load [kN/m]",
     };
     let (axes, mut bottom) = Axes::draw(
         &mut sheet,
         top,
         HEIGHT,
-        &Axis::exact(if quantity == Quantity::Adequacy { FIRST_AXLE } else { X_NAME }, low_x, high_x, 8),
+        &Axis::exact(if quantity == Ordinate::Adequacy { FIRST_AXLE } else { X_NAME }, low_x, high_x, 8),
         &Axis::round(y_name, y),
     );
     sheet.open_clipped("curves", "plane", axes.area);
@@ -89,8 +89,8 @@ pub fn envelope(title: &str, quantity: Quantity, sweeps: &[Sweep], note: Option<
     sheet.avoid_line(&[at, [at[0], axes.area.bottom]]);
     Mark::Full.draw(&mut sheet, at, INK);
     let size = match quantity {
-        Quantity::Factor | Quantity::Adequacy => words::four_digits(governing.1),
-        Quantity::Load => words::force(governing.1),
+        Ordinate::Factor | Ordinate::Adequacy => words::four_digits(governing.1),
+        Ordinate::Load => words::force(governing.1),
     };
     let room = Room { area: axes.area.grown(-5.0), towards: [0.5, 0.8], clear: 10.0 };
     let text = format!("governing: {size} at {}", words::metres(governing.0));

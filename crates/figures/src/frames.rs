@@ -20,7 +20,7 @@ const GAP: f64 = 18.0;
 const SHARE: f64 = 0.06;
 
 /// How the states of a run are drawn, all alike.
-pub struct Run {
+pub struct Frames {
     /// Snapshots that fit blocks and particles, in their order.
     pub usable: Vec<usize>,
     /// How many times larger displacements are drawn; particles are never exaggerated.
@@ -29,9 +29,9 @@ pub struct Run {
     pub extent: Extent,
 }
 
-impl Run {
+impl Frames {
     /// All states of a run that fit. None without any, and where nothing moves.
-    pub fn of(picture: &Picture) -> Option<Run> {
+    pub fn of(picture: &Picture) -> Option<Frames> {
         let built = as_built(&picture.shapes)?;
         let fits = |k: &usize| crate::panels::fits(picture, *k);
         let usable: Vec<usize> = (0..picture.snapshots.len()).filter(fits).collect();
@@ -53,7 +53,7 @@ impl Run {
             .fold(built, |e, f| e.with(f))
             .within(built.grown(0.6 * size))
             .grown(0.015 * size);
-        Some(Run { usable, scale, extent })
+        Some(Frames { usable, scale, extent })
     }
 
     /// Draws one state, or the bridge as built.
@@ -77,7 +77,7 @@ impl Run {
 /// alike where they would not be seen. A run with particles begins at rest and shows half of the last stable load too.
 /// Without a last stable state, even steps of the whole run. None where nothing moves.
 pub fn collapse_frames(picture: &Picture) -> Option<String> {
-    let run = Run::of(picture)?;
+    let run = Frames::of(picture)?;
     let panels = panels(picture, &run.usable);
     let whole = run.extent;
     let mut sheet = Sheet::new("collapse");

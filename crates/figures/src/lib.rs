@@ -53,7 +53,7 @@ pub use chains::force_chains;
 pub use discs::left_out;
 pub use displaced::displacement;
 pub use drawn::bridge_as_drawn;
-pub use envelope::{Quantity, Sweep, envelope};
+pub use envelope::{Ordinate, Sweep, envelope};
 pub use figure::Figure;
 pub use fill_stress::fill_stress;
 pub use frames::collapse_frames;

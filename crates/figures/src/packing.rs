@@ -9,7 +9,7 @@ use crate::panels::{blocks, fits};
 use crate::sheet::place::Room;
 use crate::sheet::{Anchor, Area, HAIR, Pen, SMALL, Sheet, Style};
 use crate::words;
-use outcome::picture::{Dimension, Measure, Picture, Shape};
+use outcome::picture::{DimensionLine, Measure, Picture, Shape};
 
 /// See [`Figure`].
 pub(crate) const FIGURE: Figure = Figure { name: "packing", caption: "Particles as packed.", draw: packing };
@@ -45,7 +45,7 @@ pub fn packing(picture: &Picture) -> Option<String> {
     draw::avoid_blocks(&mut sheet, &view, &first.shapes, |k| first.shapes[k].outline.clone());
     let room = Room::between(top, frame.bottom);
     // The ring's thickness has its place in the drawing of the bridge.
-    let mut sizes: Vec<Dimension> =
+    let mut sizes: Vec<DimensionLine> =
         picture.dimensions.iter().filter(|d| d.measure != Measure::Thickness).copied().collect();
     sizes.extend(depths(picture));
     let y = dimension::draw(&mut sheet, &view, &sizes, extent, room) + 4.0;
@@ -107,7 +107,7 @@ fn lid(sheet: &mut Sheet, view: &View, picture: &Picture) {
 }
 
 /// Depth of the fill over the crown and at its left end.
-fn depths(picture: &Picture) -> Vec<Dimension> {
+fn depths(picture: &Picture) -> Vec<DimensionLine> {
     let Some((extent, level)) = upper_face(picture) else { return Vec::new() };
     let below = |p: &&[f64; 2]| p[1] < level - 1e-9;
     let Some(crown) = picture.fill.iter().filter(below).max_by(|a, b| a[1].total_cmp(&b[1])) else { return Vec::new() };
@@ -116,7 +116,7 @@ fn depths(picture: &Picture) -> Vec<Dimension> {
     // Beside the dimension of the rise, so that their words do not meet.
     let beside = crown[0] + 0.05 * extent.size()[0];
     vec![
-        Dimension { measure: Measure::Height, from: [beside, crown[1]], to: [beside, level] },
-        Dimension { measure: Measure::Height, from: [x, foot], to: [x, level] },
+        DimensionLine { measure: Measure::Height, from: [beside, crown[1]], to: [beside, level] },
+        DimensionLine { measure: Measure::Height, from: [x, foot], to: [x, level] },
     ]
 }

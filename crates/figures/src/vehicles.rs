@@ -2,7 +2,7 @@
 
 use crate::chart::Axis;
 use crate::elevation::INK;
-use crate::envelope::{Quantity, Sweep, envelope};
+use crate::envelope::{Ordinate, Sweep, envelope};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
 use outcome::vehicles::{Direction, Swept, VehicleSweep};
 
@@ -18,7 +18,7 @@ pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
     }
     if let Some(v) = found.governing.and_then(|k| found.vehicles.get(k))
         && let title = format!("{}: {}", found.bridge, v.title)
-        && let Some(svg) = envelope(&title, Quantity::Adequacy, &curves(v), governing_case(found).as_deref())
+        && let Some(svg) = envelope(&title, Ordinate::Adequacy, &curves(v), governing_case(found).as_deref())
     {
         drawings.push(("envelope", svg));
     }

@@ -33,7 +33,7 @@ fn every_drawing() -> Vec<(String, String)> {
     for (name, picture) in sample::every() {
         all.extend(figures::drawings(&picture).into_iter().map(|(kind, svg)| (format!("{name}/{kind}"), svg)));
     }
-    let sweep = figures::envelope("Sweep", figures::Quantity::Factor, &sample::sweeps(), None).unwrap();
+    let sweep = figures::envelope("Sweep", figures::Ordinate::Factor, &sample::sweeps(), None).unwrap();
     all.push(("envelope".into(), sweep));
     for (name, study) in sample::studies::every() {
         all.extend(figures::study_drawings(&study).into_iter().map(|(kind, svg)| (format!("{name}/{kind}"), svg)));
@@ -288,7 +288,7 @@ fn in_key(node: &Node) -> bool {
 #[test]
 fn the_envelope_marks_the_least_value_of_all_curves() {
     let sweeps = sample::sweeps();
-    let svg = figures::envelope("Sweep", figures::Quantity::Factor, &sweeps, None).unwrap();
+    let svg = figures::envelope("Sweep", figures::Ordinate::Factor, &sweeps, None).unwrap();
     let document = Document::parse(&svg).unwrap();
     let least = sweeps.iter().flat_map(|s| &s.points).map(|p| p.1).fold(f64::MAX, f64::min);
     let words = texts(&document);
@@ -296,7 +296,7 @@ fn the_envelope_marks_the_least_value_of_all_curves() {
     // Gaps at both ends take nothing from the curves in between.
     assert_eq!(classed(&document, "polyline", "sweep").len(), 2);
     let nothing = figures::Sweep { label: String::new(), points: vec![(0.0, f64::INFINITY)] };
-    assert!(figures::envelope("Nothing", figures::Quantity::Load, &[nothing], None).is_none());
+    assert!(figures::envelope("Nothing", figures::Ordinate::Load, &[nothing], None).is_none());
 }
 
 #[test]

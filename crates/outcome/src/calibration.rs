@@ -88,7 +88,7 @@ pub struct Check {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sheared {
     /// What was wanted.
-    pub wanted: Wanted,
+    pub wanted: TargetStrength,
     /// What was found: the nearest where it is out of reach.
     pub found: Strength,
     /// Whether what is wanted is within reach.
@@ -183,7 +183,7 @@ pub struct Strength {
 
 /// What is wanted of the fill.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Wanted {
+pub struct TargetStrength {
     /// Friction angle [rad].
     pub friction_angle: Option<f64>,
     /// Cohesion [Pa].

@@ -38,7 +38,7 @@ pub struct Comparison {
     pub utilisation: f64,
     /// What was computed, where and how.
     pub basis: String,
-    /// Place of the first axle that it belongs to [m], where there is one.
+    /// Position of the first axle that it belongs to [m], where there is one.
     pub position: Option<f64>,
     /// Self-weight, live load with design augment, their sum, live load with total augment, their sum: the columns of the
     /// railway paper's Table 7, where the check has them.

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 words! {
     /// Places of a ring that checks look at.
     #[derive(Default)]
-    pub enum Place {
+    pub enum RingSection {
         /// A crown.
         #[default]
         Crown = "crown",
@@ -117,7 +117,7 @@ pub struct ServiceLoadFacts {
     /// The file's own sensors.
     pub channels: Vec<ChannelFacts>,
     /// Deflections and stresses at the places that are checked.
-    pub places: Vec<PlaceFacts>,
+    pub places: Vec<SectionFacts>,
     /// Joints, by reading of the dynamic augment.
     pub joints: Vec<JointFacts>,
 }
@@ -141,9 +141,9 @@ pub struct ChannelFacts {
 
 /// A quantity at a place of the ring: displacement upwards [mm] or stress along the ring [MPa], tension positive.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct PlaceFacts {
+pub struct SectionFacts {
     /// Which place.
-    pub place: Place,
+    pub place: RingSection,
     /// What is watched there.
     pub quantity: Watched,
     /// The place in words, with span and face.
@@ -156,14 +156,14 @@ pub struct PlaceFacts {
     pub self_weight: f64,
     /// Least value of the passage, self-weight taken off.
     pub minimum: f64,
-    /// Place of the first axle then [m].
+    /// Position of the first axle then [m].
     pub minimum_at_m: f64,
     /// The span, from 1, whose loaded length decides what motion adds to it.
     #[serde(default)]
     pub minimum_span: usize,
     /// Greatest.
     pub maximum: f64,
-    /// Place of the first axle then [m].
+    /// Position of the first axle then [m].
     pub maximum_at_m: f64,
     /// The span, from 1, whose loaded length decides what motion adds to it.
     #[serde(default)]
@@ -187,13 +187,13 @@ pub struct JointFacts {
     pub shear_mpa: f64,
     /// Which joint and when.
     pub shear_at: String,
-    /// Place of the first axle then [m].
+    /// Position of the first axle then [m].
     pub shear_position_m: f64,
     /// Largest distance of the thrust from the middle of a joint over its depth.
     pub eccentricity: f64,
     /// Which joint and when.
     pub eccentricity_at: String,
-    /// Place of the first axle then [m].
+    /// Position of the first axle then [m].
     pub eccentricity_position_m: f64,
 }
 
@@ -305,7 +305,7 @@ pub struct SweptFacts {
     /// Positions at which a case found no answer: with one of them, nothing is settled.
     #[serde(default)]
     pub positions_not_converged: usize,
-    /// Place of its first axle in the governing case [m].
+    /// Position of its first axle in the governing case [m].
     pub position_m: Option<f64>,
     /// The governing case in words: direction, axles, arrangement.
     pub case: String,

@@ -23,7 +23,7 @@ words! {
 
 words! {
     /// What a channel records.
-    pub enum Quantity {
+    pub enum Measurand {
         /// Displacement [m], in mm.
         Displacement = "displacement",
         /// Strain [-], in microstrain.
@@ -37,15 +37,15 @@ words! {
     }
 }
 
-impl Quantity {
+impl Measurand {
     /// The unit in tables and figures with how many of it an SI unit is, and what records call it.
-    fn row(self) -> (&'static str, f64, records::Quantity) {
+    fn row(self) -> (&'static str, f64, records::Dimension) {
         match self {
-            Quantity::Displacement => ("mm", 1e3, records::Quantity::Length),
-            Quantity::Strain => ("microstrain", 1e6, records::Quantity::Strain),
-            Quantity::JointOpening => ("mm", 1e3, records::Quantity::Length),
-            Quantity::JointSliding => ("mm", 1e3, records::Quantity::Length),
-            Quantity::Stress => ("MPa", 1e-6, records::Quantity::Stress),
+            Measurand::Displacement => ("mm", 1e3, records::Dimension::Length),
+            Measurand::Strain => ("microstrain", 1e6, records::Dimension::Strain),
+            Measurand::JointOpening => ("mm", 1e3, records::Dimension::Length),
+            Measurand::JointSliding => ("mm", 1e3, records::Dimension::Length),
+            Measurand::Stress => ("MPa", 1e-6, records::Dimension::Stress),
         }
     }
 
@@ -60,18 +60,18 @@ impl Quantity {
     }
 
     /// What records of it hold.
-    pub fn recorded(self) -> records::Quantity {
+    pub fn recorded(self) -> records::Dimension {
         self.row().2
     }
 }
 
 /// The record of one sensor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Channel {
+pub struct SensorRecord {
     /// Its name.
     pub name: String,
     /// What it records.
-    pub quantity: Quantity,
+    pub quantity: Measurand,
     /// Where it sits and what its sign means, in words.
     pub about: String,
     /// Value under self-weight alone [SI].
@@ -80,7 +80,7 @@ pub struct Channel {
     pub values: Vec<f64>,
 }
 
-impl Channel {
+impl SensorRecord {
     /// Least and greatest value [SI]; zeros of an empty record.
     pub fn range(&self) -> [f64; 2] {
         let first = self.values.first().copied().unwrap_or(0.0);
@@ -105,7 +105,7 @@ pub struct StepLog {
     pub stage: Part,
     /// Time since the train started [s]; the share of the load in the self-weight's steps.
     pub time: f64,
-    /// Place of the first axle [m].
+    /// Position of the first axle [m].
     pub position: f64,
     /// Iterations.
     pub iterations: usize,
@@ -184,7 +184,7 @@ pub struct Moment {
     pub name: String,
     /// Time [s].
     pub time: f64,
-    /// Place of the first axle [m].
+    /// Position of the first axle [m].
     pub position: f64,
     /// Places [m] and forces [N] of the axles above the mesh.
     pub axles: Vec<(f64, f64)>,
@@ -242,10 +242,10 @@ pub struct Passage {
     pub reason: Option<String>,
     /// Times [s].
     pub times: Vec<f64>,
-    /// Place of the first axle at these times [m].
+    /// Position of the first axle at these times [m].
     pub positions: Vec<f64>,
     /// Records of the sensors.
-    pub channels: Vec<Channel>,
+    pub channels: Vec<SensorRecord>,
     /// Unknowns of the model, before anything is condensed.
     pub degrees_of_freedom: usize,
     /// Unknowns that iterate, where linear parts are condensed.
@@ -315,9 +315,9 @@ mod tests {
 
     #[test]
     fn a_peak_keeps_its_sign_and_its_time() {
-        let channel = Channel {
+        let channel = SensorRecord {
             name: "crown".into(),
-            quantity: Quantity::Displacement,
+            quantity: Measurand::Displacement,
             about: String::new(),
             self_weight: -1e-3,
             values: vec![0.0, 1e-4, -3e-4, 2e-4, -3e-4],

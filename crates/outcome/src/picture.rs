@@ -207,7 +207,7 @@ pub enum Measure {
 
 /// A dimension to be drawn on the bridge as built.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Dimension {
+pub struct DimensionLine {
     /// What it measures.
     pub measure: Measure,
     /// From [m].
@@ -254,7 +254,7 @@ pub struct Picture {
     /// Index of the last stable snapshot.
     pub last_stable: Option<usize>,
     /// Dimensions of the drawing; none for models without an arch.
-    pub dimensions: Vec<Dimension>,
+    pub dimensions: Vec<DimensionLine>,
     /// Load at collapse [N/m], where one was found (support movement: [m]).
     pub collapse_load: Option<f64>,
     /// Whether the run stalled: its last step neither came to rest nor collapsed.

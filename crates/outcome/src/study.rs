@@ -3,7 +3,7 @@
 mod design;
 mod sensitivity;
 
-pub use design::{Design, Run, count, runs};
+pub use design::{Design, Variation, count, runs};
 pub use sensitivity::{Extreme, Sensitivity, Trend, sensitivity};
 
 use crate::words::words;
@@ -47,7 +47,7 @@ words! {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Which values it had.
-    pub run: Run,
+    pub run: Variation,
     /// What it gave.
     pub outcome: Outcome,
     /// How long it took when it was computed [s].

@@ -1,7 +1,7 @@
 //! What came of model updating: figures, summary and the wire format are made from this alone. Values of channels and of
 //! parameters carry the units that they are shown in, named beside them.
 
-use crate::passage::Quantity;
+use crate::passage::Measurand;
 use crate::warning::Warning;
 use crate::words::words;
 use calibrate::identify::Identifiability;
@@ -42,7 +42,7 @@ pub struct Histories {
     /// Name of the sensor.
     pub name: String,
     /// What it records.
-    pub quantity: Quantity,
+    pub quantity: Measurand,
     /// As measured, brought to the model's times; empty where nothing was.
     pub measured: Vec<f64>,
     /// Of the start model.

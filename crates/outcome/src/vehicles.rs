@@ -21,7 +21,7 @@ words! {
 /// What stands where.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Case {
-    /// Place of the vehicle's first axle, from the left springing of the first span [m].
+    /// Position of the vehicle's first axle, from the left springing of the first span [m].
     pub position: f64,
     /// Which way it drives.
     pub direction: Direction,
@@ -47,7 +47,7 @@ pub struct EnvelopePoint {
     pub arrangement: String,
     /// Which way it drives.
     pub direction: Direction,
-    /// Place of the vehicle's first axle [m].
+    /// Position of the vehicle's first axle [m].
     pub position: f64,
     /// Whether every case there was answered.
     pub converged: bool,

@@ -3,7 +3,7 @@
 //!
 //! The way of a record, each step a function from data to data:
 //!
-//! 1. [`read`](fn@read) makes a [`Run`] of the text of a table, whatever the bytes are, and names every cell and row it could not take;
+//! 1. [`read`](fn@read) makes a [`Recording`] of the text of a table, whatever the bytes are, and names every cell and row it could not take;
 //! 2. [`examine`](fn@examine) judges clocks and channels, leaves out what cannot be trusted and says why: only what has gone through
 //!    it is a [`Series`], and only a [`Series`] can be used further;
 //! 3. [`prepare`](fn@prepare) sets to zero, takes off drift, filters, resamples, cuts and aligns, and lists what was done in words;
@@ -33,9 +33,9 @@ pub use findings::Severity;
 pub use health::{Accept, Expected, LeaveOut, Limits, Scrutiny, examine};
 pub use peaks::{Peak, PeakTable, SpeedGroup, peaks};
 pub use prepare::{Align, Cut, Detrend, Preparation, Reference, Zero, noise_bandwidth, prepare};
-pub use series::{Channel, Run, Series};
+pub use series::{Channel, Recording, Series};
 pub use synthetic::{Exact, Noise, synthesise};
 pub use table::{Column, Dialect, Mapping, Others, Read, ReadOptions, Source, read};
-pub use unit::{Quantity, UNITS, Unit};
+pub use unit::{Dimension, UNITS, Unit};
 pub use verdict::{Answer, ChannelTest, Dynamics, LineTest, PlaneStrain, Test, Testing, dynamics, plane_strain};
 pub use write::write;

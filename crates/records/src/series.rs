@@ -45,7 +45,7 @@ pub(crate) fn title(name: &str, line: &str) -> String {
 
 /// One passage of a train: a clock and the channels that share it.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Run {
+pub struct Recording {
     /// Its name; the file's where nothing else was said.
     pub name: String,
     /// Speed of the train [m/s], where it is known.
@@ -64,7 +64,7 @@ pub struct Run {
     pub channels: Vec<Channel>,
 }
 
-impl Run {
+impl Recording {
     /// Channels that may be used.
     pub fn used(&self) -> impl Iterator<Item = &Channel> {
         self.channels.iter().filter(|channel| channel.used())
@@ -89,7 +89,7 @@ impl Run {
 #[non_exhaustive]
 pub struct Series {
     /// The runs.
-    pub runs: Vec<Run>,
+    pub runs: Vec<Recording>,
     /// Everything that was done to them, in order.
     pub done: Vec<Done>,
     /// Everything that was found in them.

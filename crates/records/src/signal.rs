@@ -1,6 +1,6 @@
 //! Robust measures of histories, shared by what judges and what prepares them.
 
-use crate::Run;
+use crate::Recording;
 
 /// The middle value; 0 of none. NaN must not be among them.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
@@ -115,7 +115,7 @@ const QUIET: usize = 10;
 
 /// Where the train is on the bridge, by the middle one of the channels, so that a bad channel does not say it. The quiet start
 /// is the first half of what comes before, for an axle is felt before it stands on the span; the quiet end is the last half.
-pub(crate) fn loaded(run: &Run, smooth: &[Option<Vec<f64>>]) -> Loaded {
+pub(crate) fn loaded(run: &Recording, smooth: &[Option<Vec<f64>>]) -> Loaded {
     let n = run.times.len();
     let (mut arrivals, mut departures) = (Vec::new(), Vec::new());
     for (channel, values) in run.channels.iter().zip(smooth) {
@@ -148,7 +148,7 @@ pub(crate) fn loaded(run: &Run, smooth: &[Option<Vec<f64>>]) -> Loaded {
 }
 
 /// Whether at least half of the channels have other levels at the start than at the end.
-fn apart(run: &Run, smooth: &[Option<Vec<f64>>], start: usize, end: usize) -> bool {
+fn apart(run: &Recording, smooth: &[Option<Vec<f64>>], start: usize, end: usize) -> bool {
     let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
     let (mut apart, mut all) = (0, 0);
     for values in used.filter_map(|(_, values)| values.as_ref()) {
@@ -161,7 +161,7 @@ fn apart(run: &Run, smooth: &[Option<Vec<f64>>], start: usize, end: usize) -> bo
 
 /// Whether at least half of the channels hardly move over some samples: by noise, by rounding, or by three hundredths of their
 /// range. A record that begins under the train has a first level too, but moves.
-fn silent(run: &Run, smooth: &[Option<Vec<f64>>], from: usize, to: usize) -> bool {
+fn silent(run: &Recording, smooth: &[Option<Vec<f64>>], from: usize, to: usize) -> bool {
     let used = run.channels.iter().zip(smooth).filter(|(channel, _)| channel.used());
     let (mut still, mut all) = (0, 0);
     for values in used.filter_map(|(_, values)| values.as_ref()) {

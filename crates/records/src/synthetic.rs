@@ -1,6 +1,6 @@
 //! Synthetic records: exact histories as a logger would have written them, labelled synthetic.
 
-use crate::{Channel, Run, Unit};
+use crate::{Channel, Recording, Unit};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
@@ -36,12 +36,12 @@ pub struct Noise {
 /// last bit, and it says that it is synthetic and how it was made.
 ///
 /// Every channel draws from a generator of its own, so that one more channel changes no other.
-pub fn synthesise(name: &str, speed: Option<f64>, times: &[f64], exact: &[Exact], noise: &Noise) -> Run {
+pub fn synthesise(name: &str, speed: Option<f64>, times: &[f64], exact: &[Exact], noise: &Noise) -> Recording {
     let rate = noise.rate.filter(|rate| *rate > 0.0 && rate.is_finite());
     let clock = clock(times, rate);
     let histories = exact.iter().enumerate();
     let channels = histories.map(|(k, history)| channel(k, history, times, &clock, noise.seed)).collect();
-    Run {
+    Recording {
         name: name.to_owned(),
         speed,
         synthetic: Some(label(exact, rate, noise)),

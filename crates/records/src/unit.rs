@@ -5,7 +5,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 /// What a channel measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Quantity {
+pub enum Dimension {
     /// Time [s].
     Time,
     /// Displacement, opening [m].
@@ -33,7 +33,7 @@ pub struct Unit {
     /// As written in headings.
     pub symbol: &'static str,
     /// What is measured in it.
-    pub quantity: Quantity,
+    pub quantity: Dimension,
     /// How many of it one SI unit is; an integer wherever it can be, so that cells lose no digit.
     pub per_si: f64,
 }
@@ -52,51 +52,51 @@ impl<'de> Deserialize<'de> for Unit {
     }
 }
 
-const fn unit(symbol: &'static str, quantity: Quantity, per_si: f64) -> Unit {
+const fn unit(symbol: &'static str, quantity: Dimension, per_si: f64) -> Unit {
     Unit { symbol, quantity, per_si }
 }
 
 /// Every unit that is read; the first of each quantity and size is the one that is written.
 pub const UNITS: &[Unit] = &[
-    unit("s", Quantity::Time, 1.0),
-    unit("sec", Quantity::Time, 1.0),
-    unit("ms", Quantity::Time, 1e3),
-    unit("min", Quantity::Time, 1.0 / 60.0),
-    unit("mm", Quantity::Length, 1e3),
-    unit("m", Quantity::Length, 1.0),
-    unit("cm", Quantity::Length, 1e2),
-    unit("um", Quantity::Length, 1e6),
-    unit("µm", Quantity::Length, 1e6),
-    unit("μm", Quantity::Length, 1e6),
-    unit("microstrain", Quantity::Strain, 1e6),
-    unit("micro-strain", Quantity::Strain, 1e6),
-    unit("µε", Quantity::Strain, 1e6),
-    unit("με", Quantity::Strain, 1e6),
-    unit("ue", Quantity::Strain, 1e6),
-    unit("µm/m", Quantity::Strain, 1e6),
-    unit("μm/m", Quantity::Strain, 1e6),
-    unit("um/m", Quantity::Strain, 1e6),
-    unit("mm/m", Quantity::Strain, 1e3),
-    unit("m/m", Quantity::Strain, 1.0),
-    unit("-", Quantity::Strain, 1.0),
-    unit("MPa", Quantity::Stress, 1e-6),
-    unit("kPa", Quantity::Stress, 1e-3),
-    unit("Pa", Quantity::Stress, 1.0),
-    unit("kN", Quantity::Force, 1e-3),
-    unit("N", Quantity::Force, 1.0),
-    unit("mrad", Quantity::Angle, 1e3),
-    unit("rad", Quantity::Angle, 1.0),
-    unit("deg", Quantity::Angle, 180.0 / std::f64::consts::PI),
-    unit("km/h", Quantity::Speed, 3.6),
-    unit("kmph", Quantity::Speed, 3.6),
-    unit("m/s", Quantity::Speed, 1.0),
-    unit("mm/s", Quantity::Speed, 1e3),
-    unit("m/s2", Quantity::Acceleration, 1.0),
-    unit("m/s^2", Quantity::Acceleration, 1.0),
-    unit("g", Quantity::Acceleration, 1.0 / 9.806_65),
-    unit("K", Quantity::Temperature, 1.0),
-    unit("degC", Quantity::Temperature, 1.0),
-    unit("°C", Quantity::Temperature, 1.0),
+    unit("s", Dimension::Time, 1.0),
+    unit("sec", Dimension::Time, 1.0),
+    unit("ms", Dimension::Time, 1e3),
+    unit("min", Dimension::Time, 1.0 / 60.0),
+    unit("mm", Dimension::Length, 1e3),
+    unit("m", Dimension::Length, 1.0),
+    unit("cm", Dimension::Length, 1e2),
+    unit("um", Dimension::Length, 1e6),
+    unit("µm", Dimension::Length, 1e6),
+    unit("μm", Dimension::Length, 1e6),
+    unit("microstrain", Dimension::Strain, 1e6),
+    unit("micro-strain", Dimension::Strain, 1e6),
+    unit("µε", Dimension::Strain, 1e6),
+    unit("με", Dimension::Strain, 1e6),
+    unit("ue", Dimension::Strain, 1e6),
+    unit("µm/m", Dimension::Strain, 1e6),
+    unit("μm/m", Dimension::Strain, 1e6),
+    unit("um/m", Dimension::Strain, 1e6),
+    unit("mm/m", Dimension::Strain, 1e3),
+    unit("m/m", Dimension::Strain, 1.0),
+    unit("-", Dimension::Strain, 1.0),
+    unit("MPa", Dimension::Stress, 1e-6),
+    unit("kPa", Dimension::Stress, 1e-3),
+    unit("Pa", Dimension::Stress, 1.0),
+    unit("kN", Dimension::Force, 1e-3),
+    unit("N", Dimension::Force, 1.0),
+    unit("mrad", Dimension::Angle, 1e3),
+    unit("rad", Dimension::Angle, 1.0),
+    unit("deg", Dimension::Angle, 180.0 / std::f64::consts::PI),
+    unit("km/h", Dimension::Speed, 3.6),
+    unit("kmph", Dimension::Speed, 3.6),
+    unit("m/s", Dimension::Speed, 1.0),
+    unit("mm/s", Dimension::Speed, 1e3),
+    unit("m/s2", Dimension::Acceleration, 1.0),
+    unit("m/s^2", Dimension::Acceleration, 1.0),
+    unit("g", Dimension::Acceleration, 1.0 / 9.806_65),
+    unit("K", Dimension::Temperature, 1.0),
+    unit("degC", Dimension::Temperature, 1.0),
+    unit("°C", Dimension::Temperature, 1.0),
 ];
 
 impl Unit {
@@ -113,7 +113,7 @@ impl Unit {
     }
 
     /// The unit in which a quantity is written where none is asked for: mm, microstrain, s, km/h.
-    pub fn usual(quantity: Quantity) -> Unit {
+    pub fn usual(quantity: Dimension) -> Unit {
         UNITS.iter().copied().find(|unit| unit.quantity == quantity).unwrap_or(UNITS[0])
     }
 
@@ -164,7 +164,7 @@ mod tests {
     fn a_cell_keeps_its_digits_in_si() {
         let mm = Unit::named("mm").unwrap();
         assert_eq!(mm.to_si(0.27), 0.27 / 1000.0);
-        let strain = Unit::usual(Quantity::Strain);
+        let strain = Unit::usual(Dimension::Strain);
         assert_eq!(strain.of_si(strain.to_si(22.1)).to_string(), "22.1");
         assert_eq!(mm.words(-2.7e-4), "-0.2700 mm");
     }

@@ -1,11 +1,11 @@
 //! A run written in the format that is read.
 
-use crate::{Channel, Run, Unit};
+use crate::{Channel, Recording, Unit};
 use std::fmt::Write as _;
 
 /// The run as a table: comment lines with its name and speed and, first of all, that it is synthetic where it is; headings with
 /// units; a row for every sample. Channels that are left out are written too, and a comment says why they are.
-pub fn write(run: &Run) -> String {
+pub fn write(run: &Recording) -> String {
     let mut text = String::new();
     let line = |text: &str| text.replace(['\n', '\r'], " ");
     if let Some(how) = &run.synthetic {
@@ -37,7 +37,7 @@ pub fn write(run: &Run) -> String {
     text
 }
 
-const KMH: Unit = Unit { symbol: "km/h", quantity: crate::Quantity::Speed, per_si: 3.6 };
+const KMH: Unit = Unit { symbol: "km/h", quantity: crate::Dimension::Speed, per_si: 3.6 };
 
 /// A heading that would not come back as one cell stands in quotation marks.
 fn quoted(heading: &str) -> String {

@@ -1,7 +1,8 @@
 //! Published numbers against what the vehicles give.
 
 use crate::{
-    LoadModel, Pattern, Quantity, Rule, equivalent_uniform_load, greatest_bending, greatest_bending_at, greatest_shear,
+    LoadModel, Pattern, PublishedQuantity, Rule, equivalent_uniform_load, greatest_bending, greatest_bending_at,
+    greatest_shear,
 };
 
 /// A published number beside what the vehicle gives.
@@ -10,7 +11,7 @@ pub struct Checked {
     /// The vehicle.
     pub vehicle: String,
     /// What it is.
-    pub quantity: Quantity,
+    pub quantity: PublishedQuantity,
     /// Span [m].
     pub span: f64,
     /// Published [kN, kN m or none].
@@ -52,11 +53,11 @@ pub fn check(model: &LoadModel, rule: Option<&Rule>) -> Vec<Checked> {
             // A uniform load of a total W has the moment W L x (1 - x) / 2 at a share x of the span.
             let shape = table.section.map_or(0.125, |x| 0.5 * x * (1.0 - x));
             let found = match table.quantity {
-                Quantity::EudlBending => 1e-3 * greatest(&|p| bending(p) / (shape * span)),
-                Quantity::EudlShear => 1e-3 * greatest(&|p| equivalent_uniform_load(p, span)[1]),
-                Quantity::Bending => 1e-3 * greatest(&bending),
-                Quantity::Shear => 1e-3 * greatest(&|p| greatest_shear(p, span).value),
-                Quantity::DynamicAugment => {
+                PublishedQuantity::EudlBending => 1e-3 * greatest(&|p| bending(p) / (shape * span)),
+                PublishedQuantity::EudlShear => 1e-3 * greatest(&|p| equivalent_uniform_load(p, span)[1]),
+                PublishedQuantity::Bending => 1e-3 * greatest(&bending),
+                PublishedQuantity::Shear => 1e-3 * greatest(&|p| greatest_shear(p, span).value),
+                PublishedQuantity::DynamicAugment => {
                     match rule.and_then(|rule| rule.impact_of(&model.code)?.total_augment(span)) {
                         Some(augment) => augment,
                         None => continue,

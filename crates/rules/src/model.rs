@@ -80,7 +80,7 @@ pub struct Published {
     /// The vehicle.
     pub vehicle: String,
     /// What the numbers are.
-    pub quantity: Quantity,
+    pub quantity: PublishedQuantity,
     /// Whether the vehicle's uniform loads take part.
     pub with_uniform: bool,
     /// Spans [m].
@@ -107,7 +107,7 @@ pub struct Published {
 /// What published numbers are: all of a simply supported span.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Quantity {
+pub enum PublishedQuantity {
     /// Uniform load with the same greatest bending moment, as a total [kN].
     EudlBending,
     /// Uniform load with the same greatest shear, as a total [kN].
@@ -132,7 +132,7 @@ impl LoadModel {
     }
 
     /// The published number at a span [m], linear between the spans of the table; none outside of it.
-    pub fn published(&self, quantity: Quantity, span: f64) -> Option<f64> {
+    pub fn published(&self, quantity: PublishedQuantity, span: f64) -> Option<f64> {
         let mut rows: Vec<(f64, f64)> = self
             .published
             .iter()

@@ -14,7 +14,7 @@ pub struct Greatest {
     pub value: f64,
     /// Section, from the left support [m].
     pub section: f64,
-    /// Place of the first axle, from the left support [m]; the pattern drives to the right.
+    /// Position of the first axle, from the left support [m]; the pattern drives to the right.
     pub first_axle: f64,
 }
 

@@ -57,7 +57,7 @@ pub struct Uniform {
     /// Load along the bridge [kN/m].
     pub load_kn_per_m: f64,
     /// Where it stands.
-    pub place: Place,
+    pub place: Extent,
     /// From the outermost axle to where it begins [m]; not for `everywhere`.
     #[serde(default)]
     pub gap_m: f64,
@@ -71,7 +71,7 @@ pub struct Uniform {
 /// Where a uniform load stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Place {
+pub enum Extent {
     /// Before the first axle.
     Ahead,
     /// Behind the last axle.
@@ -149,9 +149,9 @@ impl Vehicle {
         let last = axles.last().map_or(0.0, |axle| axle.offset);
         let stretches = self.uniform.iter().map(|u| {
             let [from, to] = match u.place {
-                Place::Ahead => [f64::NEG_INFINITY, -u.gap_m],
-                Place::Behind => [last + u.gap_m, f64::INFINITY],
-                Place::Everywhere => [f64::NEG_INFINITY, f64::INFINITY],
+                Extent::Ahead => [f64::NEG_INFINITY, -u.gap_m],
+                Extent::Behind => [last + u.gap_m, f64::INFINITY],
+                Extent::Everywhere => [f64::NEG_INFINITY, f64::INFINITY],
             };
             Stretch { force: 1e3 * u.load_kn_per_m, from, to, may_be_dropped: u.may_be_dropped }
         });

@@ -33,10 +33,10 @@ fn every_load_model_gives_its_own_published_table() {
 fn published_numbers_that_no_vehicle_gives_are_still_read() {
     let library = library().unwrap();
     let model = library.model("25t-2008").unwrap();
-    assert_eq!(model.published(rules::Quantity::EudlBending, 12.0), Some(1377.32));
-    let between = model.published(rules::Quantity::EudlBending, 11.0).unwrap();
+    assert_eq!(model.published(rules::PublishedQuantity::EudlBending, 12.0), Some(1377.32));
+    let between = model.published(rules::PublishedQuantity::EudlBending, 11.0).unwrap();
     assert!((between - 0.5 * (1108.53 + 1377.32)).abs() < 1e-9);
-    assert_eq!(model.published(rules::Quantity::EudlBending, 20.0), None);
+    assert_eq!(model.published(rules::PublishedQuantity::EudlBending, 20.0), None);
 }
 
 #[test]
@@ -196,7 +196,7 @@ fn complaints_name_file_and_key() {
     );
     let lines: Vec<usize> = wrong.iter().map(|p| p.line).collect();
     assert_eq!(lines, [4, 8, 9, 12], "each with its place");
-    // Slips of every kind are told together.
+    // Slips of every kind are reported at once.
     let slips = text
         .replace("ways = \"road\"", "ways = \"water\"")
         .replace("axle_loads_kn", "axle_loads")

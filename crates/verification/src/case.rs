@@ -45,7 +45,7 @@ pub enum Standing {
 /// What an input is put through, where it is not what its sections say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Run {
+pub enum Analysis {
     /// The file's train crosses.
     Respond,
     /// Moduli are sought from records: those of the case's twin, or those that the file names.
@@ -100,7 +100,7 @@ struct File {
     status: Standing,
     reason: Option<String>,
     input: Option<String>,
-    run: Option<Run>,
+    run: Option<Analysis>,
     #[serde(default)]
     set: Changes,
     twin: Option<Changes>,
@@ -135,7 +135,7 @@ pub struct Case {
     /// The input of another run with which the result is compared.
     pub against: Option<toml::Table>,
     /// What the input is put through, where it is not what its sections say.
-    pub run: Option<Run>,
+    pub run: Option<Analysis>,
     /// The bridge whose passage is the record of an update.
     pub twin: Option<toml::Table>,
     /// Path of the input.
@@ -193,7 +193,7 @@ impl Case {
             changes.as_ref().map(apply).transpose()
         };
         let (against, twin) = (changed(&file.against, "against")?, changed(&file.twin, "twin")?);
-        if twin.is_some() && file.run != Some(Run::Update) {
+        if twin.is_some() && file.run != Some(Analysis::Update) {
             return Err(wrong(&path, "a [twin] is the record of a case with run = \"update\"".into()));
         }
         let part = |p: Option<&Path>| p.and_then(Path::file_name).map(|n| n.to_string_lossy().into_owned());

@@ -44,7 +44,7 @@ impl Verdict {
 
 /// One expectation and what was found.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
+pub struct Judgement {
     /// The expectation.
     pub expect: Expect,
     /// What was found, in words.
@@ -59,7 +59,7 @@ pub struct Judged {
     /// The case.
     pub case: Case,
     /// Each expectation.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Judgement>,
     /// What became of it.
     pub verdict: Verdict,
     /// Time taken, bite included [s].
@@ -111,7 +111,7 @@ fn bite(case: &Case, other: Option<&Json>) -> Verdict {
     }
 }
 
-fn judge(expectations: &[Expect], result: &Json) -> Vec<Finding> {
+fn judge(expectations: &[Expect], result: &Json) -> Vec<Judgement> {
     expectations
         .iter()
         .map(|expect| {
@@ -122,7 +122,7 @@ fn judge(expectations: &[Expect], result: &Json) -> Vec<Finding> {
                 Some(Json::String(word)) => word.clone(),
                 Some(other) => other.to_string(),
             };
-            Finding { expect: expect.clone(), found, met }
+            Judgement { expect: expect.clone(), found, met }
         })
         .collect()
 }

@@ -17,7 +17,7 @@ mod service;
 mod tables;
 
 pub use case::{Case, CaseError, Class, Expect, Kind, Value};
-pub use judge::{Finding, Judged, Verdict, run};
+pub use judge::{Judged, Judgement, Verdict, run};
 pub use manual::{manual, table};
 pub use tables::{TableRow, tables};
 

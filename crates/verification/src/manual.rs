@@ -1,7 +1,7 @@
 //! The verification manual and its table, from judged cases.
 
 use super::case::{Expect, Kind, Value};
-use super::judge::{Finding, Judged, Verdict};
+use super::judge::{Judged, Judgement, Verdict};
 use std::fmt::Write;
 
 fn heading(kind: Kind) -> &'static str {
@@ -37,7 +37,7 @@ fn plain(percent: f64) -> f64 {
 }
 
 /// A number as a reader wants it: six significant digits.
-fn shown(f: &Finding) -> String {
+fn shown(f: &Judgement) -> String {
     match f.found.parse::<f64>() {
         Ok(v) if v != 0.0 && v.is_finite() && v.fract() != 0.0 => {
             let digits = (5 - v.abs().log10().floor() as i32).clamp(0, 12) as usize;

@@ -1,6 +1,6 @@
 //! Cases that let a train cross a bridge, seek its moduli, or assess it.
 
-use super::case::Run;
+use super::case::Analysis;
 use super::measure::said;
 use assess::analysis;
 use assess::analysis::passage;
@@ -18,12 +18,12 @@ use serde_json::Value as Json;
 use std::time::Instant;
 
 /// The result object of a bridge file. `twin` is the bridge whose passage is the record of an update.
-pub fn measure(document: &toml::Table, run: Run, twin: Option<&toml::Table>) -> Result<Json, String> {
+pub fn measure(document: &toml::Table, run: Analysis, twin: Option<&toml::Table>) -> Result<Json, String> {
     let file = File::read(document)?;
     match run {
-        Run::Respond => responded(&file),
-        Run::Update => updated(&file, twin),
-        Run::Assess => assessed(&file),
+        Analysis::Respond => responded(&file),
+        Analysis::Update => updated(&file, twin),
+        Analysis::Assess => assessed(&file),
     }
 }
 
@@ -107,7 +107,7 @@ fn assessed(file: &File) -> Result<Json, String> {
     let bridge = file.bridge.clone();
     let service = match bridge.passage {
         None => Stage::NotAsked("the input has no train".to_owned()),
-        Some(_) => match chain::service(&bridge, &asked, chain::Wanted::Everything, &mut Unwatched) {
+        Some(_) => match chain::service(&bridge, &asked, chain::Scope::Everything, &mut Unwatched) {
             Ok((facts, _)) => Stage::Made(facts),
             Err(error) => Stage::Failed(error.to_string()),
         },

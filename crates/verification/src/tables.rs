@@ -1,6 +1,6 @@
 //! The library of load models against the tables that were published for its vehicles.
 
-use rules::Quantity;
+use rules::PublishedQuantity;
 
 /// A published table beside what its vehicle gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,13 +75,13 @@ pub fn tables() -> Result<Vec<TableRow>, String> {
     Ok(list)
 }
 
-fn words(quantity: Quantity) -> &'static str {
+fn words(quantity: PublishedQuantity) -> &'static str {
     match quantity {
-        Quantity::EudlBending => "equivalent uniform load for bending [kN]",
-        Quantity::EudlShear => "equivalent uniform load for shear [kN]",
-        Quantity::Bending => "greatest bending moment [kN m]",
-        Quantity::Shear => "greatest shear [kN]",
-        Quantity::DynamicAugment => "coefficient of dynamic augment [-]",
+        PublishedQuantity::EudlBending => "equivalent uniform load for bending [kN]",
+        PublishedQuantity::EudlShear => "equivalent uniform load for shear [kN]",
+        PublishedQuantity::Bending => "greatest bending moment [kN m]",
+        PublishedQuantity::Shear => "greatest shear [kN]",
+        PublishedQuantity::DynamicAugment => "coefficient of dynamic augment [-]",
     }
 }
 

@@ -2,12 +2,12 @@
 
 use bridge::ring::Intrados;
 use bridge::{Bridge, Span};
-use outcome::picture::{Dimension, Measure, Point};
+use outcome::picture::{DimensionLine, Measure, Point};
 
 /// What an engineer measures first, on the bridge as built; `surface` is the level of the road [m].
-pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<Dimension> {
+pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<DimensionLine> {
     let mut found = Vec::new();
-    let mut add = |measure, from, to| found.push(Dimension { measure, from, to });
+    let mut add = |measure, from, to| found.push(DimensionLine { measure, from, to });
     let (mut left, mut thickness_before, mut height_before) = (0.0, None, None);
     for (index, span) in bridge.spans.iter().enumerate() {
         let over = left + crown(span);

@@ -1,7 +1,7 @@
 //! What would change the verdict: the governing utilisation with a tenth less and a tenth more of every quantity that may
 //! matter, by the cheapest analysis that shows it.
 
-use super::service::Wanted;
+use super::service::Scope;
 use super::ultimate::by_weight_alone;
 use super::{at_position, service, window};
 use crate::analysis::pieces;
@@ -188,7 +188,7 @@ impl Changed<'_> {
                 window(&mut short, self.governing.position?);
                 let mut asked = self.own.asked.clone();
                 asked.service_loads.retain(|load| self.governing.load_model.starts_with(&load.name));
-                let wanted = if by == Probe::Joints { Wanted::Everything } else { Wanted::Sensors };
+                let wanted = if by == Probe::Joints { Scope::Everything } else { Scope::Sensors };
                 let (facts, _) = service(&short, &asked, wanted, watch).ok()?;
                 if facts.loads.iter().any(|load| load.status != PassageStatus::Completed) {
                     return None;

@@ -4,15 +4,15 @@ use crate::analysis::AnalysisError;
 use crate::analysis::passage::{self, PassageError};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
-use bridge::passage::{Direction, Face, GAUGE_LENGTH, Place, Sensor, SensorKind, default_sensors};
+use bridge::passage::{Direction, Face, GAUGE_LENGTH, Sensor, SensorKind, SensorPosition, default_sensors};
 use bridge::ring::Intrados;
 use bridge::train::AxleLoads;
 use mechanics::watch::Watch;
 use outcome::facts::{
-    self, AugmentFacts, ChannelFacts, JointFacts, PlaceFacts, Reading, ServiceFacts, ServiceLoadFacts,
+    self, AugmentFacts, ChannelFacts, JointFacts, Reading, SectionFacts, ServiceFacts, ServiceLoadFacts,
     SpanAugmentFacts, Watched,
 };
-use outcome::passage::{Channel, Moment, Pair, Passage, PassageStatus, RowKind};
+use outcome::passage::{Moment, Pair, Passage, PassageStatus, RowKind, SensorRecord};
 use thiserror::Error;
 
 /// The coefficients of dynamic augment of the file's rule, span by span: in full, and as a cushion of fill lessens them.
@@ -99,7 +99,7 @@ pub enum ServiceError {
 
 /// How much of a passage is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wanted {
+pub enum Scope {
     /// Sensors, joints at their peaks, influence lines.
     Everything,
     /// Sensors alone.
@@ -110,7 +110,7 @@ pub enum Wanted {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Probe {
     pub sensor: Sensor,
-    pub place: facts::Place,
+    pub place: facts::RingSection,
     /// Span, from 1.
     pub span: usize,
     /// From the sensor's value [SI] to millimetres or megapascals.
@@ -140,17 +140,17 @@ pub fn probes(bridge: &Bridge) -> Vec<Probe> {
     let last = bridge.spans.len() - 1;
     let mut list = Vec::new();
     for (k, span) in bridge.spans.iter().enumerate().take(MOST_SPANS) {
-        let end = |edge: bool| if edge { facts::Place::Abutment } else { facts::Place::Pier };
+        let end = |edge: bool| if edge { facts::RingSection::Abutment } else { facts::RingSection::Pier };
         let length = Intrados::new(&span.profile, span.span, span.rise).map_or(span.span, |curve| curve.length());
         let stones = span.rings.iter().map(|ring| ring.voussoirs).max().unwrap_or(1).max(1);
         let gauge_length = GAUGE_LENGTH.min(0.8 * length / stones as f64);
-        for (place, share) in [(facts::Place::Crown, 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
+        for (place, share) in [(facts::RingSection::Crown, 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
             let mut put = |kind, face, scale| {
                 let name = format!("{PROBE}{} {place} {share} {face:?}", k + 1);
-                let sensor = Sensor { name, kind, place: Place::Span { span: k, share }, face };
+                let sensor = Sensor { name, kind, place: SensorPosition::Span { span: k, share }, face };
                 list.push(Probe { sensor, place, span: k + 1, scale });
             };
-            if place == facts::Place::Crown {
+            if place == facts::RingSection::Crown {
                 put(SensorKind::Displacement(Direction::Vertical), Face::Intrados, 1e3);
             }
             for face in [Face::Intrados, Face::Extrados] {
@@ -195,7 +195,7 @@ pub fn window(bridge: &mut Bridge, at: f64) {
 pub fn service(
     bridge: &Bridge,
     asked: &Assess,
-    wanted: Wanted,
+    wanted: Scope,
     watch: &mut dyn Watch,
 ) -> Result<(ServiceFacts, Vec<Passage>), ServiceError> {
     let probes = probes(bridge);
@@ -209,8 +209,8 @@ pub fn service(
         let (own, sensors) = prepared(bridge, load, &probes)?;
         let setup = passage::setup(&own)?;
         let solution = match wanted {
-            Wanted::Everything => passage::solve(&own, &setup, watch)?,
-            Wanted::Sensors => passage::records(&own, &setup, &[], watch)?,
+            Scope::Everything => passage::solve(&own, &setup, watch)?,
+            Scope::Sensors => passage::records(&own, &setup, &[], watch)?,
         };
         let mut found = passage::report(&own, &setup, solution);
         let gravity = own.gravity;
@@ -259,7 +259,7 @@ pub fn service(
     Ok((facts, passages))
 }
 
-fn channel(channel: &Channel) -> ChannelFacts {
+fn channel(channel: &SensorRecord) -> ChannelFacts {
     let scale = channel.quantity.scale();
     let [minimum, maximum] = channel.range().map(|value| scale * value);
     ChannelFacts {
@@ -272,8 +272,13 @@ fn channel(channel: &Channel) -> ChannelFacts {
     }
 }
 
-fn places(found: &Passage, sensors: usize, probes: &[Probe], loaded: impl Fn(usize, f64) -> usize) -> Vec<PlaceFacts> {
-    let one = |(probe, channel): (&Probe, &Channel)| {
+fn places(
+    found: &Passage,
+    sensors: usize,
+    probes: &[Probe],
+    loaded: impl Fn(usize, f64) -> usize,
+) -> Vec<SectionFacts> {
+    let one = |(probe, channel): (&Probe, &SensorRecord)| {
         let extreme = |better: fn(f64, f64) -> bool| {
             let values = &channel.values;
             (0..values.len()).reduce(|best, k| if better(values[k], values[best]) { k } else { best })
@@ -281,7 +286,7 @@ fn places(found: &Passage, sensors: usize, probes: &[Probe], loaded: impl Fn(usi
         let (low, high) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
         let value = |k: Option<usize>| k.map_or(0.0, |k| probe.scale * channel.values[k]);
         let at = |k: Option<usize>| k.and_then(|k| found.positions.get(k)).copied().unwrap_or(0.0);
-        PlaceFacts {
+        SectionFacts {
             place: probe.place,
             quantity: match probe.sensor.kind {
                 SensorKind::Displacement(_) => Watched::Deflection,

@@ -33,10 +33,10 @@ impl Check for CrownDeflection {
         let mut list = Vec::new();
         for load in &facts.loads {
             for (word, which) in READINGS {
-                let on = |place: &outcome::facts::PlaceFacts| facts.augment.on(place.minimum_span)[which];
+                let on = |place: &outcome::facts::SectionFacts| facts.augment.on(place.minimum_span)[which];
                 let places = load.places.iter().filter(|place| place.quantity == Watched::Deflection);
                 let down =
-                    |place: &&outcome::facts::PlaceFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
+                    |place: &&outcome::facts::SectionFacts| -(place.self_weight + (1.0 + on(place)) * place.minimum);
                 let Some(place) = places.max_by(|x, y| down(x).total_cmp(&down(y))) else { continue };
                 let value = down(&place);
                 list.push(Comparison {

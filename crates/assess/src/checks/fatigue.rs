@@ -3,7 +3,7 @@
 use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
-use outcome::facts::PlaceFacts;
+use outcome::facts::SectionFacts;
 use outcome::facts::Watched;
 
 /// The check.
@@ -39,7 +39,7 @@ impl Check for StressRange {
         let limit = bound(cycles);
         let mut list = Vec::new();
         for load in &facts.loads {
-            let level = |at: &PlaceFacts| {
+            let level = |at: &SectionFacts| {
                 // Compression of the two ends; tension counts as none.
                 let increase = |span: usize| 1.0 + facts.augment.on(span)[0];
                 let most = -(at.self_weight + increase(at.minimum_span) * at.minimum).min(0.0);

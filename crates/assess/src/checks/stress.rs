@@ -3,7 +3,7 @@
 use super::{Check, CheckCard, limit, of, used};
 use crate::evidence::Evidence;
 use outcome::checked::{Comparison, NotMade, Unit};
-use outcome::facts::{Place, PlaceFacts, Reading, ServiceFacts, Watched};
+use outcome::facts::{Reading, RingSection, SectionFacts, ServiceFacts, Watched};
 
 /// At crowns.
 pub struct Crown;
@@ -36,7 +36,7 @@ pub(super) fn columns(facts: &ServiceFacts, span: usize, own: f64, live: f64) ->
     [own, design, own + design, total, own + total]
 }
 
-fn run(a: &Evidence, place: Place) -> Result<Vec<Comparison>, NotMade> {
+fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
     let limits = &a.asked.limits;
     if limits.compression.is_none() && limits.tension.is_none() {
         limit(None, "compression_limit and tension_limit", "from the rule that you assess by")?;
@@ -47,8 +47,8 @@ fn run(a: &Evidence, place: Place) -> Result<Vec<Comparison>, NotMade> {
         for (reading, which) in READINGS {
             let here = || load.places.iter().filter(|at| at.quantity == Watched::Stress && at.place == place);
             let on = |span: usize| facts.augment.on(span)[which];
-            let pressed = |at: &&PlaceFacts| -(at.self_weight + (1.0 + on(at.minimum_span)) * at.minimum);
-            let pulled = |at: &&PlaceFacts| at.self_weight + (1.0 + on(at.maximum_span)) * at.maximum;
+            let pressed = |at: &&SectionFacts| -(at.self_weight + (1.0 + on(at.minimum_span)) * at.minimum);
+            let pulled = |at: &&SectionFacts| at.self_weight + (1.0 + on(at.maximum_span)) * at.maximum;
             let sides = [
                 (limits.compression, -1.0, here().max_by(|x, y| pressed(x).total_cmp(&pressed(y)))),
                 (limits.tension, 1.0, here().max_by(|x, y| pulled(x).total_cmp(&pulled(y)))),
@@ -88,7 +88,7 @@ impl Check for Crown {
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        run(a, Place::Crown)
+        run(a, RingSection::Crown)
     }
 }
 
@@ -99,7 +99,7 @@ impl Check for Abutment {
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
-        run(a, Place::Abutment)
+        run(a, RingSection::Abutment)
     }
 }
 
@@ -113,6 +113,6 @@ impl Check for Pier {
         if a.bridge.spans.len() < 2 {
             return Err(NotMade::because("the bridge has no pier"));
         }
-        run(a, Place::Pier)
+        run(a, RingSection::Pier)
     }
 }

@@ -7,14 +7,14 @@ use outcome::assessment::Facts;
 use outcome::checked::{Judgement, Rung, Unit};
 use outcome::collapse::Status;
 use outcome::facts::{
-    AugmentFacts, JointFacts, MovementFacts, PlaceFacts, SafetyFacts, ServiceFacts, ServiceLoadFacts, SweptFacts,
+    AugmentFacts, JointFacts, MovementFacts, SafetyFacts, SectionFacts, ServiceFacts, ServiceLoadFacts, SweptFacts,
     UltimateFacts, VehicleFacts,
 };
-use outcome::facts::{Place, Reading, Watched};
+use outcome::facts::{Reading, RingSection, Watched};
 use rules::Confidence;
 
-fn place(place: Place, quantity: Watched, self_weight: f64, minimum: f64, maximum: f64) -> PlaceFacts {
-    PlaceFacts {
+fn place(place: RingSection, quantity: Watched, self_weight: f64, minimum: f64, maximum: f64) -> SectionFacts {
+    SectionFacts {
         place,
         quantity,
         about: format!("{place} of span 1"),
@@ -37,9 +37,9 @@ fn assessment() -> Evidence {
     let load = ServiceLoadFacts {
         name: "25t".into(),
         places: vec![
-            place(Place::Crown, Watched::Deflection, 0.09, live, 0.01),
-            place(Place::Crown, Watched::Stress, 0.009, -0.04, 0.001),
-            place(Place::Abutment, Watched::Stress, -0.83, -0.37, 0.1),
+            place(RingSection::Crown, Watched::Deflection, 0.09, live, 0.01),
+            place(RingSection::Crown, Watched::Stress, 0.009, -0.04, 0.001),
+            place(RingSection::Abutment, Watched::Stress, -0.83, -0.37, 0.1),
         ],
         joints: vec![JointFacts {
             reading: Reading::Total,

@@ -10,7 +10,7 @@ use crate::tree::{nearest, shorten};
 
 /// A quantity that a request leads to.
 #[derive(Debug, Clone)]
-pub struct Quantity {
+pub struct Variable {
     /// Its path, with a number wherever there is a list.
     pub path: Path,
     /// Its card.
@@ -87,7 +87,7 @@ fn applies(section: &Section, field: &Field, table: Option<&dyn TableLike>) -> b
 }
 
 /// The quantity at a path of a file, which need not be written there if it has a card.
-pub fn find(document: &Document, text: &str) -> Result<Quantity, Slip> {
+pub fn find(document: &Document, text: &str) -> Result<Variable, Slip> {
     let path = Path::parse(text).ok_or_else(|| unknown(document, text, &FILE))?;
     let mut section: &'static Section = &FILE;
     let mut table = Some(document.root());
@@ -127,7 +127,7 @@ fn quantity(
     field: &'static Field,
     item: Option<&Item>,
     text: &str,
-) -> Result<Quantity, Slip> {
+) -> Result<Variable, Slip> {
     if let Some(index) = step.index {
         let entries = item.and_then(Item::as_array).map_or(0, toml_edit::Array::len);
         let listed = matches!(field.kind, Kind::Quantities(_));
@@ -140,7 +140,7 @@ fn quantity(
         Need::Default(value) => Some(field.literal(value)),
         _ => None,
     };
-    Ok(Quantity { own: document.get(&path).or(default), path, field })
+    Ok(Variable { own: document.get(&path).or(default), path, field })
 }
 
 fn no_such(text: &str, step: &Step, there: usize) -> Slip {

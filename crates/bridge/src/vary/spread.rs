@@ -3,7 +3,7 @@
 use toml_edit::Value;
 
 use super::scale::{Scale, convert, measure, tidy};
-use super::{Quantity, Slip};
+use super::{Slip, Variable};
 use crate::edit::literal;
 use crate::fields::{Field, Kind};
 use crate::path::Path;
@@ -54,7 +54,7 @@ pub struct Setting {
 }
 
 /// Works out the values of a quantity.
-pub fn settle(quantity: &Quantity, spread: &Spread) -> Result<Varied, Slip> {
+pub fn settle(quantity: &Variable, spread: &Spread) -> Result<Varied, Slip> {
     let own = quantity.own.as_deref().and_then(|own| measure(quantity.field, own));
     let literals: Vec<String> = match spread {
         Spread::List(list) => {
@@ -134,7 +134,7 @@ fn text_of(literal: &str) -> String {
 }
 
 /// A value as the file would have it: relative ones times the quantity's own.
-fn absolute(quantity: &Quantity, own: Option<&(f64, Scale)>, written: &str) -> Result<String, Slip> {
+fn absolute(quantity: &Variable, own: Option<&(f64, Scale)>, written: &str) -> Result<String, Slip> {
     let value: Value = written
         .trim()
         .parse()

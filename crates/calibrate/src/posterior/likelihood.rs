@@ -17,7 +17,7 @@
 use crate::channel::Channel;
 use crate::forward::Response;
 use crate::misfit::{Compare, Held, peak_place};
-use crate::problem::{Finding, Problem};
+use crate::problem::{Flaw, Problem};
 use serde::{Deserialize, Serialize};
 
 /// The error that the model would have at its best parameters.
@@ -52,10 +52,10 @@ const CUT: f64 = 4.0;
 
 impl Likelihood {
     /// What keeps it from being computed.
-    pub(crate) fn check(&self, problem: &Problem) -> Vec<Finding> {
+    pub(crate) fn check(&self, problem: &Problem) -> Vec<Flaw> {
         let mut findings = Vec::new();
         let mut say = |place: &str, message: &str, help: &str| {
-            findings.push(Finding { place: place.to_owned(), message: message.to_owned(), help: help.to_owned() });
+            findings.push(Flaw { place: place.to_owned(), message: message.to_owned(), help: help.to_owned() });
         };
         for channel in problem.channels().iter().filter(|channel| channel.counts()) {
             if channel.uncertainty.is_none() {

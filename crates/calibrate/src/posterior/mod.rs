@@ -18,7 +18,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::basis::Basis;
 use crate::evaluator::Evaluator;
 use crate::parameter::values;
-use crate::problem::Finding;
+use crate::problem::Flaw;
 use crate::watch::Stopped;
 
 pub use diagnostics::Mixing;
@@ -129,7 +129,7 @@ pub struct Posterior {
 const AGREE: f64 = 1.01;
 
 /// Samples the posterior, or says what keeps it from being posed.
-pub fn sample(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Posterior, Vec<Finding>> {
+pub fn sample(evaluator: &mut Evaluator, basis: &Basis, settings: &Settings) -> Result<Posterior, Vec<Flaw>> {
     let findings = settings.likelihood.check(evaluator.problem);
     if !findings.is_empty() {
         return Err(findings);

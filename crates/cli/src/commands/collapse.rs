@@ -196,7 +196,7 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "load factor".to_owned(), points };
     let mut files = Vec::new();
-    if let Some(svg) = figures::envelope(name, figures::Quantity::Factor, &[curve], None) {
+    if let Some(svg) = figures::envelope(name, figures::Ordinate::Factor, &[curve], None) {
         files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     files.push(table("sweep", published::sweep_table(found)));

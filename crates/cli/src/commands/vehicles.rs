@@ -4,7 +4,7 @@ use crate::args::Vehicles;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use assess::vehicles::{Library, LoadModel, Place, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
+use assess::vehicles::{Extent, Library, LoadModel, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -114,9 +114,9 @@ fn distance(spacing: Spacing) -> String {
 
 fn place(load: &Uniform) -> &'static str {
     match load.place {
-        Place::Ahead => "ahead",
-        Place::Behind => "behind",
-        Place::Everywhere => "along the whole bridge",
+        Extent::Ahead => "ahead",
+        Extent::Behind => "behind",
+        Extent::Everywhere => "along the whole bridge",
     }
 }
 

@@ -121,6 +121,28 @@ fn no_crate_depends_on_one_above_it() {
     }
 }
 
+/// The words of the page each name a public type in the crates that it gives, and in no other.
+#[test]
+fn a_word_means_one_thing() {
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let table = page.split("## Words").nth(1).and_then(|rest| rest.split("\n## ").next()).expect("a table of words");
+    let rows: Vec<Vec<&str>> =
+        table.lines().filter(|line| line.starts_with("| `")).map(|line| line.split('|').collect()).collect();
+    assert!(rows.len() > 10, "the table has its rows");
+    for path in sources("crates").iter().filter(|path| path.to_string_lossy().contains("/src/")) {
+        let text = code(path);
+        for row in &rows {
+            let word = row[1].trim().trim_matches('`');
+            let defined = text.lines().filter_map(|line| line.trim().strip_prefix("pub ")).any(|line| {
+                let mut parts = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+                matches!(parts.next(), Some("struct" | "enum" | "trait" | "type")) && parts.next() == Some(word)
+            });
+            let here = places(row[3]).iter().any(|place| path.starts_with(root().join(place)));
+            assert!(!defined || here, "{} has another {word}", path.display());
+        }
+    }
+}
+
 /// A word of a bridge file is an enumeration's, and nothing matches it as text.
 #[test]
 fn no_word_of_a_bridge_file_is_matched_as_text() {

@@ -93,7 +93,7 @@ fn first_metres(stage: &Stage) {
     stage.write("bridge/short.toml", short);
 }
 
-fn record(stage: &Stage, name: &str) -> records::Run {
+fn record(stage: &Stage, name: &str) -> records::Recording {
     let read = records::read(stage.read(name).as_bytes(), &records::ReadOptions::default());
     assert!(read.findings.is_empty(), "{name}: {:?}", read.findings);
     read.run.expect("a run")

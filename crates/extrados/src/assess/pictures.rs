@@ -27,7 +27,7 @@ pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
     let Some(Collapse { picture, .. }) = found.facts.collapse.as_deref() else { return Vec::new() };
     let points = found.sweep.points.iter().map(|p| (p.position, p.load_factor.unwrap_or(f64::NAN))).collect();
     let curve = figures::Sweep { label: "loads of the file, worst run of axles".to_owned(), points };
-    let envelope = figures::envelope(bridge, figures::Quantity::Factor, &[curve], None);
+    let envelope = figures::envelope(bridge, figures::Ordinate::Factor, &[curve], None);
     let all = [
         figure(
             "ultimate",

@@ -184,7 +184,7 @@ impl Stages<'_> {
         let limits = &asked.limits;
         let input = (bridge, &asked.service_loads, &limits.rule, limits.loaded_length, limits.cushion);
         self.stage("service", &input, |watch| {
-            let found = chain::service(bridge, asked, chain::Wanted::Everything, &mut Looking(watch));
+            let found = chain::service(bridge, asked, chain::Scope::Everything, &mut Looking(watch));
             let (facts, passages) = match found {
                 Err(error) => return Ran::Failed(error.to_string()),
                 Ok((facts, _)) if facts.loads.iter().any(|load| load.status == PassageStatus::Cancelled) => {

@@ -8,7 +8,7 @@ use assess::vary::Analysis;
 use bridge::edit::Document;
 use bridge::vary::Varied;
 use bridge::{Bridge, Diagnostic, Severity};
-use outcome::study::{Design, Run, runs};
+use outcome::study::{Design, Variation, runs};
 use std::collections::BTreeMap;
 
 /// Refusals shown at once; who has more starts with the first ones.
@@ -31,7 +31,7 @@ pub struct Source<'a> {
 /// Every run, with the bridge that it computes. Runs that mean the same bridge share a job.
 pub struct Runs {
     /// The runs, the file's own bridge first.
-    pub list: Vec<Run>,
+    pub list: Vec<Variation>,
     /// For each run, its job.
     pub job_of: Vec<usize>,
     /// What there is to compute.

@@ -6,7 +6,7 @@ mod palette;
 
 use crate::discs;
 use crate::elevation as draw;
-use crate::frames::{BANDS, Run};
+use crate::frames::{BANDS, Frames};
 use crate::geometry::View;
 use crate::raster::{RasterError, Rasteriser};
 use crate::sheet::font::Weight;
@@ -27,7 +27,7 @@ const SHOWN: [u16; 3] = [400, 160, 2500];
 /// The run as an animated PNG that any browser plays: the bridge, the load, and how far the load path has come. None
 /// where nothing moves, or in only one state.
 pub fn animation(picture: &Picture) -> Result<Option<Vec<u8>>, RasterError> {
-    let Some(run) = Run::of(picture).filter(|run| run.usable.len() > 1) else { return Ok(None) };
+    let Some(run) = Frames::of(picture).filter(|run| run.usable.len() > 1) else { return Ok(None) };
     let rasteriser = Rasteriser::new();
     let chosen = thinned(&run.usable, picture.last_stable);
     let mut frames = Vec::with_capacity(chosen.len());
@@ -49,7 +49,7 @@ fn thinned(usable: &[usize], last_stable: Option<usize>) -> Vec<usize> {
 }
 
 /// One frame, of the same size as all others.
-fn frame(picture: &Picture, run: &Run, snapshot: usize) -> String {
+fn frame(picture: &Picture, run: &Frames, snapshot: usize) -> String {
     let mut sheet = Sheet::new("frame");
     draw::define_hatch(&mut sheet);
     let top = sheet.title(&picture.title, &format!("Displacements {}", run.how()));

@@ -32,7 +32,7 @@ pub fn sample(report: &CalibrationReport) -> Option<String> {
     let kept = drawn.particles.len() - drawn.cuts.iter().filter(|cut| cut.replaced).count();
     for (k, title) in titles.iter().enumerate() {
         let left = MARGIN + k as f64 * panel + 0.22 * scale * drawn.size;
-        let place = Place { left, floor, scale };
+        let place = Viewport { left, floor, scale };
         sheet.text([left + 0.5 * scale * drawn.size, top + 14.0], title, head);
         sheet.open("panel");
         match k.checked_sub(1) {
@@ -54,13 +54,13 @@ pub fn sample(report: &CalibrationReport) -> Option<String> {
 }
 
 /// Where a panel's square stands on the sheet.
-struct Place {
+struct Viewport {
     left: f64,
     floor: f64,
     scale: f64,
 }
 
-impl Place {
+impl Viewport {
     fn spot(&self, x: f64, y: f64) -> Spot {
         [self.left + self.scale * x, self.floor - self.scale * y]
     }
@@ -70,14 +70,14 @@ impl Place {
     }
 }
 
-fn grains(sheet: &mut Sheet, place: &Place, particles: &[[f64; 3]], kept: usize) {
+fn grains(sheet: &mut Sheet, place: &Viewport, particles: &[[f64; 3]], kept: usize) {
     for (k, &[x, y, radius]) in particles.iter().enumerate() {
         let fill = if k < kept { GRAIN } else { REPLACEMENT };
         sheet.circle(place.spot(x, y), place.scale * radius, Pen::shape(fill, INK, THIN).class("grain"));
     }
 }
 
-fn cut(sheet: &mut Sheet, place: &Place, report: &CalibrationReport, kept: usize) {
+fn cut(sheet: &mut Sheet, place: &Viewport, report: &CalibrationReport, kept: usize) {
     let Some(drawn) = &report.drawn else { return };
     for cut in &drawn.cuts {
         let pen = Pen::line(GONE, HAIR).dashed("3 2").class("cut");
@@ -87,7 +87,7 @@ fn cut(sheet: &mut Sheet, place: &Place, report: &CalibrationReport, kept: usize
     sheet.rectangle(place.area([0.0, 0.0], [drawn.size, drawn.size]), Pen::line(LOAD, MEDIUM));
 }
 
-fn pressed(sheet: &mut Sheet, place: &Place, size: f64, state: &Confined, kept: usize) {
+fn pressed(sheet: &mut Sheet, place: &Viewport, size: f64, state: &Confined, kept: usize) {
     let (thick, side) = (0.1 * size, 1.2 * size);
     let walls = [
         place.area([0.0, -thick], [size, 0.0]),

@@ -7,7 +7,7 @@ use crate::sheet::{HAIR, MARGIN, Pen, Sheet, Spot, Style, font::Weight};
 use crate::thinned::thinned;
 use crate::ticks::Ticks;
 use crate::words;
-use outcome::passage::{Channel, Passage};
+use outcome::passage::{Passage, SensorRecord};
 
 /// Height of a panel.
 const HEIGHT: f64 = 92.0;
@@ -69,7 +69,7 @@ struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    fn of(channel: &'a Channel, values: &[f64]) -> Curve<'a> {
+    fn of(channel: &'a SensorRecord, values: &[f64]) -> Curve<'a> {
         let scale = channel.quantity.scale();
         let values = values.iter().map(|value| scale * value).collect();
         Curve { name: &channel.name, unit: channel.quantity.unit(), values }

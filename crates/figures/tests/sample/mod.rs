@@ -264,13 +264,13 @@ fn segmental(title: &str, span: f64, rise: f64, count: usize, thickness: f64) ->
         last_stable: Some(3),
         snapshots,
         dimensions: vec![
-            Dimension { measure: Measure::Span, from: j[0][0], to: j[count][0] },
-            Dimension {
+            DimensionLine { measure: Measure::Span, from: j[0][0], to: j[count][0] },
+            DimensionLine {
                 measure: Measure::Rise,
                 from: j[0][0],
                 to: [0.5 * span, if count.is_multiple_of(2) { j[crown][0][1] } else { rise }],
             },
-            Dimension { measure: Measure::Thickness, from: j[quarter][0], to: j[quarter][1] },
+            DimensionLine { measure: Measure::Thickness, from: j[quarter][0], to: j[quarter][1] },
         ],
         collapse_load: Some(216_870.0),
         shapes,
@@ -298,9 +298,9 @@ pub fn two_rings() -> Picture {
         loads: patch(&outer, 2.0, 0.3, 30_000.0),
         thrust_lines: vec![thrust(&inner, [0, 12, 25, 40], 42_000.0), thrust(&outer, [0, 13, 26, 42], 38_000.0)],
         dimensions: vec![
-            Dimension { measure: Measure::Span, from: inner[0][0], to: inner[40][0] },
-            Dimension { measure: Measure::Rise, from: inner[0][0], to: inner[20][0] },
-            Dimension { measure: Measure::Thickness, from: inner[14][0], to: outer[14][1] },
+            DimensionLine { measure: Measure::Span, from: inner[0][0], to: inner[40][0] },
+            DimensionLine { measure: Measure::Rise, from: inner[0][0], to: inner[20][0] },
+            DimensionLine { measure: Measure::Thickness, from: inner[14][0], to: outer[14][1] },
         ],
         collapse_load: Some(28_400.0),
         shapes,
@@ -341,8 +341,8 @@ pub fn multi_span() -> Picture {
         mechanism[k] = Motion { translation: [0.05 * (c[1] + 4.0), 0.0], rotation: -0.05 };
     }
     hinges.push(Hinge { point: [7.2, -4.0], edge: HingeAt::Other, between: [0, 1], rotation: 0.05 });
-    let dimension = |measure, from, to| Dimension { measure, from, to };
-    let mut dimensions: Vec<Dimension> =
+    let dimension = |measure, from, to| DimensionLine { measure, from, to };
+    let mut dimensions: Vec<DimensionLine> =
         all_joints.iter().map(|j| dimension(Measure::Span, j[0][0], j[27][0])).collect();
     dimensions.push(dimension(Measure::Rise, all_joints[0][0][0], [3.0, 1.5]));
     dimensions.push(dimension(Measure::Height, [6.6, -4.0], [6.6, 0.0]));
@@ -544,7 +544,7 @@ pub fn sweeps() -> Vec<figures::Sweep> {
 pub fn crowded() -> Picture {
     let mut p = arch();
     let crown = p.dimensions[1].to;
-    p.dimensions[2] = Dimension { measure: Measure::Thickness, from: crown, to: [crown[0], crown[1] + 0.711] };
+    p.dimensions[2] = DimensionLine { measure: Measure::Thickness, from: crown, to: [crown[0], crown[1] + 0.711] };
     p.surface_loads[0].0[0] = crown[0];
     p
 }

@@ -9,7 +9,7 @@ use outcome::calibrate::{
     Basis, Channel, Evaluation, Evaluator, Failure, Forward, Log, Misfit, Parameter, Problem, Request, Response,
     Samples, Serial, Start, Unwatched, identify,
 };
-use outcome::passage::Quantity;
+use outcome::passage::Measurand;
 use outcome::update::{
     Histories, PaperSearch, ParameterPlace, PosteriorReport, RecordsUsed, RunUsed, Search, SearchLine, Update,
     UpdateStatus,
@@ -19,16 +19,16 @@ use std::sync::LazyLock;
 const SAMPLES: usize = 800;
 const STEP: f64 = 0.016;
 
-type Sensor = (&'static str, &'static str, Quantity, f64, f64, [f64; 5]);
+type Sensor = (&'static str, &'static str, Measurand, f64, f64, [f64; 5]);
 
 /// Name, unit, quantity, size, place [m], and what share of it each parameter's flexibility makes.
 const CHANNELS: [Sensor; 6] = [
-    ("crown displacement", "mm", Quantity::Displacement, -0.30, 3.0, [0.35, 0.10, 0.40, 0.10, 0.05]),
-    ("pier springing displacement", "mm", Quantity::Displacement, 0.12, 6.0, [0.10, 0.05, 0.35, 0.45, 0.05]),
-    ("abutment springing displacement", "mm", Quantity::Displacement, -0.05, 0.0, [0.05, 0.05, 0.20, 0.05, 0.65]),
-    ("crown strain", "microstrain", Quantity::Strain, 6.0, 3.0, [0.60, 0.15, 0.15, 0.05, 0.05]),
-    ("pier springing strain", "microstrain", Quantity::Strain, -34.0, 6.0, [0.50, 0.10, 0.20, 0.20, 0.00]),
-    ("abutment springing strain", "microstrain", Quantity::Strain, -29.0, 0.0, [0.45, 0.12, 0.18, 0.00, 0.25]),
+    ("crown displacement", "mm", Measurand::Displacement, -0.30, 3.0, [0.35, 0.10, 0.40, 0.10, 0.05]),
+    ("pier springing displacement", "mm", Measurand::Displacement, 0.12, 6.0, [0.10, 0.05, 0.35, 0.45, 0.05]),
+    ("abutment springing displacement", "mm", Measurand::Displacement, -0.05, 0.0, [0.05, 0.05, 0.20, 0.05, 0.65]),
+    ("crown strain", "microstrain", Measurand::Strain, 6.0, 3.0, [0.60, 0.15, 0.15, 0.05, 0.05]),
+    ("pier springing strain", "microstrain", Measurand::Strain, -34.0, 6.0, [0.50, 0.10, 0.20, 0.20, 0.00]),
+    ("abutment springing strain", "microstrain", Measurand::Strain, -29.0, 0.0, [0.45, 0.12, 0.18, 0.00, 0.25]),
 ];
 
 /// A formula in the place of a bridge: flexibilities add up, and the softer the fill, the narrower the wave.
@@ -195,7 +195,7 @@ fn made(parameters: Vec<Parameter>, truth: [f64; 5], fails: Option<[f64; 2]>, po
 /// A channel as measured: rounded, with a ripple of a least count in place of noise.
 fn channel(k: usize, exact: &[f64]) -> Channel {
     let (name, unit, quantity, ..) = CHANNELS[k];
-    let least_count = if quantity == Quantity::Strain { 0.05 } else { 0.01 };
+    let least_count = if quantity == Measurand::Strain { 0.05 } else { 0.01 };
     let ripple = |at: usize| least_count * ((at * at % 97) as f64 / 48.5 - 1.0);
     let measured =
         exact.iter().enumerate().map(|(at, value)| ((value + ripple(at)) / least_count).round() * least_count);

@@ -41,7 +41,7 @@ pub use ground::{Effect, Ground, Section};
 pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForces, Resultant, Status};
 pub use settings::{ContactPoints, Friction, Settings};
 pub use support_movement::{Increments, MovementOutcome, MovementStatus, MovementStep, support_movement};
-pub use sweep::{Place, Sweep, sweep};
+pub use sweep::{LoadPosition, Sweep, sweep};
 pub use sweeper::{Factor, Sweeper};
 pub use thickness::{LeastThickness, ThicknessStatus, minimum_thickness};
 pub use thrust_zone::{ThrustZone, least_thrust, thrust_zone};

@@ -8,7 +8,7 @@ use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 
 /// The answer for one place of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct LoadPosition {
     /// How it ended.
     pub status: Status,
     /// Load factor at collapse; `None` unless solved.
@@ -25,7 +25,7 @@ pub struct Place {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     /// One answer for each load.
-    pub places: Vec<Place>,
+    pub places: Vec<LoadPosition>,
     /// Index of the lowest load factor.
     pub governing: Option<usize>,
 }
@@ -39,7 +39,7 @@ pub fn sweep(
 ) -> Result<Sweep, ModelError> {
     let ground = Ground::new(model, loading, settings)?;
     let mut sweeper = ground.sweeper();
-    let places: Vec<Place> = loads.iter().map(|load| sweeper.place(load, settings.friction)).collect();
+    let places: Vec<LoadPosition> = loads.iter().map(|load| sweeper.place(load, settings.friction)).collect();
     let mut governing = None;
     let mut lowest = f64::INFINITY;
     for (i, place) in places.iter().enumerate() {
@@ -54,10 +54,10 @@ pub fn sweep(
 
 impl Sweeper<'_> {
     /// The load factor of a load.
-    pub fn place(&mut self, load: &[PointForce], friction: Friction) -> Place {
+    pub fn place(&mut self, load: &[PointForce], friction: Friction) -> LoadPosition {
         let effect = self.effect(load);
         let found = self.factor(&effect);
-        let mut place = Place {
+        let mut place = LoadPosition {
             status: found.status,
             factor: found.lower,
             upper_bound: found.upper,

@@ -1,6 +1,6 @@
 //! A report as it grows: what is taken in, and what is said of it.
 
-use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, Verdict, Wanted};
+use super::{At, CalibrationReport, Contact, Measured, Sheared, Spread, Strength, TargetStrength, Verdict};
 use crate::warning::{self, Warning};
 use bridge::{Bridge, Modulus};
 
@@ -11,7 +11,7 @@ pub const SHARE: f64 = 0.05;
 /// Cohesion that counts as none [Pa].
 pub const COHESION: f64 = 500.0;
 
-impl Wanted {
+impl TargetStrength {
     /// Whether the strength of other packings bears out what is wanted: twice what a search leaves.
     pub fn checked_by(&self, strength: &Strength) -> bool {
         let angle = self.friction_angle.is_none_or(|a| (strength.friction_angle.mean - a).abs() <= 4.0 * ANGLE);
@@ -65,7 +65,7 @@ impl CalibrationReport {
     }
 
     /// Takes in what the search for a strength found and whether that is what was wanted; the contacts to go on with, where there are any.
-    pub fn sheared(&mut self, wanted: Wanted, fitted: Option<(Strength, bool)>) -> Option<Contact> {
+    pub fn sheared(&mut self, wanted: TargetStrength, fitted: Option<(Strength, bool)>) -> Option<Contact> {
         let Some((found, reached)) = fitted else {
             self.verdict = Verdict::Undetermined;
             let message = "no sample rested and gave way under every confining pressure";

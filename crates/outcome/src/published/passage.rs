@@ -1,7 +1,7 @@
 //! `extrados.respond/1`, and its tables.
 
 use super::{Object, list, object, row};
-use crate::passage::{Channel, Passage, RowKind, StepLog};
+use crate::passage::{Passage, RowKind, SensorRecord, StepLog};
 
 /// The result of a train's passage; its status is that of the command. `reason` tells why the run ended early, where it did.
 pub fn passage(passage: &Passage) -> Object {
@@ -41,7 +41,7 @@ pub fn passage(passage: &Passage) -> Object {
 }
 
 /// A channel: numbers in its unit, self-weight taken off all but `self_weight`.
-fn channel(passage: &Passage, channel: &Channel) -> Object {
+fn channel(passage: &Passage, channel: &SensorRecord) -> Object {
     let scale = channel.quantity.scale();
     let [minimum, maximum] = channel.range().map(|value| scale * value);
     let at = channel.peak();

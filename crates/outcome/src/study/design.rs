@@ -15,7 +15,7 @@ words! {
 
 /// The values of one run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Run {
+pub struct Variation {
     /// For each quantity, which of its values; none for the file's own.
     pub choice: Vec<Option<usize>>,
     /// The one quantity that was varied; none for the file's own bridge and in a grid.
@@ -32,14 +32,14 @@ pub fn count(design: Design, values: &[usize]) -> Option<usize> {
 }
 
 /// The file's own bridge, then every run: quantity by quantity, or the grid with its last quantity turning fastest.
-pub fn runs(design: Design, values: &[usize]) -> Vec<Run> {
-    let own = Run { choice: vec![None; values.len()], varied: None };
+pub fn runs(design: Design, values: &[usize]) -> Vec<Variation> {
+    let own = Variation { choice: vec![None; values.len()], varied: None };
     let mut all = vec![own.clone()];
     match design {
         Design::OneAtATime => {
             for (quantity, count) in values.iter().enumerate() {
                 all.extend((0..*count).map(|value| {
-                    let mut run = Run { varied: Some(quantity), ..own.clone() };
+                    let mut run = Variation { varied: Some(quantity), ..own.clone() };
                     run.choice[quantity] = Some(value);
                     run
                 }));

@@ -1,7 +1,7 @@
 //! Clocks: times that repeat, go back, or change their step; rows that are missing.
 
 use super::judge::{Judge, Spot};
-use crate::Run;
+use crate::Recording;
 use crate::signal::median;
 
 /// More repeated times than this share of the rows, and the clock is too coarse or stands still.
@@ -14,7 +14,7 @@ const OTHER_CLOCK: f64 = 1.2;
 const GAP: f64 = 1.5;
 
 /// Judges the clock of a run and takes out rows that repeat a time.
-pub(super) fn examine(run: &mut Run, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, judge: &mut Judge) {
     if !in_order(run, judge) {
         return;
     }
@@ -36,7 +36,7 @@ pub(super) fn examine(run: &mut Run, judge: &mut Judge) {
 }
 
 /// Takes out rows with repeated times and single times out of order. False where the clock goes back.
-fn in_order(run: &mut Run, judge: &mut Judge) -> bool {
+fn in_order(run: &mut Recording, judge: &mut Judge) -> bool {
     let times = &run.times;
     let n = times.len();
     let mut kept: Vec<usize> = Vec::with_capacity(n);
@@ -149,7 +149,7 @@ fn usual_step(times: &[f64]) -> f64 {
 }
 
 /// Rows that are missing between two times.
-fn gaps(run: &mut Run, steps: &[f64], one_clock: bool, judge: &mut Judge) {
+fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) {
     let usual = usual_step(&run.times);
     let longest = judge.scrutiny.limits.longest_gap;
     let shown = run.time_step_shown;

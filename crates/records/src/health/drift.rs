@@ -1,7 +1,7 @@
 //! Drift: a level that wanders while nothing loads the span.
 
 use super::judge::{Judge, Spot};
-use crate::Run;
+use crate::Recording;
 use crate::signal::{Loaded, least_count, line, range};
 
 /// Standard errors that a slope must exceed to be one.
@@ -9,7 +9,7 @@ const SURE: f64 = 5.0;
 /// Samples of a quiet start whose slope is looked at.
 const SAMPLES: usize = 20;
 
-pub(super) fn examine(run: &mut Run, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
     let n = run.times.len();
     let record = &run.channels[channel];
     let unit = record.unit;

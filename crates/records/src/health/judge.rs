@@ -1,7 +1,7 @@
 //! Who decides: the limits, what the caller expects, leaves out and accepts, and where findings go.
 
 use crate::series::title;
-use crate::{Channel, Done, Finding, Place, Run, Series, Severity};
+use crate::{Channel, Done, Finding, Place, Recording, Series, Severity};
 
 /// The peak that a channel is expected to have, from a model or a sister bridge; its size is needed to a factor of five only.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,7 +109,7 @@ impl<'a> Judge<'a> {
     /// Something to look at, nothing left out.
     pub fn warn(
         &mut self,
-        run: &Run,
+        run: &Recording,
         channel: Option<usize>,
         code: &'static str,
         spot: Spot,
@@ -121,7 +121,15 @@ impl<'a> Judge<'a> {
     }
 
     /// A fault of a channel: it is left out, unless the caller accepts that.
-    pub fn fault(&mut self, run: &mut Run, channel: usize, code: &'static str, spot: Spot, message: &str, help: &str) {
+    pub fn fault(
+        &mut self,
+        run: &mut Recording,
+        channel: usize,
+        code: &'static str,
+        spot: Spot,
+        message: &str,
+        help: &str,
+    ) {
         let place = place(run, Some(channel), spot);
         let target = &mut run.channels[channel];
         let accepted = self.accepted(code, &run.name, target);
@@ -143,7 +151,7 @@ impl<'a> Judge<'a> {
     }
 
     /// A fault of the clock: every channel of the run is left out, unless the caller accepts that.
-    pub fn fault_all(&mut self, run: &mut Run, code: &'static str, spot: Spot, message: &str, help: &str) {
+    pub fn fault_all(&mut self, run: &mut Recording, code: &'static str, spot: Spot, message: &str, help: &str) {
         let place = place(run, None, spot);
         let mut out = 0;
         let mut reasons = Vec::new();
@@ -190,7 +198,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Leaves out what the caller says.
-    pub fn sort_out_by_hand(&mut self, runs: &mut [Run]) {
+    pub fn sort_out_by_hand(&mut self, runs: &mut [Recording]) {
         for accept in self.scrutiny.accept.iter().filter(|accept| accept.reason.trim().is_empty()) {
             let message = format!("{} is accepted without a reason; it is not accepted", accept.code);
             self.findings.push(Finding::new(Severity::Error, "R051", Place::default(), message, "say why"));
@@ -227,12 +235,12 @@ impl<'a> Judge<'a> {
         }
     }
 
-    pub fn finish(self, runs: Vec<Run>) -> Series {
+    pub fn finish(self, runs: Vec<Recording>) -> Series {
         Series { runs, done: self.done, findings: self.findings }
     }
 }
 
-fn place(run: &Run, channel: Option<usize>, spot: Spot) -> Place {
+fn place(run: &Recording, channel: Option<usize>, spot: Spot) -> Place {
     let channel = channel.map(|index| &run.channels[index]);
     let lines = spot.samples.and_then(|samples| {
         let of = |sample: usize| run.lines.get(sample).map(|line| *line as usize).filter(|line| *line > 0);

@@ -2,7 +2,7 @@
 
 use super::judge::{Judge, Spot};
 use crate::signal::bridged;
-use crate::{Done, Run};
+use crate::{Done, Recording};
 
 /// First and last sample of every stretch without values.
 fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
@@ -17,7 +17,7 @@ fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
 }
 
 /// Leaves a channel out whose longest stretch without values is too long to bridge.
-pub(super) fn examine(run: &mut Run, channel: usize, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
     let stretches = stretches(&run.channels[channel].values);
     let longest = judge.scrutiny.limits.longest_gap;
     let n = run.times.len();
@@ -37,7 +37,7 @@ pub(super) fn examine(run: &mut Run, channel: usize, judge: &mut Judge) {
 }
 
 /// Bridges what is missing in the channels that are used.
-pub(super) fn bridge(run: &mut Run, judge: &mut Judge) {
+pub(super) fn bridge(run: &mut Recording, judge: &mut Judge) {
     for channel in run.channels.iter_mut().filter(|channel| channel.used()) {
         let stretches = stretches(&channel.values);
         let count: usize = stretches.iter().map(|[first, last]| last - first + 1).sum();

@@ -12,7 +12,7 @@ mod spike;
 pub use judge::{Accept, Expected, LeaveOut, Limits, Scrutiny};
 
 use crate::signal::{bridged, loaded, smoothed};
-use crate::{Run, Series};
+use crate::{Recording, Series};
 use judge::{Judge, Spot};
 
 /// Fewer samples than these are no record of a passage.
@@ -20,7 +20,7 @@ const FEWEST: usize = 20;
 
 /// Judges runs. Channels that cannot be trusted are left out and say why; short gaps are bridged and spikes taken out, and the
 /// list of what was done says so. Runs as they come out can be used.
-pub fn examine(runs: Vec<Run>, scrutiny: &Scrutiny) -> Series {
+pub fn examine(runs: Vec<Recording>, scrutiny: &Scrutiny) -> Series {
     let mut judge = Judge::new(scrutiny);
     let mut runs = runs;
     distinct_names(&mut runs, &mut judge);
@@ -42,7 +42,7 @@ pub fn examine(runs: Vec<Run>, scrutiny: &Scrutiny) -> Series {
 }
 
 /// Every channel by itself, and beside those of its run.
-fn channels(run: &mut Run, judge: &mut Judge) {
+fn channels(run: &mut Recording, judge: &mut Judge) {
     for channel in 0..run.channels.len() {
         missing::examine(run, channel, judge);
     }
@@ -65,15 +65,15 @@ fn channels(run: &mut Run, judge: &mut Judge) {
 }
 
 /// A look at one channel, with its history without spikes.
-type Look<'a> = dyn Fn(&mut Run, usize, &[f64], &mut Judge) + 'a;
+type Look<'a> = dyn Fn(&mut Recording, usize, &[f64], &mut Judge) + 'a;
 
 /// The channels of a run without what is shorter than four samples; None where nothing was measured.
-pub(crate) fn smooth(run: &Run) -> Vec<Option<Vec<f64>>> {
+pub(crate) fn smooth(run: &Recording) -> Vec<Option<Vec<f64>>> {
     run.channels.iter().map(|channel| bridged(&channel.values).map(|values| smoothed(&values))).collect()
 }
 
 /// Runs of one name would be taken for lines of one run: the later ones get a number.
-fn distinct_names(runs: &mut [Run], judge: &mut Judge) {
+fn distinct_names(runs: &mut [Recording], judge: &mut Judge) {
     for k in 1..runs.len() {
         let name = runs[k].name.clone();
         let taken = |name: &str| runs[..k].iter().any(|run| run.name == name);
@@ -95,7 +95,7 @@ fn distinct_names(runs: &mut [Run], judge: &mut Judge) {
 }
 
 /// A run that the caller made may have channels longer or shorter than its clock; what is missing is missing.
-fn equal_lengths(run: &mut Run) {
+fn equal_lengths(run: &mut Recording) {
     let n = run.times.len();
     run.lines.resize(n, 0);
     run.channels.iter_mut().for_each(|channel| channel.values.resize(n, f64::NAN));

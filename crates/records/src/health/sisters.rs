@@ -3,7 +3,7 @@
 
 use super::judge::{Judge, Spot};
 use super::smooth;
-use crate::Run;
+use crate::Recording;
 use crate::signal::{loaded, median};
 
 /// Ratios of peaks that are taken for a slip by 1000: no speed and no line across the barrel changes a peak two-hundredfold.
@@ -22,7 +22,7 @@ struct Sister {
     sided: bool,
 }
 
-pub(super) fn examine(runs: &mut [Run], judge: &mut Judge) {
+pub(super) fn examine(runs: &mut [Recording], judge: &mut Judge) {
     let all = sisters(runs);
     let mut names: Vec<String> = all.iter().map(|one| runs[one.run].channels[one.channel].name.clone()).collect();
     names.sort();
@@ -35,7 +35,7 @@ pub(super) fn examine(runs: &mut [Run], judge: &mut Judge) {
     }
 }
 
-fn sisters(runs: &[Run]) -> Vec<Sister> {
+fn sisters(runs: &[Recording]) -> Vec<Sister> {
     let mut all = Vec::new();
     for (r, run) in runs.iter().enumerate() {
         let smooth = smooth(run);
@@ -53,7 +53,7 @@ fn sisters(runs: &[Run]) -> Vec<Sister> {
     all
 }
 
-fn slips(runs: &mut [Run], group: &[&Sister], judge: &mut Judge) {
+fn slips(runs: &mut [Recording], group: &[&Sister], judge: &mut Judge) {
     let sizes: Vec<f64> = group.iter().map(|one| one.peak.abs()).collect();
     for (k, one) in group.iter().enumerate() {
         let unit = runs[one.run].channels[one.channel].unit;
@@ -80,7 +80,7 @@ fn slips(runs: &mut [Run], group: &[&Sister], judge: &mut Judge) {
     }
 }
 
-fn signs(runs: &mut [Run], group: &[&Sister], judge: &mut Judge) {
+fn signs(runs: &mut [Recording], group: &[&Sister], judge: &mut Judge) {
     let positive = group.iter().filter(|one| one.sided && one.peak > 0.0).count();
     let negative = group.iter().filter(|one| one.sided && one.peak < 0.0).count();
     for one in group.iter().filter(|one| one.sided) {

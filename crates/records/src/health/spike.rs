@@ -2,7 +2,7 @@
 
 use super::judge::{Judge, Spot};
 use crate::signal::{Loaded, bridged, least_count, noise, quantile, range};
-use crate::{Done, Run};
+use crate::{Done, Recording};
 
 /// A spike leaves its neighbours by this share of the channel's range; smaller ones change no peak that matters.
 const OF_RANGE: f64 = 0.1;
@@ -16,7 +16,7 @@ const OF_OTHERS: f64 = 6.0;
 const NAMED: usize = 20;
 
 /// Takes spikes out of a channel, or leaves the channel out where there are too many.
-pub(super) fn examine(run: &mut Run, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
+pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loaded: Loaded, judge: &mut Judge) {
     let record = &run.channels[channel];
     let unit = record.unit;
     let Some(values) = bridged(&record.values) else { return };

@@ -2,7 +2,7 @@
 
 use super::resample::at_times;
 use super::{Log, pace};
-use crate::Run;
+use crate::Recording;
 use crate::series::title;
 
 /// What the clock's zero is.
@@ -55,7 +55,7 @@ const WEAK: f64 = 0.5;
 /// Samples that the first, coarse search compares.
 const COARSE: usize = 3000;
 
-pub(super) fn align(run: &mut Run, align: &Align, log: &mut Log) {
+pub(super) fn align(run: &mut Recording, align: &Align, log: &mut Log) {
     let (reference, by) = match align {
         Align::AsRecorded => return,
         Align::Reference(reference) => (reference.clone(), "to the reference".to_owned()),

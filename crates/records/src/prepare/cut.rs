@@ -1,7 +1,7 @@
 //! The part of a record that is kept.
 
 use super::Log;
-use crate::Run;
+use crate::Recording;
 use crate::signal::range;
 
 /// Which part of a record is kept.
@@ -22,7 +22,7 @@ pub enum Cut {
     Between([f64; 2]),
 }
 
-pub(super) fn cut(run: &mut Run, cut: Cut, log: &mut Log) {
+pub(super) fn cut(run: &mut Recording, cut: Cut, log: &mut Log) {
     let between = match cut {
         Cut::Whole => return,
         Cut::Between(between) => Some(between),
@@ -59,7 +59,7 @@ pub(super) fn cut(run: &mut Run, cut: Cut, log: &mut Log) {
     log.did(run, "", what);
 }
 
-fn answering(run: &Run, share: f64) -> Option<[f64; 2]> {
+fn answering(run: &Recording, share: f64) -> Option<[f64; 2]> {
     let ends = run.used().filter_map(|channel| {
         let threshold = share * range(&channel.values);
         let answers = |value: &f64| value.abs() > threshold;

@@ -1,7 +1,7 @@
 //! What is zero, and drift taken off.
 
 use super::Log;
-use crate::Run;
+use crate::Recording;
 use crate::health::smooth;
 use crate::signal::{Loaded, line, loaded, median};
 
@@ -29,11 +29,11 @@ pub enum Detrend {
     LeastSquares,
 }
 
-fn state(run: &Run) -> Loaded {
+fn state(run: &Recording) -> Loaded {
     loaded(run, &smooth(run))
 }
 
-pub(super) fn zero(run: &mut Run, zero: Zero, log: &mut Log) {
+pub(super) fn zero(run: &mut Recording, zero: Zero, log: &mut Log) {
     let samples = match zero {
         Zero::AsRecorded => return,
         Zero::QuietStart => 0..state(run).quiet,
@@ -70,7 +70,7 @@ pub(super) fn zero(run: &mut Run, zero: Zero, log: &mut Log) {
     }
 }
 
-pub(super) fn detrend(run: &mut Run, detrend: Detrend, log: &mut Log) {
+pub(super) fn detrend(run: &mut Recording, detrend: Detrend, log: &mut Log) {
     if detrend == Detrend::None {
         return;
     }

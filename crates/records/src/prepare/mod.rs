@@ -12,7 +12,7 @@ pub use cut::Cut;
 pub use filter::noise_bandwidth;
 pub use level::{Detrend, Zero};
 
-use crate::{Done, Finding, Place, Run, Series, Severity};
+use crate::{Done, Finding, Place, Recording, Series, Severity};
 
 /// What is done to every run, in the order of the fields.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -67,11 +67,11 @@ struct Log {
 }
 
 impl Log {
-    fn did(&mut self, run: &Run, channel: &str, what: String) {
+    fn did(&mut self, run: &Recording, channel: &str, what: String) {
         self.done.push(Done::new(&run.name, channel, what));
     }
 
-    fn could_not(&mut self, run: &Run, code: &'static str, message: String, help: &str) {
+    fn could_not(&mut self, run: &Recording, code: &'static str, message: String, help: &str) {
         let place = Place { run: run.name.clone(), ..Place::default() };
         self.findings.push(Finding::new(Severity::Warning, code, place, message, help));
     }

@@ -1,6 +1,6 @@
 //! Headings of columns: "crown displacement @ upstream [mm]", "time (s)", "crown_displacement_mm".
 
-use crate::{Quantity, UNITS, Unit};
+use crate::{Dimension, UNITS, Unit};
 
 /// A heading, read.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,7 +36,7 @@ impl Heading {
             && self
                 .symbol
                 .as_deref()
-                .is_none_or(|symbol| Unit::named(symbol).is_none_or(|unit| unit.quantity == Quantity::Time))
+                .is_none_or(|symbol| Unit::named(symbol).is_none_or(|unit| unit.quantity == Dimension::Time))
     }
 }
 

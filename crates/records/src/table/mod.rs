@@ -15,7 +15,7 @@ mod text;
 pub use dialect::Dialect;
 pub use mapping::{Column, Mapping, Others, Source};
 
-use crate::{Finding, Place, Run, Severity, Unit};
+use crate::{Finding, Place, Recording, Severity, Unit};
 use heading::Heading;
 use plan::Headings;
 
@@ -36,7 +36,7 @@ pub struct ReadOptions {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Read {
     /// The run as it stands in the file, not yet judged; None where nothing in the file is a table with a clock and a channel.
-    pub run: Option<Run>,
+    pub run: Option<Recording>,
     /// Everything that was found.
     pub findings: Vec<Finding>,
 }
@@ -72,7 +72,7 @@ fn understood(notes: &str, text: &str, options: &ReadOptions, mut findings: Vec<
         let shown = table
             .time_decimals
             .map_or(0.0, |decimals| plan.time_unit.to_si(plan.time.factor * 0.1_f64.powi(decimals.min(15) as i32)));
-        Run {
+        Recording {
             name: notes.name.clone(),
             speed: notes.speed,
             synthetic: notes.synthetic.clone(),

@@ -2,7 +2,7 @@
 
 use super::ReadOptions;
 use super::text::{is_comment, lines};
-use crate::{Finding, Place, Quantity, Severity, Unit};
+use crate::{Dimension, Finding, Place, Severity, Unit};
 
 /// What the comments of a file say.
 pub(super) struct Notes {
@@ -53,6 +53,6 @@ fn speed(text: &str) -> Option<f64> {
     let text = text.trim();
     let at = text.find(|c: char| !(c.is_ascii_digit() || c == '.'))?;
     let number: f64 = text[..at].parse().ok()?;
-    let unit = Unit::named(&text[at..]).filter(|unit| unit.quantity == Quantity::Speed)?;
+    let unit = Unit::named(&text[at..]).filter(|unit| unit.quantity == Dimension::Speed)?;
     Some(unit.to_si(number)).filter(|speed| speed.is_finite() && *speed > 0.0)
 }

@@ -4,7 +4,7 @@ use super::heading::Heading;
 use super::mapping::{Column, Mapping, Others, Source};
 use crate::series::title;
 use crate::unit::symbols;
-use crate::{Channel, Finding, Place, Quantity, Severity, Unit};
+use crate::{Channel, Dimension, Finding, Place, Severity, Unit};
 
 /// A column that is read.
 #[derive(Debug, Clone)]
@@ -81,7 +81,7 @@ pub(super) fn plan(head: &Headings, mapping: &Mapping, run: &str, findings: &mut
         return None;
     };
     let time_unit = planner.unit(time_index, "time", symbol.as_deref())?;
-    if time_unit.quantity != Quantity::Time {
+    if time_unit.quantity != Dimension::Time {
         let message = format!("the clock is in {}, which is no unit of time", time_unit.symbol);
         planner.add(
             Severity::Error,

@@ -3,7 +3,7 @@
 use super::anova::{Test, blocks, half_width};
 use super::{Answer, Testing};
 use crate::peaks::{Peak, PeakTable};
-use crate::{Run, Series};
+use crate::{Recording, Series};
 use serde::{Deserialize, Serialize};
 
 /// What the lines of one channel say.
@@ -122,7 +122,7 @@ fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 }
 
 /// Least likeness of a line's history to the mean of its run's lines, over all runs.
-fn likeness(runs: &[Run], name: &str) -> Option<f64> {
+fn likeness(runs: &[Recording], name: &str) -> Option<f64> {
     let mut least: Option<f64> = None;
     for run in runs {
         let lines: Vec<&Vec<f64>> =

@@ -2,7 +2,7 @@
 
 use crate::data::{CROWN, PIER, PIER_STRAIN, STRAIN};
 use crate::{judged, read_file, run_of, the, train};
-use records::{Accept, Expected, Finding, LeaveOut, Run, Scrutiny, Series, Severity, Unit, examine};
+use records::{Accept, Expected, Finding, LeaveOut, Recording, Scrutiny, Series, Severity, Unit, examine};
 
 /// First line of data in the committed tables.
 const FIRST: usize = 5;
@@ -12,7 +12,7 @@ fn findings_of(name: &str) -> (Series, Vec<Finding>) {
     let read = read_file(name);
     let mut findings = read.findings.clone();
     let sisters = ["twenty", "twenty-two"].map(|name| train::run(name, 20.0, &[""], 7, |_, _| 1.0));
-    let mut runs = vec![Run { name: name.to_owned(), ..run_of(read) }];
+    let mut runs = vec![Recording { name: name.to_owned(), ..run_of(read) }];
     runs.extend(sisters);
     let series = judged(runs);
     findings.extend(series.findings.clone());

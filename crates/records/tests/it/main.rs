@@ -12,7 +12,7 @@ mod size;
 mod table_1;
 mod train;
 
-use records::{Finding, Read, ReadOptions, Run, Scrutiny, Series, examine};
+use records::{Finding, Read, ReadOptions, Recording, Scrutiny, Series, examine};
 use std::path::{Path, PathBuf};
 
 fn path(name: &str) -> PathBuf {
@@ -30,13 +30,13 @@ fn read_text(bytes: &[u8], name: &str) -> Read {
     records::read(bytes, &ReadOptions { name: name.to_owned(), ..ReadOptions::default() })
 }
 
-fn run_of(read: Read) -> Run {
+fn run_of(read: Read) -> Recording {
     let words: Vec<String> = read.findings.iter().map(Finding::words).collect();
     read.run.unwrap_or_else(|| panic!("no run: {words:#?}"))
 }
 
 /// Judged with the defaults.
-fn judged(runs: Vec<Run>) -> Series {
+fn judged(runs: Vec<Recording>) -> Series {
     examine(runs, &Scrutiny::default())
 }
 

@@ -3,7 +3,7 @@
 use crate::{judged, read_text, train};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use records::{Finding, Preparation, Read, Run, Testing, dynamics, peaks, plane_strain, prepare};
+use records::{Finding, Preparation, Read, Recording, Testing, dynamics, peaks, plane_strain, prepare};
 use std::sync::LazyLock;
 
 /// The start of the good table: short enough to be mangled often.
@@ -113,7 +113,7 @@ fn nothing_is_silent(bytes: &[u8], read: &Read) -> Result<(), TestCaseError> {
 }
 
 /// What was judged differs from what was read by what is named alone.
-fn nothing_is_altered_in_silence(read: &Run) -> Result<(), TestCaseError> {
+fn nothing_is_altered_in_silence(read: &Recording) -> Result<(), TestCaseError> {
     let series = judged(vec![read.clone()]);
     let run = &series.runs[0];
     for line in &read.lines {

@@ -2,7 +2,7 @@
 
 use crate::{judged, the, train};
 use records::{
-    Answer, Dynamics, PeakTable, PlaneStrain, Preparation, Run, Testing, dynamics, peaks, plane_strain, prepare,
+    Answer, Dynamics, PeakTable, PlaneStrain, Preparation, Recording, Testing, dynamics, peaks, plane_strain, prepare,
 };
 
 const LINES: [&str; 3] = ["upstream", "centre", "downstream"];
@@ -10,7 +10,7 @@ const SPEEDS: [f64; 3] = [5.0, 20.0, 65.0];
 
 /// Three runs at each of three speeds, peaks by a factor of run, channel and line.
 fn verdicts(factor: impl Fn(usize, usize, &str, &str) -> f64) -> (PeakTable, Dynamics, PlaneStrain) {
-    let run = |k: usize| -> Run {
+    let run = |k: usize| -> Recording {
         let (speed, repeat) = (k / 3, k % 3);
         let name = format!("{} km/h, run {}", SPEEDS[speed], repeat + 1);
         train::run(&name, SPEEDS[speed], &LINES, k as u64, |channel, line| factor(speed, repeat, channel, line))

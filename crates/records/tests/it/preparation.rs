@@ -2,9 +2,9 @@
 
 use crate::train::{self, AXLES, arrival};
 use crate::{judged, the};
-use records::{Align, Cut, Detrend, Preparation, Reference, Run, Series, Zero, prepare};
+use records::{Align, Cut, Detrend, Preparation, Recording, Reference, Series, Zero, prepare};
 
-fn prepared(runs: Vec<Run>, preparation: &Preparation) -> Series {
+fn prepared(runs: Vec<Recording>, preparation: &Preparation) -> Series {
     prepare(judged(runs), preparation)
 }
 
@@ -14,7 +14,7 @@ fn did<'a>(series: &'a Series, words: &str) -> &'a str {
     &done.unwrap_or_else(|| panic!("nobody did `{words}`: {:#?}", series.done)).what
 }
 
-fn shifted(mut run: Run, by: f64) -> Run {
+fn shifted(mut run: Recording, by: f64) -> Recording {
     run.channels.iter_mut().flat_map(|channel| &mut channel.values).for_each(|value| *value += by);
     run
 }

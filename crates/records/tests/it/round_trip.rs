@@ -3,10 +3,10 @@
 use crate::{read_text, run_of, train};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use records::{Channel, Exact, Noise, Quantity, Run, UNITS, Unit, synthesise, write};
+use records::{Channel, Dimension, Exact, Noise, Recording, UNITS, Unit, synthesise, write};
 
 /// Bits of every number of a run.
-fn bits(run: &Run) -> Vec<u64> {
+fn bits(run: &Recording) -> Vec<u64> {
     let values = run.channels.iter().flat_map(|channel| &channel.values);
     run.times.iter().chain(values).map(|value| value.to_bits()).collect()
 }
@@ -42,7 +42,7 @@ fn the_same_seed_gives_the_same_record_and_another_one_another() {
 #[test]
 fn noise_is_as_stated() {
     let times: Vec<f64> = (0..100_000).map(|k| f64::from(k) / 200.0).collect();
-    let unit = Unit::usual(Quantity::Strain);
+    let unit = Unit::usual(Dimension::Strain);
     let flat = |deviation: f64, least_count: f64| Exact {
         name: "strain".to_owned(),
         line: String::new(),
@@ -85,11 +85,11 @@ proptest! {
                 values: cells.iter().map(pick).collect(), decimals: None, left_out: None,
             }
         };
-        let run = Run {
+        let run = Recording {
             name: "any".to_owned(),
             times: (0..cells.len()).map(|k| k as f64 / 300.0).collect(),
             channels: vec![channel(0, units.0, &format!("x{}", names.0), ""), channel(1, units.1, "y", &names.1)],
-            ..Run::default()
+            ..Recording::default()
         };
         let back = run_of(read_text(write(&run).as_bytes(), "any"));
         prop_assert_eq!(&back.times, &run.times);

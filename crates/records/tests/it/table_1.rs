@@ -1,22 +1,22 @@
 //! The railway paper's Table 1: site-recorded peaks at three speeds, and what it concludes from them: "The site data shows
 //! insignificant dynamic effects".
 
-use records::{Answer, Peak, PeakTable, Quantity, Testing, Unit, dynamics, plane_strain};
+use records::{Answer, Dimension, Peak, PeakTable, Testing, Unit, dynamics, plane_strain};
 
 /// Channels with peaks at crawling (5 km/h), slow (20 km/h) and design speed (65 km/h), in mm and microstrain.
-const TABLE_1: [(&str, Quantity, [f64; 3]); 6] = [
-    ("crown displacement", Quantity::Length, [-0.30, -0.27, -0.34]),
-    ("pier displacement", Quantity::Length, [0.24, 0.27, 0.24]),
-    ("abutment displacement", Quantity::Length, [-0.04, -0.04, -0.04]),
-    ("crown strain", Quantity::Strain, [22.1, 21.4, 19.4]),
-    ("pier strain", Quantity::Strain, [-24.62, -24.83, -25.68]),
-    ("abutment strain", Quantity::Strain, [-24.0, -22.2, -23.2]),
+const TABLE_1: [(&str, Dimension, [f64; 3]); 6] = [
+    ("crown displacement", Dimension::Length, [-0.30, -0.27, -0.34]),
+    ("pier displacement", Dimension::Length, [0.24, 0.27, 0.24]),
+    ("abutment displacement", Dimension::Length, [-0.04, -0.04, -0.04]),
+    ("crown strain", Dimension::Strain, [22.1, 21.4, 19.4]),
+    ("pier strain", Dimension::Strain, [-24.62, -24.83, -25.68]),
+    ("abutment strain", Dimension::Strain, [-24.0, -22.2, -23.2]),
 ];
 const SPEEDS: [f64; 3] = [5.0, 20.0, 65.0];
 
 /// The table, every peak of the fastest run by a factor.
 fn table(fastest: f64) -> PeakTable {
-    let of = |(name, quantity, peaks): &(&str, Quantity, [f64; 3])| -> Vec<Peak> {
+    let of = |(name, quantity, peaks): &(&str, Dimension, [f64; 3])| -> Vec<Peak> {
         let unit = Unit::usual(*quantity);
         let one = |k: usize| Peak {
             run: format!("{} km/h", SPEEDS[k]),
@@ -27,7 +27,7 @@ fn table(fastest: f64) -> PeakTable {
             value: unit.to_si(peaks[k]) * if k == 2 { fastest } else { 1.0 },
             time: 0.0,
             file_line: 0,
-            least_count: unit.to_si(if *quantity == Quantity::Length { 0.01 } else { 0.05 }),
+            least_count: unit.to_si(if *quantity == Dimension::Length { 0.01 } else { 0.05 }),
             synthetic: false,
         };
         (0..3).map(one).collect()

@@ -1,15 +1,15 @@
 //! A locomotive over one span, as bell-shaped influence lines: the shapes are made up, the peaks are those of the railway
 //! paper's Table 1 at 20 km/h.
 
-use records::{Exact, Noise, Quantity, Run, Unit, synthesise};
+use records::{Dimension, Exact, Noise, Recording, Unit, synthesise};
 
 /// Channels: name, quantity, peak in mm or microstrain, place of the sensor [m], half-width of its influence line [m], and share
 /// of the negative lobe behind it.
-const CHANNELS: [(&str, Quantity, f64, f64, f64, f64); 4] = [
-    ("crown displacement", Quantity::Length, -0.27, 3.0, 1.6, 0.0),
-    ("pier displacement", Quantity::Length, 0.27, 1.0, 2.0, 0.3),
-    ("crown strain", Quantity::Strain, 21.4, 3.0, 1.1, 0.2),
-    ("pier strain", Quantity::Strain, -24.83, 0.3, 1.4, 0.1),
+const CHANNELS: [(&str, Dimension, f64, f64, f64, f64); 4] = [
+    ("crown displacement", Dimension::Length, -0.27, 3.0, 1.6, 0.0),
+    ("pier displacement", Dimension::Length, 0.27, 1.0, 2.0, 0.3),
+    ("crown strain", Dimension::Strain, 21.4, 3.0, 1.1, 0.2),
+    ("pier strain", Dimension::Strain, -24.83, 0.3, 1.4, 0.1),
 ];
 /// Distances of the axles behind the first [m].
 pub const AXLES: [f64; 6] = [0.0, 1.8, 3.7, 11.0, 12.9, 14.7];
@@ -68,8 +68,8 @@ fn exact_of(
                 line: (*line).to_owned(),
                 unit,
                 values: values(index, speed, times, axles).iter().map(|value| scale * value).collect(),
-                least_count: unit.to_si(if *quantity == Quantity::Length { 0.01 } else { 0.05 }),
-                deviation: unit.to_si(if *quantity == Quantity::Length { 0.001 } else { 0.05 }),
+                least_count: unit.to_si(if *quantity == Dimension::Length { 0.01 } else { 0.05 }),
+                deviation: unit.to_si(if *quantity == Dimension::Length { 0.001 } else { 0.05 }),
             });
         }
     }
@@ -77,7 +77,7 @@ fn exact_of(
 }
 
 /// A run at a speed [km/h], sampled at 100 Hz.
-pub fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str, &str) -> f64) -> Run {
+pub fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str, &str) -> f64) -> Recording {
     let speed = kmh / 3.6;
     let times = times(speed, 400.0);
     let noise = Noise { rate: Some(100.0), seed, origin: "bell-shaped influence lines".to_owned() };
@@ -85,7 +85,7 @@ pub fn run(name: &str, kmh: f64, lines: &[&str], seed: u64, factor: impl Fn(&str
 }
 
 /// The same of the goods train.
-pub fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Run {
+pub fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Recording {
     let speed = kmh / 3.6;
     let end = 2.0 * arrival(speed) + 75.0 / speed;
     let times: Vec<f64> = (0..=(end * 400.0) as usize).map(|k| k as f64 / 400.0).collect();
@@ -94,6 +94,6 @@ pub fn goods(name: &str, kmh: f64, lines: &[&str], seed: u64) -> Run {
 }
 
 /// The good run of the tests.
-pub fn good() -> Run {
+pub fn good() -> Recording {
     run("slow", 20.0, &[""], 1, |_, _| 1.0)
 }

@@ -20,7 +20,7 @@ use biaxial::{Box2, contacts};
 use bridge::{Bridge, Particles, Sizes, Strip};
 use crowd::Crowd;
 use mechanics::watch::Watch;
-use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, Wanted};
+use outcome::calibration::{CalibrationReport, Check, Contact, Measured, Strength, TargetStrength};
 use press::Pressed;
 use press::Rig;
 use sample::Sample;
@@ -37,7 +37,7 @@ pub fn calibrate_fill(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Calibrat
     require_stiffness(bridge)?;
     let (bridge, mut particles) = prepared(bridge)?;
     let plan = &bridge.calibration;
-    let wanted_strength = Wanted { friction_angle: plan.wanted_friction_angle, cohesion: plan.wanted_cohesion };
+    let wanted_strength = TargetStrength { friction_angle: plan.wanted_friction_angle, cohesion: plan.wanted_cohesion };
     let sheared = wanted_strength.friction_angle.is_some() || wanted_strength.cohesion.is_some();
     let seeds: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(k)).collect();
     let others: Vec<u64> = (0..plan.seeds).map(|k| bridge.plan.seed.wrapping_add(plan.seeds + k)).collect();

@@ -5,7 +5,7 @@
 
 use crate::analysis::AnalysisError;
 use outcome::calibration::report::{ANGLE, COHESION, SHARE};
-use outcome::calibration::{Contact, Strength, Wanted};
+use outcome::calibration::{Contact, Strength, TargetStrength};
 
 /// How a search for strength ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +31,7 @@ const ROUNDS: usize = 2;
 pub type Measure<'a> = dyn FnMut(Contact) -> Result<Option<Option<Strength>>, AnalysisError> + 'a;
 
 /// Finds contacts with the wanted strength, from those of the file on.
-pub fn fit(wanted: Wanted, first: Contact, measure: &mut Measure<'_>) -> Result<Fitted, AnalysisError> {
+pub fn fit(wanted: TargetStrength, first: Contact, measure: &mut Measure<'_>) -> Result<Fitted, AnalysisError> {
     let mut contact = first;
     let mut found = None;
     for _ in 0..ROUNDS {
@@ -128,7 +128,7 @@ mod tests {
             Ok(Some(Some(fill(contact))))
         };
         let first = Contact { friction_angle: 35.6f64.to_radians(), cohesion: 10e3 };
-        let wanted = Wanted { friction_angle: friction_angle.map(f64::to_radians), cohesion };
+        let wanted = TargetStrength { friction_angle: friction_angle.map(f64::to_radians), cohesion };
         (fit(wanted, first, &mut measure).unwrap(), count)
     }
 

@@ -18,7 +18,7 @@ pub struct TrackLoads {
     axles: Vec<Axle>,
     /// Width that carries an axle [m].
     width: f64,
-    /// Place of the sleeper that sleepers are counted from [m].
+    /// Position of the sleeper that sleepers are counted from [m].
     origin: f64,
     /// Number of the first sleeper whose pressure reaches the surface.
     first: i64,

@@ -16,7 +16,7 @@ use super::AnalysisError;
 use bridge::Bridge;
 use bridge::passage::PassagePath;
 use mechanics::watch::Watch;
-use outcome::passage::Channel;
+use outcome::passage::SensorRecord;
 use outcome::passage::{Part, Passage, PassageStatus};
 use outcome::warning::{self, Warning};
 use thiserror::Error;
@@ -121,7 +121,7 @@ pub fn report(bridge: &Bridge, setup: &Setup, solution: Solution) -> Passage {
         warnings.push(Warning::new(warning::LOCKING_FILL, message));
     }
     let solved = solution.values.first().map_or(0, Vec::len);
-    let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| Channel {
+    let channels = setup.sensors.iter().zip(solution.values).enumerate().map(|(k, (sensor, values))| SensorRecord {
         name: sensor.name.clone(),
         quantity: sensor.quantity,
         about: sensor.about.clone(),

@@ -1,7 +1,7 @@
 //! A passage as a logger would have written it: a synthetic record with stated noise, labelled as such.
 
-use outcome::passage::{Passage, Quantity};
-use records::{Exact, Noise, Run, Unit, synthesise};
+use outcome::passage::{Measurand, Passage};
+use records::{Exact, Noise, Recording, Unit, synthesise};
 
 /// What a logger does to one kind of channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,10 +39,10 @@ impl Logger {
     /// The histories as they were computed.
     pub const NONE: Logger = Logger { rate: None, displacement: Scatter::NONE, strain: Scatter::NONE, seed: 1 };
 
-    fn scatter(&self, quantity: Quantity) -> Scatter {
+    fn scatter(&self, quantity: Measurand) -> Scatter {
         match quantity.recorded() {
-            records::Quantity::Length => self.displacement,
-            records::Quantity::Strain => self.strain,
+            records::Dimension::Length => self.displacement,
+            records::Dimension::Strain => self.strain,
             // Noise of nothing else is known; no amplifier measures stresses.
             _ => Scatter::NONE,
         }
@@ -62,7 +62,7 @@ impl Default for Logger {
 }
 
 /// The record of a passage. `name` is the run's, `made_by` what computed it, for the label.
-pub fn record(passage: &Passage, name: &str, made_by: &str, logger: &Logger) -> Run {
+pub fn record(passage: &Passage, name: &str, made_by: &str, logger: &Logger) -> Recording {
     let exact = passage.channels.iter().map(|channel| {
         let scatter = logger.scatter(channel.quantity);
         Exact {
@@ -80,7 +80,7 @@ pub fn record(passage: &Passage, name: &str, made_by: &str, logger: &Logger) -> 
 }
 
 /// The unit of a channel's cells.
-fn unit(quantity: Quantity) -> Unit {
+fn unit(quantity: Measurand) -> Unit {
     Unit::named(quantity.unit()).unwrap_or_else(|| Unit::usual(quantity.recorded()))
 }
 

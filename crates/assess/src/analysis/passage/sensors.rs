@@ -1,10 +1,10 @@
 //! A sensor as a linear functional of the displacements: nodes and factors. Stresses are asked of the element instead.
 
-use bridge::passage::{Direction, Face, Place, Sensor, SensorKind};
+use bridge::passage::{Direction, Face, Sensor, SensorKind, SensorPosition};
 use mechanics::fem::Mesh;
 use mechanics::ids::{NodeId, QuadId};
 use mechanics::plane::{Vec2, vec2};
-use outcome::passage::Quantity;
+use outcome::passage::Measurand;
 use outcome::picture::Point;
 use thiserror::Error;
 
@@ -59,7 +59,7 @@ pub struct Placed {
     /// Name of its channel.
     pub name: String,
     /// What it records.
-    pub quantity: Quantity,
+    pub quantity: Measurand,
     /// What it reads.
     pub reading: Reading,
     /// Where it sits and what its sign means.
@@ -101,21 +101,21 @@ pub enum SensorError {
 pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed, SensorError> {
     let name = sensor.name.clone();
     let (quantity, reading, about) = match (sensor.kind, sensor.place) {
-        (SensorKind::Displacement(direction), Place::Span { span, share }) => {
+        (SensorKind::Displacement(direction), SensorPosition::Span { span, share }) => {
             let ring = ring(rings, span, sensor)?;
             let terms = on_face(mesh, faces(ring, sensor.face), share);
             let (towards, sign) = direction_of(direction, share);
             let about = format!("{}, {sign} positive", site(span, share, sensor.face));
-            (Quantity::Displacement, along(&terms, towards), about)
+            (Measurand::Displacement, along(&terms, towards), about)
         }
-        (SensorKind::Displacement(direction), Place::Point(at)) => {
+        (SensorKind::Displacement(direction), SensorPosition::Point(at)) => {
             let terms = inside(mesh, at).ok_or(SensorError::Outside { name: name.clone(), at })?;
             let share = share_at(mesh, rings, at[0]);
             let (towards, sign) = direction_of(direction, share);
             let about = format!("point at x = {:.3} m, y = {:.3} m, {sign} positive", at[0], at[1]);
-            (Quantity::Displacement, along(&terms, towards), about)
+            (Measurand::Displacement, along(&terms, towards), about)
         }
-        (SensorKind::Strain { gauge_length }, Place::Span { span, share }) => {
+        (SensorKind::Strain { gauge_length }, SensorPosition::Span { span, share }) => {
             let stones = faces(ring(rings, span, sensor)?, sensor.face);
             let stone = stone_at(mesh, stones, share);
             let reading = gauge(mesh, &stones[stone], gauge_length).map_err(|stone| SensorError::LongGauge {
@@ -130,9 +130,9 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
                 stones.len(),
                 1e3 * gauge_length
             );
-            (Quantity::Strain, reading, about)
+            (Measurand::Strain, reading, about)
         }
-        (SensorKind::JointOpening | SensorKind::JointSliding, Place::Span { span, share }) => {
+        (SensorKind::JointOpening | SensorKind::JointSliding, SensorPosition::Span { span, share }) => {
             let ring = ring(rings, span, sensor)?;
             let joint = joint_at(mesh, ring, share);
             let opening = sensor.kind == SensorKind::JointOpening;
@@ -141,9 +141,9 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
             let sign = if opening { "apart positive" } else { "its right side outwards positive" };
             let about =
                 format!("joint {joint} of {}, {}, {sign}", ring.joints.len() - 1, site(span, share, sensor.face));
-            (if opening { Quantity::JointOpening } else { Quantity::JointSliding }, reading, about)
+            (if opening { Measurand::JointOpening } else { Measurand::JointSliding }, reading, about)
         }
-        (SensorKind::Stress, Place::Span { span, share }) => {
+        (SensorKind::Stress, SensorPosition::Span { span, share }) => {
             let stones = faces(ring(rings, span, sensor)?, sensor.face);
             let stone = stone_at(mesh, stones, share);
             let (at, along) = middle(mesh, &stones[stone]);
@@ -154,9 +154,9 @@ pub fn place(sensor: &Sensor, mesh: &Mesh, rings: &[RingNodes]) -> Result<Placed
                 stones.len(),
                 site(span, share, sensor.face)
             );
-            (Quantity::Stress, Reading::Stress { quad, along: [along.x, along.y] }, about)
+            (Measurand::Stress, Reading::Stress { quad, along: [along.x, along.y] }, about)
         }
-        (_, Place::Point(_)) => return Err(SensorError::NeedsRing { name }),
+        (_, SensorPosition::Point(_)) => return Err(SensorError::NeedsRing { name }),
     };
     Ok(Placed { name, quantity, reading, about })
 }
@@ -201,7 +201,7 @@ fn along(weights: &[(NodeId, f64)], direction: Vec2) -> Reading {
     Reading::Displacements(weights.iter().map(|(node, w)| (*node, [w * direction.x, w * direction.y])).collect())
 }
 
-/// Place of a share of the span [m], by the ends of the intrados.
+/// Position of a share of the span [m], by the ends of the intrados.
 fn place_of(mesh: &Mesh, stones: &[Vec<NodeId>], share: f64) -> f64 {
     let end = |node: Option<&NodeId>| node.map_or(0.0, |node| mesh.nodes[*node].x);
     let left = end(stones.first().and_then(|stone| stone.first()));
@@ -398,7 +398,7 @@ mod tests {
         (mesh, vec![ring])
     }
 
-    fn sensor(kind: SensorKind, place: Place, face: Face) -> Sensor {
+    fn sensor(kind: SensorKind, place: SensorPosition, face: Face) -> Sensor {
         Sensor { name: "test".into(), kind, place, face }
     }
 
@@ -412,18 +412,21 @@ mod tests {
         };
         let no_stress = |_: QuadId| [0.0; 3];
         let read = |sensor: &Sensor| place(sensor, &mesh, &rings).unwrap().reading.value(moved, no_stress);
-        let crown = Place::Span { span: 0, share: 0.5 };
+        let crown = SensorPosition::Span { span: 0, share: 0.5 };
         // Rounding of factors of 1 / 0.12 m.
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-15 * 100.0, "{a} {b}");
         near(read(&sensor(SensorKind::Strain { gauge_length: 0.12 }, crown, Face::Intrados)), 2e-4);
         near(read(&sensor(SensorKind::Strain { gauge_length: 0.4 }, crown, Face::Extrados)), 2e-4);
         let vertical = SensorKind::Displacement(Direction::Vertical);
         near(read(&sensor(vertical, crown, Face::Intrados)), -2e-3 + 5e-4 * 0.4);
-        near(read(&sensor(vertical, Place::Span { span: 0, share: 0.3 }, Face::Extrados)), -2e-3 + 5e-4 * 0.24 - 2e-5);
-        near(read(&sensor(vertical, Place::Point([0.53, 0.07]), Face::Intrados)), -2e-3 + 5e-4 * 0.53 - 7e-6);
+        near(
+            read(&sensor(vertical, SensorPosition::Span { span: 0, share: 0.3 }, Face::Extrados)),
+            -2e-3 + 5e-4 * 0.24 - 2e-5,
+        );
+        near(read(&sensor(vertical, SensorPosition::Point([0.53, 0.07]), Face::Intrados)), -2e-3 + 5e-4 * 0.53 - 7e-6);
         let lateral = SensorKind::Displacement(Direction::Lateral);
-        near(read(&sensor(lateral, Place::Span { span: 0, share: 0.0 }, Face::Intrados)), -1e-3);
-        near(read(&sensor(lateral, Place::Span { span: 0, share: 1.0 }, Face::Intrados)), 1e-3 + 2e-4 * 0.8);
+        near(read(&sensor(lateral, SensorPosition::Span { span: 0, share: 0.0 }, Face::Intrados)), -1e-3);
+        near(read(&sensor(lateral, SensorPosition::Span { span: 0, share: 1.0 }, Face::Intrados)), 1e-3 + 2e-4 * 0.8);
         // Nodes that coincide and move alike neither open nor slide.
         near(read(&sensor(SensorKind::JointOpening, crown, Face::Extrados)), 0.0);
     }
@@ -438,14 +441,14 @@ mod tests {
             if right.contains(&node) { [2e-3 - 1e-3 * p.y, 7e-4 + 1e-3 * (p.x - 0.4)] } else { [0.0; 2] }
         };
         let read = |kind, face| {
-            let one = sensor(kind, Place::Span { span: 0, share: 0.5 }, face);
+            let one = sensor(kind, SensorPosition::Span { span: 0, share: 0.5 }, face);
             place(&one, &mesh, &rings).unwrap().reading.value(moved, |_| [0.0; 3])
         };
         assert!((read(SensorKind::JointOpening, Face::Intrados) - 2e-3).abs() < 1e-15);
         assert!((read(SensorKind::JointOpening, Face::Extrados) - 1.8e-3).abs() < 1e-15);
         assert!((read(SensorKind::JointSliding, Face::Intrados) - 7e-4).abs() < 1e-15);
         assert!(read(SensorKind::Strain { gauge_length: 0.12 }, Face::Intrados).abs() < 1e-15);
-        let stress = sensor(SensorKind::Stress, Place::Span { span: 0, share: 0.5 }, Face::Extrados);
+        let stress = sensor(SensorKind::Stress, SensorPosition::Span { span: 0, share: 0.5 }, Face::Extrados);
         let placed = place(&stress, &mesh, &rings).unwrap();
         assert_eq!(placed.reading.value(moved, |_| [-3.0, 1.0, 9.0]), -3.0);
     }
@@ -453,15 +456,15 @@ mod tests {
     #[test]
     fn what_has_no_place_says_so() {
         let (mesh, rings) = two_stones();
-        let crown = Place::Span { span: 0, share: 0.5 };
+        let crown = SensorPosition::Span { span: 0, share: 0.5 };
         let long = sensor(SensorKind::Strain { gauge_length: 0.41 }, crown, Face::Intrados);
         assert!(matches!(place(&long, &mesh, &rings), Err(SensorError::LongGauge { .. })));
         let vertical = SensorKind::Displacement(Direction::Vertical);
-        let outside = sensor(vertical, Place::Point([3.0, 0.1]), Face::Intrados);
+        let outside = sensor(vertical, SensorPosition::Point([3.0, 0.1]), Face::Intrados);
         assert!(matches!(place(&outside, &mesh, &rings), Err(SensorError::Outside { .. })));
-        let gauge = sensor(SensorKind::Stress, Place::Point([0.1, 0.1]), Face::Intrados);
+        let gauge = sensor(SensorKind::Stress, SensorPosition::Point([0.1, 0.1]), Face::Intrados);
         assert!(matches!(place(&gauge, &mesh, &rings), Err(SensorError::NeedsRing { .. })));
-        let elsewhere = sensor(vertical, Place::Span { span: 4, share: 0.5 }, Face::Intrados);
+        let elsewhere = sensor(vertical, SensorPosition::Span { span: 4, share: 0.5 }, Face::Intrados);
         assert!(matches!(place(&elsewhere, &mesh, &rings), Err(SensorError::NeedsRing { .. })));
     }
 }

@@ -28,7 +28,7 @@ pub struct Setup {
     pub sensors: Vec<Placed>,
     /// Times [s].
     pub times: Vec<f64>,
-    /// Place of the first axle at these times [m].
+    /// Position of the first axle at these times [m].
     pub positions: Vec<f64>,
     /// Width of the bridge that carries an axle [m].
     pub effective_width: f64,

@@ -3,9 +3,9 @@
 use super::*;
 use crate::samples;
 use bridge::passage::PassageAnalysis;
-use bridge::passage::{Passage as Asked, Place, Sensor, SensorKind};
+use bridge::passage::{Passage as Asked, Sensor, SensorKind, SensorPosition};
 use bridge::train::{Train, built_in, read_toml};
-use outcome::passage::Quantity;
+use outcome::passage::Measurand;
 use outcome::passage::StepLog;
 
 /// Two spans under the short train of the library.
@@ -47,7 +47,7 @@ fn sensors_on_a_mesh_read_a_homogeneous_strain() {
     let setup = setup(&railway()).unwrap();
     let mesh = &setup.meshed.mesh;
     let moved = |node: mechanics::ids::NodeId| [1e-4 * mesh.nodes[node].x, 1e-4 * mesh.nodes[node].y];
-    for sensor in setup.sensors.iter().filter(|sensor| sensor.quantity == Quantity::Strain) {
+    for sensor in setup.sensors.iter().filter(|sensor| sensor.quantity == Measurand::Strain) {
         let value = sensor.reading.value(moved, |_| [0.0; 3]);
         assert!((value - 1e-4).abs() < 1e-13, "{}: {value}", sensor.name);
     }
@@ -64,7 +64,7 @@ fn what_cannot_be_set_up_says_why() {
     assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::NoWay { .. }))));
     let mut bridge = railway();
     let strain = SensorKind::Strain { gauge_length: 5.0 };
-    let place = Place::Span { span: 0, share: 0.5 };
+    let place = SensorPosition::Span { span: 0, share: 0.5 };
     let long = Sensor { name: "long".into(), kind: strain, place, face: bridge::passage::Face::Extrados };
     bridge.passage.as_mut().unwrap().sensors = vec![long];
     assert!(matches!(setup(&bridge), Err(AnalysisError::Passage(PassageError::Sensor(_)))));

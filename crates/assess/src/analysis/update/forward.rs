@@ -9,7 +9,7 @@ use bridge::update::Parameter;
 use bridge::{Bridge, Severity};
 use calibrate::{Evaluation, Failure, Forward, Map, Request, Response, Samples};
 use mechanics::watch::Pace;
-use outcome::passage::{PassageStatus, Quantity};
+use outcome::passage::{Measurand, PassageStatus};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io;
@@ -221,7 +221,7 @@ fn positions(setup: &Setup, places: &[usize]) -> Vec<f64> {
 }
 
 fn has_stress(setup: &Setup) -> bool {
-    setup.sensors.iter().any(|sensor| sensor.quantity == Quantity::Stress)
+    setup.sensors.iter().any(|sensor| sensor.quantity == Measurand::Stress)
 }
 
 /// Answers at every position of the passage.

@@ -3,13 +3,13 @@
 use super::Task;
 use crate::analysis::passage::Setup;
 use bridge::Bridge;
-use bridge::passage::{Place, default_sensors};
+use bridge::passage::{SensorPosition, default_sensors};
 use bridge::update::{Channel as Said, Update as Asked};
 use calibrate::Channel;
 use outcome::update::{RecordsUsed, RunUsed, Verdict};
 use records::{
-    Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Reference, Run, Scrutiny,
-    Series, Source, Testing, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
+    Align, Column, Detrend, Expected, Finding, LeaveOut, Mapping, Preparation, ReadOptions, Recording, Reference,
+    Scrutiny, Series, Source, Testing, Zero, dynamics, examine, peaks, plane_strain, prepare, read,
 };
 
 /// A table beside the bridge file.
@@ -24,7 +24,7 @@ pub struct RecordFile {
 /// Tables as they were read.
 #[derive(Debug, Default)]
 struct Tables {
-    runs: Vec<Run>,
+    runs: Vec<Recording>,
     /// File of each run.
     named: Vec<String>,
     /// Findings, each with its file.
@@ -77,7 +77,7 @@ pub fn measured(task: &Task<'_>, setup: &Setup, start: &[Vec<f64>]) -> (Vec<Chan
         run.map_or_else(String::new, |run| named[run].clone())
     };
     findings.extend(series.findings.iter().map(|finding| (file_of(finding), finding.clone())));
-    let used = |(run, file): (&Run, &String)| RunUsed {
+    let used = |(run, file): (&Recording, &String)| RunUsed {
         name: run.name.clone(),
         file: file.clone(),
         speed: run.speed,
@@ -119,7 +119,7 @@ fn options(asked: &Asked, file: &str) -> ReadOptions {
 }
 
 /// Headings as programs write them lose blanks and capitals: they are the sensor whose name is left.
-fn name_by_sensors(run: &mut Run, setup: &Setup) {
+fn name_by_sensors(run: &mut Recording, setup: &Setup) {
     let plain = |name: &str| name.to_lowercase().replace(['_', '-'], " ");
     for channel in &mut run.channels {
         if let Some(sensor) = setup.sensors.iter().find(|sensor| plain(&sensor.name) == plain(&channel.name)) {
@@ -179,10 +179,10 @@ fn by_axles(bridge: &Bridge, setup: &Setup, name: &str) -> Option<Align> {
     let ends = |span: usize| setup.meshed.sets.spans.get(span).map(|span| span.springings_at.map(|point| point.x));
     let middle = |[left, right]: [f64; 2]| 0.5 * (left + right);
     let (x, [left, right]) = match sensors.iter().find(|sensor| sensor.name == name)?.place {
-        Place::Span { span, share } => {
+        SensorPosition::Span { span, share } => {
             ends(span).map(|[left, right]| (left + share * (right - left), [left, right]))?
         }
-        Place::Point([x, _]) => {
+        SensorPosition::Point([x, _]) => {
             let spans = (0..bridge.spans.len()).filter_map(ends);
             (x, spans.min_by(|a, b| (middle(*a) - x).abs().total_cmp(&(middle(*b) - x).abs()))?)
         }

@@ -254,7 +254,7 @@ pub fn posterior(
     if sampled.as_ref().is_ok_and(|posterior| posterior.status == posterior::Status::Stopped) {
         return Err(Halt::Stopped);
     }
-    let words = |findings: Vec<calibrate::Finding>| {
+    let words = |findings: Vec<calibrate::Flaw>| {
         findings.iter().map(|f| format!("{}: {}; {}", f.place, f.message, f.help)).collect::<Vec<_>>().join("; ")
     };
     Ok(sampled.map_err(words).map(|posterior| PosteriorReport {

@@ -58,7 +58,7 @@ pub fn drives(index: usize, vehicle: &Vehicle, plan: &SweepPlan, [from, to]: [f6
 }
 
 impl Drive {
-    /// Place of an axle when the first one stands at `position` [m].
+    /// Position of an axle when the first one stands at `position` [m].
     pub fn axle_at(&self, position: f64, axle: usize) -> f64 {
         let behind = self.pattern.axles[axle].offset;
         match self.direction {

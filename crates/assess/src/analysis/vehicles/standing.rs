@@ -16,7 +16,7 @@ pub struct Key {
     pub drive: usize,
     /// Which combination of factors on weights.
     pub weights: usize,
-    /// Place of the first axle [m].
+    /// Position of the first axle [m].
     pub position: f64,
     /// First and last axle on the bridge.
     pub axles: Option<[usize; 2]>,

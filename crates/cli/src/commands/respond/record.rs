@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::{folder, quantities};
 use assess::analysis::passage::record::{Logger, Scatter, record};
 use outcome::passage::Passage;
-use records::{Quantity, ReadOptions, Run};
+use records::{Dimension, ReadOptions, Recording};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ pub struct Written {
     /// The file.
     pub path: String,
     /// What it holds.
-    pub run: Run,
+    pub run: Recording,
 }
 
 impl Written {
@@ -108,7 +108,7 @@ fn both(option: &str, texts: &[String]) -> Result<[Option<f64>; 2], Failure> {
     let mut sizes = [None; 2];
     for text in texts {
         let (kind, size) = quantities::of_records(option, text)?;
-        let place = usize::from(kind == Quantity::Strain);
+        let place = usize::from(kind == Dimension::Strain);
         if sizes[place].replace(size).is_some() {
             let message = format!("{option} is given twice for {}", ["displacements", "strains"][place]);
             return Err(Failure::input(

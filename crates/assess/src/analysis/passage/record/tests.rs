@@ -32,7 +32,7 @@ fn bump() -> Passage {
     passage::report(&bridge, &setup, solution)
 }
 
-fn read_back(run: &records::Run) -> records::Run {
+fn read_back(run: &records::Recording) -> records::Recording {
     let options = records::ReadOptions { name: "other".into(), ..records::ReadOptions::default() };
     let read = records::read(records::write(run).as_bytes(), &options);
     assert!(read.findings.is_empty(), "{:?}", read.findings);

@@ -1,6 +1,6 @@
 //! The passage by the condensed path.
 
-use super::{AtRest, Named, Solution, Wanted, functional, pictures};
+use super::{AtRest, Named, Output, Solution, functional, pictures};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::{PassageError, Setup};
 use mechanics::fem::State;
@@ -107,7 +107,7 @@ impl Way {
         mut self,
         rest: &AtRest<'_>,
         solution: &mut Solution,
-        wanted: Wanted,
+        wanted: Output,
         watch: &mut dyn Watch,
     ) -> Result<(), AnalysisError> {
         if solution.self_weight.is_empty() {
@@ -115,7 +115,7 @@ impl Way {
         }
         solution.condensed_degrees_of_freedom = Some(self.condensed.counts().retained_rows);
         solution.taking_part = self.condensed.retained_parts();
-        if wanted == Wanted::Records || solution.status == PassageStatus::Cancelled {
+        if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
             return Ok(());
         }
         self.moments(rest, solution, watch).map_err(failed)?;

@@ -5,7 +5,7 @@ mod moment;
 mod plain;
 mod slices;
 
-pub use slices::{Slices, Wanted as WantedSlices, slices};
+pub use slices::{Slices, WantedSlices, slices};
 
 use super::Setup;
 use super::model::{assumptions, model};
@@ -67,14 +67,14 @@ pub fn records(
     expected: &[usize],
     watch: &mut dyn Watch,
 ) -> Result<Solution, AnalysisError> {
-    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), Wanted::Records, expected, watch)?;
+    let mut passing = Passing::with(bridge, Cow::Borrowed(setup), Output::Records, expected, watch)?;
     passing.advance(usize::MAX, watch)?;
     passing.finish(watch)
 }
 
 /// What is wanted of a passage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Wanted {
+enum Output {
     Records,
     Everything,
 }
@@ -83,7 +83,7 @@ enum Wanted {
 pub struct Passing<'s> {
     rest: AtRest<'s>,
     way: Way,
-    wanted: Wanted,
+    wanted: Output,
     /// Positions that were reached.
     done: usize,
     /// What was found so far.
@@ -100,13 +100,13 @@ enum Way {
 impl<'s> Passing<'s> {
     /// The bridge under its own weight, before the train.
     pub fn new(bridge: &Bridge, setup: Cow<'s, Setup>, watch: &mut dyn Watch) -> Result<Passing<'s>, AnalysisError> {
-        Passing::with(bridge, setup, Wanted::Everything, &[], watch)
+        Passing::with(bridge, setup, Output::Everything, &[], watch)
     }
 
     fn with(
         bridge: &Bridge,
         setup: Cow<'s, Setup>,
-        wanted: Wanted,
+        wanted: Output,
         expected: &[usize],
         watch: &mut dyn Watch,
     ) -> Result<Passing<'s>, AnalysisError> {
@@ -135,7 +135,7 @@ impl<'s> Passing<'s> {
             false => Way::Plain(Box::new(plain::Way::new(&rest, &mut solution, watch)?)),
         };
         let mut passing = Passing { rest, way, wanted, done: 0, solution };
-        if wanted == Wanted::Everything && passing.solution.status == PassageStatus::Completed {
+        if wanted == Output::Everything && passing.solution.status == PassageStatus::Completed {
             let moment = passing.moment()?;
             passing.solution.moments.push(moment);
         }

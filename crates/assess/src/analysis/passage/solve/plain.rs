@@ -1,6 +1,6 @@
 //! The passage by the whole system: every unknown at every position, at rest or in motion.
 
-use super::{AtRest, Named, Solution, Wanted, end, nearest, of_step, pictures, read, with_train};
+use super::{AtRest, Named, Output, Solution, end, nearest, of_step, pictures, read, with_train};
 use crate::analysis::AnalysisError;
 use crate::analysis::passage::{PassageError, Setup};
 use bridge::passage::PassageAnalysis;
@@ -141,8 +141,8 @@ impl Way {
     }
 
     /// Makes the pictures.
-    pub fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Wanted) {
-        if wanted == Wanted::Records || solution.status == PassageStatus::Cancelled {
+    pub fn finish(self, rest: &AtRest<'_>, solution: &mut Solution, wanted: Output) {
+        if wanted == Output::Records || solution.status == PassageStatus::Cancelled {
             return;
         }
         let places = pictures(&rest.setup, solution);

@@ -37,7 +37,7 @@ pub struct Slices {
 
 /// What is asked of slices.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Wanted<'w> {
+pub struct WantedSlices<'w> {
     /// Places of the first axle [m].
     pub positions: &'w [f64],
     /// Parts that took part where nearly the same was asked, or none.
@@ -51,7 +51,7 @@ pub struct Wanted<'w> {
 pub fn slices(
     bridge: &Bridge,
     setup: &Setup,
-    wanted: Wanted<'_>,
+    wanted: WantedSlices<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Slices, AnalysisError> {
     let observed: Option<Vec<Functional>> = setup.sensors.iter().map(|sensor| functional(&sensor.reading)).collect();
