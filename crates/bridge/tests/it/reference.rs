@@ -84,11 +84,13 @@ fn defaults_are_those_of_the_cards() {
 #[test]
 fn written_documents_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/input");
-    let schema = serde_json::to_string_pretty(&bridge::schema::schema()).unwrap() + "\n";
+    let schema = |schema| serde_json::to_string_pretty(&schema).unwrap() + "\n";
     let documents = [
         ("reference.md", bridge::reference::reference()),
         ("messages.md", bridge::reference::messages()),
-        ("bridge.schema.json", schema),
+        ("bridge.schema.json", schema(bridge::schema::schema())),
+        ("blocks.md", bridge::reference::blocks_reference()),
+        ("blocks.schema.json", schema(bridge::schema::schema_of_blocks())),
     ];
     for (name, fresh) in documents {
         let path = folder.join(name);

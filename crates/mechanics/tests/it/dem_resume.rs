@@ -95,6 +95,22 @@ fn a_run_stopped_while_supports_move_ends_in_the_same_bits() {
     }
 }
 
+/// Words with any bit flipped or cut short are refused by name.
+pub fn damage_is_refused(kept: &[u64], take: impl Fn(&[u64]) -> Result<(), ModelError>) {
+    let refused = Err(ModelError::ForeignState);
+    let mut seed = 1_u64;
+    for _ in 0..500 {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let mut damaged = kept.to_vec();
+        let place = (seed >> 33) as usize % damaged.len();
+        damaged[place] ^= 1 << (seed >> 20 & 63);
+        assert_eq!(take(&damaged), refused, "word {place}");
+    }
+    for length in [0, 1, 2, 100, kept.len() - 1] {
+        assert_eq!(take(&kept[..length]), refused, "{length} words");
+    }
+}
+
 /// Words with any bit flipped, cut short, or kept for other blocks, loads, laws, settings or another program are
 /// refused by name.
 #[test]
@@ -108,17 +124,7 @@ fn damaged_and_foreign_words_are_refused() {
     };
     assert_eq!(take(&model, &loading, &program, &settings, &kept), Ok(()));
     let refused = Err(ModelError::ForeignState);
-    let mut seed = 1_u64;
-    for _ in 0..500 {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let mut damaged = kept.clone();
-        let place = (seed >> 33) as usize % damaged.len();
-        damaged[place] ^= 1 << (seed >> 20 & 63);
-        assert_eq!(take(&model, &loading, &program, &settings, &damaged), refused, "word {place}");
-    }
-    for length in [0, 1, 2, 100, kept.len() - 1] {
-        assert_eq!(take(&model, &loading, &program, &settings, &kept[..length]), refused, "{length} words");
-    }
+    damage_is_refused(&kept, |words| take(&model, &loading, &program, &settings, words));
     let mut other = model.clone();
     other.laws.iter_mut().for_each(|law| law.friction *= 1.01);
     assert_eq!(take(&other, &loading, &program, &settings, &kept), refused);

@@ -136,9 +136,10 @@ impl<K: Clone> Extremes<K> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::plan;
     use super::super::vehicle_sweep;
     use crate::samples;
-    use bridge::{Directions, Method, Ring, Span, SweepPlan};
+    use bridge::{Method, Ring, Span};
     use mechanics::watch::Unwatched;
     use outcome::published::vehicle_sections_table;
     use outcome::vehicles::VehicleSweep;
@@ -150,18 +151,7 @@ mod tests {
         b.plan.method = Method::Limit;
         let ring = Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs: 21 };
         b.spans = vec![Span { span: 6.0, rise: 1.5, rings: vec![ring], ..b.spans[0].clone() }];
-        b.sweep = Some(SweepPlan {
-            rule: "characteristic".into(),
-            rule_file: None,
-            vehicles: vec![vehicle.to_owned()],
-            vehicle_files: Vec::new(),
-            step: Some(0.5),
-            directions: Directions::Both,
-            subsets: true,
-            own_dispersal: false,
-            discrete_elements: false,
-            texts: Vec::new(),
-        });
+        b.sweep = Some(plan(&[vehicle]));
         vehicle_sweep(&b, &mut Unwatched).unwrap()
     }
 

@@ -7,7 +7,8 @@ use mechanics::watch::Unwatched;
 use outcome::collapse::Status;
 use outcome::vehicles::Of;
 
-fn plan(vehicles: &[&str]) -> SweepPlan {
+/// A sweep of vehicles in steps of half a metre.
+pub(super) fn plan(vehicles: &[&str]) -> SweepPlan {
     SweepPlan {
         rule: "characteristic".into(),
         rule_file: None,
