@@ -1,10 +1,7 @@
 //! Everything that is written beside the result of a collapse analysis.
 
 use crate::raster::RasterError;
-use crate::{
-    animation, chains, displaced, drawn, figure::Figure, fill_stress, frames, load_path, mechanism, packing, png,
-    stress, thrust, vtk,
-};
+use crate::{FIGURES, animation, figure::Figure, png, vtk};
 use outcome::picture::Picture;
 
 /// Width of PNG pictures [pixels]: 160 mm at 380 dots per inch.
@@ -18,20 +15,6 @@ pub struct File {
     /// What it contains.
     pub bytes: Vec<u8>,
 }
-
-/// Every figure of a collapse, in the order of its files.
-pub const FIGURES: &[Figure] = &[
-    drawn::FIGURE,
-    mechanism::FIGURE,
-    thrust::FIGURE,
-    stress::FIGURE,
-    load_path::FIGURE,
-    frames::FIGURE,
-    packing::FIGURE,
-    chains::FIGURE,
-    displaced::FIGURE,
-    fill_stress::FIGURE,
-];
 
 /// All figures that the picture has material for, as SVG: name without extension, and drawing.
 pub fn drawings(picture: &Picture) -> Vec<(String, String)> {

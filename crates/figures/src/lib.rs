@@ -46,7 +46,7 @@ mod vehicles;
 pub mod vtk;
 mod words;
 
-pub use all::{FIGURES, File, PNG_WIDTH, all, both, drawings, paraview};
+pub use all::{File, PNG_WIDTH, all, both, drawings, paraview};
 pub use animation::animation;
 pub use calibration::calibration;
 pub use chains::force_chains;
@@ -69,3 +69,17 @@ pub use thrust::thrust_line;
 pub use update::{UPDATE_FIGURES, update, update_drawings};
 pub use vehicles::vehicles;
 pub use words::four_digits;
+
+/// Every figure of a collapse, in the order of its files.
+pub const FIGURES: &[Figure] = &[
+    drawn::FIGURE,
+    mechanism::FIGURE,
+    thrust::FIGURE,
+    stress::FIGURE,
+    load_path::FIGURE,
+    frames::FIGURE,
+    packing::FIGURE,
+    chains::FIGURE,
+    displaced::FIGURE,
+    fill_stress::FIGURE,
+];

@@ -92,7 +92,7 @@ pub fn load_displacement(picture: &Picture) -> Option<String> {
         sheet.label(at, &text, Style::on_drawing(), room);
     }
 
-    let mut entries = vec![Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "came to rest" }];
+    let mut entries = vec![Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "in balance" }];
     if steps.iter().zip(&spots).any(|(s, p)| !s.at_rest && inside(p)) {
         entries.push(Entry { line: None, mark: Some((Mark::Hollow, CURVE)), text: "did not come to rest" });
     }
