@@ -45,6 +45,13 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     let settings = path::Settings::new(contact_length(&bridge.plan, contact));
     let outcome = path::collapse(&d.model, &d.loading, (&settings, &program), watch)?;
     let mut c = report(bridge, &d, (&settings, contact), &outcome);
+    // Only what rigid blocks do not carry either is told as a fall; all else is a first state that was not found.
+    if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
+        c.status = Status::NotConverged;
+        if let By::Path(report) = &mut c.by {
+            report.ended = Ended::NotConverged;
+        }
+    }
     c.load_step = Some(d.load(program.increment));
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);

@@ -168,9 +168,15 @@ impl<'m> Path<'m> {
             if !matches!(end, End::Limit | End::Lost) {
                 return end;
             }
-            let mut pushed = state.clone();
-            advance(self.model, &mut pushed, &[], self.settings.resolution * state.factor.abs().max(increment));
-            let Some((next, steps)) = fall(self.model, self.settings, &pushed, &mut self.work) else {
+            // Where no next state was found, the one of a load a little further on may be.
+            let pushes: &[f64] = if end == End::Lost { &[1.0, 10.0, 100.0] } else { &[1.0] };
+            let fallen = pushes.iter().find_map(|times| {
+                let mut pushed = state.clone();
+                let push = times * self.settings.resolution * state.factor.abs().max(increment);
+                advance(self.model, &mut pushed, &[], push);
+                fall(self.model, self.settings, &pushed, &mut self.work)
+            });
+            let Some((next, steps)) = fallen else {
                 self.descend(state, watch);
                 return end;
             };
