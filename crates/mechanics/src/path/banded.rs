@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn a_system_with_exchanges_is_solved_and_its_determinant_has_its_sign() {
         let (size, below) = (9, 2);
-        let entry = |row: usize, column: usize| ((row * 7 + column * 13) % 11) as f64 - 5.0;
+        let entry = |row: usize, column: usize| ((row * row * 7 + column * 5 + row * column * 3) % 11) as f64 - 5.0;
         let mut matrix = Banded::new(size, below);
         let exact: Vec<f64> = (0..size).map(|k| k as f64 - 3.5).collect();
         let mut right = vec![0.0; size];
