@@ -293,7 +293,7 @@ pub struct PathReport {
     pub snaps: u32,
     /// Largest out-of-balance force of a state, relative to all forces that act.
     pub equilibrium_residual: f64,
-    /// Largest shear beyond the strength of a joint's end, relative to all forces that act.
+    /// Largest shear beyond the strength of a joint's end, relative to the weight of the blocks.
     pub yield_violation: f64,
     /// Iterations of Newton's method in all.
     pub iterations_total: u32,

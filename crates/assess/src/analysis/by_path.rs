@@ -71,13 +71,14 @@ fn report(
 ) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| d.load(f));
     let strength = d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min);
+    let weight = d.model.free_weight().max(f64::MIN_POSITIVE);
     let report = PathReport {
         ended: ended(outcome),
         contact: Some(contact),
         permissible: permissible(d, &outcome.path, strength),
         snaps: outcome.snaps,
         equilibrium_residual: outcome.path.iter().map(|p| p.residual).fold(0.0, f64::max),
-        yield_violation: 0.0,
+        yield_violation: outcome.path.iter().map(|p| p.excess).fold(0.0, f64::max) / weight,
         iterations_total: outcome.iterations,
     };
     let mut picture = picture::built(bridge, d, "path of equilibrium");

@@ -46,9 +46,13 @@ fn joint(model: &Model, settings: &Settings, state: &State, k: usize) -> JointSt
 
 /// Whether the shear of an end is as large as its strength.
 fn slides(joint: &Joint, response: &Response<f64>, end: usize) -> bool {
+    response.ends.compression[end] > 0.0 && response.shear[end].abs() >= strength(joint, response, end) * (1.0 - 1e-6)
+}
+
+/// Largest shear that an end carries [N/m].
+fn strength(joint: &Joint, response: &Response<f64>, end: usize) -> f64 {
     let law = &joint.resistance;
-    let strength = law.friction * response.ends.compression[end] + law.cohesion * response.ends.length[end];
-    response.ends.compression[end] > 0.0 && response.shear[end].abs() >= strength * (1.0 - 1e-6)
+    law.friction * response.ends.compression[end] + law.cohesion * response.ends.length[end]
 }
 
 /// Greatest compressive stress [Pa].
@@ -102,6 +106,7 @@ pub(super) fn point(
         sliding: 0,
         stress: 0.0,
         crushed: 0.0,
+        excess: 0.0,
         iterations,
         residual,
     };
@@ -118,6 +123,8 @@ pub(super) fn point(
             let arm = 0.5 * response.length / joint.built_length().max(response.length);
             point.eccentricity = point.eccentricity.max(arm * ((b - a) / (a + b)).abs());
         }
+        let beyond = |end: usize| response.shear[end].abs() - strength(joint, &response, end);
+        point.excess = point.excess.max(beyond(0)).max(beyond(1));
         point.sliding += u32::from((0..2).any(|e| slides(joint, &response, e)));
         point.stress = point.stress.max(stress(settings, joint, &response));
         point.crushed = point.crushed.max(crushed(settings, joint, &response.overlap));

@@ -125,6 +125,7 @@ fn states_balance_and_keep_within_their_strength() {
         let arch = bridgemill(true, 1.0);
         let found = run(&arch, contact_length);
         assert!(found.frames.len() > 10);
+        assert!(found.path.iter().all(|point| point.excess < 1e-6), "{contact_length:?}");
         for frame in &found.frames {
             let left = out_of_balance(&arch, &found, frame);
             assert!(left < 0.01, "{contact_length:?} at {}: {left} N/m", frame.factor);
@@ -136,7 +137,7 @@ fn states_balance_and_keep_within_their_strength() {
     }
 }
 
-/// Past its peak the load falls, four joints have opened, and the ends of the arch stay where they are in the mechanism.
+/// Past its peak the load falls, joints have opened, and the ends of the arch stay where they are in the mechanism.
 #[test]
 fn the_path_goes_past_its_peak() {
     let arch = bridgemill(false, 1.0);
@@ -163,7 +164,7 @@ fn crushing_takes_load_away() {
     assert!(found.path.iter().any(|point| point.crushed > 0.1));
 }
 
-/// A ring of a third of the thickness does not stand, and its path says so.
+/// A load limit ends the path as such; a ring a hundred times as heavy on joints of 1 MPa does not stand, and its path says so.
 #[test]
 fn a_path_has_a_name_for_its_end() {
     let arch = bridgemill(false, 1.0);
