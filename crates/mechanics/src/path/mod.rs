@@ -5,7 +5,8 @@
 //! (Riks 1979; Crisfield 1981), so that the load may fall.
 //!
 //! Read in the order of the method: `model` numbers the equations, `joint` gives the forces of one joint and `system` those of
-//! all, `correct` balances a guess, `trace` goes from state to state, `frame` says what a state is like.
+//! all, `correct` balances a guess, `trace` goes from state to state, `frame` says what a state is like, `sweep` follows many
+//! loads on the same blocks.
 
 mod banded;
 mod correct;
@@ -16,9 +17,11 @@ mod jump;
 mod model;
 mod outcome;
 mod settings;
+mod sweep;
 mod system;
 mod trace;
 
 pub use outcome::{Cause, EndState, Frame, JointState, Outcome, PathPoint, Status};
 pub use settings::{Program, Settings};
+pub use sweep::{Carried, Ground, Sweeper};
 pub use trace::collapse;

@@ -3,7 +3,7 @@
 use super::joint::Joint;
 use super::settings::Settings;
 use crate::acting::Resultant;
-use crate::blocks::{BlockModel, Interface, Loading, ModelError, interfaces};
+use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce, interfaces};
 use crate::ids::{BlockId, Id};
 use crate::plane::{Vec2, vec2};
 
@@ -79,12 +79,9 @@ impl Model {
         for (id, block) in model.blocks.pairs() {
             permanent[id.index()].add(Vec2::ZERO, model.gravity * block.mass());
         }
+        gather(&loading.permanent, &built, &mut permanent);
         let mut variable = vec![Resultant::default(); built.len()];
-        for (into, forces) in [(&mut permanent, &loading.permanent), (&mut variable, &loading.variable)] {
-            for f in forces {
-                into[f.block.index()].add(f.at - built[f.block.index()], f.force);
-            }
-        }
+        gather(&loading.variable, &built, &mut variable);
         let mut movement = vec![[0.0; 3]; built.len()];
         for motion in &loading.movements {
             let (i, by) = (motion.block.index(), [motion.translation.x, motion.translation.y, motion.rotation]);
@@ -110,11 +107,23 @@ impl Model {
         })
     }
 
+    /// Puts other forces in the place of those that grow.
+    pub(super) fn load(&mut self, forces: &[PointForce]) {
+        self.variable.fill(Resultant::default());
+        gather(forces, &self.built, &mut self.variable);
+    }
+
     /// Where a point of a block as built [m] is after the block's motion.
     pub(super) fn moved(&self, block: usize, built: Vec2, motion: [f64; 3]) -> Vec2 {
         let (sine, cosine) = motion[2].sin_cos();
         let arm = built - self.built[block];
         self.built[block] + vec2(motion[0] + cosine * arm.x - sine * arm.y, motion[1] + sine * arm.x + cosine * arm.y)
+    }
+}
+
+fn gather(forces: &[PointForce], built: &[Vec2], into: &mut [Resultant]) {
+    for f in forces {
+        into[f.block.index()].add(f.at - built[f.block.index()], f.force);
     }
 }
 

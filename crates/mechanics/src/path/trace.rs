@@ -25,17 +25,12 @@ pub fn collapse(
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(blocks, loading, settings)?;
     let mut path = Path::new(&model, settings, program);
+    path.drawn = true;
     let mut state = State::as_built(&model);
     let status = match path.stand(&mut state, watch) {
         Standing::Balanced(balanced) => {
             path.keep(&state, balanced);
-            match path.follow(program.increment, program.limit, &mut state, watch) {
-                End::Target => Status::StableToLastLoad,
-                End::Limit => Status::LimitPoint,
-                End::Bifurcation => Status::Bifurcation,
-                End::Lost => Status::NotConverged,
-                End::Stopped => Status::Cancelled,
-            }
+            path.follow(program.increment, program.limit, &mut state, watch).status()
         }
         Standing::Falls => Status::UnstableUnderSelfWeight,
         Standing::Stopped => Status::Cancelled,
@@ -45,7 +40,7 @@ pub fn collapse(
 
 /// Whether the blocks stand under their own weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Standing {
+pub(super) enum Standing {
     Balanced(Balanced),
     Falls,
     Stopped,
@@ -53,12 +48,24 @@ enum Standing {
 
 /// How the loads ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum End {
+pub(super) enum End {
     Target,
     Limit,
     Bifurcation,
     Lost,
     Stopped,
+}
+
+impl End {
+    pub fn status(self) -> Status {
+        match self {
+            End::Target => Status::StableToLastLoad,
+            End::Limit => Status::LimitPoint,
+            End::Bifurcation => Status::Bifurcation,
+            End::Lost => Status::NotConverged,
+            End::Stopped => Status::Cancelled,
+        }
+    }
 }
 
 /// Where the path goes at a balanced state, per unit of its length.
@@ -78,15 +85,31 @@ impl Heading {
     }
 }
 
-struct Path<'m> {
+/// A state past the largest load, seen from the last one before it: its distance along the path, and how the factor changes there.
+struct Past {
+    distance: f64,
+    rate: f64,
+}
+
+impl Past {
+    /// The share of the distance to a place a little before the largest load, if the rate changes evenly between the two.
+    fn short_of_peak(&self, heading: &Heading) -> f64 {
+        const SHORT: f64 = 0.95;
+        (SHORT * heading.factor / (heading.factor - self.rate)).clamp(0.05, 0.9)
+    }
+}
+
+pub(super) struct Path<'m> {
     model: &'m Model,
     settings: &'m Settings,
     program: &'m Program,
     work: Workspace,
-    points: Vec<PathPoint>,
+    pub points: Vec<PathPoint>,
+    /// Whether states are kept to be drawn.
+    drawn: bool,
     frames: Vec<Frame>,
     last: Balanced,
-    iterations: u32,
+    pub iterations: u32,
     mechanism: Vec<f64>,
     /// How often balance was lost and found again.
     snaps: u32,
@@ -104,13 +127,14 @@ const WANTED_ITERATIONS: f64 = 5.0;
 const PAST_PEAK: f64 = 1e-3;
 
 impl<'m> Path<'m> {
-    fn new(model: &'m Model, settings: &'m Settings, program: &'m Program) -> Path<'m> {
+    pub fn new(model: &'m Model, settings: &'m Settings, program: &'m Program) -> Path<'m> {
         Path {
             model,
             settings,
             program,
             work: Workspace::new(model),
             points: Vec::new(),
+            drawn: false,
             frames: Vec::new(),
             last: Balanced { iterations: 0, residual: 0.0 },
             iterations: 0,
@@ -121,7 +145,7 @@ impl<'m> Path<'m> {
 
     /// The first state under self-weight. Joints without tension are alike at every load, so no small load would make it
     /// easier to find: instead they are pressed together until they are as good as glued, and are let go by degrees.
-    fn stand(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
+    pub fn stand(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
         let mut glued = state.clone();
         // As built, sides neither overlap nor gape but for rounding: any overlap makes them closed.
         state.pressed = self.model.size;
@@ -161,7 +185,7 @@ impl<'m> Path<'m> {
 
     /// Follows the path until the factor is at its target or can grow no more. Where balance is lost and found again close by,
     /// as when a hinge moves to the next joint, the path goes on from there.
-    fn follow(&mut self, increment: f64, target: f64, state: &mut State, watch: &mut dyn Watch) -> End {
+    pub fn follow(&mut self, increment: f64, target: f64, state: &mut State, watch: &mut dyn Watch) -> End {
         let mut length = None;
         loop {
             let end = self.rise((increment, target), &mut length, state, watch);
@@ -191,7 +215,7 @@ impl<'m> Path<'m> {
 
     /// Follows the path up to where the load grows no more, a stiffness turns negative or no next state is found; that is found
     /// to the resolution, and the state is left just before it.
-    fn rise(
+    pub fn rise(
         &mut self,
         (increment, target): (f64, f64),
         length: &mut Option<f64>,
@@ -201,6 +225,7 @@ impl<'m> Path<'m> {
         let Some(mut heading) = self.heading(state, None) else { return End::Lost };
         let first = increment.min(target) / heading.factor;
         let mut share = length.unwrap_or(first).min(first);
+        let mut past: Option<Past> = None;
         for step in 0..self.settings.most_steps {
             let progress = Progress {
                 stage: format!("load factor {:.4}", state.factor),
@@ -214,8 +239,13 @@ impl<'m> Path<'m> {
             if reaches {
                 share = (target - state.factor) / heading.factor;
             }
-            let close = heading.factor * share
-                <= self.settings.resolution * state.factor.abs().max(self.settings.resolution * increment);
+            let unseen = self.settings.resolution * state.factor.abs().max(self.settings.resolution * increment);
+            // The load grows ever slower towards its largest value.
+            if past.as_ref().is_some_and(|past| heading.factor * past.distance <= unseen) {
+                self.mechanism.clone_from(&heading.direction);
+                return End::Limit;
+            }
+            let close = heading.factor * share <= unseen;
             let constraint = if reaches { Constraint::Load } else { Constraint::Plane(&heading.direction) };
             let Some((next, balanced)) = self.step(constraint, state, (&heading, share)) else {
                 if close {
@@ -229,17 +259,21 @@ impl<'m> Path<'m> {
             let turns = on.as_ref().is_none_or(|on| on.sign <= 0);
             // Where a joint opens or closes the path has a corner; where it forks it has none.
             let smooth = on.as_ref().is_some_and(|on| heading.goes_on_as(on));
-            let Some(on) = on.filter(|_| !falls && !turns) else {
-                if close {
-                    self.mechanism.clone_from(&heading.direction);
-                    return match (falls, smooth) {
-                        (true, _) => End::Limit,
-                        (false, true) => End::Bifurcation,
-                        (false, false) => End::Lost,
-                    };
+            let on = match on {
+                Some(on) if !falls && !turns => on,
+                on => {
+                    if close {
+                        self.mechanism.clone_from(&heading.direction);
+                        return match (falls, smooth) {
+                            (true, _) => End::Limit,
+                            (false, true) => End::Bifurcation,
+                            (false, false) => End::Lost,
+                        };
+                    }
+                    past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: share, rate: on.factor });
+                    share *= past.as_ref().map_or(0.5, |past| past.short_of_peak(&heading));
+                    continue;
                 }
-                share *= 0.5;
-                continue;
             };
             self.accept(next, balanced, state);
             if reaches {
@@ -247,7 +281,9 @@ impl<'m> Path<'m> {
             }
             *length = Some(share);
             heading = on;
-            share *= (WANTED_ITERATIONS / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
+            let grown = share * (WANTED_ITERATIONS / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
+            past = past.map(|past| Past { distance: past.distance - share, ..past }).filter(|past| past.distance > 0.0);
+            share = past.as_ref().map_or(grown, |past| grown.min(past.distance * past.short_of_peak(&heading)));
         }
         End::Lost
     }
@@ -321,10 +357,12 @@ impl<'m> Path<'m> {
         self.keep(state, balanced);
     }
 
-    fn keep(&mut self, state: &State, balanced: Balanced) {
+    pub fn keep(&mut self, state: &State, balanced: Balanced) {
         let numbers = (balanced.iterations, balanced.residual);
         self.points.push(point(self.model, (self.settings, self.program), state, numbers));
-        self.frames.push(frame(self.model, self.settings, state, self.points.len() - 1));
+        if self.drawn {
+            self.frames.push(frame(self.model, self.settings, state, self.points.len() - 1));
+        }
     }
 
     fn outcome(self, blocks: &BlockModel, status: Status) -> Outcome {
@@ -373,7 +411,7 @@ impl<'m> Path<'m> {
 }
 
 /// What gives way in a state at the largest load.
-fn cause(point: &PathPoint) -> Cause {
+pub(super) fn cause(point: &PathPoint) -> Cause {
     if point.hinges >= 3 {
         Cause::Hinging
     } else if point.sliding > 0 {

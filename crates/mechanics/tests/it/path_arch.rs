@@ -1,12 +1,12 @@
 //! The path of equilibrium of the Bridgemill arch beside the block engine and the exact load of rigid blocks.
 
 use super::dem_bridgemill::{bridgemill, paper, program as blocks_program, run as by_blocks};
-use mechanics::blocks::{BlockModel, Loading};
+use mechanics::blocks::{BlockModel, Loading, PointForce};
 use mechanics::contact::ContactLength;
 use mechanics::dem::Damping;
 use mechanics::ids::Id;
 use mechanics::limit;
-use mechanics::path::{Cause, Frame, Outcome, Program, Settings, Status, collapse};
+use mechanics::path::{Cause, Frame, Ground, Outcome, Program, Settings, Status, collapse};
 use mechanics::plane::{Polygon, Vec2, vec2};
 use mechanics::watch::Unwatched;
 
@@ -178,4 +178,23 @@ fn a_path_has_a_name_for_its_end() {
     heavy.0.laws.iter_mut().for_each(|law| law.crushing = 1e6);
     let found = collapse(&heavy.0, &heavy.1, (&settings, &program()), &mut Unwatched).unwrap();
     assert_eq!(found.status, Status::UnstableUnderSelfWeight);
+}
+
+/// Loads that are followed one after the other from one state under self-weight carry what each carries by itself, whichever came
+/// before it and however long its steps are.
+#[test]
+fn loads_followed_from_one_self_weight_carry_what_they_carry_alone() {
+    let (model, loading) = bridgemill(false, 1.0);
+    let ground = Ground::new(&model, &loading, &Settings::new(ContactLength::Distributed), &mut Unwatched).unwrap();
+    let mut sweeper = ground.sweeper();
+    let twice: Vec<_> = loading.variable.iter().map(|f| PointForce { force: f.force * 2.0, ..*f }).collect();
+    let mut carried = |forces: &[PointForce], increment: f64| {
+        let found = sweeper.carried(forces, &Program { increment, ..program() }, &mut Unwatched);
+        assert_eq!((found.status, found.cause), (Status::LimitPoint, Some(Cause::Hinging)));
+        found.factor.unwrap()
+    };
+    let alone = load(&run(&(model, loading.clone()), ContactLength::Distributed));
+    within(carried(&loading.variable, 0.15 * alone), alone, 2e-5);
+    within(2.0 * carried(&twice, 0.1 * alone), alone, 2e-5);
+    within(carried(&loading.variable, 0.02 * alone), alone, 2e-5);
 }
