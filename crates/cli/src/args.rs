@@ -110,7 +110,7 @@ pub struct Collapse {
     /// Which analysis.
     #[command(flatten)]
     pub choice: Choice,
-    /// Move the loads over the whole bridge by limit analysis and draw the envelope
+    /// Move the loads over the whole bridge by limit analysis and draw the envelope; with --method path on joints that give too
     #[arg(long)]
     pub sweep: bool,
     /// Distance between the positions of a sweep, such as "0.25 m"

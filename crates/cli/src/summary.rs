@@ -53,7 +53,8 @@ pub fn collapse(found: &Collapse, out: &str) -> String {
 
 /// The governing position of a sweep, and a few of the others.
 pub fn sweep(sweep: &Sweep, out: &str) -> String {
-    let mut page = format!("{} positions of the loads by limit analysis\n\n", sweep.points.len());
+    let methods = if sweep.is_deformable() { "limit analysis and on joints that give" } else { "limit analysis" };
+    let mut page = format!("{} positions of the loads by {methods}\n\n", sweep.points.len());
     if !sweep.whole {
         page += "  interrupted: these are the positions that were answered by then\n";
     }
@@ -73,6 +74,11 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
             }
             if let Some(most) = worst.load_factor_at_most {
                 let _ = writeln!(page, "  load factor at most     {most:.4}, which is a bound and no answer");
+            }
+            for (name, factor) in [("rigid blocks", worst.rigid_factor), ("joints that give", worst.deformable_factor)] {
+                if let Some(factor) = factor {
+                    let _ = writeln!(page, "  {name:<22}  {factor:.4}");
+                }
             }
             if let Some(load) = worst.collapse_load {
                 let _ = writeln!(page, "  last stable load there  {:.2} kN/m", load / 1e3);

@@ -4,7 +4,7 @@ use crate::chart::Axis;
 use crate::elevation::INK;
 use crate::envelope::{Ordinate, Sweep, envelope};
 use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
-use outcome::vehicles::{Direction, Swept, VehicleSweep};
+use outcome::vehicles::{Direction, EnvelopePoint, Swept, VehicleSweep};
 
 const ENOUGH: &str = "#1f5fa8";
 const SHORT: &str = "#a02020";
@@ -33,26 +33,39 @@ fn governing_case(found: &VehicleSweep) -> Option<String> {
     ))
 }
 
+/// One of the factors at a position.
+type Factor = fn(&EnvelopePoint) -> Option<f64>;
+
 /// The least factor over arrangements at every place of the first axle, one curve for each way.
 fn curves(v: &Swept) -> Vec<Sweep> {
     // Beside the spans factors grow without bound; far above the governing one they are only a line that leaves the frame.
     let least = v.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
     let drawn = |a: Option<f64>| a.map_or(f64::NAN, |a| a.min(8.0 * least));
-    let ways = [(Direction::Right, "travelling to the right"), (Direction::Left, "driving to the left")];
+    let ways = [(Direction::Right, "travelling to the right"), (Direction::Left, "travelling to the left")];
+    let factors: &[(Factor, &str)] = match v.deformable {
+        Some(_) => &[(|p| p.deformable, "joints that give"), (|p| p.rigid, "rigid blocks")],
+        None => &[(|p| p.adequacy, "")],
+    };
+    let both_ways = ways.iter().all(|(way, _)| v.envelope.iter().any(|p| p.direction == *way));
     let mut curves = Vec::new();
-    for (way, words) in ways {
-        let mut points: Vec<(f64, f64)> =
-            v.envelope.iter().filter(|p| p.direction == way).map(|p| (p.position, drawn(p.adequacy))).collect();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        points.dedup_by(|next, kept| {
-            let same = (next.0 - kept.0).abs() < 1e-6;
-            if same && (next.1 < kept.1 || kept.1.is_nan()) {
-                kept.1 = next.1;
+    for (factor, method) in factors {
+        for (way, words) in ways {
+            // A case answered by one method alone is no gap in the other's curve.
+            let own = v.envelope.iter().filter(|p| p.direction == way);
+            let own = own.filter(|p| v.deformable.is_none() || factor(p).is_some() || !p.converged);
+            let mut points: Vec<(f64, f64)> = own.map(|p| (p.position, drawn(factor(p)))).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            points.dedup_by(|next, kept| {
+                let same = (next.0 - kept.0).abs() < 1e-6;
+                if same && (next.1 < kept.1 || kept.1.is_nan()) {
+                    kept.1 = next.1;
+                }
+                same
+            });
+            let words: Vec<&str> = [*method, if both_ways { words } else { "" }].into_iter().filter(|w| !w.is_empty()).collect();
+            if !points.is_empty() {
+                curves.push(Sweep { label: words.join(", "), points });
             }
-            same
-        });
-        if !points.is_empty() {
-            curves.push(Sweep { label: words.to_owned(), points });
         }
     }
     // A vehicle that looks the same from both ends drives one way only, and needs no key.
@@ -67,12 +80,12 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
     let mut bars: Vec<(&Swept, f64)> = found.vehicles.iter().filter_map(|v| Some((v, v.adequacy?))).collect();
     bars.sort_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.code.cmp(&b.0.code)));
     let least = bars.first()?.1;
-    let most = bars.iter().map(|b| b.1).fold(1.0, f64::max);
+    let most = bars.iter().map(|b| b.0.rigid.unwrap_or(b.1).max(b.1)).fold(1.0, f64::max);
     let mut sheet = Sheet::new("adequacy");
-    let top = sheet.title(
-        &found.bridge,
-        &format!("Adequacy factor of vehicles by limit analysis, rule \u{201c}{}\u{201d}", found.rule.code),
-    );
+    let both = found.vehicles.iter().any(|v| v.deformable.is_some());
+    let method = if both { ", the smaller of rigid blocks and joints that give" } else { " by limit analysis" };
+    let title = format!("Adequacy factor of vehicles{method}, rule \u{201c}{}\u{201d}", found.rule.code);
+    let top = sheet.title(&found.bridge, &title);
     let small = Style { size: SMALL, ..Style::default() };
     let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
     let names = bars.iter().map(|b| wide(&b.0.code)).fold(60.0, f64::max);
@@ -93,6 +106,10 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
     for (k, (v, factor)) in bars.iter().enumerate() {
         let middle = area.top + 4.0 + ROW * (k as f64 + 0.5);
         let colour = if *factor < 1.0 { SHORT } else { ENOUGH };
+        if let Some(rigid) = v.rigid.filter(|rigid| rigid > factor) {
+            let beyond = Area { left: x(*factor), right: x(rigid), top: middle - 6.0, bottom: middle + 6.0 };
+            sheet.rectangle(beyond, Pen::shape("none", colour, HAIR).class("rigid"));
+        }
         let bar = Area { left: area.left, right: x(*factor), top: middle - 6.0, bottom: middle + 6.0 };
         sheet.rectangle(bar, Pen::shape(colour, "none", 0.0).class("vehicle"));
         sheet.text([area.left - 8.0, middle + 4.4], &v.code, small.anchored(Anchor::End));
@@ -113,7 +130,9 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
         true => "left of the dashed line the bridge does not carry the vehicle with the rule's factors",
         false => "right of the dashed line the bridge carries the vehicle with the rule's factors",
     };
-    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, words, small);
+    let outlined = if both { "; outlined: what rigid blocks would carry" } else { "" };
+    let words = format!("{words}{outlined}");
+    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, &words, small);
     Some(sheet.finish(bottom + 4.0))
 }
 
@@ -121,7 +140,7 @@ fn adequacy(found: &VehicleSweep) -> Option<String> {
 mod tests {
     use super::*;
     use outcome::collapse::Status;
-    use outcome::vehicles::{Across, EnvelopePoint};
+    use outcome::vehicles::Across;
 
     fn swept(code: &str, adequacy: Option<f64>) -> Swept {
         let point = |k: usize, direction| EnvelopePoint {
@@ -131,7 +150,11 @@ mod tests {
             converged: true,
             adequacy: adequacy.map(|a| a * (1.0 + (k as f64 - 5.0).powi(2))),
             axles: Some([0, 0]),
+            critical_axle: None,
+            uniform: None,
             weights: None,
+            rigid: None,
+            deformable: None,
         };
         let library = outcome::rules::library().expect("library");
         let (rule, model) = (library.rule("cs-454").expect("rule"), library.model("cs-454").expect("model"));
@@ -157,6 +180,8 @@ mod tests {
             load_factors: [1.0; 2],
             cases: 22,
             by_interior_point: 0,
+            rigid: None,
+            deformable: None,
         }
     }
 

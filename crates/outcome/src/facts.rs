@@ -4,6 +4,7 @@
 use crate::collapse::{Collapse, Status};
 use crate::passage::PassageStatus;
 use crate::update::{Update, UpdateStatus};
+use crate::vehicles::PermissibleFactor;
 use crate::warning::Warning;
 use crate::words::words;
 use bridge::passage::Face;
@@ -319,6 +320,15 @@ pub struct SweptFacts {
     /// How sure its loads and distances are.
     #[serde(default)]
     pub loads_confidence: Confidence,
+    /// The factor of rigid blocks, where joints that give were followed too: `adequacy` is the smaller one then.
+    #[serde(default)]
+    pub rigid: Option<f64>,
+    /// The factor in balance on joints that give.
+    #[serde(default)]
+    pub deformable: Option<f64>,
+    /// Factors at which states are first reached that a bridge should not come to in service.
+    #[serde(default)]
+    pub permissible: Vec<PermissibleFactor>,
 }
 
 /// The movement of a support that makes a mechanism.

@@ -22,6 +22,10 @@ pub struct SweepPoint {
     pub collapse_load: Option<f64>,
     /// First and last axle of the governing subset, over all loads in the order of the file.
     pub axles: [usize; 2],
+    /// Least load factor of rigid blocks, where joints that give were followed too: `load_factor` is the smaller one then.
+    pub rigid_factor: Option<f64>,
+    /// Least load factor in balance on joints that give.
+    pub deformable_factor: Option<f64>,
 }
 
 impl SweepPoint {
@@ -61,6 +65,11 @@ impl Sweep {
             Some(_) if self.positions_not_converged() == 0 => Ended::Completed,
             _ => Ended::Undetermined,
         }
+    }
+
+    /// Whether joints that give were followed.
+    pub fn is_deformable(&self) -> bool {
+        self.points.iter().any(|point| point.deformable_factor.is_some())
     }
 
     /// The governing position.

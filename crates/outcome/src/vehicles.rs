@@ -1,6 +1,6 @@
 //! Vehicles moved over the bridge under the factors of a rule: what was found.
 
-use crate::collapse::{Collapse, Status};
+use crate::collapse::{Collapse, Criterion, Status};
 use crate::sweep::Ended;
 use crate::warning::Warning;
 use crate::words::words;
@@ -55,8 +55,71 @@ pub struct EnvelopePoint {
     pub adequacy: Option<f64>,
     /// First and last axle of what governs.
     pub axles: Option<[usize; 2]>,
+    /// The axle of it with the rule's factor for the critical one.
+    pub critical_axle: Option<usize>,
+    /// From where to where its uniform loads stand [m].
+    pub uniform: Option<[f64; 2]>,
     /// Factors on the weights of what governs.
     pub weights: Option<Weights>,
+    /// Least adequacy factor of rigid blocks, where joints that give were followed too: `adequacy` is the smaller one then.
+    pub rigid: Option<f64>,
+    /// Adequacy factor in balance on joints that give.
+    pub deformable: Option<f64>,
+}
+
+impl EnvelopePoint {
+    /// A point that is answered by one case, without its factor.
+    pub fn at(case: &Case) -> EnvelopePoint {
+        EnvelopePoint {
+            arrangement: case.arrangement.clone(),
+            direction: case.direction,
+            position: case.position,
+            converged: true,
+            adequacy: None,
+            axles: case.axles,
+            critical_axle: case.critical_axle,
+            uniform: case.uniform,
+            weights: Some(case.weights),
+            rigid: None,
+            deformable: None,
+        }
+    }
+
+    /// Takes the factor of a case on joints that give: where it is the smaller one, it counts, unless a case was not answered.
+    pub fn deforms(&mut self, factor: f64, case: &Case) {
+        self.deformable = Some(factor);
+        if self.converged && self.adequacy.is_none_or(|rigid| factor < rigid) {
+            self.adequacy = Some(factor);
+            (self.axles, self.critical_axle) = (case.axles, case.critical_axle);
+            (self.uniform, self.weights) = (case.uniform, Some(case.weights));
+        }
+    }
+}
+
+/// What a vehicle comes to on joints that give.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Deformable {
+    /// Whether the state under self-weight was found with all factors on weights.
+    pub stands: bool,
+    /// Least adequacy factor in balance over all cases that were followed.
+    pub adequacy: Option<f64>,
+    /// The case that has it.
+    pub case: Option<Case>,
+    /// At how many positions the path broke off: the last state in balance counts there.
+    pub broken_off: usize,
+    /// Adequacy factors at which states are first reached that a bridge should not come to in service, each at its worst position.
+    pub permissible: Vec<PermissibleFactor>,
+}
+
+/// The adequacy factor at which a state is first reached.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PermissibleFactor {
+    /// Which state.
+    pub criterion: Criterion,
+    /// The factor; zero where the self-weight alone brings it about.
+    pub adequacy: f64,
+    /// Position of the first axle there [m].
+    pub position: f64,
 }
 
 /// What was found for one vehicle.
@@ -106,6 +169,10 @@ pub struct Swept {
     pub cases: usize,
     /// How many of them had to be left to the interior-point method.
     pub by_interior_point: usize,
+    /// Adequacy factor of rigid blocks, or what bounds it from above, where joints that give were followed too.
+    pub rigid: Option<f64>,
+    /// What came of joints that give; `adequacy` is the smaller factor then.
+    pub deformable: Option<Deformable>,
 }
 
 impl Swept {
@@ -133,11 +200,17 @@ impl Swept {
         (self.adequacy, self.adequacy_at_most) = if answered { (least, None) } else { (None, least) };
     }
 
+    /// Says that it was stopped before all of it was answered.
+    pub fn cancel(&mut self) {
+        let least = self.factor();
+        self.end(false, least);
+    }
+
     /// Takes the result of the governing case by itself: where it carries less, the smaller factor counts, and where it
     /// found none, nothing is settled.
     pub fn governed_by(&mut self, run: &Collapse, capacity: f64) {
-        // What is carried where no load was found bounds nothing from above.
-        let answered = run.status == Status::Collapsed;
+        // What is carried where no load was found bounds nothing from above; a state in balance is carried.
+        let answered = run.status == Status::Collapsed || run.along().is_some();
         let by_itself = run.carried().filter(|_| answered).map(|load| load / run.reference_load * capacity);
         match by_itself {
             Some(factor) => {
@@ -152,6 +225,56 @@ impl Swept {
             }
             None => {}
         }
+    }
+
+    /// Takes what came of joints that give. The smaller factor counts; where the state under self-weight was not found, nothing is
+    /// settled.
+    pub fn judged_with(&mut self, deformable: Deformable) {
+        self.rigid = self.factor();
+        if !deformable.stands {
+            self.adequacy_at_most = self.factor();
+            self.adequacy = None;
+            self.positions_not_converged = self.envelope.len();
+            self.status = Status::NotConverged;
+        } else if let Some(factor) = deformable.adequacy.filter(|factor| self.rigid.is_none_or(|rigid| *factor < rigid)) {
+            self.case.clone_from(&deformable.case);
+            self.weights = self.case.as_ref().map(|case| case.weights);
+            match self.status {
+                Status::Collapsed | Status::Locks => {
+                    (self.adequacy, self.status) = (Some(factor), Status::Collapsed);
+                }
+                _ => self.adequacy_at_most = Some(factor),
+            }
+        }
+        self.deformable = Some(deformable);
+    }
+
+    /// Takes what came of joints that give from a vehicle whose loads are so many times smaller.
+    pub fn deforms_like(&mut self, of: &Swept, times: f64) {
+        let less = |factor: Option<f64>| factor.map(|factor| factor / times);
+        let points = of.envelope.iter().map(|p| EnvelopePoint {
+            adequacy: less(p.adequacy),
+            rigid: less(p.rigid),
+            deformable: less(p.deformable),
+            ..p.clone()
+        });
+        self.envelope = points.collect();
+        let Some(of) = &of.deformable else { return };
+        let case = of.case.clone().map(|case| Case { load: case.load * times, ..case });
+        let permissible = of.permissible.iter().map(|p| PermissibleFactor { adequacy: p.adequacy / times, ..*p });
+        let deformable = Deformable {
+            adequacy: less(of.adequacy),
+            case,
+            permissible: permissible.collect(),
+            ..of.clone()
+        };
+        self.judged_with(deformable);
+    }
+
+    /// Whether joints that give carry less than rigid blocks.
+    pub fn is_deformable_governing(&self) -> bool {
+        let own = self.deformable.as_ref().and_then(|deformable| deformable.adequacy);
+        own.is_some_and(|own| self.rigid.is_none_or(|rigid| own < rigid))
     }
 
     /// The adequacy factor, or what bounds it from above.
@@ -207,11 +330,13 @@ impl VehicleSweep {
 
     /// The headline: the governing vehicle's factor by the method that gives less, and that method. None where it is not known.
     pub fn headline(&self) -> Option<(f64, Method)> {
-        let by_limit = self.vehicles.get(self.governing?)?.adequacy?;
+        let governing = self.vehicles.get(self.governing?)?;
+        let own = governing.adequacy?;
         let second = self.discrete_elements.as_ref().and_then(|second| second.adequacy);
         Some(match second {
-            Some(second) if second < by_limit => (second, Method::Dem),
-            _ => (by_limit, Method::Limit),
+            Some(second) if second < own => (second, Method::Dem),
+            _ if governing.is_deformable_governing() => (own, Method::Path),
+            _ => (own, Method::Limit),
         })
     }
 }

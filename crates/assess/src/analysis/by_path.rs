@@ -70,12 +70,12 @@ fn report(
     outcome: &path::Outcome,
 ) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| d.load(f));
-    let strength = d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min);
+    let permissible = permissible(&outcome.path, strength(d)).into_iter();
     let weight = d.model.free_weight().max(f64::MIN_POSITIVE);
     let report = PathReport {
         ended: ended(outcome),
         contact: Some(contact),
-        permissible: permissible(d, &outcome.path, strength),
+        permissible: permissible.map(|(criterion, factor)| Permissible { criterion, load: d.load(factor) }).collect(),
         snaps: outcome.snaps,
         equilibrium_residual: outcome.path.iter().map(|p| p.residual).fold(0.0, f64::max),
         yield_violation: outcome.path.iter().map(|p| p.excess).fold(0.0, f64::max) / weight,
@@ -120,8 +120,13 @@ fn ended(outcome: &path::Outcome) -> Ended {
     }
 }
 
-/// Loads at which the states of a path first meet each criterion, between two of them in proportion.
-fn permissible(d: &Discretised, path: &[PathPoint], strength: f64) -> Vec<Permissible> {
+/// Least crushing strength of the joints [Pa].
+pub(super) fn strength(d: &Discretised) -> f64 {
+    d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min)
+}
+
+/// Factors at which the states of a path first meet each criterion, between two of them in proportion.
+pub(super) fn permissible(path: &[PathPoint], strength: f64) -> Vec<(Criterion, f64)> {
     let rising = path.iter().enumerate().take_while(|(k, p)| *k == 0 || p.factor >= path[k - 1].factor);
     let rising: Vec<&PathPoint> = rising.map(|(_, p)| p).collect();
     let first = |measure: &dyn Fn(&PathPoint) -> f64, most: f64| {
@@ -138,7 +143,7 @@ fn permissible(d: &Discretised, path: &[PathPoint], strength: f64) -> Vec<Permis
         (Criterion::HalfStrength, first(&stress, 0.5)),
         (Criterion::HalfStiffness, softened(&rising)),
     ];
-    found.into_iter().filter_map(|(criterion, factor)| Some(Permissible { criterion, load: d.load(factor?) })).collect()
+    found.into_iter().filter_map(|(criterion, factor)| Some((criterion, factor?))).collect()
 }
 
 /// Factor at which the loaded point moves twice as far as at first for a little more of the load.

@@ -9,6 +9,7 @@ pub mod by_limit;
 pub mod by_path;
 pub mod calibrate;
 mod caveats;
+mod deforming;
 mod dimensions;
 mod filled;
 mod movement;

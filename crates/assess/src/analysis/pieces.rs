@@ -123,6 +123,27 @@ pub fn told<J: Sync, M: Send>(
     });
 }
 
+/// An onlooker of one part of the work, whose share of the whole begins and ends where it is told.
+pub struct Portion<'w> {
+    watch: &'w mut dyn Watch,
+    shares: [f64; 2],
+}
+
+impl<'w> Portion<'w> {
+    /// The part between two shares of the whole.
+    pub fn new(watch: &'w mut dyn Watch, shares: [f64; 2]) -> Portion<'w> {
+        Portion { watch, shares }
+    }
+}
+
+impl Watch for Portion<'_> {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let [from, to] = self.shares;
+        let fraction = progress.fraction.map(|share| from + share * (to - from));
+        self.watch.look(&Progress { fraction, ..progress.clone() })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,12 +1,15 @@
 //! Limit analysis with the loads moved over the bridge.
 //!
 //! Every position is answered with dilatant friction first. Where joints slide or lock, cases up to twice the least factor are
-//! answered again without dilation; the worst position is then sought between the positions.
+//! answered again without dilation; the worst position is then sought between the positions. With the path of equilibrium as the
+//! plan's method, `deformable` puts the factors of joints that give beside them.
+
+mod deformable;
 
 use super::pieces::{self, Pace, Stage};
 use super::vehicles::{DILATANCY, REFINEMENTS};
 use super::{AnalysisError, by_limit};
-use bridge::{Bridge, LoadKind};
+use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Sweeper};
 use mechanics::watch::Watch;
@@ -73,15 +76,14 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
     if whole && list.len() > 1 {
         whole = scene.refined(&mut rows, step, watch)?;
     }
-    rows.sort_by(|a, b| a.position.total_cmp(&b.position));
     let points: Vec<SweepPoint> = rows.iter().map(|row| scene.point(row)).collect();
-    let governing = points
-        .iter()
-        .enumerate()
-        .filter_map(|(k, p)| p.bound().map(|f| (k, f)))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(k, _)| k);
-    let mut found = Sweep { points, governing, step, whole, warnings: Vec::new(), assumptions: Vec::new() };
+    let mut found = Sweep { points, governing: None, step, whole, warnings: Vec::new(), assumptions: Vec::new() };
+    if whole && bridge.plan.method == Method::Path {
+        found.whole = deformable::beside(&scene, (&mut rows, step), &mut found, watch)?;
+    }
+    found.points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    let bounds = found.points.iter().enumerate().filter_map(|(k, p)| p.bound().map(|f| (k, f)));
+    found.governing = bounds.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k);
     notes(&mut found, &rows);
     Ok(found)
 }
@@ -294,18 +296,23 @@ impl Scene<'_> {
         if position == started {
             return Ok(true);
         }
+        let (row, done) = self.answered_again(position, watch);
+        if done {
+            rows.push(row);
+        }
+        Ok(done)
+    }
+
+    /// Every case at one position as the plan's friction says; whether all were answered.
+    fn answered_again(&self, position: f64, watch: &mut dyn Watch) -> (Row, bool) {
         let mut row = self.row(position);
         let steps = row.cases.len() as u64;
         let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
         let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| self.without_dilation(case, pace));
-        if !done {
-            return Ok(false);
-        }
         for (case, found) in row.cases.iter_mut().zip(found) {
             (case.status, case.factor, case.level) = found.flatten().unwrap_or((Status::Cancelled, None, false));
         }
-        rows.push(row);
-        Ok(true)
+        (row, done)
     }
 
     /// The worst case of a row.
@@ -331,6 +338,8 @@ impl Scene<'_> {
             load_factor_at_most: factor.filter(|_| !answered),
             collapse_load: worst.filter(|_| answered).and_then(|case| Some(case.factor? * case.force)),
             axles: worst.map_or([0, row.axles.saturating_sub(1)], |case| case.axles),
+            rigid_factor: None,
+            deformable_factor: None,
         }
     }
 }

@@ -180,5 +180,8 @@ fn swept(one: &Swept) -> SweptFacts {
         load_factor: one.load_factors[0],
         slow_cases: one.by_interior_point,
         loads_confidence: one.source.confidence,
+        rigid: one.rigid,
+        deformable: one.deformable.as_ref().and_then(|own| own.adequacy),
+        permissible: one.deformable.as_ref().map_or_else(Vec::new, |own| own.permissible.clone()),
     }
 }

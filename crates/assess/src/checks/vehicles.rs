@@ -100,20 +100,28 @@ fn without_safety(safety: &SafetyFacts, met: &[&Comparison]) -> String {
     )
 }
 
+/// The method of joints that give, in words.
+const GIVES: &str = "path of equilibrium on joints that give";
+
 fn finding(facts: &VehicleFacts, one: &SweptFacts, safe: bool, wanted: f64) -> Comparison {
     // Joints that deform carry less; the smaller number counts where both were found.
     let governs = facts.governing.as_ref() == Some(&one.code);
     let second = facts.adequacy_by_discrete_elements.filter(|_| governs);
     let by_limit = one.adequacy.or(one.adequacy_at_most).unwrap_or(0.0);
     let value = by_limit.min(second.unwrap_or(f64::INFINITY));
+    let (rigid, gives) = (one.rigid.unwrap_or(f64::INFINITY), one.deformable.unwrap_or(f64::INFINITY));
     let method = match value < by_limit {
         _ if one.adequacy.is_none() && one.adequacy_at_most.is_some() => {
             format!(
-                "limit analysis, at most: {} of {} positions have no answer",
-                one.positions_not_converged, one.positions
+                "{}, at most: {} of {} positions have no answer",
+                if gives < rigid { GIVES } else { "limit analysis" },
+                one.positions_not_converged,
+                one.positions
             )
         }
         true => format!("discrete elements (limit analysis {by_limit:.3})"),
+        false if gives < rigid => format!("{GIVES} (rigid blocks {rigid:.3})"),
+        false if gives.is_finite() => format!("limit analysis ({GIVES} {gives:.3})"),
         false => "limit analysis".to_owned(),
     };
     Comparison {

@@ -13,7 +13,7 @@ use crate::{quantities, summary};
 use extrados::{Choice, CollapseOptions, SweepOptions, Swept};
 use outcome::collapse::Collapse;
 use outcome::sweep::Ended;
-use outcome::sweep::Sweep;
+use outcome::sweep::{Sweep, SweepPoint};
 use outcome::vehicles::VehicleSweep;
 use outcome::{published, warning};
 use std::time::Duration;
@@ -54,7 +54,8 @@ pub(super) fn kind(plan: &bridge::Plan, sweep_of_vehicles: Option<bool>) -> Stri
 pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Failure> {
     if arguments.sweep && arguments.choice.method == Some(bridge::Method::Dem) {
         let message = "--sweep is limit analysis: --method dem cannot do it";
-        return Err(Failure::input("F107", message, "leave --method out, or say --method limit"));
+        let way_out = "leave --method out, say --method limit, or --method path for joints that give too";
+        return Err(Failure::input("F107", message, way_out));
     }
     arguments.choice.of(width)
 }
@@ -193,14 +194,25 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
     report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());
-    let points = found.points.iter().map(|point| (point.position, point.load_factor.unwrap_or(f64::NAN))).collect();
-    let curve = figures::Sweep { label: "load factor".to_owned(), points };
+    let factors: &[(&str, Factor)] = match found.is_deformable() {
+        true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
+        false => &[("load factor", |p| p.load_factor)],
+    };
+    let curves: Vec<figures::Sweep> = factors.iter().map(|(name, factor)| curve(name, found, *factor)).collect();
     let mut files = Vec::new();
-    if let Some(svg) = figures::envelope(name, figures::Ordinate::Factor, &[curve], None) {
+    if let Some(svg) = figures::envelope(name, figures::Ordinate::Factor, &curves, None) {
         files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     files.push(table("sweep", published::sweep_table(found)));
     results::publish(desk, report, folder, &files)
+}
+
+/// One of the factors at a position.
+type Factor = fn(&SweepPoint) -> Option<f64>;
+
+fn curve(name: &str, found: &Sweep, factor: Factor) -> figures::Sweep {
+    let points = found.points.iter().map(|point| (point.position, factor(point).unwrap_or(f64::NAN)));
+    figures::Sweep { label: name.to_owned(), points: points.collect() }
 }
 
 /// How a sweep ended, for the command.

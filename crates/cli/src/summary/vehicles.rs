@@ -15,7 +15,11 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
         page += "  interrupted: these are the positions that were answered by then\n\n";
     }
     if let (Some((factor, method)), Some(k)) = (found.headline(), found.governing) {
-        let method = if method == Method::Dem { "discrete elements" } else { "limit analysis" };
+        let method = match method {
+            Method::Dem => "discrete elements",
+            Method::Path => "the path of equilibrium",
+            _ => "limit analysis",
+        };
         let _ =
             writeln!(page, "  {:<22}  {factor:>8.3}  {} governs, by {method}\n", "adequacy", found.vehicles[k].code);
     }
@@ -23,7 +27,9 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
     if open > 0 {
         let _ = writeln!(page, "  {:<22}  {open:>8}  nothing is settled\n", "positions unanswered");
     }
-    let _ = writeln!(page, "  {:<22}  {:>8}  first axle at, way, axles on the bridge", "vehicle", "adequacy");
+    let two = found.vehicles.iter().any(|v| v.deformable.is_some());
+    let titles = if two { format!("  {:>8}  {:>8}", "rigid", "gives") } else { String::new() };
+    let _ = writeln!(page, "  {:<22}  {:>8}{titles}  first axle at, way, axles on the bridge", "vehicle", "adequacy");
     for k in order {
         let v = &found.vehicles[k];
         let most = || v.adequacy_at_most.map_or(v.status.word().to_owned(), |most| format!("≤ {most:.3}"));
@@ -34,7 +40,8 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
             0 => String::new(),
             open => format!(", {open} of {} positions not converged", v.envelope.len()),
         };
-        let _ = writeln!(page, "  {:<22}  {factor:>8}  {place}{open}", v.code);
+        let both = v.deformable.as_ref().map_or(String::new(), |own| both(v.rigid, own.adequacy));
+        let _ = writeln!(page, "  {:<22}  {factor:>8}{both}  {place}{open}", v.code);
     }
     if let Some(v) = found.governing.map(|k| &found.vehicles[k]) {
         let _ = writeln!(page, "\n  governing vehicle        {}", v.title);
@@ -43,6 +50,10 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
         }
         if let Some(level) = v.without_dilation {
             let _ = writeln!(page, "  without dilation         {level:.4}");
+        }
+        for limit in v.deformable.iter().flat_map(|own| &own.permissible) {
+            let (word, x) = (limit.criterion.word(), limit.position);
+            let _ = writeln!(page, "  {word:<23}  {:.3}, first axle at {x:.2} m", limit.adequacy);
         }
         let critical = match v.load_factors[1] {
             1.0 => String::new(),
@@ -71,6 +82,12 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
     }
     let _ = writeln!(page, "\nResults are in {out}");
     page
+}
+
+/// The factors of rigid blocks and of joints that give.
+fn both(rigid: Option<f64>, gives: Option<f64>) -> String {
+    let told = |factor: Option<f64>| factor.map_or("-".to_owned(), |factor| format!("{factor:.3}"));
+    format!("  {:>8}  {:>8}", told(rigid), told(gives))
 }
 
 fn place(c: &Case) -> String {

@@ -60,6 +60,17 @@ fn vehicle(v: &Swept) -> Object {
         status: v.status,
         adequacy_factor: v.adequacy,
         adequacy_factor_at_most?: v.adequacy_at_most,
+        rigid_factor?: v.rigid,
+        ..v.deformable.as_ref().map(|d| object! {
+            deformable_factor: d.adequacy,
+            paths_broken_off: d.broken_off,
+            deformable_case: d.case.as_ref().map(case),
+            permissible: list(&d.permissible, |p| object! {
+                criterion: p.criterion,
+                adequacy_factor: p.adequacy,
+                position_m: p.position,
+            }),
+        }),
         positions: v.envelope.len(),
         positions_not_converged: v.positions_not_converged,
         lower_bound: v.bounds.map(|b| b[0]),
@@ -130,7 +141,7 @@ fn section(s: &SectionEnvelope) -> Object {
 /// Vehicles with their adequacy factors.
 pub fn vehicles_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
-        "vehicle,model,status,adequacy_factor,adequacy_factor_at_most,positions,positions_not_converged,lower_bound,upper_bound,without_dilation,position_m,direction,first_axle,last_axle,\
+        "vehicle,model,status,adequacy_factor,adequacy_factor_at_most,positions,positions_not_converged,lower_bound,upper_bound,without_dilation,rigid_factor,deformable_factor,position_m,direction,first_axle,last_axle,\
          critical_axle,uniform_from_m,uniform_to_m,load_kn_per_m,effective_width_m,weight_masonry,\
          weight_fill,weight_surfacing,arrangement\n",
     );
@@ -145,6 +156,7 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
             [v.envelope.len(), v.positions_not_converged],
             each(v.bounds),
             v.without_dilation,
+            [v.rigid, v.deformable.as_ref().and_then(|d| d.adequacy)],
             c.map(|c| c.position),
             c.map(|c| c.direction.word()),
             each(from_one(c.and_then(|c| c.axles))),
@@ -162,7 +174,7 @@ pub fn vehicles_table(found: &VehicleSweep) -> String {
 /// The least adequacy factor at every position of every vehicle.
 pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
     let mut csv = String::from(
-        "vehicle,direction,position_m,converged,adequacy_factor,first_axle,last_axle,weight_masonry,weight_fill,\
+        "vehicle,direction,position_m,converged,adequacy_factor,rigid_factor,deformable_factor,first_axle,last_axle,weight_masonry,weight_fill,\
          weight_surfacing,arrangement\n",
     );
     for v in &found.vehicles {
@@ -176,7 +188,7 @@ pub fn vehicle_envelope_table(found: &VehicleSweep) -> String {
                 p.direction.word(),
                 p.position,
                 p.converged,
-                p.adequacy,
+                [p.adequacy, p.rigid, p.deformable],
                 axles,
                 weights,
                 arrangement

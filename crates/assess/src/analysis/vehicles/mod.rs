@@ -3,10 +3,12 @@
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
 //! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
-//! what joints carry meanwhile, `discrete` makes the governing case by discrete elements.
+//! what joints carry meanwhile, `deformable` follows the cases on joints that give, `discrete` makes the governing case by discrete
+//! elements.
 
 mod across;
 mod cases;
+mod deformable;
 mod discrete;
 mod factored;
 mod limits;
@@ -29,10 +31,11 @@ pub use outcome::vehicles::{Extreme, SectionEnvelope};
 pub(super) use search::{DILATANCY, REFINEMENTS};
 
 use super::AnalysisError;
+use super::pieces::Portion;
 use crate::vehicles::{Chosen, chosen, left_out};
-use bridge::Bridge;
+use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
-use outcome::collapse::Status;
+use outcome::collapse::{Collapse, Status};
 use outcome::sweep::Ended;
 use outcome::vehicles::{Swept, VehicleSweep};
 use outcome::warning::{self, Warning};
@@ -48,7 +51,17 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let step = plan.step.unwrap_or(shortest / 60.0);
     let weights = weights::combinations(bridge, &rule);
-    let swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, true, watch)?;
+    let gives = bridge.plan.method == Method::Path;
+    let rigid_part = &mut Portion::new(watch, if gives { [0.0, 0.5] } else { [0.0, 1.0] });
+    let mut swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, true, rigid_part)?;
+    let answered = swept.iter().all(|one| !matches!(one.status, Status::Cancelled | Status::UnstableUnderSelfWeight));
+    if gives && answered {
+        let second_part = &mut Portion::new(watch, [0.5, 1.0]);
+        let moved = (&mut swept[..], step);
+        if !deformable::beside(bridge, (&rule, plan), (&vehicles, &weights), moved, second_part)? {
+            swept.iter_mut().for_each(Swept::cancel);
+        }
+    }
     let governing = swept
         .iter()
         .enumerate()
@@ -72,23 +85,37 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     {
         let factored = factored::bridge(bridge, &found.rule, &case.weights);
         let one = factored::with_case(&factored, plan, &found.rule, &vehicles[k], &case);
-        let mut by_limit = super::collapse_by_limit(&one, watch)?;
-        match by_limit.status {
+        let run = alone(bridge, &one, found.vehicles[k].is_deformable_governing(), watch)?;
+        let capacity = found.rule.capacity_factor();
+        let mut run = run;
+        match run.status {
             Status::Cancelled => {
                 let least = found.vehicles[k].factor();
                 found.vehicles[k].end(false, least);
             }
-            _ => found.vehicles[k].governed_by(&by_limit, found.rule.capacity_factor()),
+            _ => found.vehicles[k].governed_by(&run, capacity),
         }
-        by_limit.picture.case = Some(told::case(&found.vehicles[k], &case, &one));
-        if plan.discrete_elements && by_limit.status != Status::Cancelled {
+        run.picture.case = Some(told::case(&found.vehicles[k], &case, &one));
+        if plan.discrete_elements && run.status != Status::Cancelled {
             let limit = found.vehicles[k].factor();
-            found.discrete_elements = Some(discrete::carried(&one, &by_limit, &found.rule, limit, watch));
+            found.discrete_elements = Some(discrete::carried(&one, &run, &found.rule, limit, watch));
         }
-        found.collapse = Some(Box::new(by_limit));
+        found.collapse = Some(Box::new(run));
     }
     notes(bridge, &vehicles, &mut found);
     Ok(found)
+}
+
+/// The governing case by itself, by the method that gives less.
+fn alone(bridge: &Bridge, case: &Bridge, gives: bool, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    if !gives {
+        return super::collapse_by_limit(case, watch);
+    }
+    let mut case = case.clone();
+    (case.plan.method, case.plan.contact) = (Method::Path, bridge.plan.contact);
+    // The file's steps and largest load are of its own loads.
+    (case.plan.load_step, case.plan.load_limit) = (None, None);
+    super::collapse_by_path(&case, watch)
 }
 
 fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
@@ -148,6 +175,8 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
              without dilation, and the least factor counts."
         ));
     }
+    found.warnings.extend(deformable::broken_off(&found.vehicles));
+    found.assumptions.extend(deformable::assumed(&found.vehicles));
     if found.discrete_elements.is_some() {
         found.warnings.push(super::notes::of_two_points());
     }

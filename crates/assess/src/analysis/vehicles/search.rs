@@ -211,7 +211,6 @@ impl Scene<'_> {
         looseness: Option<f64>,
         pace: &Pace,
     ) -> Option<f64> {
-        let drive = &self.drives[part.drive];
         let mut waiting = self.waiting(sweepers, part, position, looseness.is_some());
         let (mut least, mut converged): (Option<Answer>, bool) = (None, true);
         let mut bounded: Vec<[f64; 2]> = Vec::new();
@@ -250,16 +249,14 @@ impl Scene<'_> {
         {
             part.worst = Some(answer);
         }
+        let empty = Key { drive: part.drive, weights: 0, position, axles: None, critical: None, uniform: None };
         part.envelope.push(EnvelopePoint {
-            arrangement: drive.pattern.label.clone(),
-            direction: drive.direction,
-            position,
             converged,
             adequacy: least.filter(|_| converged).map(|l| l.factor * self.capacity),
-            axles: least.and_then(|l| l.key.axles),
             weights: least.map(|l| self.weights[l.key.weights]),
+            ..self.point(&least.map_or(empty, |l| l.key))
         });
-        if self.twins[drive.vehicle].is_none() {
+        if self.twins[self.drives[part.drive].vehicle].is_none() {
             pace.step();
         }
         let near = least.map_or(0.0, |least| NEAR * least.factor);
@@ -398,16 +395,7 @@ impl Scene<'_> {
 
     /// A case's place in the envelope, without its factor.
     fn point(&self, key: &Key) -> EnvelopePoint {
-        let drive = &self.drives[key.drive];
-        EnvelopePoint {
-            arrangement: drive.pattern.label.clone(),
-            direction: drive.direction,
-            position: key.position,
-            converged: true,
-            adequacy: None,
-            axles: key.axles,
-            weights: Some(self.weights[key.weights]),
-        }
+        EnvelopePoint::at(&self.placed(key))
     }
 
     /// The worst position between the positions, with the same axles and weights, and those that were not answered.
@@ -477,6 +465,8 @@ fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
         source: chosen.source.clone(),
         cases: 0,
         by_interior_point: 0,
+        rigid: None,
+        deformable: None,
     }
 }
 

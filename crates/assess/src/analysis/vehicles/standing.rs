@@ -168,21 +168,25 @@ impl Scene<'_> {
         }
     }
 
+    /// A case by its places, without its load.
+    pub fn placed(&self, key: &Key) -> Case {
+        let (axles, critical_axle, weights) = (key.axles, key.critical, self.weights[key.weights]);
+        let uniform = key.uniform.map(|[a, b]| [self.borders[a], self.borders[b + 1]]);
+        Case { axles, critical_axle, weights, uniform, ..self.bare(key.drive, key.position) }
+    }
+
     /// A case in words.
     pub fn told(&self, key: &Key) -> Case {
         let drive = &self.drives[key.drive];
         let foot = &self.feet[drive.vehicle];
-        let (axles, critical_axle, weights) = (key.axles, key.critical, self.weights[key.weights]);
-        let mut case = Case { axles, critical_axle, weights, ..self.bare(key.drive, key.position) };
+        let mut case = self.placed(key);
         if let Some([first, last]) = key.axles {
             for (k, axle) in drive.pattern.axles.iter().enumerate().take(last + 1).skip(first) {
                 let critical = if key.critical == Some(k) { foot.critical } else { 1.0 };
                 case.load += axle.force * critical * foot.axle_at(drive.axle_at(key.position, k)) / foot.across.axles;
             }
         }
-        if let Some([a, b]) = key.uniform {
-            let range = [self.borders[a], self.borders[b + 1]];
-            case.uniform = Some(range);
+        if let Some(range) = case.uniform {
             let parts = clipped(&drive.pattern, foot, &case, range);
             case.load += parts.iter().map(|(from, to, pressure)| pressure * (to - from)).sum::<f64>();
         }

@@ -1,0 +1,203 @@
+//! The loads of the file at every position on joints that give: beside the factor of rigid blocks, and the smaller one counts.
+//!
+//! At every position two cases are followed: the run of axles that governs for rigid blocks, and all axles. At the worst position all
+//! runs are, once it has been sought between the positions.
+
+use super::super::deforming::{Deforming, Followed};
+use super::super::pieces::{self, Stage};
+use super::super::vehicles::REFINEMENTS;
+use super::super::{AnalysisError, by_dem};
+use super::{CHUNK, Case, Row, Scene};
+use mechanics::path::Sweeper;
+use mechanics::watch::{Pace, Watch};
+use outcome::collapse::Status;
+use outcome::sweep::{Sweep, SweepPoint};
+use outcome::warning::{self, Warning};
+
+/// Paths are followed so far beyond the factor of rigid blocks that a state in balance there would be seen.
+const BEYOND: f64 = 1.02;
+
+/// Factors of cases are not known to be better than this.
+const SAME: f64 = 1e-4;
+
+/// The least case of a row.
+#[derive(Debug, Clone, Copy)]
+struct Least {
+    /// Which row.
+    row: usize,
+    axles: [usize; 2],
+    force: f64,
+    factor: f64,
+    broken_off: bool,
+}
+
+/// Puts the factors of joints that give beside those of rigid blocks. Tells whether all of it was done.
+pub(super) fn beside(
+    scene: &Scene<'_>,
+    (rows, step): (&mut Vec<Row>, f64),
+    found: &mut Sweep,
+    watch: &mut dyn Watch,
+) -> Result<bool, AnalysisError> {
+    by_dem::require_stiffness(scene.bridge)?;
+    let deforming = Deforming::new(scene.bridge, scene.d, watch)?;
+    if !deforming.stands() {
+        found.points.iter_mut().for_each(unknown);
+        found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, NOT_FOUND));
+        return Ok(true);
+    }
+    let along = Along { scene, deforming: &deforming };
+    let (mut least, mut whole) = along.everywhere(rows, watch);
+    if whole && step > 0.0 {
+        whole = along.refined(rows, &mut least, step, watch);
+    }
+    put(scene, rows, &least, found);
+    Ok(whole)
+}
+
+const NOT_FOUND: &str = "the state under self-weight was not found with joints that give: what the bridge carries is at most what rigid \
+                         blocks carry, and not known";
+
+fn unknown(point: &mut SweepPoint) {
+    (point.rigid_factor, point.load_factor_at_most) = (point.load_factor, point.bound());
+    (point.load_factor, point.collapse_load, point.status) = (None, None, Status::NotConverged);
+}
+
+struct Along<'a> {
+    scene: &'a Scene<'a>,
+    deforming: &'a Deforming,
+}
+
+impl Along<'_> {
+    /// The least factor of every row, in their order.
+    fn everywhere(&self, rows: &[Row], watch: &mut dyn Watch) -> (Vec<Least>, bool) {
+        let jobs: Vec<(usize, &[Row])> = rows.chunks(CHUNK).enumerate().map(|(k, rows)| (k * CHUNK, rows)).collect();
+        let stage = Stage { name: "positions on joints that give", steps: rows.len() as u64, shares: [0.0, 0.9] };
+        let (found, done) = pieces::each(&jobs, &stage, watch, |(first, rows), pace| {
+            let mut sweeper = self.deforming.sweeper();
+            let each = rows.iter().enumerate().map(|(k, row)| {
+                let least = self.least(&mut sweeper, (first + k, row), &two(row), None, pace);
+                pace.step();
+                least
+            });
+            each.collect::<Vec<_>>()
+        });
+        (found.into_iter().flatten().flatten().flatten().collect(), done)
+    }
+
+    /// The least factor of some cases of a row, where it is smaller than `most`.
+    fn least(
+        &self,
+        sweeper: &mut Sweeper<'_>,
+        (row, of): (usize, &Row),
+        cases: &[&Case],
+        most: Option<f64>,
+        pace: &Pace,
+    ) -> Option<Least> {
+        let rigid = of.cases.iter().filter_map(|case| case.factor).fold(f64::INFINITY, f64::min);
+        let bound = rigid.is_finite().then_some(BEYOND * rigid);
+        let (mut least, mut smaller_than) = (None, most);
+        for case in cases {
+            let most = smaller_than.or(bound);
+            let Some(found) = self.deforming.follow(sweeper, &case.forces, most, pace) else { continue };
+            let Followed { factor, broken_off, beyond, .. } = found;
+            if !beyond || smaller_than.is_none() {
+                least = Some(Least { row, axles: case.axles, force: case.force, factor, broken_off });
+                smaller_than = Some(factor);
+            }
+        }
+        least
+    }
+
+    /// Seeks the worst position between the positions with the axles that govern, then answers it with all runs of axles. Tells
+    /// whether the work was done.
+    fn refined(&self, rows: &mut Vec<Row>, least: &mut Vec<Least>, step: f64, watch: &mut dyn Watch) -> bool {
+        let worst = |all: &[Least]| all.iter().copied().min_by(|a, b| a.factor.total_cmp(&b.factor));
+        let Some(mut best) = worst(least) else { return true };
+        let started = rows[best.row].position;
+        let (mut position, mut width) = (started, step);
+        for round in 0..REFINEMENTS {
+            let places: Vec<f64> = (-10..=10).map(|k| position + 0.1 * width * f64::from(k)).collect();
+            let share = |round: usize| 0.9 + 0.1 * round as f64 / REFINEMENTS as f64;
+            let name = "places beside the worst one, on joints that give";
+            let stage = Stage { name, steps: places.len() as u64, shares: [share(round), share(round + 1)] };
+            let (found, done) = pieces::each(&places, &stage, watch, |&place, pace| {
+                let row = self.scene.row(place);
+                let case = row.cases.iter().find(|case| case.axles == best.axles)?;
+                self.least(&mut self.deforming.sweeper(), (0, &row), &[case], Some(best.factor), pace)
+            });
+            if !done {
+                return false;
+            }
+            for (place, answer) in places.into_iter().zip(found) {
+                if let Some(answer) = answer.flatten()
+                    && answer.factor < best.factor * (1.0 - SAME)
+                {
+                    (best, position) = (answer, place);
+                }
+            }
+            width *= 0.1;
+        }
+        if position != started {
+            let (row, done) = self.scene.answered_again(position, watch);
+            if !done {
+                return false;
+            }
+            best.row = rows.len();
+            rows.push(row);
+            least.push(best);
+        }
+        let row = &rows[best.row];
+        let stage = Stage {
+            name: "runs of axles at the worst place, on joints that give",
+            steps: row.cases.len() as u64,
+            shares: [1.0, 1.0],
+        };
+        let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| {
+            self.least(&mut self.deforming.sweeper(), (best.row, row), &[case], Some(best.factor), pace)
+        });
+        least.extend(found.into_iter().flatten().flatten());
+        done
+    }
+}
+
+/// The run of axles that governs for rigid blocks, and all axles.
+fn two(row: &Row) -> Vec<&Case> {
+    let factor = |case: &&Case| case.factor.unwrap_or(f64::INFINITY);
+    let governs = row.cases.iter().min_by(|a, b| factor(a).total_cmp(&factor(b)));
+    let all = row.cases.iter().max_by(|a, b| a.force.total_cmp(&b.force));
+    let mut cases: Vec<&Case> = governs.into_iter().collect();
+    cases.extend(all.filter(|all| governs.is_none_or(|governs| governs.axles != all.axles)));
+    cases
+}
+
+/// Both factors of every position, and what is to be said of them.
+fn put(scene: &Scene<'_>, rows: &[Row], least: &[Least], found: &mut Sweep) {
+    found.points = rows.iter().map(|row| scene.point(row)).collect();
+    for (k, point) in found.points.iter_mut().enumerate() {
+        point.rigid_factor = point.load_factor;
+        let own = least.iter().filter(|least| least.row == k).min_by(|a, b| a.factor.total_cmp(&b.factor));
+        let Some(own) = own else { continue };
+        point.deformable_factor = Some(own.factor);
+        if point.bound().is_none_or(|bound| own.factor < bound) {
+            (point.axles, point.collapse_load) = (own.axles, Some(own.factor * own.force));
+            match point.load_factor_at_most.is_some() {
+                true => (point.load_factor_at_most, point.collapse_load) = (Some(own.factor), None),
+                false => (point.load_factor, point.status) = (Some(own.factor), Status::Collapsed),
+            }
+        }
+    }
+    let open = least.iter().filter(|least| least.broken_off).count();
+    if open > 0 {
+        let message = format!(
+            "at {open} of {} positions the path of joints that give broke off: the last state in balance counts there, and more may be \
+             carried",
+            rows.len()
+        );
+        found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, message));
+    }
+    found.assumptions.push(
+        "On joints that give two cases are followed at every position, the axles that govern for rigid blocks and all of them; at the \
+         worst position every run of axles is. The smaller factor of both methods counts. Fill acts by its weight alone there."
+            .to_owned(),
+    );
+}

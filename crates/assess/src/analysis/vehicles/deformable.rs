@@ -1,0 +1,360 @@
+//! Vehicles on joints that give: beside the adequacy factor of rigid blocks, and the smaller one counts.
+//!
+//! At every position two cases are followed along their paths of equilibrium: what governs for rigid blocks there, and all that may
+//! stand there. The worst position is then sought between the positions, and what stands there is varied: runs of axles, runs of
+//! half spans with uniform loads, factors on weights, the critical axle.
+
+use super::super::deforming::{Deforming, Followed};
+use super::super::pieces::{self, Stage};
+use super::super::{by_dem, by_limit};
+use super::AnalysisError;
+use super::cases::{borders, reach, runs};
+use super::factored::{self, Footprint, footprint};
+use super::search::REFINEMENTS;
+use super::twins::twins;
+use crate::vehicles::Chosen;
+use bridge::{Bridge, SweepPlan};
+use mechanics::blocks::PointForce;
+use mechanics::path::Sweeper;
+use mechanics::watch::{Pace, Watch};
+use outcome::warning::{self, Warning};
+use outcome::vehicles::{Case, Deformable, EnvelopePoint, PermissibleFactor, Swept, Weights};
+use rules::Rule;
+use structure::discretise::{Discretised, dispersal};
+
+/// Positions that one piece of work answers.
+const CHUNK: usize = 8;
+
+/// Paths are followed so far beyond the factor of rigid blocks that a state in balance there would be seen.
+const BEYOND: f64 = 1.02;
+
+/// Factors of cases are not known to be better than this.
+const SAME: f64 = 1e-4;
+
+/// Rounds of variation at the worst position.
+const ROUNDS: usize = 3;
+
+/// Where the positions end in the share of the work, and where the search between them does.
+const SHARES: [f64; 2] = [0.7, 0.9];
+
+/// A vehicle's case on joints that give.
+#[derive(Debug, Clone)]
+struct Answer {
+    case: Case,
+    found: Followed,
+}
+
+/// Puts the factors of joints that give beside those of rigid blocks, and the smaller one in front. Tells whether all of it was done.
+pub(super) fn beside(
+    bridge: &Bridge,
+    (rule, plan): (&Rule, &SweepPlan),
+    (vehicles, weights): (&[Chosen], &[Weights]),
+    (swept, step): (&mut [Swept], f64),
+    watch: &mut dyn Watch,
+) -> Result<bool, AnalysisError> {
+    by_dem::require_stiffness(bridge)?;
+    let bridges: Vec<Bridge> = weights.iter().map(|w| factored::bridge(bridge, rule, w)).collect();
+    let built: Vec<Discretised> = bridges.iter().map(by_limit::prepared).collect::<Result<_, _>>()?;
+    let mut deforming = Vec::with_capacity(built.len());
+    for (own, d) in bridges.iter().zip(&built) {
+        deforming.push(Deforming::new(own, d, watch)?);
+    }
+    let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, v)).collect();
+    let twins = twins(vehicles, &feet);
+    let moving = Moving {
+        bridges: &bridges,
+        built: &built,
+        deforming: &deforming,
+        weights,
+        plan,
+        rule,
+        vehicles,
+        feet: &feet,
+        step,
+        capacity: rule.capacity_factor(),
+    };
+    if !deforming.iter().all(Deforming::stands) {
+        swept.iter_mut().for_each(|one| one.judged_with(Deformable::default()));
+        return Ok(true);
+    }
+    let own: Vec<usize> = (0..vehicles.len()).filter(|&k| twins[k].is_none()).collect();
+    let (mut found, mut whole) = moving.everywhere(&own, swept, watch);
+    for (count, (&k, answers)) in own.iter().zip(&mut found).enumerate() {
+        let share = |part: f64| SHARES[0] + (1.0 - SHARES[0]) * (count as f64 + part) / own.len() as f64;
+        whole = whole && moving.refined(k, answers, [share(0.0), share(1.0)], watch);
+    }
+    for (&k, answers) in own.iter().zip(&found) {
+        moving.put(answers, &mut swept[k]);
+    }
+    for (k, twin) in twins.iter().enumerate() {
+        if let Some(twin) = twin {
+            let of = swept[twin.of].clone();
+            swept[k].deforms_like(&of, twin.times);
+        }
+    }
+    Ok(whole)
+}
+
+/// What all vehicles share.
+struct Moving<'a> {
+    /// One for each combination of factors on weights.
+    bridges: &'a [Bridge],
+    built: &'a [Discretised],
+    deforming: &'a [Deforming],
+    weights: &'a [Weights],
+    plan: &'a SweepPlan,
+    rule: &'a Rule,
+    vehicles: &'a [Chosen],
+    feet: &'a [Footprint],
+    step: f64,
+    capacity: f64,
+}
+
+impl<'a> Moving<'a> {
+    fn sweepers(&self) -> Vec<Sweeper<'a>> {
+        self.deforming.iter().map(Deforming::sweeper).collect()
+    }
+
+    /// The least answer at every point of every vehicle's envelope; none at points where nothing stands.
+    fn everywhere(
+        &self,
+        own: &[usize],
+        swept: &[Swept],
+        watch: &mut dyn Watch,
+    ) -> (Vec<Vec<Option<Answer>>>, bool) {
+        let chunks = |&k: &usize| swept[k].envelope.chunks(CHUNK).map(move |points| (k, points));
+        let jobs: Vec<(usize, &[EnvelopePoint])> = own.iter().flat_map(chunks).collect();
+        let steps = own.iter().map(|&k| swept[k].envelope.len() as u64).sum();
+        let stage = Stage { name: "positions of vehicles on joints that give", steps, shares: [0.0, SHARES[0]] };
+        let (found, done) = pieces::each(&jobs, &stage, watch, |(k, points), pace| {
+            let mut sweepers = self.sweepers();
+            let each = points.iter().map(|point| {
+                let rigid = point.adequacy.map(|adequacy| BEYOND * adequacy / self.capacity);
+                let least = self.least(*k, &mut sweepers, &self.two(*k, point), (rigid, None), pace);
+                pace.step();
+                least
+            });
+            each.collect::<Vec<_>>()
+        });
+        let mut of_vehicle: Vec<Vec<Option<Answer>>> = vec![Vec::new(); swept.len()];
+        for ((k, points), part) in jobs.iter().zip(found) {
+            of_vehicle[*k].extend(part.unwrap_or_else(|| points.iter().map(|_| None).collect()));
+        }
+        (own.iter().map(|&k| std::mem::take(&mut of_vehicle[k])).collect(), done)
+    }
+
+    /// What governs for rigid blocks at a point, and all that may stand there.
+    fn two(&self, vehicle: usize, point: &EnvelopePoint) -> Vec<Case> {
+        let governs = Case {
+            position: point.position,
+            direction: point.direction,
+            arrangement: point.arrangement.clone(),
+            axles: point.axles,
+            critical_axle: point.critical_axle,
+            weights: point.weights.unwrap_or(self.weights[0]),
+            uniform: point.uniform,
+            load: 0.0,
+        };
+        let patterns = self.vehicles[vehicle].vehicle.patterns();
+        let Some(pattern) = patterns.iter().find(|pattern| pattern.label == point.arrangement) else {
+            return vec![governs];
+        };
+        let last = pattern.axles.len().checked_sub(1);
+        let borders = self.borders(vehicle);
+        let uniform = (!pattern.stretches.is_empty()).then(|| [borders[0], borders[borders.len() - 1]]);
+        let all = Case { axles: last.map(|last| [0, last]), uniform, ..governs.clone() };
+        if all == governs { vec![governs] } else { vec![governs, all] }
+    }
+
+    /// Borders of half spans [m].
+    fn borders(&self, vehicle: usize) -> Vec<f64> {
+        let foot = &self.feet[vehicle];
+        borders(&self.bridges[0], reach(&self.built[0], foot.length, foot.dispersal.slope))
+    }
+
+    /// The least answer of some cases, of those that are smaller than `smaller_than`; paths are not followed beyond `bound`.
+    fn least(
+        &self,
+        vehicle: usize,
+        sweepers: &mut [Sweeper<'_>],
+        cases: &[Case],
+        (bound, mut smaller_than): (Option<f64>, Option<f64>),
+        pace: &Pace,
+    ) -> Option<Answer> {
+        let mut least = None;
+        for case in cases {
+            let Some(weights) = self.weights.iter().position(|w| *w == case.weights) else { continue };
+            let (forces, load) = self.forces(vehicle, weights, case);
+            let most = smaller_than.or(bound);
+            let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, most, pace) else {
+                continue;
+            };
+            if !found.beyond || smaller_than.is_none() {
+                smaller_than = Some(found.factor);
+                least = Some(Answer { case: Case { load, ..case.clone() }, found });
+            }
+        }
+        least
+    }
+
+    /// Forces of a case on the blocks, and its load [N/m].
+    fn forces(&self, vehicle: usize, weights: usize, case: &Case) -> (Vec<PointForce>, f64) {
+        let own = &self.bridges[weights];
+        let loaded = factored::with_case(own, self.plan, self.rule, &self.vehicles[vehicle], case);
+        let strips = loaded.loads.iter().flat_map(|load| dispersal::strips(&load.kind, load.position));
+        let (mut forces, mut total) = (Vec::new(), 0.0);
+        for strip in strips {
+            total += strip.force;
+            forces.extend(self.built[weights].spread(&loaded, strip).forces);
+        }
+        (forces, total)
+    }
+
+    /// Seeks the worst position between the positions, then varies what stands there. What is found stands at the end of the
+    /// answers. Tells whether the work was done.
+    fn refined(
+        &self,
+        vehicle: usize,
+        answers: &mut Vec<Option<Answer>>,
+        [from, to]: [f64; 2],
+        watch: &mut dyn Watch,
+    ) -> bool {
+        let Some(mut best) = worst(answers).cloned() else { return true };
+        let count = REFINEMENTS + ROUNDS;
+        let width = |round: usize| self.step * 0.1f64.powi(round as i32 + 1);
+        for round in 0..count {
+            let cases = match round {
+                0..REFINEMENTS => {
+                    let at = |k: i32| best.case.position + width(round) * f64::from(k);
+                    (-10..=10).map(|k| Case { position: at(k), ..best.case.clone() }).collect()
+                }
+                _ => self.varied(vehicle, &best.case),
+            };
+            let share = |round: usize| from + (to - from) * round as f64 / count as f64;
+            let stage = Stage {
+                name: "worst positions of vehicles on joints that give",
+                steps: cases.len() as u64,
+                shares: [share(round), share(round + 1)],
+            };
+            let most = best.found.factor;
+            let (found, done) = pieces::each(&cases, &stage, watch, |case, pace| {
+                let one = std::slice::from_ref(case);
+                let found = self.least(vehicle, &mut self.sweepers(), one, (None, Some(most)), pace);
+                pace.step();
+                found
+            });
+            if !done {
+                return false;
+            }
+            let found: Vec<Option<Answer>> = found.into_iter().flatten().collect();
+            match worst(&found).filter(|found| found.found.factor < most * (1.0 - SAME)) {
+                Some(better) => best = better.clone(),
+                None if round >= REFINEMENTS => break,
+                None => {}
+            }
+        }
+        answers.push(Some(best));
+        true
+    }
+
+    /// Cases that differ from one in one respect: its run of axles, its run of half spans with uniform loads, the factors on
+    /// weights, the critical axle.
+    fn varied(&self, vehicle: usize, case: &Case) -> Vec<Case> {
+        let chosen = &self.vehicles[vehicle];
+        let Some(pattern) = chosen.vehicle.patterns().into_iter().find(|p| p.label == case.arrangement) else {
+            return Vec::new();
+        };
+        let subsets = self.plan.subsets && chosen.vehicle.axles_may_be_dropped;
+        let mut cases = Vec::new();
+        for axles in runs(pattern.axles.len(), subsets) {
+            let critical_axle = case.critical_axle.map(|k| k.clamp(axles[0], axles[1]));
+            cases.push(Case { axles: Some(axles), critical_axle, ..case.clone() });
+        }
+        if let (Some([first, last]), Some(_)) = (case.axles, case.critical_axle) {
+            cases.extend((first..=last).map(|k| Case { critical_axle: Some(k), ..case.clone() }));
+        }
+        cases.extend(self.weights.iter().map(|weights| Case { weights: *weights, ..case.clone() }));
+        if !pattern.stretches.is_empty() && pattern.stretches.iter().all(|s| s.may_be_dropped) {
+            let borders = self.borders(vehicle);
+            let ranges = runs(borders.len() - 1, true).into_iter().map(|[a, b]| [borders[a], borders[b + 1]]);
+            cases.extend(ranges.map(|range| Case { uniform: Some(range), ..case.clone() }));
+            cases.extend(case.axles.map(|_| Case { uniform: None, ..case.clone() }));
+        }
+        cases.retain(|other| other != case);
+        cases
+    }
+
+    /// Both factors at every position, and the smaller one in front.
+    fn put(&self, answers: &[Option<Answer>], one: &mut Swept) {
+        let positions = one.envelope.len();
+        for (point, answer) in one.envelope.iter_mut().zip(answers) {
+            point.rigid = point.adequacy;
+            let Some(answer) = answer else { continue };
+            point.deforms(answer.found.factor * self.capacity, &answer.case);
+        }
+        // The worst position, where it lies between the others.
+        for answer in answers.iter().skip(positions).flatten() {
+            let mut point = EnvelopePoint::at(&answer.case);
+            point.deforms(answer.found.factor * self.capacity, &answer.case);
+            one.envelope.push(point);
+        }
+        let found = answers.iter().flatten();
+        let mut permissible: Vec<PermissibleFactor> = Vec::new();
+        for answer in found.clone() {
+            for &(criterion, factor) in &answer.found.permissible {
+                let new = PermissibleFactor {
+                    criterion,
+                    adequacy: factor * self.capacity,
+                    position: answer.case.position,
+                };
+                match permissible.iter_mut().find(|old| old.criterion == criterion) {
+                    Some(old) if new.adequacy < old.adequacy => *old = new,
+                    Some(_) => {}
+                    None => permissible.push(new),
+                }
+            }
+        }
+        let least = worst(answers);
+        one.judged_with(Deformable {
+            stands: true,
+            adequacy: least.map(|least| least.found.factor * self.capacity),
+            case: least.map(|least| least.case.clone()),
+            broken_off: found.filter(|answer| answer.found.broken_off).count(),
+            permissible,
+        });
+    }
+}
+
+fn worst(answers: &[Option<Answer>]) -> Option<&Answer> {
+    answers.iter().flatten().min_by(|a, b| a.found.factor.total_cmp(&b.found.factor))
+}
+
+/// What is to be said of paths that broke off, and of a self-weight that was not found.
+pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
+    let told = |one: &Swept| {
+        let own = one.deformable.as_ref()?;
+        match (own.stands, own.broken_off) {
+            (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
+            (true, 0) => None,
+            (true, count) => Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len())),
+        }
+    };
+    let told: Vec<String> = all.iter().filter_map(told).collect();
+    (!told.is_empty()).then(|| {
+        let message = format!(
+            "on joints that give: {}. The last state in balance counts where a path broke off, and more may be carried",
+            told.join("; ")
+        );
+        Warning::new(warning::PATHS_BROKEN_OFF, message)
+    })
+}
+
+/// What following joints that give assumes.
+pub(super) fn assumed(all: &[Swept]) -> Option<String> {
+    all.iter().any(|one| one.deformable.is_some()).then(|| {
+        "On joints that give two cases are followed at every position: what governs for rigid blocks, and all that may stand there. At \
+         the worst position its axles, uniform loads, factors on weights and critical axle are varied one after the other. The smaller \
+         adequacy factor of both methods counts. Fill acts by its weight alone there."
+            .to_owned()
+    })
+}
