@@ -60,6 +60,8 @@ pub struct Limits {
     pub model_factor: Option<f64>,
     /// Largest share of the ultimate load in service.
     pub permissible_share: Option<f64>,
+    /// Least factor on loads at which states are first reached that a bridge should not come to in service.
+    pub onset_factor: Option<f64>,
     /// Cycles of load in the life that is asked for.
     pub load_cycles: Option<f64>,
     /// Support movement that is expected or was measured [m].

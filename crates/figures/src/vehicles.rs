@@ -62,7 +62,8 @@ fn curves(v: &Swept) -> Vec<Sweep> {
                 }
                 same
             });
-            let words: Vec<&str> = [*method, if both_ways { words } else { "" }].into_iter().filter(|w| !w.is_empty()).collect();
+            let words: Vec<&str> =
+                [*method, if both_ways { words } else { "" }].into_iter().filter(|w| !w.is_empty()).collect();
             if !points.is_empty() {
                 curves.push(Sweep { label: words.join(", "), points });
             }

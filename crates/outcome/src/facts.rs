@@ -1,7 +1,7 @@
 //! What the stages of an assessment leave behind: plain numbers with their units in their names. Checks and reports read
 //! nothing else, and a finished stage is kept in this form.
 
-use crate::collapse::{Collapse, Status};
+use crate::collapse::{Collapse, Permissible, Status};
 use crate::passage::PassageStatus;
 use crate::update::{Update, UpdateStatus};
 use crate::vehicles::PermissibleFactor;
@@ -223,6 +223,10 @@ pub struct UltimateFacts {
     pub collapse_load_kn_per_m: Option<f64>,
     /// Loads of the file [kN/m].
     pub reference_load_kn_per_m: f64,
+    /// Loads at which states are first reached there that a bridge should not come to in service, where joints that give were
+    /// followed.
+    #[serde(default)]
+    pub permissible: Vec<Permissible>,
     /// Positions that were tried.
     pub positions: usize,
     /// Positions at which a case found no answer: with one of them, nothing is settled.

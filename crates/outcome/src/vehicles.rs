@@ -236,7 +236,8 @@ impl Swept {
             self.adequacy = None;
             self.positions_not_converged = self.envelope.len();
             self.status = Status::NotConverged;
-        } else if let Some(factor) = deformable.adequacy.filter(|factor| self.rigid.is_none_or(|rigid| *factor < rigid)) {
+        } else if let Some(factor) = deformable.adequacy.filter(|factor| self.rigid.is_none_or(|rigid| *factor < rigid))
+        {
             self.case.clone_from(&deformable.case);
             self.weights = self.case.as_ref().map(|case| case.weights);
             match self.status {
@@ -262,12 +263,8 @@ impl Swept {
         let Some(of) = &of.deformable else { return };
         let case = of.case.clone().map(|case| Case { load: case.load * times, ..case });
         let permissible = of.permissible.iter().map(|p| PermissibleFactor { adequacy: p.adequacy / times, ..*p });
-        let deformable = Deformable {
-            adequacy: less(of.adequacy),
-            case,
-            permissible: permissible.collect(),
-            ..of.clone()
-        };
+        let deformable =
+            Deformable { adequacy: less(of.adequacy), case, permissible: permissible.collect(), ..of.clone() };
         self.judged_with(deformable);
     }
 

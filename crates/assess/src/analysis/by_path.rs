@@ -2,7 +2,7 @@
 
 use super::by_dem::{contact_length, increased};
 use super::places::{lines, moving, point, scaled};
-use super::{AnalysisError, blank, by_limit, notes, picture};
+use super::{AnalysisError, blank, by_limit, notes, picture, stiffened};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::Interface;
 use mechanics::contact::ContactLength;
@@ -25,6 +25,8 @@ const MOST_PICTURES: usize = 24;
 
 /// Follows the balanced states of the bridge from its own weight to its largest load.
 pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    let taken = stiffened::note(bridge);
+    let bridge = &stiffened::stiffened(bridge);
     if bridge.particles.is_some() && structure::discretise::fill::wanted(bridge).is_some() {
         return Err(AnalysisError::NotByPath("particles"));
     }
@@ -56,6 +58,7 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);
     notes::apart(rigid.status, &mut c);
+    c.warnings.extend(taken);
     if by_limit::settings(bridge).crushing {
         let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
         c.crushing_limit_load = crushed.map(|factor| d.load(factor));

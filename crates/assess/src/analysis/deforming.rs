@@ -15,13 +15,39 @@ use structure::discretise::Discretised;
 /// First step of a path, as a share of the factor that bounds it.
 const FIRST_STEP: f64 = 0.15;
 
+/// Paths are followed so far beyond the factor of rigid blocks that a state in balance there would be seen.
+const BEYOND: f64 = 1.02;
+
+/// Loads far above the least factor of rigid blocks do not govern: paths are followed to this multiple of it.
+const FAR: f64 = 4.0;
+
+/// How far a load is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bound {
+    factor: f64,
+    /// Whether rigid blocks carry no more.
+    rigid: bool,
+}
+
+impl Bound {
+    /// The bound where rigid blocks carry `here`, and `least` at their worst position; none where neither is known.
+    pub fn of(here: Option<f64>, least: Option<f64>) -> Option<Bound> {
+        let here = here.map(|here| Bound { factor: BEYOND * here, rigid: true });
+        let least = least.map(|least| Bound { factor: FAR * least, rigid: false });
+        here.into_iter().chain(least).min_by(|a, b| a.factor.total_cmp(&b.factor))
+    }
+
+    /// Only what is smaller counts.
+    pub fn below(factor: f64) -> Bound {
+        Bound { factor, rigid: false }
+    }
+}
+
 /// A bridge under its own weight, on joints that give.
 pub(super) struct Deforming {
     ground: Ground,
     /// Least crushing strength of its joints [Pa].
     strength: f64,
-    /// Weight of the free blocks [N/m].
-    weight: f64,
 }
 
 /// What came of one load.
@@ -31,8 +57,6 @@ pub(super) struct Followed {
     pub factor: f64,
     /// Whether the path broke off: it may carry more, but that is not shown.
     pub broken_off: bool,
-    /// Whether the load reached the factor beyond which it is not followed.
-    pub beyond: bool,
     /// Factors at which states are first met that a bridge should not come to in service.
     pub permissible: Vec<(Criterion, f64)>,
 }
@@ -43,7 +67,7 @@ impl Deforming {
         let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
         let settings = Settings::new(contact_length(&bridge.plan, contact));
         let ground = Ground::new(&d.model, &d.loading, &settings, watch)?;
-        Ok(Deforming { ground, strength: by_path::strength(d), weight: d.model.free_weight() })
+        Ok(Deforming { ground, strength: by_path::strength(d) })
     }
 
     /// Whether the state under self-weight was found.
@@ -56,29 +80,29 @@ impl Deforming {
         self.ground.sweeper()
     }
 
-    /// Follows a load up to its peak, or to `most` times the forces where that is known to be enough. None where the bridge does not
-    /// stand, where nothing is loaded and where the work does not go on.
+    /// Follows a load up to its peak. None where that is not below the bound (what rigid blocks carry is told), where the bridge does
+    /// not stand, where nothing is loaded and where the work does not go on.
     pub fn follow(
         &self,
         sweeper: &mut Sweeper<'_>,
         forces: &[PointForce],
-        most: Option<f64>,
+        bound: Bound,
         pace: &Pace,
     ) -> Option<Followed> {
         let size = |f: &PointForce| f.force.norm();
-        let total: f64 = forces.iter().map(size).sum();
         let heaviest = forces.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        let limit = most.unwrap_or(self.weight / total.max(f64::MIN_POSITIVE));
+        let limit = bound.factor;
         let watched: (_, Vec2) = (heaviest.block, heaviest.at);
         let program = Program { increment: FIRST_STEP * limit, limit, watched };
         let found = sweeper.carried(forces, &program, &mut pace.clone());
-        if found.status == Status::Cancelled {
-            return None;
+        match found.status {
+            Status::Cancelled => return None,
+            Status::StableToLastLoad if !bound.rigid => return None,
+            _ => {}
         }
         Some(Followed {
             factor: found.factor?,
             broken_off: found.status == Status::NotConverged,
-            beyond: found.status == Status::StableToLastLoad,
             permissible: by_path::permissible(&found.path, self.strength),
         })
     }

@@ -20,6 +20,7 @@ mod picture;
 pub(crate) mod pieces;
 mod places;
 mod planned;
+mod stiffened;
 mod strips;
 mod sweep;
 mod thickness;
@@ -57,7 +58,7 @@ pub enum AnalysisError {
     #[error(transparent)]
     Model(#[from] ModelError),
     #[error(
-        "the discrete element method needs the normal and the shear stiffness of the {joint}: give them in the file"
+        "discrete elements need the normal and the shear stiffness of the {joint}, and so do paths of equilibrium where [masonry] has no elastic_modulus: give them in the file"
     )]
     NoStiffness { joint: &'static str },
     #[error("loads that stand on loading blocks cannot be moved over the bridge: write through = \"cover\"")]

@@ -66,5 +66,101 @@ fn what_the_path_does_not_do_is_refused_before_it_computes() {
     let mut b = samples::bridgemill();
     b.plan.method = Method::Path;
     b.joint.normal_stiffness = None;
+    assert_eq!(planned(&b), Ok(()), "taken from the modulus");
+    b.masonry.elastic_modulus = None;
     assert_eq!(planned(&b), Err(AnalysisError::NoStiffness { joint: "joints" }));
+}
+
+/// Bridgemill under vehicles of its rule, two metres apart.
+fn under(vehicles: &[&str], method: Method) -> Bridge {
+    let mut b = samples::bridgemill();
+    b.cover.layers = vec![samples::fill(0.478, 1890.0)];
+    b.plan.method = method;
+    b.sweep = Some(bridge::SweepPlan { step: Some(2.0), ..vehicles::tests::plan(vehicles) });
+    b
+}
+
+/// Rigid blocks have the factor that limit analysis alone gives them; the smaller one leads at every position and in the end, and it
+/// is what the governing case carries by itself.
+#[test]
+fn vehicles_are_judged_by_the_smaller_of_rigid_blocks_and_joints_that_give() {
+    let b = under(&["cs454-bogie-10"], Method::Path);
+    let found = vehicle_sweep(&b, &mut Unwatched).unwrap();
+    let rigid = vehicle_sweep(&under(&["cs454-bogie-10"], Method::Limit), &mut Unwatched).unwrap();
+    let one = &found.vehicles[0];
+    assert!((one.rigid.unwrap() / rigid.vehicles[0].adequacy.unwrap() - 1.0).abs() < 1e-6);
+    let gives = one.deformable.as_ref().unwrap();
+    assert_eq!(gives.broken_off, 0);
+    let least = gives.adequacy.unwrap();
+    assert!(least < 0.7 * one.rigid.unwrap(), "{least}");
+    assert!(one.adequacy.unwrap() <= least && one.adequacy.unwrap() > least * (1.0 - 1e-3), "{:?}", one.adequacy);
+    assert_eq!(found.headline().unwrap().1, Method::Path);
+    for point in &one.envelope {
+        let both = [point.rigid, point.deformable].into_iter().flatten().fold(f64::INFINITY, f64::min);
+        assert!(point.adequacy.is_none_or(|adequacy| adequacy == both) && both >= least, "{point:?}");
+    }
+    let alone = found.collapse.as_ref().unwrap();
+    assert_eq!(alone.along().unwrap().ended, Ended::LimitPoint);
+    let by_itself = alone.last_stable_load.unwrap() / alone.reference_load * found.rule.capacity_factor();
+    assert!((by_itself / least - 1.0).abs() < 1e-3, "{by_itself} {least}");
+    // What a bridge should not come to in service is met before it falls.
+    let half_open = gives.permissible.iter().find(|p| p.criterion == Criterion::HalfOpen).unwrap();
+    assert!(half_open.adequacy > 0.2 * least && half_open.adequacy < least);
+}
+
+/// A vehicle of twice the loads is carried half as often, and joints a thousand times as stiff are nearly rigid.
+#[test]
+fn joints_that_give_follow_the_size_of_loads_and_their_own_stiffness() {
+    let factors = |b: &Bridge| {
+        let found = vehicle_sweep(b, &mut Unwatched).unwrap();
+        found.vehicles.iter().map(|v| [v.rigid.unwrap(), v.deformable.as_ref().unwrap().adequacy.unwrap()]).collect()
+    };
+    let two: Vec<[f64; 2]> = factors(&under(&["hb-45", "hb-30"], Method::Path));
+    assert!((two[1][1] / two[0][1] - 1.5).abs() < 1e-9, "{two:?}");
+    let mut stiff = under(&["hb-45"], Method::Path);
+    for stiffness in [&mut stiff.joint.normal_stiffness, &mut stiff.joint.shear_stiffness] {
+        if let Some(bridge::JointStiffness::Contact(value)) = stiffness {
+            *value *= 1e3;
+        }
+    }
+    let [rigid, gives] = factors(&stiff)[0];
+    assert!(gives < rigid && gives > 0.94 * rigid && two[0][1] < 0.6 * rigid, "{rigid} {gives}");
+}
+
+/// The loads of the file at every position: the worst one is what the path finds there alone, and a position and its mirror image
+/// carry the same.
+#[test]
+fn loads_are_swept_on_joints_that_give() {
+    let mut b = samples::bridgemill();
+    b.plan.method = Method::Path;
+    let found = sweep(&b, Places::Between([2.0, 16.3], 14), true, &mut Unwatched).unwrap();
+    let worst = found.worst().unwrap();
+    assert!(worst.deformable_factor < worst.rigid_factor && worst.load_factor == worst.deformable_factor);
+    b.loads[0].position = worst.position;
+    let alone = collapse(&b, None, &mut Unwatched).unwrap();
+    let ratio = worst.collapse_load.unwrap() / alone.last_stable_load.unwrap();
+    assert!((ratio - 1.0).abs() < 1e-4, "{ratio}");
+    let at = |x: f64| {
+        let found = sweep(&b, Places::At(x), true, &mut Unwatched).unwrap();
+        found.points[0].deformable_factor.unwrap()
+    };
+    let middle = 0.5 * structure::discretise::bridge_length(&b);
+    assert!((at(middle - 4.0) / at(middle + 4.0) - 1.0).abs() < 1e-3);
+}
+
+/// Joints so soft that the ring falls through them: rigid blocks bound what is carried, and no more is known.
+#[test]
+fn a_ring_that_falls_through_soft_joints_has_no_adequacy_factor() {
+    let mut b = under(&["hb-45"], Method::Path);
+    for stiffness in [&mut b.joint.normal_stiffness, &mut b.joint.shear_stiffness] {
+        if let Some(bridge::JointStiffness::Contact(value)) = stiffness {
+            *value *= 0.02;
+        }
+    }
+    let found = vehicle_sweep(&b, &mut Unwatched).unwrap();
+    let one = &found.vehicles[0];
+    assert_eq!((one.status, one.adequacy), (Status::NotConverged, None));
+    assert!(one.adequacy_at_most.is_some());
+    let codes: Vec<_> = found.warnings.iter().map(|warning| warning.code).collect();
+    assert!(codes.contains(&outcome::warning::PATHS_BROKEN_OFF), "{codes:?}");
 }

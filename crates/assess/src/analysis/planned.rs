@@ -1,7 +1,7 @@
 //! Whether the analysis that a file plans can be set up: everything that it refuses before it computes, and no computing.
 
 use super::by_dem::require_stiffness;
-use super::{AnalysisError, by_limit, filled, thickness};
+use super::{AnalysisError, by_limit, filled, stiffened, thickness};
 use bridge::{Analysis, Bridge, Method, Strip};
 use mechanics::dem::PackingError;
 use mechanics::watch::{Progress, Watch, Wish};
@@ -44,8 +44,10 @@ fn one(bridge: &Bridge) -> Result<(), AnalysisError> {
 }
 
 fn load(bridge: &Bridge) -> Result<(), AnalysisError> {
-    if bridge.plan.method != Method::Limit {
-        require_stiffness(bridge)?;
+    match bridge.plan.method {
+        Method::Limit => {}
+        Method::Path => require_stiffness(&stiffened::stiffened(bridge))?,
+        Method::Dem | Method::Fe => require_stiffness(bridge)?,
     }
     let d = by_limit::prepared(bridge)?;
     if d.loading.variable.is_empty() {

@@ -8,7 +8,7 @@ mod deformable;
 
 use super::pieces::{self, Pace, Stage};
 use super::vehicles::{DILATANCY, REFINEMENTS};
-use super::{AnalysisError, by_limit};
+use super::{AnalysisError, by_limit, stiffened};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
 use mechanics::limit::{self, Ground, Sweeper};
@@ -62,6 +62,8 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
         return Err(AnalysisError::MovedBlock);
     }
     let list = places.list(bridge, first);
+    let own = stiffened::for_paths(bridge);
+    let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
     let mut d = by_limit::prepared(bridge)?;
     d.loading.variable.clear();
     let settings = by_limit::single(bridge, &d);
@@ -85,6 +87,7 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
     let bounds = found.points.iter().enumerate().filter_map(|(k, p)| p.bound().map(|f| (k, f)));
     found.governing = bounds.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k);
     notes(&mut found, &rows);
+    found.warnings.extend(taken);
     Ok(found)
 }
 

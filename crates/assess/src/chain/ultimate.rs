@@ -21,20 +21,34 @@ pub struct Ultimate {
 /// then sought between them.
 const POSITIONS_IN_A_SPAN: f64 = 60.0;
 
-/// The bridge for limit analysis: between its walls, fill as weight, loads through the cover.
-fn rigid(bridge: &Bridge) -> Bridge {
+/// The bridge for limit analysis, and on joints that give where its plan asks for them: between its walls, fill as weight, loads
+/// through the cover.
+fn of_blocks(bridge: &Bridge) -> Bridge {
     let mut own = bridge.clone();
-    (own.plan.analysis, own.plan.method, own.plan.strip) = (Analysis::Load, Method::Limit, Strip::Fill);
+    let method = if gives(bridge) { Method::Path } else { Method::Limit };
+    (own.plan.analysis, own.plan.method, own.plan.strip) = (Analysis::Load, method, Strip::Fill);
+    // The file's steps and largest load are for one place.
+    (own.plan.load_step, own.plan.load_limit) = (None, None);
     own.loads.iter_mut().for_each(|load| load.block = None);
     own.particles = None;
     own.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
     own
 }
 
+/// Whether joints that give are followed beside rigid blocks.
+fn gives(bridge: &Bridge) -> bool {
+    bridge.plan.method == Method::Path
+}
+
+/// The loads where they stand, by the method that gives less.
+fn alone(own: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    if gives(own) { analysis::collapse_by_path(own, watch) } else { analysis::collapse_by_limit(own, watch) }
+}
+
 /// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.
 pub fn at_position(bridge: &Bridge, position: f64, watch: &mut dyn Watch) -> Result<UltimateFacts, AnalysisError> {
     let own = by_weight_alone(bridge);
-    let own = rigid(own.as_ref().unwrap_or(bridge));
+    let own = of_blocks(own.as_ref().unwrap_or(bridge));
     let sweep = analysis::sweep(&own, Places::At(position), true, watch)?;
     let found = sweep.points.first();
     Ok(UltimateFacts {
@@ -74,18 +88,21 @@ pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimat
 }
 
 fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
-    let own = rigid(bridge);
+    let own = of_blocks(bridge);
     let shortest = own.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let sweep = analysis::sweep(&own, Places::Every(shortest / POSITIONS_IN_A_SPAN), true, watch)?;
     if !sweep.whole {
         return Ok(None);
     }
     let worst = sweep.worst().cloned();
-    let file = analysis::collapse_by_limit(&own, watch)?;
+    let file = alone(&own, watch)?;
     let (at_file, at_status) = (factor(&file), file.status);
     let mut facts = UltimateFacts {
         load: bridge.loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>().join(", "),
         method: match bridge.fill_pressure.is_some_and(|fill| fill.applies) {
+            _ if gives(bridge) => {
+                "the smaller load of limit analysis (rigid blocks as built) and of the path of equilibrium (joints that give)"
+            }
             true => "limit analysis, rigid blocks as built, fill that presses where the ring moves into it",
             false => "limit analysis, rigid blocks as built, fill by its weight and dispersal alone",
         }
@@ -98,7 +115,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     // The file's own place may lie between two positions of the sweep.
     let moved = worst.filter(|worst| worst.bound() < at_file.or(Some(f64::INFINITY)));
     let collapse = match &moved {
-        Some(worst) => analysis::collapse_by_limit(&with_axles(&own, worst.offset, worst.axles), watch)?,
+        Some(worst) => alone(&with_axles(&own, worst.offset, worst.axles), watch)?,
         None => file,
     };
     if [at_status, collapse.status].contains(&Status::Cancelled) {
@@ -114,6 +131,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
         Some(worst) => Some(worst.position),
         None => own.loads.first().map(|load| load.position),
     };
+    facts.permissible = collapse.along().map_or_else(Vec::new, |along| along.permissible.clone());
     facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();

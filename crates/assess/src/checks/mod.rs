@@ -9,6 +9,7 @@ pub mod mexe;
 mod mexe_check;
 pub mod model_factor;
 mod movement;
+mod onset;
 mod permissible;
 mod strength;
 mod stress;
@@ -80,6 +81,7 @@ pub const CHECKS: &[&dyn Check] = &[
     &permissible::PermissibleShare,
     &fatigue::StressRange,
     &vehicles::Vehicles,
+    &onset::Onset,
     &mexe_check::MexeAxle,
     &movement::SupportMovement,
 ];

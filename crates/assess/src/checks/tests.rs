@@ -5,12 +5,13 @@ use bridge::assess::{Assess, Limits};
 use bridge::passage::Face;
 use outcome::assessment::Facts;
 use outcome::checked::{Judgement, Rung, Unit};
-use outcome::collapse::Status;
+use outcome::collapse::{Criterion, Status};
 use outcome::facts::{
     AugmentFacts, JointFacts, MovementFacts, SafetyFacts, SectionFacts, ServiceFacts, ServiceLoadFacts, SweptFacts,
     UltimateFacts, VehicleFacts,
 };
 use outcome::facts::{Reading, RingSection, Watched};
+use outcome::vehicles::PermissibleFactor;
 use rules::Confidence;
 
 fn place(place: RingSection, quantity: Watched, self_weight: f64, minimum: f64, maximum: f64) -> SectionFacts {
@@ -440,4 +441,28 @@ fn a_movement_is_compared_with_what_stood_over_its_factor() {
     a.facts.movement = Stage::Made(MovementFacts { last_stable_mm: Some(50.0), ..MovementFacts::default() });
     let found = movement::SupportMovement.run(&a).unwrap();
     assert_eq!((found[0].value, found[0].limit, found[0].utilisation), (20.0, 25.0, 0.8));
+}
+
+/// Nominal vehicles are compared, and the thrust that leaves a middle third is not; without joints that give there is nothing to compare.
+#[test]
+fn states_in_service_are_compared_for_nominal_loads() {
+    let onset = |criterion, adequacy| PermissibleFactor { criterion, adequacy, position: 3.0 };
+    let one = SweptFacts {
+        permissible: vec![
+            onset(Criterion::MiddleThird, 0.1),
+            onset(Criterion::HalfOpen, 0.6),
+            onset(Criterion::HalfStrength, 0.8),
+        ],
+        ..vehicle("heavy", Some(1.4), Status::Collapsed)
+    };
+    let mut a = assessment();
+    a.asked.limits.onset_factor = Some(1.0);
+    a.facts.vehicles = moved(vec![one], SafetyFacts { live_load: 1.5, ..SafetyFacts::default() });
+    let found = onset::Onset.run(&a).unwrap();
+    assert!((found[0].value - 0.9).abs() < 1e-12 && !found[0].met(), "{found:?}");
+    assert!(!found[0].strength && found[0].basis.contains("half open"), "{found:?}");
+    a.facts.vehicles = moved(Vec::new(), SafetyFacts::default());
+    assert!(onset::Onset.run(&a).unwrap_err().why.contains("method = \"path\""));
+    a.asked.limits.onset_factor = None;
+    assert!(onset::Onset.run(&a).unwrap_err().why.contains("onset_factor"));
 }

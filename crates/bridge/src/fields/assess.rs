@@ -94,6 +94,14 @@ pub(super) static ASSESS: Section = Section {
             .above(0.0)
             .at_most(1.0)
             .optional("the share is not checked"),
+        Field::new(
+            "onset_factor",
+            Kind::Number,
+            "least factor on loads at which a joint is half open or at half its strength",
+            "1.0",
+        )
+        .above(0.0)
+        .optional("states in service are not checked"),
         Field::new("load_cycles", Kind::Number, "load cycles in the required life", "1e7")
             .at_least(1.0)
             .at_most(1e12)
@@ -203,6 +211,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
             load_factor_included,
             model_factor,
             permissible_share,
+            onset_factor,
             load_cycles,
             expected_movement,
             movement_factor;

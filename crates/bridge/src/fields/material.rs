@@ -49,7 +49,10 @@ pub(super) const JOINT_FIELDS: &[Field] = &[
         "4.84 GPa/m",
     )
     .positive()
-    .optional("given by `mortar_normal_stiffness`; the discrete element method needs one of them"),
+    .optional(
+        "given by `mortar_normal_stiffness`; without both, paths of equilibrium take a tenth of `elastic_modulus` over the longest \
+         voussoir, and the discrete element method refuses",
+    ),
     Field::new(
         "mortar_normal_stiffness",
         Kind::Quantity(Dimension::JointStiffness),

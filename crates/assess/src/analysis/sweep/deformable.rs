@@ -1,9 +1,9 @@
 //! The loads of the file at every position on joints that give: beside the factor of rigid blocks, and the smaller one counts.
 //!
-//! At every position two cases are followed: the run of axles that governs for rigid blocks, and all axles. At the worst position all
-//! runs are, once it has been sought between the positions.
+//! At every position up to three cases are followed: the run of axles that governs for rigid blocks, all axles, and the run that
+//! governed at the position before. At the worst position all runs are, once it has been sought between the positions.
 
-use super::super::deforming::{Deforming, Followed};
+use super::super::deforming::{Bound, Deforming, Followed};
 use super::super::pieces::{self, Stage};
 use super::super::vehicles::REFINEMENTS;
 use super::super::{AnalysisError, by_dem};
@@ -13,9 +13,6 @@ use mechanics::watch::{Pace, Watch};
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
-
-/// Paths are followed so far beyond the factor of rigid blocks that a state in balance there would be seen.
-const BEYOND: f64 = 1.02;
 
 /// Factors of cases are not known to be better than this.
 const SAME: f64 = 1e-4;
@@ -72,10 +69,14 @@ impl Along<'_> {
     fn everywhere(&self, rows: &[Row], watch: &mut dyn Watch) -> (Vec<Least>, bool) {
         let jobs: Vec<(usize, &[Row])> = rows.chunks(CHUNK).enumerate().map(|(k, rows)| (k * CHUNK, rows)).collect();
         let stage = Stage { name: "positions on joints that give", steps: rows.len() as u64, shares: [0.0, 0.9] };
+        let lowest = rows.iter().filter_map(rigid).min_by(f64::total_cmp);
         let (found, done) = pieces::each(&jobs, &stage, watch, |(first, rows), pace| {
             let mut sweeper = self.deforming.sweeper();
+            let mut before = None;
             let each = rows.iter().enumerate().map(|(k, row)| {
-                let least = self.least(&mut sweeper, (first + k, row), &two(row), None, pace);
+                let bound = Bound::of(rigid(row), lowest)?;
+                let least = self.least(&mut sweeper, first + k, &likely(row, before), bound, pace);
+                before = least.map(|least| least.axles);
                 pace.step();
                 least
             });
@@ -84,26 +85,21 @@ impl Along<'_> {
         (found.into_iter().flatten().flatten().flatten().collect(), done)
     }
 
-    /// The least factor of some cases of a row, where it is smaller than `most`.
+    /// The least factor of some cases of a row below a bound.
     fn least(
         &self,
         sweeper: &mut Sweeper<'_>,
-        (row, of): (usize, &Row),
+        row: usize,
         cases: &[&Case],
-        most: Option<f64>,
+        mut bound: Bound,
         pace: &Pace,
     ) -> Option<Least> {
-        let rigid = of.cases.iter().filter_map(|case| case.factor).fold(f64::INFINITY, f64::min);
-        let bound = rigid.is_finite().then_some(BEYOND * rigid);
-        let (mut least, mut smaller_than) = (None, most);
+        let mut least = None;
         for case in cases {
-            let most = smaller_than.or(bound);
-            let Some(found) = self.deforming.follow(sweeper, &case.forces, most, pace) else { continue };
-            let Followed { factor, broken_off, beyond, .. } = found;
-            if !beyond || smaller_than.is_none() {
-                least = Some(Least { row, axles: case.axles, force: case.force, factor, broken_off });
-                smaller_than = Some(factor);
-            }
+            let Some(found) = self.deforming.follow(sweeper, &case.forces, bound, pace) else { continue };
+            let Followed { factor, broken_off, .. } = found;
+            least = Some(Least { row, axles: case.axles, force: case.force, factor, broken_off });
+            bound = Bound::below(factor);
         }
         least
     }
@@ -123,7 +119,7 @@ impl Along<'_> {
             let (found, done) = pieces::each(&places, &stage, watch, |&place, pace| {
                 let row = self.scene.row(place);
                 let case = row.cases.iter().find(|case| case.axles == best.axles)?;
-                self.least(&mut self.deforming.sweeper(), (0, &row), &[case], Some(best.factor), pace)
+                self.least(&mut self.deforming.sweeper(), 0, &[case], Bound::below(best.factor), pace)
             });
             if !done {
                 return false;
@@ -153,20 +149,29 @@ impl Along<'_> {
             shares: [1.0, 1.0],
         };
         let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| {
-            self.least(&mut self.deforming.sweeper(), (best.row, row), &[case], Some(best.factor), pace)
+            self.least(&mut self.deforming.sweeper(), best.row, &[case], Bound::below(best.factor), pace)
         });
         least.extend(found.into_iter().flatten().flatten());
         done
     }
 }
 
-/// The run of axles that governs for rigid blocks, and all axles.
-fn two(row: &Row) -> Vec<&Case> {
+/// The least factor of rigid blocks.
+fn rigid(row: &Row) -> Option<f64> {
+    row.cases.iter().filter_map(|case| case.factor).min_by(f64::total_cmp)
+}
+
+/// The run of axles that governs for rigid blocks, all axles, and the run that governed at the position before.
+fn likely(row: &Row, before: Option<[usize; 2]>) -> Vec<&Case> {
     let factor = |case: &&Case| case.factor.unwrap_or(f64::INFINITY);
     let governs = row.cases.iter().min_by(|a, b| factor(a).total_cmp(&factor(b)));
     let all = row.cases.iter().max_by(|a, b| a.force.total_cmp(&b.force));
     let mut cases: Vec<&Case> = governs.into_iter().collect();
-    cases.extend(all.filter(|all| governs.is_none_or(|governs| governs.axles != all.axles)));
+    for more in all.into_iter().chain(row.cases.iter().filter(|case| Some(case.axles) == before)) {
+        if cases.iter().all(|case| case.axles != more.axles) {
+            cases.push(more);
+        }
+    }
     cases
 }
 
@@ -196,8 +201,8 @@ fn put(scene: &Scene<'_>, rows: &[Row], least: &[Least], found: &mut Sweep) {
         found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, message));
     }
     found.assumptions.push(
-        "On joints that give two cases are followed at every position, the axles that govern for rigid blocks and all of them; at the \
-         worst position every run of axles is. The smaller factor of both methods counts. Fill acts by its weight alone there."
+        "On joints that give the axles that govern for rigid blocks, all of them, and those that governed at the position before are \
+         followed at every position; at the worst one every run of axles is. The smaller factor of both methods counts. Fill acts by its weight alone there."
             .to_owned(),
     );
 }

@@ -1,10 +1,10 @@
 //! Vehicles on joints that give: beside the adequacy factor of rigid blocks, and the smaller one counts.
 //!
 //! At every position two cases are followed along their paths of equilibrium: what governs for rigid blocks there, and all that may
-//! stand there. The worst position is then sought between the positions, and what stands there is varied: runs of axles, runs of
+//! stand there; then what was found to govern beside it, from position to position there and back. The worst position is then sought between the positions, and what stands there is varied: runs of axles, runs of
 //! half spans with uniform loads, factors on weights, the critical axle.
 
-use super::super::deforming::{Deforming, Followed};
+use super::super::deforming::{Bound, Deforming, Followed};
 use super::super::pieces::{self, Stage};
 use super::super::{by_dem, by_limit};
 use super::AnalysisError;
@@ -17,16 +17,13 @@ use bridge::{Bridge, SweepPlan};
 use mechanics::blocks::PointForce;
 use mechanics::path::Sweeper;
 use mechanics::watch::{Pace, Watch};
-use outcome::warning::{self, Warning};
 use outcome::vehicles::{Case, Deformable, EnvelopePoint, PermissibleFactor, Swept, Weights};
+use outcome::warning::{self, Warning};
 use rules::Rule;
 use structure::discretise::{Discretised, dispersal};
 
-/// Positions that one piece of work answers.
-const CHUNK: usize = 8;
-
-/// Paths are followed so far beyond the factor of rigid blocks that a state in balance there would be seen.
-const BEYOND: f64 = 1.02;
+/// Positions that one piece of work answers. Fixed, so that the numbers do not depend on the number of threads.
+const CHUNK: usize = 24;
 
 /// Factors of cases are not known to be better than this.
 const SAME: f64 = 1e-4;
@@ -34,8 +31,8 @@ const SAME: f64 = 1e-4;
 /// Rounds of variation at the worst position.
 const ROUNDS: usize = 3;
 
-/// Where the positions end in the share of the work, and where the search between them does.
-const SHARES: [f64; 2] = [0.7, 0.9];
+/// Shares of the work at which all positions are answered, and at which what governs beside them is known.
+const SHARES: [f64; 2] = [0.7, 0.8];
 
 /// A vehicle's case on joints that give.
 #[derive(Debug, Clone)]
@@ -80,7 +77,7 @@ pub(super) fn beside(
     let own: Vec<usize> = (0..vehicles.len()).filter(|&k| twins[k].is_none()).collect();
     let (mut found, mut whole) = moving.everywhere(&own, swept, watch);
     for (count, (&k, answers)) in own.iter().zip(&mut found).enumerate() {
-        let share = |part: f64| SHARES[0] + (1.0 - SHARES[0]) * (count as f64 + part) / own.len() as f64;
+        let share = |part: f64| SHARES[1] + (1.0 - SHARES[1]) * (count as f64 + part) / own.len() as f64;
         whole = whole && moving.refined(k, answers, [share(0.0), share(1.0)], watch);
     }
     for (&k, answers) in own.iter().zip(&found) {
@@ -116,35 +113,100 @@ impl<'a> Moving<'a> {
     }
 
     /// The least answer at every point of every vehicle's envelope; none at points where nothing stands.
-    fn everywhere(
-        &self,
-        own: &[usize],
-        swept: &[Swept],
-        watch: &mut dyn Watch,
-    ) -> (Vec<Vec<Option<Answer>>>, bool) {
+    fn everywhere(&self, own: &[usize], swept: &[Swept], watch: &mut dyn Watch) -> (Vec<Vec<Option<Answer>>>, bool) {
         let chunks = |&k: &usize| swept[k].envelope.chunks(CHUNK).map(move |points| (k, points));
         let jobs: Vec<(usize, &[EnvelopePoint])> = own.iter().flat_map(chunks).collect();
         let steps = own.iter().map(|&k| swept[k].envelope.len() as u64).sum();
         let stage = Stage { name: "positions of vehicles on joints that give", steps, shares: [0.0, SHARES[0]] };
         let (found, done) = pieces::each(&jobs, &stage, watch, |(k, points), pace| {
             let mut sweepers = self.sweepers();
+            let lowest = swept[*k].factor();
             let each = points.iter().map(|point| {
-                let rigid = point.adequacy.map(|adequacy| BEYOND * adequacy / self.capacity);
-                let least = self.least(*k, &mut sweepers, &self.two(*k, point), (rigid, None), pace);
+                let bound = self.bound(point, lowest)?;
+                let least = self.least(*k, &mut sweepers, &self.likely(*k, point), bound, pace);
                 pace.step();
                 least
             });
-            each.collect::<Vec<_>>()
+            let mut answers: Vec<Option<Answer>> = each.collect();
+            self.beside(*k, &mut sweepers, (points, lowest), &mut answers, pace);
+            answers
         });
         let mut of_vehicle: Vec<Vec<Option<Answer>>> = vec![Vec::new(); swept.len()];
         for ((k, points), part) in jobs.iter().zip(found) {
             of_vehicle[*k].extend(part.unwrap_or_else(|| points.iter().map(|_| None).collect()));
         }
+        let done = done && self.over_borders(own, swept, &mut of_vehicle, watch);
         (own.iter().map(|&k| std::mem::take(&mut of_vehicle[k])).collect(), done)
     }
 
+    /// The same beside the borders of the pieces of work: between their middles.
+    fn over_borders(
+        &self,
+        own: &[usize],
+        swept: &[Swept],
+        answers: &mut [Vec<Option<Answer>>],
+        watch: &mut dyn Watch,
+    ) -> bool {
+        let middles = |&k: &usize| {
+            let count = swept[k].envelope.len();
+            (CHUNK / 2..count).step_by(CHUNK).map(move |from| (k, from..(from + CHUNK).min(count)))
+        };
+        let jobs: Vec<(usize, std::ops::Range<usize>)> = own.iter().flat_map(middles).collect();
+        let name = "cases beside others on joints that give";
+        let stage = Stage { name, steps: jobs.len() as u64, shares: SHARES };
+        let (found, done) = pieces::each(&jobs, &stage, watch, |(k, range), pace| {
+            let mut part = answers[*k][range.clone()].to_vec();
+            let given = (&swept[*k].envelope[range.clone()], swept[*k].factor());
+            self.beside(*k, &mut self.sweepers(), given, &mut part, pace);
+            pace.step();
+            part
+        });
+        for ((k, range), part) in jobs.into_iter().zip(found) {
+            if let Some(part) = part {
+                answers[k].splice(range, part);
+            }
+        }
+        done
+    }
+
+    /// Tries at every position what governs at those beside it.
+    fn beside(
+        &self,
+        vehicle: usize,
+        sweepers: &mut [Sweeper<'_>],
+        (points, lowest): (&[EnvelopePoint], Option<f64>),
+        answers: &mut [Option<Answer>],
+        pace: &Pace,
+    ) {
+        let count = points.len();
+        let there_and_back = (1..count).map(|k| (k - 1, k)).chain((1..count).rev().map(|k| (k, k - 1)));
+        for (from, to) in there_and_back {
+            let point = &points[to];
+            let alike = points[from].arrangement == point.arrangement && points[from].direction == point.direction;
+            let Some(other) = answers[from].as_ref().filter(|_| alike) else { continue };
+            let case = Case { position: point.position, load: 0.0, ..other.case.clone() };
+            let bound = match &answers[to] {
+                Some(known) if Case { load: 0.0, ..known.case.clone() } == case => continue,
+                Some(known) => Bound::below(known.found.factor),
+                None => match self.bound(point, lowest) {
+                    Some(bound) => bound,
+                    None => continue,
+                },
+            };
+            if let Some(smaller) = self.least(vehicle, sweepers, &[case], bound, pace) {
+                answers[to] = Some(smaller);
+            }
+        }
+    }
+
+    /// How far loads are followed at a point, where rigid blocks carry `lowest` at their worst.
+    fn bound(&self, point: &EnvelopePoint, lowest: Option<f64>) -> Option<Bound> {
+        let factor = |adequacy: Option<f64>| adequacy.map(|adequacy| adequacy / self.capacity);
+        Bound::of(factor(point.adequacy), factor(lowest))
+    }
+
     /// What governs for rigid blocks at a point, and all that may stand there.
-    fn two(&self, vehicle: usize, point: &EnvelopePoint) -> Vec<Case> {
+    fn likely(&self, vehicle: usize, point: &EnvelopePoint) -> Vec<Case> {
         let governs = Case {
             position: point.position,
             direction: point.direction,
@@ -172,25 +234,21 @@ impl<'a> Moving<'a> {
         borders(&self.bridges[0], reach(&self.built[0], foot.length, foot.dispersal.slope))
     }
 
-    /// The least answer of some cases, of those that are smaller than `smaller_than`; paths are not followed beyond `bound`.
+    /// The least answer of some cases below a bound.
     fn least(
         &self,
         vehicle: usize,
         sweepers: &mut [Sweeper<'_>],
         cases: &[Case],
-        (bound, mut smaller_than): (Option<f64>, Option<f64>),
+        mut bound: Bound,
         pace: &Pace,
     ) -> Option<Answer> {
         let mut least = None;
         for case in cases {
             let Some(weights) = self.weights.iter().position(|w| *w == case.weights) else { continue };
             let (forces, load) = self.forces(vehicle, weights, case);
-            let most = smaller_than.or(bound);
-            let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, most, pace) else {
-                continue;
-            };
-            if !found.beyond || smaller_than.is_none() {
-                smaller_than = Some(found.factor);
+            if let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, bound, pace) {
+                bound = Bound::below(found.factor);
                 least = Some(Answer { case: Case { load, ..case.clone() }, found });
             }
         }
@@ -239,7 +297,7 @@ impl<'a> Moving<'a> {
             let most = best.found.factor;
             let (found, done) = pieces::each(&cases, &stage, watch, |case, pace| {
                 let one = std::slice::from_ref(case);
-                let found = self.least(vehicle, &mut self.sweepers(), one, (None, Some(most)), pace);
+                let found = self.least(vehicle, &mut self.sweepers(), one, Bound::below(most), pace);
                 pace.step();
                 found
             });
@@ -302,11 +360,8 @@ impl<'a> Moving<'a> {
         let mut permissible: Vec<PermissibleFactor> = Vec::new();
         for answer in found.clone() {
             for &(criterion, factor) in &answer.found.permissible {
-                let new = PermissibleFactor {
-                    criterion,
-                    adequacy: factor * self.capacity,
-                    position: answer.case.position,
-                };
+                let new =
+                    PermissibleFactor { criterion, adequacy: factor * self.capacity, position: answer.case.position };
                 match permissible.iter_mut().find(|old| old.criterion == criterion) {
                     Some(old) if new.adequacy < old.adequacy => *old = new,
                     Some(_) => {}
@@ -336,7 +391,9 @@ pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
         match (own.stands, own.broken_off) {
             (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
             (true, 0) => None,
-            (true, count) => Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len())),
+            (true, count) => {
+                Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len()))
+            }
         }
     };
     let told: Vec<String> = all.iter().filter_map(told).collect();
@@ -352,8 +409,8 @@ pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
 /// What following joints that give assumes.
 pub(super) fn assumed(all: &[Swept]) -> Option<String> {
     all.iter().any(|one| one.deformable.is_some()).then(|| {
-        "On joints that give two cases are followed at every position: what governs for rigid blocks, and all that may stand there. At \
-         the worst position its axles, uniform loads, factors on weights and critical axle are varied one after the other. The smaller \
+        "On joints that give these cases are followed at every position: what governs for rigid blocks, all that may stand there, and \
+         what governs beside it, each up to four times the least factor of rigid blocks. At the worst position its axles, uniform loads, factors on weights and critical axle are varied one after the other. The smaller \
          adequacy factor of both methods counts. Fill acts by its weight alone there."
             .to_owned()
     })

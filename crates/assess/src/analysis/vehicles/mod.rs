@@ -19,7 +19,7 @@ mod sections;
 mod seeds;
 mod standing;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 mod told;
 mod twins;
 mod weights;
@@ -30,8 +30,8 @@ pub use outcome::vehicles::Weights;
 pub use outcome::vehicles::{Extreme, SectionEnvelope};
 pub(super) use search::{DILATANCY, REFINEMENTS};
 
-use super::AnalysisError;
 use super::pieces::Portion;
+use super::{AnalysisError, stiffened};
 use crate::vehicles::{Chosen, chosen, left_out};
 use bridge::{Bridge, Method};
 use mechanics::watch::Watch;
@@ -48,6 +48,8 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
         why: "it says which vehicles are moved, and by which rule",
     })?;
     let (rule, vehicles) = chosen(bridge, plan)?;
+    let own = stiffened::for_paths(bridge);
+    let (bridge, taken) = (own.as_ref().map_or(bridge, |own| &own.0), own.as_ref().and_then(|own| own.1.clone()));
     let shortest = bridge.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let step = plan.step.unwrap_or(shortest / 60.0);
     let weights = weights::combinations(bridge, &rule);
@@ -103,6 +105,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
         found.collapse = Some(Box::new(run));
     }
     notes(bridge, &vehicles, &mut found);
+    found.warnings.extend(taken);
     Ok(found)
 }
 
