@@ -113,10 +113,16 @@ impl Joint {
         (self.on_first[1] - self.on_first[0]).norm()
     }
 
+    /// Length that presses where nothing is open [m]: that of the face, or what a pin stands for, its given or its least length.
+    pub fn bearing_length(&self) -> f64 {
+        let pin = self.resistance.fixed_length.unwrap_or(self.resistance.least_length);
+        if self.pin { pin } else { self.built_length() }
+    }
+
     /// Force that rounding of coordinates makes of no overlap [N/m].
     pub fn rounding(&self) -> f64 {
         let arm = self.on_first.iter().chain(&self.on_second).map(|arm| arm.norm()).fold(0.0, f64::max);
-        let length = self.built_length().max(self.resistance.least_length);
+        let length = self.bearing_length().max(self.resistance.least_length);
         16.0 * f64::EPSILON * arm * length * self.resistance.normal.max(self.resistance.shear)
     }
 
@@ -153,7 +159,7 @@ impl Joint {
             seen([apart[0] + arm[0], apart[1] + arm[1]])
         });
         let (along, faces) = if self.pin {
-            ([one[0][0]; 2], [one, two].map(|face| [face[0][1]; 2]))
+            ([(one[0][0] + two[0][0]) * half; 2], [one, two].map(|face| [face[0][1]; 2]))
         } else {
             let later = |a: T, b: T| if b.value() > a.value() { b } else { a };
             let sooner = |a: T, b: T| if b.value() < a.value() { b } else { a };
@@ -215,11 +221,11 @@ impl Joint {
         (ends, self.ends(&law, contact_length, [T::of(pressed); 2], length).compression)
     }
 
-    /// A pin presses in its one point, for its given or its least length.
+    /// A pin presses in its one point.
     fn ends<T: Number>(&self, law: &Resistance, contact_length: ContactLength, overlap: [T; 2], length: T) -> Ends<T> {
         let nothing = Ends { compression: [T::of(0.0); 2], length: [T::of(0.0); 2] };
         if self.pin {
-            let pin = Resistance { fixed_length: Some(law.fixed_length.unwrap_or(law.least_length)), ..*law };
+            let pin = Resistance { fixed_length: Some(self.bearing_length()), ..*law };
             let both = pin.ends(ContactLength::Fixed, overlap, length);
             return Ends {
                 compression: [both.compression[0], nothing.compression[1]],

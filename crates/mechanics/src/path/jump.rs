@@ -18,7 +18,7 @@ const LONGEST: f64 = 0.005;
 pub(super) fn fall(model: &Model, settings: &Settings, state: &State, work: &mut Workspace) -> Option<(State, u32)> {
     let start = &state.motions;
     let mut state = state.clone();
-    let stiffest = model.joints.iter().map(|j| j.resistance.normal * j.built_length()).fold(0.0, f64::max);
+    let stiffest = model.joints.iter().map(|j| j.resistance.normal * j.bearing_length()).fold(0.0, f64::max);
     let (mut drag, mut corrections) = (1e-4 * stiffest, 0);
     for _ in 0..MOST_STEPS {
         assemble(model, settings, &state, work);

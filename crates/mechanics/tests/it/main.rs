@@ -55,4 +55,5 @@ mod particle_support;
 mod particle_take_over;
 mod particle_threads;
 mod path_arch;
+mod path_closed_forms;
 mod path_known;
