@@ -36,6 +36,7 @@ mod passage;
 mod raster;
 mod sheet;
 mod sliding;
+mod stiffness;
 mod stress;
 mod study;
 mod thinned;
@@ -77,6 +78,7 @@ pub const FIGURES: &[Figure] = &[
     thrust::FIGURE,
     stress::FIGURE,
     load_path::FIGURE,
+    stiffness::FIGURE,
     frames::FIGURE,
     packing::FIGURE,
     chains::FIGURE,

@@ -261,4 +261,16 @@ pub struct Picture {
     pub stalls: bool,
     /// Whether the loads of path and snapshots are support movements [m] instead of forces [N/m].
     pub moves_supports: bool,
+    /// What joints of other stiffness would carry.
+    #[serde(default)]
+    pub over_stiffness: Option<OverStiffness>,
+}
+
+/// Largest load in balance over the stiffness of the joints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct OverStiffness {
+    /// Stiffness as a multiple of that of the result, and load [N/m]; the softer first.
+    pub points: Vec<[f64; 2]>,
+    /// Load of rigid blocks [N/m], which the stiffest joints approach from below.
+    pub rigid: f64,
 }

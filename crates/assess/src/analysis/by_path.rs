@@ -2,7 +2,7 @@
 
 use super::by_dem::{contact_length, increased};
 use super::places::{lines, moving, point, scaled};
-use super::{AnalysisError, blank, by_limit, notes, picture, stiffened};
+use super::{AnalysisError, blank, by_limit, notes, picture, softened, stiffened};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::Interface;
 use mechanics::contact::ContactLength;
@@ -17,7 +17,8 @@ use structure::discretise::Discretised;
 /// First increment of the load, as a share of that of rigid blocks.
 const FIRST_STEP: f64 = 0.05;
 
-/// The load beyond which no more is sought, in loads of rigid blocks: theirs is never passed but by a hair.
+/// The load beyond which no more is sought, in loads of rigid blocks: theirs is never passed but by a hair. Rigid blocks have no
+/// cohesion, or part of it: joints that have some may carry any multiple of that load.
 const BEYOND: f64 = 1.5;
 
 /// Pictures of the path: as many as its result shows.
@@ -39,7 +40,7 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     let program = path::Program {
         increment: given(bridge.plan.load_step).or(bound.map(|b| FIRST_STEP * b)).unwrap_or(1.0),
         limit: given(bridge.plan.load_limit.map(|most| most - d.counted_weight))
-            .or(bound.map(|b| BEYOND * b))
+            .or(bound.filter(|_| !cohesive(&d)).map(|b| BEYOND * b))
             .unwrap_or(f64::INFINITY),
         watched: d.watched,
     };
@@ -56,6 +57,10 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     }
     c.load_step = Some(d.load(program.increment));
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
+    if let (Some(own), Some(rigid)) = (outcome.collapse_factor, rigid.factor) {
+        let own = (own, outcome.iterations);
+        c.picture.over_stiffness = softened::over_stiffness(&d, (&settings, &program), own, rigid)?;
+    }
     notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);
     notes::apart(rigid.status, &mut c);
     c.warnings.extend(taken);
@@ -64,6 +69,11 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
         c.crushing_limit_load = crushed.map(|factor| d.load(factor));
     }
     Ok(c)
+}
+
+/// Whether joints have cohesion.
+fn cohesive(d: &Discretised) -> bool {
+    d.model.laws.clone().iter_mut().any(|law| law.cohesion > 0.0)
 }
 
 fn report(

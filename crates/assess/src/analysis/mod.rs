@@ -20,6 +20,7 @@ mod picture;
 pub(crate) mod pieces;
 mod places;
 mod planned;
+mod softened;
 mod stiffened;
 mod strips;
 mod sweep;

@@ -213,6 +213,10 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     if bridge.joint.tensile_strength > 0.0 {
         c.assumptions.push("The tensile strength of the joints is left out.".into());
     }
+    c.warnings.extend(joints::cohesive(bridge).map(|warning| {
+        let message = format!("in the limit load that stands beside this result {}", warning.message);
+        Warning::new(warning.code, message)
+    }));
     if let (Some(stress), Some(strength)) = (c.max_compressive_stress, bridge.masonry.compressive_strength)
         && stress > strength
     {

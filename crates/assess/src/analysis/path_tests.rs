@@ -50,6 +50,21 @@ fn the_smaller_load_leads_and_service_loads_stand_beside_it() {
     assert!(last.load < headline.load, "the path ends at {}", last.load);
 }
 
+/// The stiffer the joints, the more is carried, up to what rigid blocks carry. The other program has 131.7 and 208.9 kN/m at 1 and 100
+/// times the stiffness, here with the whole face.
+#[test]
+fn rigid_blocks_are_what_ever_stiffer_joints_come_to() {
+    let mut b = samples::bridgemill();
+    b.masonry.rounding = 0.0;
+    let found = by_path(b, None);
+    let over = found.picture.over_stiffness.as_ref().unwrap();
+    assert!(over.points.len() >= 7 && over.points.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]), "{over:?}");
+    let at = |times: f64| over.points.iter().find(|point| point[0] == times).unwrap()[1];
+    assert_eq!(Some(at(1.0)), found.last_stable_load);
+    assert!((at(100.0) / 208.9e3 - 1.0).abs() < 1.5e-3 && at(100.0) < over.rigid, "{over:?}");
+    assert_eq!(Some(over.rigid), found.limit_load);
+}
+
 #[test]
 fn points_give_the_load_of_discrete_elements() {
     let points = by_path(samples::bridgemill(), Some(JointContact::Points));

@@ -111,6 +111,10 @@ pub fn collapse(c: &Collapse) -> Object {
                 criterion: limit.criterion,
                 load_kn_per_m: kilo(limit.load),
             }),
+            over_stiffness?: c.picture.over_stiffness.as_ref().map(|over| list(&over.points, |[times, load]| object! {
+                times: *times,
+                last_stable_load_kn_per_m: kilo(*load),
+            })),
             snaps: p.snaps,
             equilibrium_residual: p.equilibrium_residual,
             yield_violation: p.yield_violation,

@@ -1,0 +1,73 @@
+//! Load over the stiffness of the joints, with that of rigid blocks as its asymptote.
+
+use crate::chart::{Axes, Axis, Entry, Mark, key};
+use crate::elevation::INK;
+use crate::figure::Figure;
+use crate::sheet::place::Room;
+use crate::sheet::{Pen, Sheet, Spot, Style};
+use crate::ticks::Ticks;
+use crate::words;
+use outcome::picture::Picture;
+
+/// See [`Figure`].
+pub(crate) const FIGURE: Figure = Figure {
+    name: "stiffness",
+    caption: "Load over the stiffness of the joints; rigid blocks are its asymptote.",
+    draw: over_stiffness,
+};
+
+const CURVE: &str = "#0b5394";
+const RIGID: &str = "#a02020";
+const HEIGHT: f64 = 300.0;
+
+/// The largest load in balance over the stiffness of the joints, that of the result marked, and the load of rigid blocks. Nothing
+/// where only one stiffness was tried.
+fn over_stiffness(picture: &Picture) -> Option<String> {
+    let over = picture.over_stiffness.as_ref().filter(|over| over.points.len() > 1)?;
+    let [first, last] = [over.points.first()?[0], over.points.last()?[0]];
+    let most = over.points.iter().map(|point| point[1]).fold(over.rigid, f64::max) / 1e3;
+    let mut sheet = Sheet::new("stiffness");
+    let top = sheet.title(&picture.title, "Largest load in balance over the stiffness of the joints");
+    let x = Axis::logarithmic("stiffness of the joints, as a multiple of that of this result [–]", first, last);
+    let y = Axis::round("load [kN/m]", Ticks::over(0.0, 1.04 * most, 6));
+    let (axes, bottom) = Axes::draw(&mut sheet, top, HEIGHT, &x, &y);
+    let rigid = [axes.spot(first, over.rigid / 1e3), axes.spot(last, over.rigid / 1e3)];
+    sheet.polyline(&rigid, Pen::line(RIGID, 1.4).dashed("9 4").class("rigid"));
+    sheet.avoid_line(&rigid);
+    let spots: Vec<Spot> = over.points.iter().map(|[times, load]| axes.spot(*times, load / 1e3)).collect();
+    sheet.polyline(&spots, Pen::line(CURVE, 1.8).class("curve"));
+    sheet.avoid_line(&spots);
+    for (&at, [times, load]) in spots.iter().zip(&over.points) {
+        let own = *times == 1.0;
+        Mark::Full.draw(&mut sheet, at, if own { INK } else { CURVE });
+        if own {
+            let room = Room { area: axes.area.grown(-5.0), towards: [0.7, 0.7], clear: 11.0 };
+            sheet.label(at, &format!("this result: {}", words::force(*load)), Style::on_drawing(), room);
+        }
+    }
+    let rigid_words = format!("rigid blocks: {}", words::force(over.rigid));
+    let entries = [
+        Entry { line: Some((CURVE, "")), mark: Some((Mark::Full, CURVE)), text: "joints that give" },
+        Entry { line: Some((RIGID, "9 4")), mark: None, text: &rigid_words },
+    ];
+    let bottom = key(&mut sheet, bottom, &entries);
+    Some(sheet.finish(bottom))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use outcome::picture::OverStiffness;
+
+    #[test]
+    fn the_result_is_marked_among_other_stiffnesses_below_the_rigid_load() {
+        let points = vec![[0.1, 60e3], [1.0, 132e3], [10.0, 182e3], [100.0, 209e3]];
+        let mut picture =
+            Picture { over_stiffness: Some(OverStiffness { points, rigid: 231e3 }), ..Picture::default() };
+        let svg = over_stiffness(&picture).unwrap();
+        assert!(svg.contains("this result: 132") && svg.contains("rigid blocks: 231"), "{svg}");
+        assert_eq!(svg.matches("class=\"rigid\"").count(), 1);
+        picture.over_stiffness.as_mut().unwrap().points.truncate(1);
+        assert_eq!(over_stiffness(&picture), None);
+    }
+}
