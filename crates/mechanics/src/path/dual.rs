@@ -43,21 +43,42 @@ impl Number for Dual {
     }
 }
 
-/// Sine and cosine.
+/// An angle whose half has a known sine and cosine.
 pub(super) trait Angle: Number {
-    fn sine_cosine(self) -> (Self, Self);
+    /// These as numbers of its own kind.
+    fn of_half(self, known: Half) -> (Self, Self);
+}
+
+/// Sine and cosine of half of an angle.
+pub(super) type Half = [f64; 2];
+
+/// Half of the turn of a block.
+pub(super) fn half_of(turn: f64) -> Half {
+    let (sine, cosine) = (0.5 * turn).sin_cos();
+    [sine, cosine]
+}
+
+/// Half of the difference of two turns.
+pub(super) fn between([sine, cosine]: Half, [other_sine, other_cosine]: Half) -> Half {
+    [other_sine * cosine - other_cosine * sine, other_cosine * cosine + other_sine * sine]
+}
+
+/// Sine and cosine of the whole angle.
+pub(super) fn whole([sine, cosine]: Half) -> [f64; 2] {
+    [2.0 * sine * cosine, cosine * cosine - sine * sine]
 }
 
 impl Angle for f64 {
-    fn sine_cosine(self) -> (f64, f64) {
-        self.sin_cos()
+    #[inline(always)]
+    fn of_half(self, [sine, cosine]: Half) -> (f64, f64) {
+        (sine, cosine)
     }
 }
 
 impl Angle for Dual {
-    fn sine_cosine(self) -> (Dual, Dual) {
-        let (sine, cosine) = self.value.sin_cos();
-        (self.chain(sine, cosine), self.chain(cosine, -sine))
+    #[inline(always)]
+    fn of_half(self, [sine, cosine]: Half) -> (Dual, Dual) {
+        (self.chain(sine, 0.5 * cosine), self.chain(cosine, -0.5 * sine))
     }
 }
 

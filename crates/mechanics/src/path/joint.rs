@@ -3,7 +3,7 @@
 //! The frame of a joint halves the angle between its two faces, so that neither block is favoured and a mirrored model
 //! gives the mirrored answer.
 
-use super::dual::{Angle, Dual};
+use super::dual::{Angle, Dual, Half, whole};
 use crate::blocks::{BlockModel, Interface, ModelError};
 use crate::contact::{ContactLength, Ends, Number, Resistance};
 use crate::ids::{Id, Table};
@@ -137,9 +137,9 @@ impl Joint {
     }
 
     /// How the two faces meet in a relative pose.
-    fn meet<T: Angle>(&self, pose: Relative<T>) -> Meeting<T> {
+    fn meet<T: Angle>(&self, pose: Relative<T>, turn: Half) -> Meeting<T> {
         let half = T::of(0.5);
-        let (sine, cosine) = (pose[2] * half).sine_cosine();
+        let (sine, cosine) = pose[2].of_half(turn);
         // The second block turns by the whole angle, which is its half twice.
         let (whole_sine, whole_cosine) = (T::of(2.0) * sine * cosine, cosine * cosine - sine * sine);
         let turned = |v: Vec2, sine: T, cosine: T| {
@@ -185,9 +185,14 @@ impl Joint {
         }
     }
 
-    /// Forces of a relative pose. `memory` is that of the last balanced state.
-    pub fn respond<T: Angle>(&self, bedding: Bedding, memory: &Memory, pose: Relative<T>) -> Response<T> {
-        let Meeting { tangent, normal, apart, overlap, length, glide, at } = self.meet(pose);
+    /// Forces of a relative pose with its turn. `memory` is that of the last balanced state.
+    pub fn respond<T: Angle>(
+        &self,
+        bedding: Bedding,
+        memory: &Memory,
+        (pose, turn): (Relative<T>, Half),
+    ) -> Response<T> {
+        let Meeting { tangent, normal, apart, overlap, length, glide, at } = self.meet(pose, turn);
         let (ends, back) = self.pressed(bedding, overlap, length);
         let law = &self.resistance;
         let moved = glide - T::of(memory.glide);
@@ -245,17 +250,22 @@ impl Joint {
     }
 
     /// The response with its derivatives.
-    pub fn respond_with_tangent(&self, bedding: Bedding, memory: &Memory, pose: Relative<f64>) -> Response<Dual> {
+    pub fn respond_with_tangent(
+        &self,
+        bedding: Bedding,
+        memory: &Memory,
+        (pose, turn): (Relative<f64>, Half),
+    ) -> Response<Dual> {
         let variables = [0, 1, 2].map(|k| Dual::variable(pose[k], k));
-        self.respond(bedding, memory, variables)
+        self.respond(bedding, memory, (variables, turn))
     }
 
     /// Where the second block stands in the frame of the first, from the motions of both since they were built: translations
-    /// [m] and rotation [rad].
-    pub fn relative(&self, first: [f64; 3], second: [f64; 3]) -> Relative<f64> {
+    /// [m] and rotation [rad]; with half of the first one's turn.
+    pub fn relative(&self, first: [f64; 3], second: [f64; 3], turn: Half) -> Relative<f64> {
         let built = self.between();
         let apart = built + vec2(second[0] - first[0], second[1] - first[1]);
-        let (sine, cosine) = first[2].sin_cos();
+        let [sine, cosine] = whole(turn);
         let back = vec2(cosine * apart.x + sine * apart.y, cosine * apart.y - sine * apart.x);
         [back.x - built.x, back.y - built.y, second[2] - first[2]]
     }

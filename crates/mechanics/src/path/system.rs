@@ -1,6 +1,7 @@
 //! Equilibrium of all blocks and its exact tangent.
 
 use super::banded::Banded;
+use super::dual::{Half, between, half_of, whole};
 use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::{HELD, Model};
 use super::settings::Settings;
@@ -47,6 +48,8 @@ pub(super) struct Workspace {
     pub unbalanced: Vec<f64>,
     /// `dF/dfactor`.
     pub growing: Vec<f64>,
+    /// Half of the turn of each block.
+    turns: Vec<Half>,
 }
 
 impl Workspace {
@@ -55,6 +58,7 @@ impl Workspace {
             tangent: Banded::new(model.equations, model.band),
             unbalanced: vec![0.0; model.equations],
             growing: vec![0.0; model.equations],
+            turns: Vec::new(),
         }
     }
     /// Largest out-of-balance force [N/m].
@@ -66,16 +70,18 @@ impl Workspace {
 /// Response of joint `k` in a state, with shear that follows from the last balanced one.
 pub(super) fn respond(model: &Model, settings: &Settings, memory: &Memory, k: usize, state: &State) -> Response<f64> {
     let joint = &model.joints[k];
-    joint.respond(bedding(settings, state), memory, relative(model, k, state))
+    let turns = [joint.first, joint.second].map(|block| half_of(state.motions[block][2]));
+    joint.respond(bedding(settings, state), memory, (relative(model, k, state, turns[0]), between(turns[0], turns[1])))
 }
 
 fn bedding(settings: &Settings, state: &State) -> Bedding {
     Bedding { contact_length: settings.contact_length, pressed: state.pressed }
 }
 
-pub(super) fn relative(model: &Model, k: usize, state: &State) -> Relative<f64> {
+/// Pose of a joint's second block as its first one sees it, whose half turn is given.
+fn relative(model: &Model, k: usize, state: &State, turn: Half) -> Relative<f64> {
     let joint = &model.joints[k];
-    joint.relative(state.motions[joint.first], state.motions[joint.second])
+    joint.relative(state.motions[joint.first], state.motions[joint.second], turn)
 }
 
 /// Out-of-balance forces of a trial state, and the tangent; the state's memory is that of the last balanced one.
@@ -83,6 +89,8 @@ pub(super) fn assemble(model: &Model, settings: &Settings, state: &State, work: 
     work.tangent.clear();
     work.unbalanced.fill(0.0);
     work.growing.fill(0.0);
+    work.turns.clear();
+    work.turns.extend(state.motions.iter().map(|motion| half_of(motion[2])));
     for block in 0..model.built.len() {
         act(model, block, state, work);
     }
@@ -97,7 +105,7 @@ fn act(model: &Model, block: usize, state: &State, work: &mut Workspace) {
     if equations == [HELD; 3] {
         return;
     }
-    let (sine, cosine) = state.motions[block][2].sin_cos();
+    let [sine, cosine] = whole(work.turns[block]);
     let moment = |r: &Resultant| (cosine * r.cross - sine * r.dot) / model.size;
     let grows = &model.variable[block];
     let now = model.permanent[block].plus(grows, state.factor);
@@ -119,8 +127,10 @@ fn act(model: &Model, block: usize, state: &State, work: &mut Workspace) {
 /// Forces of one joint on its two blocks, with their derivatives.
 fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut Workspace) {
     let joint = &model.joints[k];
-    let pose = relative(model, k, state);
-    let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], pose);
+    let turns = [work.turns[joint.first], work.turns[joint.second]];
+    let pose = relative(model, k, state, turns[0]);
+    let turned = (pose, between(turns[0], turns[1]));
+    let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], turned);
     let (f, mut slope) = (response.force.map(|f| f.value), response.force.map(|f| f.slope));
     let [lent_normal, lent_shear, lent_turn] = joint.lent();
     let (n, t) = (joint.normal, joint.tangent());
@@ -131,7 +141,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     }
     slope[2][2] -= lent_turn;
     let d = joint.apart(pose);
-    let (sine, cosine) = state.motions[joint.first][2].sin_cos();
+    let [sine, cosine] = whole(turns[0]);
     // Change of the relative pose with the six motions: translations and rotation of the first, then of the second.
     let change = [
         [-cosine, -sine, d.y, cosine, sine, 0.0],
