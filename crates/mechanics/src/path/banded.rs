@@ -33,11 +33,20 @@ impl Banded {
         row * self.width + column + self.below - row
     }
 
-    /// Adds to every entry of the diagonal.
-    pub fn add_to_diagonal(&mut self, value: f64) {
-        for k in 0..self.size {
-            self.add(k, k, value);
+    /// Adds a multiple of another matrix of the same shape, neither of them factorised.
+    pub fn add_times(&mut self, other: &Banded, factor: f64) {
+        for (to, from) in self.entries.iter_mut().zip(&other.entries) {
+            *to += factor * from;
         }
+    }
+
+    /// The product with a vector, of a matrix that is not factorised.
+    pub fn times(&self, vector: &[f64]) -> Vec<f64> {
+        let row = |row: usize| {
+            let columns = row.saturating_sub(self.below)..=(row + self.below).min(self.size - 1);
+            columns.map(|column| self.entries[self.at(row, column)] * vector[column]).sum()
+        };
+        (0..self.size).map(row).collect()
     }
 
     /// Adds to an entry within the band.

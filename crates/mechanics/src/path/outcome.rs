@@ -13,9 +13,10 @@ pub enum Status {
     Bifurcation,
     /// Every load up to the limit was carried.
     StableToLastLoad,
-    /// The blocks do not stand under their own weight.
+    /// The blocks do not stand under their own weight: let go, they fall for good.
     UnstableUnderSelfWeight,
-    /// The next balanced state was not found; the last one is kept, and its load is carried.
+    /// The next balanced state was not found, and no fall proves that there is none; the last one is kept, and its load is
+    /// carried. Without one, not even the self-weight is known to be carried.
     NotConverged,
     /// The onlooker stopped it.
     Cancelled,

@@ -54,6 +54,7 @@ impl Ground {
         let stood = match Path::new(&model, settings, &program).stand(&mut state, watch) {
             Standing::Balanced(balanced) => Ok((state, balanced)),
             Standing::Falls => Err(Status::UnstableUnderSelfWeight),
+            Standing::Lost => Err(Status::NotConverged),
             Standing::Stopped => Err(Status::Cancelled),
         };
         Ok(Ground { model, settings: settings.clone(), stood })

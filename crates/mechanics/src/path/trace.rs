@@ -1,10 +1,11 @@
 //! The path from self-weight to the largest load and past it.
 
+use super::banded::Banded;
 use super::correct::{Balanced, Constraint, balance, dot, norm};
 use super::frame::{frame, point};
-use super::jump::fall;
 use super::model::{HELD, Model};
 use super::outcome::{Cause, Frame, Outcome, PathPoint, Status};
+use super::relax::{Fall, dashpots, fall};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, advance, assemble, commit, respond};
 use crate::blocks::{BlockModel, Loading, ModelError};
@@ -33,6 +34,7 @@ pub fn collapse(
             path.follow(program.increment, program.limit, &mut state, watch).status()
         }
         Standing::Falls => Status::UnstableUnderSelfWeight,
+        Standing::Lost => Status::NotConverged,
         Standing::Stopped => Status::Cancelled,
     };
     Ok(path.outcome(blocks, status))
@@ -43,6 +45,7 @@ pub fn collapse(
 pub(super) enum Standing {
     Balanced(Balanced),
     Falls,
+    Lost,
     Stopped,
 }
 
@@ -104,6 +107,8 @@ pub(super) struct Path<'m> {
     settings: &'m Settings,
     program: &'m Program,
     work: Workspace,
+    /// What falls are resisted by, once there was one.
+    dashpots: Option<Banded>,
     pub points: Vec<PathPoint>,
     /// Whether states are kept to be drawn.
     drawn: bool,
@@ -123,6 +128,21 @@ const LET_GO: f64 = 1e-3;
 /// Iterations that a step of the right length takes.
 const WANTED_ITERATIONS: f64 = 5.0;
 
+/// The same where joints slide and the step is short: these take some iterations to show how they go on, and no fewer of them
+/// where the step is shorter. What slides in a step does so in one direction, so that steps longer than these are not sought.
+const WANTED_WHERE_SLIDING: f64 = 10.0;
+
+/// A step is short that gains less than this share of the load.
+const SHORT: f64 = 2e-3;
+
+/// A load that is pushed to is at most so many times the resolution further on; one that gains so many times as much on the path
+/// afterwards is not enlarged.
+const LARGEST_PUSH: f64 = 1024.0;
+const FAR: f64 = 10.0;
+
+/// Most loads that are pushed on where the path has as many states as it may.
+const MOST_PUSHES: u32 = 500;
+
 /// First step past the peak, as a share of the size of the blocks, in the norm of all motions.
 const PAST_PEAK: f64 = 1e-3;
 
@@ -133,6 +153,7 @@ impl<'m> Path<'m> {
             settings,
             program,
             work: Workspace::new(model),
+            dashpots: None,
             points: Vec::new(),
             drawn: false,
             frames: Vec::new(),
@@ -144,8 +165,32 @@ impl<'m> Path<'m> {
     }
 
     /// The first state under self-weight. Joints without tension are alike at every load, so no small load would make it
-    /// easier to find: instead they are pressed together until they are as good as glued, and are let go by degrees.
+    /// easier to find: instead they are pressed together until they are as good as glued, and are let go by degrees. Where
+    /// that loses its way, or finds a state that does not stay, the blocks are let fall from there, and from where they were
+    /// built: what comes to rest stands.
     pub fn stand(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
+        let built = state.clone();
+        match self.let_go(state, watch) {
+            Standing::Falls => {}
+            end => return end,
+        }
+        state.pressed = 0.0;
+        let mut ends = Vec::new();
+        for start in [state.clone(), built] {
+            match self.fall(&start, watch) {
+                Fall::Rests(found, balanced) => {
+                    *state = found;
+                    return Standing::Balanced(balanced);
+                }
+                Fall::Stopped => return Standing::Stopped,
+                end => ends.push(end),
+            }
+        }
+        if ends.iter().all(|end| matches!(end, Fall::Falls(_))) { Standing::Falls } else { Standing::Lost }
+    }
+
+    /// From joints that are as good as glued to those that are; falls where no next state is found.
+    fn let_go(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
         let mut glued = state.clone();
         // As built, sides neither overlap nor gape but for rounding: any overlap makes them closed.
         state.pressed = self.model.size;
@@ -173,7 +218,8 @@ impl<'m> Path<'m> {
                     share = (share * share).max(0.1);
                     if next == 0.0 {
                         commit(self.model, self.settings, state);
-                        return Standing::Balanced(balanced);
+                        let stays = self.heading(state, None).is_some_and(|heading| heading.sign > 0);
+                        return if stays { Standing::Balanced(balanced) } else { Standing::Falls };
                     }
                 }
                 None if share > 0.98 => return Standing::Falls,
@@ -186,31 +232,84 @@ impl<'m> Path<'m> {
     /// Follows the path until the factor is at its target or can grow no more. Where balance is lost and found again close by,
     /// as when a hinge moves to the next joint, the path goes on from there.
     pub fn follow(&mut self, increment: f64, target: f64, state: &mut State, watch: &mut dyn Watch) -> End {
-        let mut length = None;
+        let (mut length, mut push) = (None, 1.0);
         loop {
-            let end = self.rise((increment, target), &mut length, state, watch);
-            if !matches!(end, End::Limit | End::Lost) {
+            let before = state.factor;
+            // A path of very many states is left to loads that are pushed on alone: these come to an end.
+            let long = self.points.len() as u32 >= self.settings.most_steps;
+            let end = if long { End::Lost } else { self.rise((increment, target), &mut length, state, watch) };
+            if matches!(end, End::Target | End::Bifurcation | End::Stopped) {
                 return end;
             }
-            // Where no next state was found, the one of a load a little further on may be.
-            let pushes: &[f64] = if end == End::Lost { &[1.0, 10.0, 100.0] } else { &[1.0] };
-            let fallen = pushes.iter().find_map(|times| {
-                let mut pushed = state.clone();
-                let push = times * self.settings.resolution * state.factor.abs().max(increment);
-                advance(self.model, &mut pushed, &[], push);
-                fall(self.model, self.settings, &pushed, &mut self.work)
-            });
-            let Some((next, steps)) = fallen else {
-                self.descend(state, watch);
-                return end;
+            let unit = self.settings.resolution * state.factor.abs().max(self.settings.resolution * increment);
+            // Where the path is lost again and again, a load further on is tried.
+            let gained = state.factor - before;
+            push = if gained > FAR * push * unit { 1.0 } else { (2.0 * push).min(LARGEST_PUSH) };
+            let (next, balanced) = match self.pushed(end, (&mut push, unit), target, state, watch) {
+                Ok(found) => found,
+                Err(end) => {
+                    if end != End::Stopped && !long {
+                        self.descend(state, watch);
+                    }
+                    return end;
+                }
             };
-            self.iterations += steps;
             self.snaps += 1;
-            self.accept(next, Balanced { iterations: steps, residual: self.last.residual }, state);
-            if self.points.len() as u32 > self.settings.most_steps {
+            self.accept(next, balanced, state);
+            if state.factor >= target {
+                return End::Target;
+            }
+            if self.points.len() as u32 > self.settings.most_steps + MOST_PUSHES {
                 return End::Lost;
             }
         }
+    }
+
+    /// Where the blocks come to rest under a load a little further on; or how the path ends, if they do not. `push` is that load
+    /// beyond the present one in units of the resolution, and is lowered until they come to rest.
+    fn pushed(
+        &mut self,
+        end: End,
+        (push, unit): (&mut f64, f64),
+        target: f64,
+        state: &State,
+        watch: &mut dyn Watch,
+    ) -> Result<(State, Balanced), End> {
+        loop {
+            let mut pushed = state.clone();
+            advance(self.model, &mut pushed, &[], (*push * unit).min(target - state.factor));
+            match self.fall(&pushed, watch) {
+                Fall::Rests(found, balanced) => return Ok((found, balanced)),
+                Fall::Stopped => return Err(End::Stopped),
+                Fall::Falls(_) | Fall::Lost if *push > 1.0 => *push = (0.25 * *push).max(1.0),
+                // That they fall for good proves that the load was the largest.
+                Fall::Falls(fallen) if end == End::Lost => {
+                    self.mechanism = self.way(state, &fallen);
+                    return Err(End::Limit);
+                }
+                Fall::Falls(_) | Fall::Lost => return Err(end),
+            }
+        }
+    }
+
+    fn fall(&mut self, from: &State, watch: &mut dyn Watch) -> Fall {
+        let (model, settings) = (self.model, self.settings);
+        let dashpots = self.dashpots.get_or_insert_with(|| dashpots(model, settings));
+        let (end, corrections) = fall(model, settings, dashpots, from, (&mut self.work, watch));
+        self.iterations += corrections;
+        end
+    }
+
+    /// The motions from one state to another, by their equations.
+    fn way(&self, from: &State, to: &State) -> Vec<f64> {
+        let mut way = vec![0.0; self.model.equations];
+        for (block, equations) in self.model.equation.iter().enumerate() {
+            for c in (0..3).filter(|&c| equations[c] != HELD) {
+                let size = if c == 2 { self.model.size } else { 1.0 };
+                way[equations[c] as usize] = size * (to.motions[block][c] - from.motions[block][c]);
+            }
+        }
+        way
     }
 
     /// Follows the path up to where the load grows no more, a stiffness turns negative or no next state is found; that is found
@@ -226,7 +325,7 @@ impl<'m> Path<'m> {
         let first = increment.min(target) / heading.factor;
         let mut share = length.unwrap_or(first).min(first);
         let mut past: Option<Past> = None;
-        for step in 0..self.settings.most_steps {
+        for step in self.points.len() as u32..self.settings.most_steps {
             let progress = Progress {
                 stage: format!("load factor {:.4}", state.factor),
                 fraction: target.is_finite().then(|| (state.factor / target).clamp(0.0, 1.0)),
@@ -281,11 +380,18 @@ impl<'m> Path<'m> {
             }
             *length = Some(share);
             heading = on;
-            let grown = share * (WANTED_ITERATIONS / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
+            let short = share < first || heading.factor * share < SHORT * state.factor;
+            let grown = share * (self.wanted(short) / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
             past = past.map(|past| Past { distance: past.distance - share, ..past }).filter(|past| past.distance > 0.0);
             share = past.as_ref().map_or(grown, |past| grown.min(past.distance * past.short_of_peak(&heading)));
         }
         End::Lost
+    }
+
+    /// Iterations that the next step should take.
+    fn wanted(&self, short: bool) -> f64 {
+        let slides = self.points.last().is_some_and(|p| p.sliding > 0);
+        if slides && short { WANTED_WHERE_SLIDING } else { WANTED_ITERATIONS }
     }
 
     /// A balanced state a step along the heading.
@@ -329,7 +435,7 @@ impl<'m> Path<'m> {
                 return;
             }
             heading = on;
-            length *= (WANTED_ITERATIONS / f64::from(balanced.iterations.max(1))).clamp(0.5, 1.5);
+            length *= (self.wanted(true) / f64::from(balanced.iterations.max(1))).clamp(0.5, 1.5);
         }
     }
 

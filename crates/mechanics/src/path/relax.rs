@@ -1,0 +1,166 @@
+//! Where blocks come to rest that are not in balance under a load that stays: the nearest stable state, or none.
+//!
+//! They move as if every joint held a dashpot, its resistance in proportion to the stiffness that the joint has when it is
+//! closed: each step balances the forces with those of the dashpots, which fade as the forces do (pseudo-transient continuation;
+//! Kelley and Keyes 1998). The dashpots take work out of the motion in every step, so blocks that go on moving are driven by
+//! their load, and no step is balanced by an unstable state, as Newton's method would be.
+
+use super::banded::Banded;
+use super::correct::{Balanced, norm};
+use super::model::Model;
+use super::settings::Settings;
+use super::system::{State, Workspace, advance, assemble, commit, scale};
+use crate::watch::{Progress, Watch, Wish};
+
+/// Most corrections of one fall, and of one of its steps.
+const MOST_IN_ALL: u32 = 4000;
+const MOST_CORRECTIONS: u32 = 12;
+
+/// Halvings of one correction.
+const MOST_CUTS: u32 = 6;
+
+/// What slid is taken to hold at the begin of a step: the first corrections find out what slides on, and may make things worse by
+/// this factor.
+const FIRST_CORRECTIONS: u32 = 3;
+const WORSE: f64 = 3.0;
+
+/// Largest motion of one step, as a share of the size of the blocks: contacts change by a part of a joint at most.
+const LONGEST: f64 = 0.02;
+
+/// Share of the forces at its begin that a step may leave out of balance; the last one leaves none.
+const LEFT: f64 = 1e-2;
+
+/// Drag of the first step, and the largest and the least, relative to the stiffness of closed joints: with the largest, a step
+/// is shorter than any that the joints' elasticity takes, and with the least they are as if there was none.
+const FIRST: f64 = 1e-2;
+const MOST: f64 = 1e4;
+const LEAST: f64 = 1e-12;
+
+/// Corrections of a step that may as well be taken with much less drag.
+const QUICK: u32 = 4;
+
+/// How a fall ends.
+#[derive(Debug, Clone)]
+pub(super) enum Fall {
+    /// In a stable state.
+    Rests(State, Balanced),
+    /// Not within the distance that is taken as a fall for good; where the blocks were then.
+    Falls(State),
+    /// Unknown: no step was found, or they were too many.
+    Lost,
+    /// The onlooker stopped it.
+    Stopped,
+}
+
+/// Joints that are closed, as built: what dashpots are in proportion to.
+pub(super) fn dashpots(model: &Model, settings: &Settings) -> Banded {
+    let mut work = Workspace::new(model);
+    let glued = State { pressed: model.size, ..State::as_built(model) };
+    assemble(model, settings, &glued, &mut work);
+    work.tangent
+}
+
+/// Lets the blocks of a state go; with the corrections that it took.
+pub(super) fn fall(
+    model: &Model,
+    settings: &Settings,
+    dashpots: &Banded,
+    from: &State,
+    (work, watch): (&mut Workspace, &mut dyn Watch),
+) -> (Fall, u32) {
+    let mut state = from.clone();
+    let (mut drag, mut corrections) = (FIRST, 0);
+    while corrections < MOST_IN_ALL {
+        let stage = format!("balance lost at load factor {:.4}", state.factor);
+        if watch.look(&Progress { stage, fraction: None, steps: u64::from(corrections) }) == Wish::Stop {
+            return (Fall::Stopped, corrections);
+        }
+        assemble(model, settings, &state, work);
+        let acting = scale(model, state.factor);
+        let largest = work.largest();
+        let balanced = largest <= model.rounding.max(settings.tolerance * acting);
+        // A balanced state that needs a drag is left again.
+        if balanced && work.tangent.factorise() && work.tangent.sign > 0 {
+            let found = Balanced { iterations: corrections, residual: largest / acting };
+            return (Fall::Rests(state, found), corrections);
+        }
+        loop {
+            let (next, took) = dragged(model, settings, (dashpots, drag), &state, work);
+            corrections += took;
+            if let Some(next) = next {
+                state = next;
+                // The least drag that keeps the motion from running away within a step.
+                drag = (drag * if took <= QUICK { 0.1 } else { 0.5 }).max(LEAST);
+                break;
+            }
+            if drag > MOST || corrections >= MOST_IN_ALL {
+                return (Fall::Lost, corrections);
+            }
+            drag = (4.0 * drag).max(1e-6);
+        }
+        // A comparison that a number which is not one fails.
+        if !(farthest(&state, from) <= settings.fallen * model.size) {
+            return (Fall::Falls(state), corrections);
+        }
+    }
+    (Fall::Lost, corrections)
+}
+
+/// How far the block has moved that moved farthest [m].
+fn farthest(now: &State, then: &State) -> f64 {
+    let far = |(now, then): (&[f64; 3], &[f64; 3])| (now[0] - then[0]).hypot(now[1] - then[1]);
+    now.motions.iter().zip(&then.motions).map(far).fold(0.0, f64::max)
+}
+
+/// One step against dashpots, with its corrections; no state where it takes more drag.
+fn dragged(
+    model: &Model,
+    settings: &Settings,
+    (dashpots, drag): (&Banded, f64),
+    from: &State,
+    work: &mut Workspace,
+) -> (Option<State>, u32) {
+    let mut state = from.clone();
+    let mut moved = vec![0.0; model.equations];
+    let enough = model.rounding.max(settings.tolerance * scale(model, state.factor));
+    assemble(model, settings, &state, work);
+    let mut left = work.unbalanced.clone();
+    let largest = |left: &[f64]| left.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+    let enough = enough.max(LEFT * largest(&left));
+    for correction in 1..=MOST_CORRECTIONS {
+        work.tangent.add_times(dashpots, drag);
+        if !work.tangent.factorise() || work.tangent.sign <= 0 {
+            return (None, correction);
+        }
+        let mut change = left.clone();
+        work.tangent.solve(&mut change);
+        let before = norm(&left);
+        let (start, start_moved) = (state.clone(), moved.clone());
+        let mut share = 1.0;
+        for cut in 0..=MOST_CUTS {
+            state.clone_from(&start);
+            let part: Vec<f64> = change.iter().map(|c| share * c).collect();
+            moved = start_moved.iter().zip(&part).map(|(m, p)| m + p).collect();
+            advance(model, &mut state, &part, 0.0);
+            assemble(model, settings, &state, work);
+            let resisted = dashpots.times(&moved);
+            left = work.unbalanced.iter().zip(&resisted).map(|(f, r)| f - drag * r).collect();
+            let slack = if correction <= FIRST_CORRECTIONS { WORSE } else { 1.0 };
+            if norm(&left) < slack * before {
+                break;
+            }
+            if cut == MOST_CUTS {
+                return (None, correction);
+            }
+            share *= 0.5;
+        }
+        if !(largest(&moved) <= LONGEST * model.size) {
+            return (None, correction);
+        }
+        if largest(&left) <= enough {
+            commit(model, settings, &mut state);
+            return (Some(state), correction);
+        }
+    }
+    (None, MOST_CORRECTIONS)
+}
