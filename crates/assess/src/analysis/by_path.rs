@@ -48,13 +48,6 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     let settings = path::Settings::new(contact_length(&bridge.plan, contact));
     let outcome = path::collapse(&d.model, &d.loading, (&settings, &program), watch)?;
     let mut c = report(bridge, &d, (&settings, contact), &outcome);
-    // Only what rigid blocks do not carry either is told as a fall; all else is a first state that was not found.
-    if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
-        c.status = Status::NotConverged;
-        if let By::Path(report) = &mut c.by {
-            report.ended = Ended::NotConverged;
-        }
-    }
     c.load_step = Some(d.load(program.increment));
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
     if let (Some(own), Some(rigid)) = (outcome.collapse_factor, rigid.factor) {
@@ -64,6 +57,13 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);
     notes::apart(rigid.status, &mut c);
     c.warnings.extend(taken);
+    // Both are answers: a stiffer joint may let the blocks stand.
+    if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
+        c.assumptions.push(
+            "Rigid blocks carry their own weight. On joints that give these do not: let go, they move until they fall."
+                .into(),
+        );
+    }
     if by_limit::settings(bridge).crushing {
         let crushed = by_limit::watched(&d, &by_limit::single(bridge, &d), watch)?.factor;
         c.crushing_limit_load = crushed.map(|factor| d.load(factor));
