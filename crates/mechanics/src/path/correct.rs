@@ -27,7 +27,7 @@ const MOST_ITERATIONS: u32 = 20;
 /// often found out by a correction that does neither good nor harm. One that does harm however short leads nowhere.
 const MOST_CUTS: u32 = 5;
 const WORSE: f64 = 3.0;
-const LAST_CUT: u32 = 12;
+const LAST_CUT: u32 = 6;
 
 /// Balances a trial state; none where that does not succeed. What the state is left at is then of no use.
 pub(super) fn balance(

@@ -12,8 +12,10 @@ use super::settings::Settings;
 use super::system::{State, Workspace, advance, assemble, commit, scale};
 use crate::watch::{Progress, Watch, Wish};
 
-/// Most corrections of one fall, and of one of its steps.
-const MOST_IN_ALL: u32 = 4000;
+/// Most corrections of a fall that another one may stand for, and of one that nothing else does: rings that begin to slide do so
+/// slowly. The most of one step.
+pub(super) const BRIEF: u32 = 4000;
+pub(super) const PATIENT: u32 = 20_000;
 const MOST_CORRECTIONS: u32 = 12;
 
 /// Halvings of one correction.
@@ -25,7 +27,7 @@ const FIRST_CORRECTIONS: u32 = 3;
 const WORSE: f64 = 3.0;
 
 /// Largest motion of one step, as a share of the size of the blocks: contacts change by a part of a joint at most.
-const LONGEST: f64 = 0.02;
+const LONGEST: f64 = 0.05;
 
 /// Share of the forces at its begin that a step may leave out of balance; the last one leaves none.
 const LEFT: f64 = 1e-2;
@@ -60,17 +62,17 @@ pub(super) fn dashpots(model: &Model, settings: &Settings) -> Banded {
     work.tangent
 }
 
-/// Lets the blocks of a state go; with the corrections that it took.
+/// Lets the blocks of a state go, for as many corrections as are granted; with those that it took.
 pub(super) fn fall(
     model: &Model,
     settings: &Settings,
     dashpots: &Banded,
-    from: &State,
+    (from, granted): (&State, u32),
     (work, watch): (&mut Workspace, &mut dyn Watch),
 ) -> (Fall, u32) {
     let mut state = from.clone();
     let (mut drag, mut corrections) = (FIRST, 0);
-    while corrections < MOST_IN_ALL {
+    while corrections < granted {
         let stage = format!("balance lost at load factor {:.4}", state.factor);
         if watch.look(&Progress { stage, fraction: None, steps: u64::from(corrections) }) == Wish::Stop {
             return (Fall::Stopped, corrections);
@@ -93,7 +95,7 @@ pub(super) fn fall(
                 drag = (drag * if took <= QUICK { 0.1 } else { 0.5 }).max(LEAST);
                 break;
             }
-            if drag > MOST || corrections >= MOST_IN_ALL {
+            if drag > MOST || corrections >= granted {
                 return (Fall::Lost, corrections);
             }
             drag = (4.0 * drag).max(1e-6);

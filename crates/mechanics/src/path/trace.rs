@@ -5,7 +5,7 @@ use super::correct::{Balanced, Constraint, balance, dot, norm};
 use super::frame::{frame, point};
 use super::model::{HELD, Model};
 use super::outcome::{Cause, Frame, Outcome, PathPoint, Status};
-use super::relax::{Fall, dashpots, fall};
+use super::relax::{BRIEF, Fall, PATIENT, dashpots, fall};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, advance, assemble, commit, respond};
 use crate::blocks::{BlockModel, Loading, ModelError};
@@ -140,6 +140,9 @@ const SHORT: f64 = 2e-3;
 const LARGEST_PUSH: f64 = 1024.0;
 const FAR: f64 = 10.0;
 
+/// The same where no end is found closer by: that tells the largest load to a thousandth, from below.
+const COARSE_PUSH: f64 = 100.0;
+
 /// Most loads that are pushed on where the path has as many states as it may.
 const MOST_PUSHES: u32 = 500;
 
@@ -177,7 +180,7 @@ impl<'m> Path<'m> {
         state.pressed = 0.0;
         let mut ends = Vec::new();
         for start in [state.clone(), built] {
-            match self.fall(&start, watch) {
+            match self.fall(&start, PATIENT, watch) {
                 Fall::Rests(found, balanced) => {
                     *state = found;
                     return Standing::Balanced(balanced);
@@ -275,27 +278,30 @@ impl<'m> Path<'m> {
         state: &State,
         watch: &mut dyn Watch,
     ) -> Result<(State, Balanced), End> {
+        let mut coarse = false;
         loop {
             let mut pushed = state.clone();
             advance(self.model, &mut pushed, &[], (*push * unit).min(target - state.factor));
-            match self.fall(&pushed, watch) {
+            match self.fall(&pushed, if *push > 1.0 { BRIEF } else { PATIENT }, watch) {
                 Fall::Rests(found, balanced) => return Ok((found, balanced)),
                 Fall::Stopped => return Err(End::Stopped),
-                Fall::Falls(_) | Fall::Lost if *push > 1.0 => *push = (0.25 * *push).max(1.0),
+                Fall::Falls(_) | Fall::Lost if *push > 1.0 && !coarse => *push = (0.25 * *push).max(1.0),
                 // That they fall for good proves that the load was the largest.
                 Fall::Falls(fallen) if end == End::Lost => {
                     self.mechanism = self.way(state, &fallen);
                     return Err(End::Limit);
                 }
+                // Under a little more load they fall faster, and that shows the largest load less closely.
+                Fall::Lost if end == End::Lost && !coarse => (coarse, *push) = (true, COARSE_PUSH),
                 Fall::Falls(_) | Fall::Lost => return Err(end),
             }
         }
     }
 
-    fn fall(&mut self, from: &State, watch: &mut dyn Watch) -> Fall {
+    fn fall(&mut self, from: &State, granted: u32, watch: &mut dyn Watch) -> Fall {
         let (model, settings) = (self.model, self.settings);
         let dashpots = self.dashpots.get_or_insert_with(|| dashpots(model, settings));
-        let (end, corrections) = fall(model, settings, dashpots, from, (&mut self.work, watch));
+        let (end, corrections) = fall(model, settings, dashpots, (from, granted), (&mut self.work, watch));
         self.iterations += corrections;
         end
     }
