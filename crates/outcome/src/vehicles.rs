@@ -101,6 +101,8 @@ impl EnvelopePoint {
 pub struct Deformable {
     /// Whether the state under self-weight was found with all factors on weights.
     pub stands: bool,
+    /// Whether the blocks were seen to fall under their own weight with some of them.
+    pub falls: bool,
     /// Least adequacy factor in balance over all cases that were followed.
     pub adequacy: Option<f64>,
     /// The case that has it.
@@ -231,9 +233,11 @@ impl Swept {
     /// settled.
     pub fn judged_with(&mut self, deformable: Deformable) {
         self.rigid = self.factor();
-        if !deformable.stands {
-            self.adequacy_at_most = self.factor();
-            self.adequacy = None;
+        if deformable.falls {
+            (self.adequacy, self.adequacy_at_most) = (None, None);
+            (self.status, self.case) = (Status::UnstableUnderSelfWeight, None);
+        } else if !deformable.stands {
+            (self.adequacy, self.adequacy_at_most) = (None, self.factor());
             self.positions_not_converged = self.envelope.len();
             self.status = Status::NotConverged;
         } else if let Some(factor) = deformable.adequacy.filter(|factor| self.rigid.is_none_or(|rigid| *factor < rigid))

@@ -75,6 +75,11 @@ impl Deforming {
         self.ground.stands()
     }
 
+    /// Whether it was seen to fall.
+    pub fn falls(&self) -> bool {
+        self.ground.falls()
+    }
+
     /// What follows loads, one after the other.
     pub fn sweeper(&self) -> Sweeper<'_> {
         self.ground.sweeper()

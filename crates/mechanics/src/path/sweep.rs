@@ -6,7 +6,7 @@ use super::model::Model;
 use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
 use super::system::State;
-use super::trace::{End, Path, Standing, cause};
+use super::trace::{End, Path, Standing};
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 use crate::contact::ContactLength;
 use crate::ids::BlockId;
@@ -65,6 +65,11 @@ impl Ground {
         self.stood.is_ok()
     }
 
+    /// Whether the blocks, let go under their own weight, were seen to fall.
+    pub fn falls(&self) -> bool {
+        self.stood.as_ref().err() == Some(&Status::UnstableUnderSelfWeight)
+    }
+
     /// What follows loads, one after the other.
     pub fn sweeper(&self) -> Sweeper<'_> {
         Sweeper { ground: self, model: self.model.clone() }
@@ -99,7 +104,7 @@ impl Sweeper<'_> {
             end = path.follow(program.increment, program.limit, &mut state, watch);
         }
         let best = path.points.iter().max_by(|a, b| a.factor.total_cmp(&b.factor));
-        let (factor, gives_way) = (best.map(|p| p.factor), best.map(cause));
+        let (factor, gives_way) = (best.map(|p| p.factor), best.map(|p| path.cause(p)));
         let status = end.status();
         Carried {
             status,

@@ -48,6 +48,8 @@ pub(super) struct Workspace {
     pub unbalanced: Vec<f64>,
     /// `dF/dfactor`.
     pub growing: Vec<f64>,
+    /// Whether an end of a joint slides.
+    pub slides: bool,
     /// Half of the turn of each block.
     turns: Vec<Half>,
 }
@@ -58,6 +60,7 @@ impl Workspace {
             tangent: Banded::new(model.equations, model.band),
             unbalanced: vec![0.0; model.equations],
             growing: vec![0.0; model.equations],
+            slides: false,
             turns: Vec::new(),
         }
     }
@@ -89,6 +92,7 @@ pub(super) fn assemble(model: &Model, settings: &Settings, state: &State, work: 
     work.tangent.clear();
     work.unbalanced.fill(0.0);
     work.growing.fill(0.0);
+    work.slides = false;
     work.turns.clear();
     work.turns.extend(state.motions.iter().map(|motion| half_of(motion[2])));
     for block in 0..model.built.len() {
@@ -131,6 +135,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     let pose = relative(model, k, state, turns[0]);
     let turned = (pose, between(turns[0], turns[1]));
     let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], turned);
+    work.slides |= response.sliding[0] || response.sliding[1];
     let (f, mut slope) = (response.force.map(|f| f.value), response.force.map(|f| f.slope));
     let [lent_normal, lent_shear, lent_turn] = joint.lent();
     let (n, t) = (joint.normal, joint.tangent());

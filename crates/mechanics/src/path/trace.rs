@@ -107,6 +107,8 @@ pub(super) struct Path<'m> {
     settings: &'m Settings,
     program: &'m Program,
     work: Workspace,
+    /// Whether the tangent of the state that the last step led to stands in the workspace.
+    assembled: bool,
     /// What falls are resisted by, once there was one.
     dashpots: Option<Banded>,
     pub points: Vec<PathPoint>,
@@ -156,6 +158,7 @@ impl<'m> Path<'m> {
             settings,
             program,
             work: Workspace::new(model),
+            assembled: false,
             dashpots: None,
             points: Vec::new(),
             drawn: false,
@@ -407,12 +410,15 @@ impl<'m> Path<'m> {
         from: &State,
         (heading, length): (&Heading, f64),
     ) -> Option<(State, Balanced)> {
+        self.assembled = false;
         let mut next = from.clone();
         let change: Vec<f64> = heading.direction.iter().map(|d| d * length).collect();
         advance(self.model, &mut next, &change, heading.factor * length);
         let balanced = balance(self.model, self.settings, constraint, &mut next, &mut self.work)?;
         self.iterations += balanced.iterations;
         commit(self.model, self.settings, &mut next);
+        // Joints that hold have the same tangent before and after they remember the state.
+        self.assembled = !self.work.slides;
         Some((next, balanced))
     }
 
@@ -447,7 +453,9 @@ impl<'m> Path<'m> {
 
     /// Where the path goes at a balanced state, on from where it came; none where the tangent is singular.
     fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
-        assemble(self.model, self.settings, state, &mut self.work);
+        if !std::mem::take(&mut self.assembled) {
+            assemble(self.model, self.settings, state, &mut self.work);
+        }
         if !self.work.tangent.factorise() {
             return None;
         }
@@ -482,7 +490,7 @@ impl<'m> Path<'m> {
         let most = self.points.iter().map(|p| p.factor).fold(f64::NEG_INFINITY, f64::max);
         let collapse_factor = matches!(status, Status::LimitPoint | Status::Bifurcation).then_some(most);
         let peak = (0..self.frames.len()).rev().find(|&k| self.frames[k].factor == most);
-        let cause = collapse_factor.and(peak).map(|k| cause(&self.points[self.frames[k].step]));
+        let cause = collapse_factor.and(peak).map(|k| self.cause(&self.points[self.frames[k].step]));
         Outcome {
             status,
             cause,
@@ -495,6 +503,27 @@ impl<'m> Path<'m> {
             interfaces: self.model.interfaces.clone(),
             iterations: self.iterations,
             snaps: self.snaps,
+        }
+    }
+
+    /// What gives way in the state at the largest load: joints that slide where the mechanism slides more than it turns.
+    pub fn cause(&self, peak: &PathPoint) -> Cause {
+        let of = |block: usize| {
+            [0, 1, 2].map(|c| match self.model.equation[block][c] {
+                HELD => 0.0,
+                _ if self.mechanism.is_empty() => 0.0,
+                equation if c == 2 => self.mechanism[equation as usize] / self.model.size,
+                equation => self.mechanism[equation as usize],
+            })
+        };
+        let motions = self.model.joints.iter().map(|joint| joint.motion(of(joint.first), of(joint.second)));
+        let (slid, turned) = motions.fold((0.0, 0.0), |sum, [slide, turn]| (sum.0 + slide.abs(), sum.1 + turn.abs()));
+        if slid > turned {
+            Cause::Sliding
+        } else if peak.hinges < 3 && peak.crushed > 0.0 {
+            Cause::Crushing
+        } else {
+            Cause::Hinging
         }
     }
 
@@ -519,18 +548,5 @@ impl<'m> Path<'m> {
         let count = self.model.built.len();
         let scale = (0..count).map(fastest).fold(f64::MIN_POSITIVE, f64::max);
         (0..count).map(of).map(|(velocity, spin)| (velocity * (1.0 / scale), spin / scale)).collect()
-    }
-}
-
-/// What gives way in a state at the largest load.
-pub(super) fn cause(point: &PathPoint) -> Cause {
-    if point.hinges >= 3 {
-        Cause::Hinging
-    } else if point.sliding > 0 {
-        Cause::Sliding
-    } else if point.crushed > 0.0 {
-        Cause::Crushing
-    } else {
-        Cause::Hinging
     }
 }

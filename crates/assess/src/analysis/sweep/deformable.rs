@@ -38,8 +38,10 @@ pub(super) fn beside(
     by_dem::require_stiffness(scene.bridge)?;
     let deforming = Deforming::new(scene.bridge, scene.d, watch)?;
     if !deforming.stands() {
-        found.points.iter_mut().for_each(unknown);
-        found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, NOT_FOUND));
+        let falls = deforming.falls();
+        found.points.iter_mut().for_each(|point| unknown(point, falls));
+        let words = if falls { FALLS } else { NOT_FOUND };
+        found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, words));
         return Ok(true);
     }
     let along = Along { scene, deforming: &deforming };
@@ -54,9 +56,13 @@ pub(super) fn beside(
 const NOT_FOUND: &str = "the state under self-weight was not found with joints that give: what the bridge carries is at most what rigid \
                          blocks carry, and not known";
 
-fn unknown(point: &mut SweepPoint) {
-    (point.rigid_factor, point.load_factor_at_most) = (point.load_factor, point.bound());
-    (point.load_factor, point.collapse_load, point.status) = (None, None, Status::NotConverged);
+const FALLS: &str =
+    "the bridge does not stand under its own weight on joints that give: rigid blocks alone carry loads";
+
+fn unknown(point: &mut SweepPoint, falls: bool) {
+    (point.rigid_factor, point.load_factor_at_most) = (point.load_factor, point.bound().filter(|_| !falls));
+    let status = if falls { Status::UnstableUnderSelfWeight } else { Status::NotConverged };
+    (point.load_factor, point.collapse_load, point.status) = (None, None, status);
 }
 
 struct Along<'a> {

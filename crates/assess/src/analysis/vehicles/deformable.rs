@@ -71,7 +71,8 @@ pub(super) fn beside(
         capacity: rule.capacity_factor(),
     };
     if !deforming.iter().all(Deforming::stands) {
-        swept.iter_mut().for_each(|one| one.judged_with(Deformable::default()));
+        let falls = deforming.iter().any(Deforming::falls);
+        swept.iter_mut().for_each(|one| one.judged_with(Deformable { falls, ..Deformable::default() }));
         return Ok(true);
     }
     let own: Vec<usize> = (0..vehicles.len()).filter(|&k| twins[k].is_none()).collect();
@@ -372,6 +373,7 @@ impl<'a> Moving<'a> {
         let least = worst(answers);
         one.judged_with(Deformable {
             stands: true,
+            falls: false,
             adequacy: least.map(|least| least.found.factor * self.capacity),
             case: least.map(|least| least.case.clone()),
             broken_off: found.filter(|answer| answer.found.broken_off).count(),
@@ -389,6 +391,7 @@ pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
     let told = |one: &Swept| {
         let own = one.deformable.as_ref()?;
         match (own.stands, own.broken_off) {
+            (false, _) if own.falls => Some(format!("{}: the blocks fall under their own weight", one.code)),
             (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
             (true, 0) => None,
             (true, count) => {
