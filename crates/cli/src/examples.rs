@@ -82,6 +82,12 @@ pub const ALL: &[Example] = &[
         files: files!("two-span": "bridge.toml"),
     },
     Example {
+        name: "viaduct",
+        about: "a brick viaduct of three spans under every vehicle of a rule, on joints that give",
+        main: "bridge.toml",
+        files: files!("viaduct": "bridge.toml"),
+    },
+    Example {
         name: "two-ring",
         about: "a ring of two half-brick rings that may separate",
         main: "bridge.toml",

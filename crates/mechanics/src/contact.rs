@@ -118,12 +118,18 @@ impl Resistance {
         let (mut pressed, share) = compressed(overlap);
         let most = self.crushing / self.normal;
         if overlap.iter().any(|o| o.value() > most) {
-            let (beyond, _) = compressed(overlap.map(|o| o - T::of(most)));
+            let (beyond, _) = compressed(each(overlap, |o| o - T::of(most)));
             pressed = [pressed[0] - beyond[0], pressed[1] - beyond[1]];
         }
         let scale = T::of(self.normal) * length;
-        Ends { compression: pressed.map(|p| scale * p), length: share.map(|s| length * s) }
+        Ends { compression: each(pressed, |p| scale * p), length: each(share, |s| length * s) }
     }
+}
+
+/// The same of both ends. Arrays of numbers with derivatives are not mapped in place: that took a tenth of the time of a path.
+#[inline(always)]
+pub(crate) fn each<T, U>([first, second]: [T; 2], of: impl Fn(T) -> U) -> [U; 2] {
+    [of(first), of(second)]
 }
 
 /// What the two ends of a joint carry.

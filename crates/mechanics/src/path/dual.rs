@@ -21,7 +21,8 @@ impl Dual {
     /// Another value, whose derivative with respect to this one is `rate`.
     #[inline(always)]
     fn chain(self, value: f64, rate: f64) -> Dual {
-        Dual { value, slope: self.slope.map(|s| rate * s) }
+        let [a, b, c] = self.slope;
+        Dual { value, slope: [rate * a, rate * b, rate * c] }
     }
 
     #[inline(always)]

@@ -5,7 +5,7 @@
 
 use super::dual::{Angle, Dual, Half, whole};
 use crate::blocks::{BlockModel, Interface, ModelError};
-use crate::contact::{ContactLength, Ends, Number, Resistance};
+use crate::contact::{ContactLength, Ends, Number, Resistance, each};
 use crate::ids::{Id, Table};
 use crate::plane::{Vec2, vec2};
 
@@ -153,13 +153,13 @@ impl Joint {
             let from = [p[0] - T::of(middle.x), p[1] - T::of(middle.y)];
             [dot(from, tangent), dot(from, normal)]
         };
-        let one = self.on_first.map(|v| seen([T::of(v.x), T::of(v.y)]));
-        let two = self.on_second.map(|v| {
+        let one = each(self.on_first, |v| seen([T::of(v.x), T::of(v.y)]));
+        let two = each(self.on_second, |v| {
             let arm = turned(v, whole_sine, whole_cosine);
             seen([apart[0] + arm[0], apart[1] + arm[1]])
         });
         let (along, faces) = if self.pin {
-            ([(one[0][0] + two[0][0]) * half; 2], [one, two].map(|face| [face[0][1]; 2]))
+            ([(one[0][0] + two[0][0]) * half; 2], each([one, two], |face| [face[0][1]; 2]))
         } else {
             let later = |a: T, b: T| if b.value() > a.value() { b } else { a };
             let sooner = |a: T, b: T| if b.value() < a.value() { b } else { a };
@@ -167,7 +167,7 @@ impl Joint {
             let height = |face: &[[T; 2]; 2], s: T| {
                 face[0][1] + (face[1][1] - face[0][1]) / (face[1][0] - face[0][0]) * (s - face[0][0])
             };
-            (along, [one, two].map(|face| along.map(|s| height(&face, s))))
+            (along, each([one, two], |face| each(along, |s| height(&face, s))))
         };
         let point = |k: usize| {
             let height = (faces[0][k] + faces[1][k]) * half;
@@ -256,7 +256,7 @@ impl Joint {
         memory: &Memory,
         (pose, turn): (Relative<f64>, Half),
     ) -> Response<Dual> {
-        let variables = [0, 1, 2].map(|k| Dual::variable(pose[k], k));
+        let variables = [Dual::variable(pose[0], 0), Dual::variable(pose[1], 1), Dual::variable(pose[2], 2)];
         self.respond(bedding, memory, (variables, turn))
     }
 

@@ -136,7 +136,8 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     let turned = (pose, between(turns[0], turns[1]));
     let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], turned);
     work.slides |= response.sliding[0] || response.sliding[1];
-    let (f, mut slope) = (response.force.map(|f| f.value), response.force.map(|f| f.slope));
+    let [x, y, turn] = response.force;
+    let (f, mut slope) = ([x.value, y.value, turn.value], [x.slope, y.slope, turn.slope]);
     let [lent_normal, lent_shear, lent_turn] = joint.lent();
     let (n, t) = (joint.normal, joint.tangent());
     for (row, (a, b)) in [(n.x, t.x), (n.y, t.y)].into_iter().enumerate() {
@@ -158,7 +159,10 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     let forces = [-on_second[0], -on_second[1], moment_on_first, on_second[0], on_second[1], f[2]];
     let mut tangent = [[0.0; 6]; 6];
     for motion in 0..6 {
-        let by: [f64; 3] = [0, 1, 2].map(|row| (0..3).map(|c| slope[row][c] * change[c][motion]).sum());
+        let row = |r: usize| {
+            slope[r][0] * change[0][motion] + slope[r][1] * change[1][motion] + slope[r][2] * change[2][motion]
+        };
+        let by = [row(0), row(1), row(2)];
         let mut global = [cosine * by[0] - sine * by[1], sine * by[0] + cosine * by[1]];
         if motion == 2 {
             global = [global[0] - on_second[1], global[1] + on_second[0]];

@@ -105,7 +105,7 @@ impl Along<'_> {
             let Some(found) = self.deforming.follow(sweeper, &case.forces, bound, pace) else { continue };
             let Followed { factor, broken_off, .. } = found;
             least = Some(Least { row, axles: case.axles, force: case.force, factor, broken_off });
-            bound = Bound::below(factor);
+            bound = Bound::below(factor * (1.0 - SAME));
         }
         least
     }
@@ -125,14 +125,14 @@ impl Along<'_> {
             let (found, done) = pieces::each(&places, &stage, watch, |&place, pace| {
                 let row = self.scene.row(place);
                 let case = row.cases.iter().find(|case| case.axles == best.axles)?;
-                self.least(&mut self.deforming.sweeper(), 0, &[case], Bound::below(best.factor), pace)
+                self.least(&mut self.deforming.sweeper(), 0, &[case], Bound::below(best.factor * (1.0 - SAME)), pace)
             });
             if !done {
                 return false;
             }
             for (place, answer) in places.into_iter().zip(found) {
                 if let Some(answer) = answer.flatten()
-                    && answer.factor < best.factor * (1.0 - SAME)
+                    && answer.factor < best.factor
                 {
                     (best, position) = (answer, place);
                 }
@@ -155,7 +155,7 @@ impl Along<'_> {
             shares: [1.0, 1.0],
         };
         let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| {
-            self.least(&mut self.deforming.sweeper(), best.row, &[case], Bound::below(best.factor), pace)
+            self.least(&mut self.deforming.sweeper(), best.row, &[case], Bound::below(best.factor * (1.0 - SAME)), pace)
         });
         least.extend(found.into_iter().flatten().flatten());
         done

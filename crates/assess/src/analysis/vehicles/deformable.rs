@@ -17,10 +17,11 @@ use bridge::{Bridge, SweepPlan};
 use mechanics::blocks::PointForce;
 use mechanics::path::Sweeper;
 use mechanics::watch::{Pace, Watch};
-use outcome::vehicles::{Case, Deformable, EnvelopePoint, PermissibleFactor, Swept, Weights};
+use outcome::vehicles::{Case, Deformable, Direction, EnvelopePoint, PermissibleFactor, Swept, Weights};
 use outcome::warning::{self, Warning};
-use rules::Rule;
-use structure::discretise::{Discretised, dispersal};
+use rules::{Pattern, Rule};
+use structure::discretise::Discretised;
+use structure::discretise::dispersal::{self, Strip};
 
 /// Positions that one piece of work answers. Fixed, so that the numbers do not depend on the number of threads.
 const CHUNK: usize = 24;
@@ -58,6 +59,9 @@ pub(super) fn beside(
     }
     let feet: Vec<Footprint> = vehicles.iter().map(|v| footprint(bridge, plan, rule, v)).collect();
     let twins = twins(vehicles, &feet);
+    // As for rigid blocks, so that cases are the same.
+    let range = feet.iter().map(|foot| reach(&built[0], foot.length, foot.dispersal.slope));
+    let range = range.fold([f64::INFINITY, f64::NEG_INFINITY], |all, own| [all[0].min(own[0]), all[1].max(own[1])]);
     let moving = Moving {
         bridges: &bridges,
         built: &built,
@@ -69,6 +73,7 @@ pub(super) fn beside(
         feet: &feet,
         step,
         capacity: rule.capacity_factor(),
+        borders: &borders(bridge, range),
     };
     if !deforming.iter().all(Deforming::stands) {
         let falls = deforming.iter().any(Deforming::falls);
@@ -106,6 +111,8 @@ struct Moving<'a> {
     feet: &'a [Footprint],
     step: f64,
     capacity: f64,
+    /// Borders of half spans [m].
+    borders: &'a [f64],
 }
 
 impl<'a> Moving<'a> {
@@ -185,10 +192,11 @@ impl<'a> Moving<'a> {
             let point = &points[to];
             let alike = points[from].arrangement == point.arrangement && points[from].direction == point.direction;
             let Some(other) = answers[from].as_ref().filter(|_| alike) else { continue };
-            let case = Case { position: point.position, load: 0.0, ..other.case.clone() };
+            let Some(pattern) = self.pattern(vehicle, &point.arrangement) else { continue };
+            let case = self.trimmed(vehicle, &pattern, Case { position: point.position, ..other.case.clone() });
             let bound = match &answers[to] {
                 Some(known) if Case { load: 0.0, ..known.case.clone() } == case => continue,
-                Some(known) => Bound::below(known.found.factor),
+                Some(known) => Bound::below(known.found.factor * (1.0 - SAME)),
                 None => match self.bound(point, lowest) {
                     Some(bound) => bound,
                     None => continue,
@@ -218,21 +226,33 @@ impl<'a> Moving<'a> {
             uniform: point.uniform,
             load: 0.0,
         };
-        let patterns = self.vehicles[vehicle].vehicle.patterns();
-        let Some(pattern) = patterns.iter().find(|pattern| pattern.label == point.arrangement) else {
-            return vec![governs];
-        };
+        let Some(pattern) = self.pattern(vehicle, &point.arrangement) else { return vec![governs] };
         let last = pattern.axles.len().checked_sub(1);
-        let borders = self.borders(vehicle);
-        let uniform = (!pattern.stretches.is_empty()).then(|| [borders[0], borders[borders.len() - 1]]);
+        let uniform = (!pattern.stretches.is_empty()).then(|| [self.borders[0], self.borders[self.borders.len() - 1]]);
         let all = Case { axles: last.map(|last| [0, last]), uniform, ..governs.clone() };
+        let all = self.trimmed(vehicle, &pattern, all);
         if all == governs { vec![governs] } else { vec![governs, all] }
     }
 
-    /// Borders of half spans [m].
-    fn borders(&self, vehicle: usize) -> Vec<f64> {
+    fn pattern(&self, vehicle: usize, arrangement: &str) -> Option<Pattern> {
+        self.vehicles[vehicle].vehicle.patterns().into_iter().find(|pattern| pattern.label == arrangement)
+    }
+
+    /// A case without the axles that do not reach the arches, so that cases that are alike are the same.
+    fn trimmed(&self, vehicle: usize, pattern: &Pattern, case: Case) -> Case {
         let foot = &self.feet[vehicle];
-        borders(&self.bridges[0], reach(&self.built[0], foot.length, foot.dispersal.slope))
+        let sign = if case.direction == Direction::Right { 1.0 } else { -1.0 };
+        let reaches = |k: &usize| {
+            let middle = case.position - sign * pattern.axles[*k].offset;
+            let strip = Strip { middle, length: foot.length, force: 1.0 };
+            !dispersal::spread(strip, foot.dispersal, self.built[0].surface, &self.built[0].extrados).forces.is_empty()
+        };
+        let axles = case.axles.and_then(|[first, last]| {
+            let mut standing = (first..=last).filter(reaches);
+            let first = standing.next()?;
+            Some([first, standing.next_back().unwrap_or(first)])
+        });
+        Case { axles, load: 0.0, ..case }
     }
 
     /// The least answer of some cases below a bound.
@@ -249,7 +269,7 @@ impl<'a> Moving<'a> {
             let Some(weights) = self.weights.iter().position(|w| *w == case.weights) else { continue };
             let (forces, load) = self.forces(vehicle, weights, case);
             if let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, bound, pace) {
-                bound = Bound::below(found.factor);
+                bound = Bound::below(found.factor * (1.0 - SAME));
                 least = Some(Answer { case: Case { load, ..case.clone() }, found });
             }
         }
@@ -295,7 +315,7 @@ impl<'a> Moving<'a> {
                 steps: cases.len() as u64,
                 shares: [share(round), share(round + 1)],
             };
-            let most = best.found.factor;
+            let most = best.found.factor * (1.0 - SAME);
             let (found, done) = pieces::each(&cases, &stage, watch, |case, pace| {
                 let one = std::slice::from_ref(case);
                 let found = self.least(vehicle, &mut self.sweepers(), one, Bound::below(most), pace);
@@ -306,7 +326,7 @@ impl<'a> Moving<'a> {
                 return false;
             }
             let found: Vec<Option<Answer>> = found.into_iter().flatten().collect();
-            match worst(&found).filter(|found| found.found.factor < most * (1.0 - SAME)) {
+            match worst(&found) {
                 Some(better) => best = better.clone(),
                 None if round >= REFINEMENTS => break,
                 None => {}
@@ -320,9 +340,7 @@ impl<'a> Moving<'a> {
     /// weights, the critical axle.
     fn varied(&self, vehicle: usize, case: &Case) -> Vec<Case> {
         let chosen = &self.vehicles[vehicle];
-        let Some(pattern) = chosen.vehicle.patterns().into_iter().find(|p| p.label == case.arrangement) else {
-            return Vec::new();
-        };
+        let Some(pattern) = self.pattern(vehicle, &case.arrangement) else { return Vec::new() };
         let subsets = self.plan.subsets && chosen.vehicle.axles_may_be_dropped;
         let mut cases = Vec::new();
         for axles in runs(pattern.axles.len(), subsets) {
@@ -334,13 +352,18 @@ impl<'a> Moving<'a> {
         }
         cases.extend(self.weights.iter().map(|weights| Case { weights: *weights, ..case.clone() }));
         if !pattern.stretches.is_empty() && pattern.stretches.iter().all(|s| s.may_be_dropped) {
-            let borders = self.borders(vehicle);
+            let borders = self.borders;
             let ranges = runs(borders.len() - 1, true).into_iter().map(|[a, b]| [borders[a], borders[b + 1]]);
             cases.extend(ranges.map(|range| Case { uniform: Some(range), ..case.clone() }));
             cases.extend(case.axles.map(|_| Case { uniform: None, ..case.clone() }));
         }
-        cases.retain(|other| other != case);
-        cases
+        let mut distinct: Vec<Case> = Vec::with_capacity(cases.len());
+        for other in cases.into_iter().map(|other| self.trimmed(vehicle, &pattern, other)) {
+            if other != (Case { load: 0.0, ..case.clone() }) && !distinct.contains(&other) {
+                distinct.push(other);
+            }
+        }
+        distinct
     }
 
     /// Both factors at every position, and the smaller one in front.
