@@ -11,6 +11,8 @@ pub(super) struct Banded {
     below: usize,
     width: usize,
     entries: Vec<f64>,
+    /// Multiples of row `k` that were taken off the `below` rows after it, from `k * below` on.
+    taken: Vec<f64>,
     exchanged: Vec<u32>,
     /// Sign of the determinant; 0 where a pivot vanished.
     pub sign: i8,
@@ -20,7 +22,15 @@ impl Banded {
     /// A matrix of zeros with `below` diagonals on either side of the main one.
     pub fn new(size: usize, below: usize) -> Banded {
         let width = 3 * below + 1;
-        Banded { size, below, width, entries: vec![0.0; size * width], exchanged: vec![0; size], sign: 0 }
+        Banded {
+            size,
+            below,
+            width,
+            entries: vec![0.0; size * width],
+            taken: vec![0.0; size * below],
+            exchanged: vec![0; size],
+            sign: 0,
+        }
     }
 
     /// Back to zeros.
@@ -89,11 +99,11 @@ impl Banded {
             let count = right - k;
             for row in k + 1..=last {
                 let at = self.at(row, k);
-                if self.entries[at] == 0.0 {
+                let share = self.entries[at] / diagonal;
+                self.taken[k * below + row - k - 1] = share;
+                if share == 0.0 {
                     continue;
                 }
-                let share = self.entries[at] / diagonal;
-                self.entries[at] = share;
                 let (upper, lower) = self.entries.split_at_mut(at);
                 let from = &upper[start + 1..=start + count];
                 for (to, from) in lower[1..=count].iter_mut().zip(from) {
@@ -109,17 +119,19 @@ impl Banded {
         for k in 0..self.size {
             right.swap(k, self.exchanged[k] as usize);
             let value = right[k];
-            for row in k + 1..=(k + self.below).min(self.size - 1) {
-                right[row] -= self.entries[self.at(row, k)] * value;
+            let count = self.below.min(self.size - 1 - k);
+            let taken = &self.taken[k * self.below..k * self.below + count];
+            for (other, share) in right[k + 1..=k + count].iter_mut().zip(taken) {
+                *other -= share * value;
             }
         }
         for k in (0..self.size).rev() {
-            let last = (k + 2 * self.below).min(self.size - 1);
-            let mut value = right[k];
-            for column in k + 1..=last {
-                value -= self.entries[self.at(k, column)] * right[column];
-            }
-            right[k] = value / self.entries[self.at(k, k)];
+            let count = (2 * self.below).min(self.size - 1 - k);
+            let start = self.at(k, k);
+            let row = &self.entries[start + 1..=start + count];
+            let known = &right[k + 1..=k + count];
+            let sum: f64 = row.iter().zip(known).map(|(entry, value)| entry * value).sum();
+            right[k] = (right[k] - sum) / self.entries[start];
         }
     }
 }
