@@ -3,7 +3,7 @@
 use super::AnalysisError;
 use mechanics::blocks::Stiffness;
 use mechanics::path::{Ground, Program, Settings, Status};
-use mechanics::watch::{Unwatched, Watch};
+use mechanics::watch::{Pace, Watch};
 use outcome::picture::OverStiffness;
 use structure::discretise::Discretised;
 
@@ -13,11 +13,14 @@ const TIMES: [f64; 9] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 100.0];
 /// Iterations of the result beyond which its path is too slow to be repeated.
 const MOST_ITERATIONS: u32 = 1000;
 
+/// Steps after which another stiffness is given up: those of a ring that does not slide are some ten.
+const MOST_STEPS: u64 = 300;
+
 /// First step, as a share of the load of rigid blocks.
 const FIRST_STEP: f64 = 0.15;
 
 /// Largest loads over the stiffness of all joints; none where the path of the result was long, and no point where the blocks do not
-/// stand or the path broke off. `own` is the result's factor and its iterations, `rigid` the factor of rigid blocks.
+/// stand or the path broke off or is long. `own` is the result's factor and its iterations, `rigid` the factor of rigid blocks.
 pub(super) fn over_stiffness(
     d: &Discretised,
     (settings, program): (&Settings, &Program),
@@ -29,7 +32,11 @@ pub(super) fn over_stiffness(
     }
     let mut points = Vec::new();
     for times in TIMES {
-        let load = if times == 1.0 { Some(own) } else { scaled(d, (settings, program), rigid, times, &mut Unwatched)? };
+        let load = if times == 1.0 {
+            Some(own)
+        } else {
+            scaled(d, (settings, program), rigid, times, &mut Pace::of(MOST_STEPS))?
+        };
         points.extend(load.map(|factor| [times, d.load(factor)]));
     }
     Ok(Some(OverStiffness { points, rigid: d.load(rigid) }))
