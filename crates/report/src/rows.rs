@@ -271,7 +271,7 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
     let row = |one: &SweptFacts| VehicleRow {
         code: one.code.clone(),
         title: one.title.clone(),
-        adequacy: one.adequacy.map_or_else(|| unanswered(one), digits),
+        adequacy: one.adequacy.map_or_else(|| unanswered(one), digits) + &both(one),
         class: match one.adequacy {
             Some(factor) if factor >= 1.0 => "met",
             None if one.status == Status::Locks => "met",
@@ -283,6 +283,14 @@ pub fn vehicles(facts: &VehicleFacts) -> Vec<VehicleRow> {
         case: one.case.clone(),
     };
     list.into_iter().map(row).collect()
+}
+
+/// The factors of both methods, where joints that give were followed.
+fn both(one: &SweptFacts) -> String {
+    match (one.rigid, one.deformable) {
+        (Some(rigid), Some(gives)) => format!(" (rigid blocks {}, joints that give {})", digits(rigid), digits(gives)),
+        _ => String::new(),
+    }
 }
 
 /// What stands in the place of an adequacy factor that is not known.
