@@ -1,8 +1,10 @@
 //! The formats hold what the interface promises.
 
-use crate::analysis::collapse_by_limit;
+use crate::analysis::vehicles::tests::plan;
+use crate::analysis::{Places, collapse_by_limit};
 use crate::samples::bridgemill;
 use bridge::Method;
+use mechanics::watch::Unwatched;
 use outcome::published::*;
 
 #[test]
@@ -51,4 +53,21 @@ fn the_object_of_a_limit_analysis_has_every_promised_key() {
         assert!(widths.iter().all(|w| *w == widths[0]), "{table}");
     }
     assert_eq!(thrust_line(&c).lines().count(), 1 + 63);
+}
+
+/// Sweeps on joints that give name both factors at every position, of loads and of vehicles.
+#[test]
+fn sweeps_on_joints_that_give_name_both_factors_at_every_position() {
+    let mut b = bridgemill();
+    b.plan.method = Method::Path;
+    let found = crate::analysis::sweep(&b, Places::Between([3.0, 9.0], 3), true, &mut Unwatched).unwrap();
+    let loads = sweep("bridge", 4.0, &found);
+    b.sweep = Some(bridge::SweepPlan { step: Some(4.0), ..plan(&["cs454-single"]) });
+    let vehicles = vehicle_sweep(&crate::analysis::vehicle_sweep(&b, &mut Unwatched).unwrap());
+    let both = |row: &serde_json::Value| row["rigid_factor"].is_number() && row["deformable_factor"].is_number();
+    let rows = loads["positions"].as_array().unwrap();
+    assert!(rows.len() >= 3 && rows.iter().all(both), "{rows:?}");
+    let one = &vehicles["vehicles"][0];
+    assert!(both(one) && one["envelope"].as_array().unwrap().iter().any(both), "{one}");
+    assert!(one["permissible"][0]["adequacy_factor"].is_number());
 }

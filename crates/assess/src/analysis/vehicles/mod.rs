@@ -19,7 +19,7 @@ mod sections;
 mod seeds;
 mod standing;
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;
 mod told;
 mod twins;
 mod weights;

@@ -8,7 +8,7 @@ use outcome::collapse::Status;
 use outcome::vehicles::Of;
 
 /// A sweep of vehicles in steps of half a metre.
-pub(in crate::analysis) fn plan(vehicles: &[&str]) -> SweepPlan {
+pub(crate) fn plan(vehicles: &[&str]) -> SweepPlan {
     SweepPlan {
         rule: "characteristic".into(),
         rule_file: None,
