@@ -338,10 +338,10 @@ findings::cards! {
          of the passive pressure the prediction is 1.33 times the load of one test and 0.53 times that of another. A \
          result with [fill_pressure] also gives the load by weight alone and the load with all of the passive \
          pressure, and ultimate checks use the lower end.";
-    /// Paths of equilibrium that broke off in a sweep.
-    PATHS_BROKEN_OFF = "A196", "paths of equilibrium broke off in a sweep",
-        "On joints that give, the path of balanced states could not be followed to its largest load at some positions, or no state \
-         was found under self-weight. Where a path broke off, the factor of its last balanced state counts: that load is \
+    /// Paths of equilibrium that broke off.
+    PATHS_BROKEN_OFF = "A196", "a path of equilibrium broke off",
+        "On joints that give, the path of balanced states could not be followed to its largest load, in a sweep at some positions, or \
+         no state was found under self-weight. Where a path broke off, the factor of its last balanced state counts: that load is \
          carried in the model, and more may be. Where no state was found under self-weight, nothing is settled, and the factor is \
          at most that of rigid blocks. Rings that slide on each other are the usual reason. Analyse the position by itself (extrados \
          collapse --method path, or --method dem), or check the stiffness and the friction of the joints.";

@@ -12,6 +12,7 @@ use mechanics::path::{self, Cause, Frame, PathPoint};
 use mechanics::watch::Watch;
 use outcome::collapse::{By, Collapse, Criterion, Ended, PathReport, Permissible, Status};
 use outcome::picture::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
+use outcome::warning::{self, Warning};
 use structure::discretise::Discretised;
 
 /// First increment of the load, as a share of that of rigid blocks.
@@ -57,6 +58,7 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);
     notes::apart(rigid.status, &mut c);
     c.warnings.extend(taken);
+    c.warnings.extend(broken_off(&c));
     // Both are answers: a stiffer joint may let the blocks stand.
     if c.status == Status::UnstableUnderSelfWeight && rigid.factor.is_some() {
         c.assumptions.push(
@@ -69,6 +71,21 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
         c.crushing_limit_load = crushed.map(|factor| d.load(factor));
     }
     Ok(c)
+}
+
+/// What is to be said of a path that broke off, or never began.
+fn broken_off(c: &Collapse) -> Option<Warning> {
+    let words = match c.last_stable_load.filter(|_| c.status == Status::NotConverged) {
+        Some(load) => format!(
+            "the path broke off at {:.2} kN/m, which is carried: more may be, and the load at collapse is not known",
+            load / 1e3
+        ),
+        None if c.status == Status::NotConverged => {
+            "no state under self-weight was found, and the blocks were not seen to fall: nothing is known".to_owned()
+        }
+        None => return None,
+    };
+    Some(Warning::new(warning::PATHS_BROKEN_OFF, format!("{words}; try --method dem")))
 }
 
 /// Whether joints have cohesion.
@@ -247,4 +264,23 @@ fn thrust_lines(d: &Discretised, joints: &[Interface], frame: &Frame) -> Vec<Vec
         Some((joint.first, joint.second, ThrustPoint { point: point(at), thrust: state.force().norm() }))
     });
     lines(d, points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechanics::watch::Unwatched;
+
+    #[test]
+    fn a_path_that_breaks_off_says_what_is_carried_and_what_is_not_known() {
+        let mut b = crate::samples::bridgemill();
+        b.plan.method = bridge::Method::Path;
+        let mut c = collapse_by_path(&b, &mut Unwatched).unwrap();
+        assert_eq!(broken_off(&c), None);
+        c.status = Status::NotConverged;
+        let load = format!("{:.2} kN/m", c.last_stable_load.unwrap() / 1e3);
+        assert!(broken_off(&c).unwrap().message.contains(&load));
+        c.last_stable_load = None;
+        assert!(broken_off(&c).unwrap().message.contains("nothing is known"));
+    }
 }
