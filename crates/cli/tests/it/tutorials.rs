@@ -61,6 +61,11 @@ fn every_command_line_of_every_page_is_understood() {
     let mut seen = 0;
     for path in pages {
         let text = fs::read_to_string(&path).expect("a page");
+        // A block whose lines were filled like a paragraph's holds two commands in one.
+        for line in blocks(&text).iter().flat_map(|(_, text)| text.lines()) {
+            let command = line.split('#').next().unwrap_or_default();
+            assert!(command.matches("extrados ").count() < 2, "{}: {line}", path.display());
+        }
         for words in commands(&text) {
             // Words in capitals stand for something, dots for more.
             let stands_for = |word: &String| word.contains('…') || (word.len() > 2 && *word == word.to_uppercase());
