@@ -270,8 +270,8 @@ impl Joint {
         [back.x - built.x, back.y - built.y, second[2] - first[2]]
     }
 
-    /// How small motions of both blocks (translations [m] and rotation [rad]) slide the joint [m], and how far its ends move by its
-    /// turning [m].
+    /// How small motions of both blocks (translations [m] and rotation [rad]) slide the joint [m], and how far its ends move
+    /// by its turning [m].
     pub fn motion(&self, first: [f64; 3], second: [f64; 3]) -> [f64; 2] {
         let middle = |ends: &[Vec2; 2]| (ends[0] + ends[1]) * 0.5;
         let moved = |motion: [f64; 3], arm: Vec2| vec2(motion[0], motion[1]) + arm.left() * motion[2];

@@ -5,18 +5,20 @@
 //! (Riks 1979; Crisfield 1981), so that the load may fall.
 //!
 //! Read in the order of the method: `model` numbers the equations, `joint` gives the forces of one joint and `system` those of
-//! all, `correct` balances a guess, `relax` lets blocks come to rest or fall, `trace` goes from state to state, `frame` says what a
-//! state is like, `sweep` follows many loads on the same blocks.
+//! all, `correct` balances a guess, `relax` lets blocks come to rest or fall, `stand` finds the first state, `trace` goes from state to
+//! state, `frame` and `mechanism` say what a state is like and how it ends, `sweep` follows many loads on the same blocks.
 
 mod banded;
 mod correct;
 mod dual;
 mod frame;
 mod joint;
+mod mechanism;
 mod model;
 mod outcome;
 mod relax;
 mod settings;
+mod stand;
 mod sweep;
 mod system;
 mod trace;

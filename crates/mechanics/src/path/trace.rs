@@ -3,14 +3,13 @@
 use super::banded::Banded;
 use super::correct::{Balanced, Constraint, balance, dot, norm};
 use super::frame::{frame, point};
-use super::model::{HELD, Model};
-use super::outcome::{Cause, Frame, Outcome, PathPoint, Status};
+use super::model::Model;
+use super::outcome::{Frame, Outcome, PathPoint, Status};
 use super::relax::{BRIEF, Fall, PATIENT, dashpots, fall};
 use super::settings::{Program, Settings};
-use super::system::{State, Workspace, advance, assemble, commit, respond};
+use super::stand::Standing;
+use super::system::{State, Workspace, advance, assemble, commit};
 use crate::blocks::{BlockModel, Loading, ModelError};
-use crate::ids::{BlockId, Id, Table};
-use crate::plane::Vec2;
 use crate::watch::{Progress, Watch, Wish};
 
 /// The load at which equilibrium ends, with joints that give: the path of balanced states from the blocks' own weight through
@@ -40,15 +39,6 @@ pub fn collapse(
     Ok(path.outcome(blocks, status))
 }
 
-/// Whether the blocks stand under their own weight.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Standing {
-    Balanced(Balanced),
-    Falls,
-    Lost,
-    Stopped,
-}
-
 /// How the loads ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
@@ -72,11 +62,11 @@ impl End {
 }
 
 /// Where the path goes at a balanced state, per unit of its length.
-struct Heading {
+pub(super) struct Heading {
     direction: Vec<f64>,
     factor: f64,
     /// Sign of the determinant of the tangent.
-    sign: i8,
+    pub sign: i8,
 }
 
 impl Heading {
@@ -103,10 +93,10 @@ impl Past {
 }
 
 pub(super) struct Path<'m> {
-    model: &'m Model,
-    settings: &'m Settings,
+    pub model: &'m Model,
+    pub settings: &'m Settings,
     program: &'m Program,
-    work: Workspace,
+    pub work: Workspace,
     /// Whether the tangent of the state that the last step led to stands in the workspace.
     assembled: bool,
     /// What falls are resisted by, once there was one.
@@ -117,15 +107,10 @@ pub(super) struct Path<'m> {
     frames: Vec<Frame>,
     last: Balanced,
     pub iterations: u32,
-    mechanism: Vec<f64>,
+    pub mechanism: Vec<f64>,
     /// How often balance was lost and found again.
     snaps: u32,
 }
-
-/// Overlap by which joints are as good as glued, and overlap that is as good as none, as shares of the largest one of glued
-/// joints.
-const GLUED: f64 = 10.0;
-const LET_GO: f64 = 1e-3;
 
 /// Iterations that a step of the right length takes.
 const WANTED_ITERATIONS: f64 = 5.0;
@@ -168,71 +153,6 @@ impl<'m> Path<'m> {
             mechanism: Vec::new(),
             snaps: 0,
         }
-    }
-
-    /// The first state under self-weight. Joints without tension are alike at every load, so no small load would make it
-    /// easier to find: instead they are pressed together until they are as good as glued, and are let go by degrees. Where
-    /// that loses its way, or finds a state that does not stay, the blocks are let fall from there, and from where they were
-    /// built: what comes to rest stands.
-    pub fn stand(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
-        let built = state.clone();
-        match self.let_go(state, watch) {
-            Standing::Falls => {}
-            end => return end,
-        }
-        state.pressed = 0.0;
-        let mut ends = Vec::new();
-        for start in [state.clone(), built] {
-            match self.fall(&start, PATIENT, watch) {
-                Fall::Rests(found, balanced) => {
-                    *state = found;
-                    return Standing::Balanced(balanced);
-                }
-                Fall::Stopped => return Standing::Stopped,
-                end => ends.push(end),
-            }
-        }
-        if ends.iter().all(|end| matches!(end, Fall::Falls(_))) { Standing::Falls } else { Standing::Lost }
-    }
-
-    /// From joints that are as good as glued to those that are; falls where no next state is found.
-    fn let_go(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
-        let mut glued = state.clone();
-        // As built, sides neither overlap nor gape but for rounding: any overlap makes them closed.
-        state.pressed = self.model.size;
-        assemble(self.model, self.settings, state, &mut self.work);
-        if !self.work.tangent.factorise() {
-            return Standing::Falls;
-        }
-        let mut change = self.work.unbalanced.clone();
-        self.work.tangent.solve(&mut change);
-        advance(self.model, &mut glued, &change, 0.0);
-        let overlap = |k| respond(self.model, self.settings, &glued.memory[k], k, &glued).overlap;
-        let widest = (0..self.model.joints.len()).flat_map(overlap).fold(0.0, |most: f64, o| most.max(o.abs()));
-        let (mut pressed, mut share) = (GLUED * widest, 0.5);
-        *state = glued;
-        while pressed > 0.0 {
-            if watch.look(&Progress { stage: "self-weight".to_owned(), fraction: None, steps: 0 }) == Wish::Stop {
-                return Standing::Stopped;
-            }
-            let next = if pressed < widest * LET_GO { 0.0 } else { pressed * share };
-            let mut guess = State { pressed: next, ..state.clone() };
-            match balance(self.model, self.settings, Constraint::Load, &mut guess, &mut self.work) {
-                Some(balanced) => {
-                    self.iterations += balanced.iterations;
-                    (*state, pressed) = (guess, next);
-                    share = (share * share).max(0.1);
-                    if next == 0.0 {
-                        commit(self.model, self.settings, state);
-                        let stays = self.heading(state, None).is_some_and(|heading| heading.sign > 0);
-                        return if stays { Standing::Balanced(balanced) } else { Standing::Falls };
-                    }
-                }
-                None if share > 0.98 => return Standing::Falls,
-                None => share = share.sqrt(),
-            }
-        }
-        Standing::Falls
     }
 
     /// Follows the path until the factor is at its target or can grow no more. Where balance is lost and found again close by,
@@ -301,24 +221,12 @@ impl<'m> Path<'m> {
         }
     }
 
-    fn fall(&mut self, from: &State, granted: u32, watch: &mut dyn Watch) -> Fall {
+    pub fn fall(&mut self, from: &State, granted: u32, watch: &mut dyn Watch) -> Fall {
         let (model, settings) = (self.model, self.settings);
         let dashpots = self.dashpots.get_or_insert_with(|| dashpots(model, settings));
         let (end, corrections) = fall(model, settings, dashpots, (from, granted), (&mut self.work, watch));
         self.iterations += corrections;
         end
-    }
-
-    /// The motions from one state to another, by their equations.
-    fn way(&self, from: &State, to: &State) -> Vec<f64> {
-        let mut way = vec![0.0; self.model.equations];
-        for (block, equations) in self.model.equation.iter().enumerate() {
-            for c in (0..3).filter(|&c| equations[c] != HELD) {
-                let size = if c == 2 { self.model.size } else { 1.0 };
-                way[equations[c] as usize] = size * (to.motions[block][c] - from.motions[block][c]);
-            }
-        }
-        way
     }
 
     /// Follows the path up to where the load grows no more, a stiffness turns negative or no next state is found; that is found
@@ -452,7 +360,7 @@ impl<'m> Path<'m> {
     }
 
     /// Where the path goes at a balanced state, on from where it came; none where the tangent is singular.
-    fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
+    pub fn heading(&mut self, state: &State, before: Option<&Heading>) -> Option<Heading> {
         if !std::mem::take(&mut self.assembled) {
             assemble(self.model, self.settings, state, &mut self.work);
         }
@@ -504,49 +412,5 @@ impl<'m> Path<'m> {
             iterations: self.iterations,
             snaps: self.snaps,
         }
-    }
-
-    /// What gives way in the state at the largest load: joints that slide where the mechanism slides more than it turns.
-    pub fn cause(&self, peak: &PathPoint) -> Cause {
-        let of = |block: usize| {
-            [0, 1, 2].map(|c| match self.model.equation[block][c] {
-                HELD => 0.0,
-                _ if self.mechanism.is_empty() => 0.0,
-                equation if c == 2 => self.mechanism[equation as usize] / self.model.size,
-                equation => self.mechanism[equation as usize],
-            })
-        };
-        let motions = self.model.joints.iter().map(|joint| joint.motion(of(joint.first), of(joint.second)));
-        let (slid, turned) = motions.fold((0.0, 0.0), |sum, [slide, turn]| (sum.0 + slide.abs(), sum.1 + turn.abs()));
-        if slid > turned {
-            Cause::Sliding
-        } else if peak.hinges < 3 && peak.crushed > 0.0 {
-            Cause::Crushing
-        } else {
-            Cause::Hinging
-        }
-    }
-
-    /// The mechanism with its fastest point moved by 1 m.
-    fn motions(&self, blocks: &BlockModel) -> Table<BlockId, (Vec2, f64)> {
-        if self.mechanism.is_empty() {
-            return Table::default();
-        }
-        let of = |block: usize| {
-            let part = |c: usize| match self.model.equation[block][c] {
-                HELD => 0.0,
-                equation => self.mechanism[equation as usize],
-            };
-            (Vec2 { x: part(0), y: part(1) }, part(2) / self.model.size)
-        };
-        let fastest = |block: usize| {
-            let (velocity, spin) = of(block);
-            let corners = blocks.blocks[BlockId::new(block)].outline.vertices();
-            let speed = |corner: &Vec2| (velocity + (*corner - self.model.built[block]).left() * spin).norm();
-            corners.iter().map(speed).fold(0.0, f64::max)
-        };
-        let count = self.model.built.len();
-        let scale = (0..count).map(fastest).fold(f64::MIN_POSITIVE, f64::max);
-        (0..count).map(of).map(|(velocity, spin)| (velocity * (1.0 / scale), spin / scale)).collect()
     }
 }

@@ -1,0 +1,67 @@
+//! How the blocks move where the load no longer grows, and what gives way there.
+
+use super::model::HELD;
+use super::outcome::{Cause, PathPoint};
+use super::system::State;
+use super::trace::Path;
+use crate::blocks::BlockModel;
+use crate::ids::{BlockId, Id, Table};
+use crate::plane::Vec2;
+
+impl Path<'_> {
+    /// The motions from one state to another, by their equations.
+    pub fn way(&self, from: &State, to: &State) -> Vec<f64> {
+        let mut way = vec![0.0; self.model.equations];
+        for (block, equations) in self.model.equation.iter().enumerate() {
+            for c in (0..3).filter(|&c| equations[c] != HELD) {
+                let size = if c == 2 { self.model.size } else { 1.0 };
+                way[equations[c] as usize] = size * (to.motions[block][c] - from.motions[block][c]);
+            }
+        }
+        way
+    }
+
+    /// The motion of one block in the mechanism: velocity and spin; nothing without a mechanism.
+    fn motion(&self, block: usize) -> [f64; 3] {
+        [0, 1, 2].map(|c| match self.model.equation[block][c] {
+            HELD => 0.0,
+            _ if self.mechanism.is_empty() => 0.0,
+            equation if c == 2 => self.mechanism[equation as usize] / self.model.size,
+            equation => self.mechanism[equation as usize],
+        })
+    }
+
+    /// What gives way in the state at the largest load: joints that slide where the mechanism slides more than it turns.
+    pub fn cause(&self, peak: &PathPoint) -> Cause {
+        let motions =
+            self.model.joints.iter().map(|joint| joint.motion(self.motion(joint.first), self.motion(joint.second)));
+        let (slid, turned) = motions.fold((0.0, 0.0), |sum, [slide, turn]| (sum.0 + slide.abs(), sum.1 + turn.abs()));
+        if slid > turned {
+            Cause::Sliding
+        } else if peak.hinges < 3 && peak.crushed > 0.0 {
+            Cause::Crushing
+        } else {
+            Cause::Hinging
+        }
+    }
+
+    /// The mechanism with its fastest point moved by 1 m.
+    pub fn motions(&self, blocks: &BlockModel) -> Table<BlockId, (Vec2, f64)> {
+        if self.mechanism.is_empty() {
+            return Table::default();
+        }
+        let of = |block: usize| {
+            let [x, y, spin] = self.motion(block);
+            (Vec2 { x, y }, spin)
+        };
+        let fastest = |block: usize| {
+            let (velocity, spin) = of(block);
+            let corners = blocks.blocks[BlockId::new(block)].outline.vertices();
+            let speed = |corner: &Vec2| (velocity + (*corner - self.model.built[block]).left() * spin).norm();
+            corners.iter().map(speed).fold(0.0, f64::max)
+        };
+        let count = self.model.built.len();
+        let scale = (0..count).map(fastest).fold(f64::MIN_POSITIVE, f64::max);
+        (0..count).map(of).map(|(velocity, spin)| (velocity * (1.0 / scale), spin / scale)).collect()
+    }
+}
