@@ -1,5 +1,6 @@
 //! Bridges drawn at random: each path comes to an end that has a name, and its states balance by sums that are made here.
 
+use crate::samples::Dice;
 use bridge::{Bridge, ContactLength as PointLength};
 use mechanics::contact::ContactLength;
 use mechanics::ids::Id;
@@ -9,31 +10,17 @@ use mechanics::watch::Unwatched;
 use std::fmt::Write;
 use structure::discretise::{Discretised, discretise};
 
-/// Numbers drawn one after the other (Steele, Lea and Flood 2014).
-struct Draw(u64);
-
-impl Draw {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, least: f64, most: f64) -> f64 {
-        least + (most - least) * self.unit()
-    }
-    fn count(&mut self, least: u32, most: u32) -> u32 {
-        least + (self.unit() * f64::from(most - least + 1)) as u32
-    }
+/// A whole number between two others, both included.
+fn count(draw: &mut Dice, least: u32, most: u32) -> u32 {
+    least + (draw.roll() * f64::from(most - least + 1)) as u32
 }
 
 /// A bridge file with spans, rings and, if asked for, walls of blocks.
-fn file(draw: &mut Draw, (spans, rings): (u32, u32), wall: bool) -> String {
+fn file(draw: &mut Dice, (spans, rings): (u32, u32), wall: bool) -> String {
     let length = draw.between(3.0, 14.0);
     let rise = length * draw.between(0.15, 0.48);
     let depth = (length * draw.between(0.04, 0.10)).max(0.25);
-    let (thickness, voussoirs) = (depth / f64::from(rings), draw.count(12, 20));
+    let (thickness, voussoirs) = (depth / f64::from(rings), count(draw, 12, 20));
     let stiffness = 10f64.powf(draw.between(0.0, 2.0));
     let mut text = String::from("[bridge]\nname = \"drawn\"\nwidth = \"4 m\"\n");
     for _ in 0..spans {
@@ -45,10 +32,10 @@ fn file(draw: &mut Draw, (spans, rings): (u32, u32), wall: bool) -> String {
     }
     let width = (2.5 * depth + 0.3).max(length * draw.between(0.12, 0.3)).max(1.0);
     for _ in 1..spans {
-        let (height, courses) = (draw.between(1.0, 6.0), draw.count(2, 8));
+        let (height, courses) = (draw.between(1.0, 6.0), count(draw, 2, 8));
         write!(text, "[[pier]]\nwidth = \"{width:.3} m\"\nheight = \"{height:.2} m\"\ncourses = {courses}\n").unwrap();
     }
-    let strength = if draw.unit() < 0.5 { "unlimited".into() } else { format!("{:.1} MPa", draw.between(4.0, 30.0)) };
+    let strength = if draw.roll() < 0.5 { "unlimited".into() } else { format!("{:.1} MPa", draw.between(4.0, 30.0)) };
     write!(text, "[masonry]\ndensity = \"2100 kg/m^3\"\ncompressive_strength = \"{strength}\"\n").unwrap();
     for (name, least, most) in
         [("joint", 28.0, 42.0), ("ring_joint", 20.0, 40.0)].into_iter().take(rings.min(2) as usize)
@@ -60,7 +47,7 @@ fn file(draw: &mut Draw, (spans, rings): (u32, u32), wall: bool) -> String {
     let cover = draw.between(0.2, 1.0);
     write!(text, "[[cover]]\nlayer = \"fill\"\nthickness = \"{cover:.2} m\"\ndensity = \"1900 kg/m^3\"\n").unwrap();
     write!(text, "[dispersal]\nrule = \"uniform\"\nslope = \"2:1\"\n").unwrap();
-    if !wall && draw.unit() < 0.5 {
+    if !wall && draw.roll() < 0.5 {
         let height = rise * draw.between(0.2, 0.6);
         write!(text, "[backing]\nheight = \"{height:.2} m\"\ndensity = \"2000 kg/m^3\"\n").unwrap();
     }
@@ -68,8 +55,8 @@ fn file(draw: &mut Draw, (spans, rings): (u32, u32), wall: bool) -> String {
         text.push_str("[spandrel_wall]\nbrick_length = \"1.0 m\"\nbrick_height = \"0.5 m\"\nthickness = \"0.44 m\"\n");
         text.push_str("bond = \"half\"\nend_walls = false\n");
     }
-    let (at, span) = (draw.count(7, 10), draw.count(1, spans));
-    match draw.unit() < 0.5 {
+    let (at, span) = (count(draw, 7, 10), count(draw, 1, spans));
+    match draw.roll() < 0.5 {
         true => text.push_str("[[load]]\nkind = \"knife-edge\"\nforce = \"1 kN/m\"\nlength = \"0.30 m\"\n"),
         false => text.push_str(
             "[[load]]\nkind = \"axles\"\naxle_forces = [\"60 kN\", \"120 kN\"]\naxle_spacings = [\"1.2 m\"]\n\
@@ -139,7 +126,7 @@ fn keeps_its_strength(d: &Discretised, outcome: &Outcome, frame: &Frame) -> bool
 fn blocks_that_do_not_stand_are_seen_to_fall() {
     let mut unstable = 0;
     for k in 0..4 {
-        let text = file(&mut Draw(2000 + k), (2, 5), false);
+        let text = file(&mut Dice(2000 + k), (2, 5), false);
         let (_, found) = followed(&bridge::read(text.as_bytes()).bridge.unwrap(), k % 2 == 0);
         assert!(found.status != Status::NotConverged, "{k}");
         unstable += u32::from(found.status == Status::UnstableUnderSelfWeight);
@@ -155,7 +142,7 @@ fn paths_of_bridges_drawn_at_random_come_to_an_end_with_a_name() {
         [(1, 1), (1, 2), (2, 1), (1, 3), (3, 1), (2, 2), (1, 4), (4, 1), (1, 5), (5, 1), (2, 3), (3, 2), (1, 1)];
     let mut ends = Vec::new();
     for (k, size) in sizes.into_iter().chain([(1, 2)]).enumerate() {
-        let text = file(&mut Draw(1000 + k as u64), size, k >= sizes.len());
+        let text = file(&mut Dice(1000 + k as u64), size, k >= sizes.len());
         let read = bridge::read(text.as_bytes());
         let bridge = read.bridge.unwrap_or_else(|| panic!("{k}: {:?}\n{text}", read.diagnostics));
         let (d, found) = followed(&bridge, k % 2 == 0);
