@@ -109,7 +109,8 @@ pub struct Deformable {
     pub case: Option<Case>,
     /// At how many positions the path broke off: the last state in balance counts there.
     pub broken_off: usize,
-    /// Adequacy factors at which states are first reached that a bridge should not come to in service, each at its worst position.
+    /// Adequacy factors at which states are first reached that a bridge should not come to in service, of the cases that govern,
+    /// each at its worst position.
     pub permissible: Vec<PermissibleFactor>,
 }
 

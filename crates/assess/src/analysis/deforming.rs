@@ -85,8 +85,8 @@ impl Deforming {
         self.ground.sweeper()
     }
 
-    /// Follows a load up to its peak. None where that is not below the bound (what rigid blocks carry is told), where the bridge does
-    /// not stand, where nothing is loaded and where the work does not go on.
+    /// Follows a load up to its peak. None where that is not below the bound (what rigid blocks carry is told), where the
+    /// bridge does not stand, where nothing is loaded and where the work does not go on.
     pub fn follow(
         &self,
         sweeper: &mut Sweeper<'_>,

@@ -50,8 +50,8 @@ fn the_smaller_load_leads_and_service_loads_stand_beside_it() {
     assert!(last.load < headline.load, "the path ends at {}", last.load);
 }
 
-/// The stiffer the joints, the more is carried, up to what rigid blocks carry. The other program has 131.7 and 208.9 kN/m at 1 and 100
-/// times the stiffness, here with the whole face.
+/// The stiffer the joints, the more is carried, up to what rigid blocks carry. The other program has 131.7 and 208.9 kN/m at
+/// 1 and 100 times the stiffness, here with the whole face.
 #[test]
 fn rigid_blocks_are_what_ever_stiffer_joints_come_to() {
     let mut b = samples::bridgemill();
@@ -95,8 +95,8 @@ fn under(vehicles: &[&str], method: Method) -> Bridge {
     b
 }
 
-/// Rigid blocks have the factor that limit analysis alone gives them; the smaller one leads at every position and in the end, and it
-/// is what the governing case carries by itself.
+/// Rigid blocks have the factor that limit analysis alone gives them; the smaller one leads at every position and in the end,
+/// and it is what the governing case carries by itself.
 #[test]
 fn vehicles_are_judged_by_the_smaller_of_rigid_blocks_and_joints_that_give() {
     let b = under(&["cs454-bogie-10"], Method::Path);

@@ -19,8 +19,9 @@ const MOST_STEPS: u64 = 300;
 /// First step, as a share of the load of rigid blocks.
 const FIRST_STEP: f64 = 0.15;
 
-/// Largest loads over the stiffness of all joints; none where the path of the result was long, and no point where the blocks do not
-/// stand or the path broke off or is long. `own` is the result's factor and its iterations, `rigid` the factor of rigid blocks.
+/// Largest loads over the stiffness of all joints; none where the path of the result was long, and no point where the blocks
+/// do not stand or the path broke off or is long. `own` is the result's factor and its iterations, `rigid` the factor of
+/// rigid blocks.
 pub(super) fn over_stiffness(
     d: &Discretised,
     (settings, program): (&Settings, &Program),

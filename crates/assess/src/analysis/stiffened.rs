@@ -1,8 +1,8 @@
 //! Stiffness of joints for paths of equilibrium, where the file gives none.
 //!
-//! Masonry gives more than its units do: its joints are taken to be as stiff as if the masonry between the middles of two voussoirs had a
-//! tenth of the modulus of its units. That is the ratio of Bridgemill's published joints (4.84 GPa/m over 0.31 m, units of 15 GPa), and
-//! soft for what is known of masonry: the load errs to the low side.
+//! Masonry gives more than its units do: its joints are taken to be as stiff as if the masonry between the middles of two
+//! voussoirs had a tenth of the modulus of its units. That is the ratio of Bridgemill's published joints (4.84 GPa/m over
+//! 0.31 m, units of 15 GPa), and soft for what is known of masonry: the load errs to the low side.
 
 use bridge::{Bridge, Joint, JointStiffness, Method};
 use outcome::warning::{self, Warning};

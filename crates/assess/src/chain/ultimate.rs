@@ -17,8 +17,8 @@ pub struct Ultimate {
     pub sweep: Sweep,
 }
 
-/// Positions over the shortest span, as in sweeps of vehicles: however long the bridge is, the worst position of a span is met and
-/// then sought between them.
+/// Positions over the shortest span, as in sweeps of vehicles: however long the bridge is, the worst position of a span is
+/// met and then sought between them.
 const POSITIONS_IN_A_SPAN: f64 = 60.0;
 
 /// The bridge for limit analysis, and on joints that give where its plan asks for them: between its walls, fill as weight, loads
@@ -67,8 +67,8 @@ pub fn by_weight_alone(bridge: &Bridge) -> Option<Bridge> {
     Some(own)
 }
 
-/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that presses
-/// both ends are made, and the lower one counts. None where the onlooker wished to stop.
+/// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that
+/// presses both ends are made, and the lower one counts. None where the onlooker wished to stop.
 pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
     let Some(found) = moved(bridge, watch)? else { return Ok(None) };
     let Some(bare) = by_weight_alone(bridge) else { return Ok(Some(found)) };

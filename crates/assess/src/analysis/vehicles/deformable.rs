@@ -1,8 +1,9 @@
 //! Vehicles on joints that give: beside the adequacy factor of rigid blocks, and the smaller one counts.
 //!
-//! At every position two cases are followed along their paths of equilibrium: what governs for rigid blocks there, and all that may
-//! stand there; then what was found to govern beside it, from position to position there and back. The worst position is then sought between the positions, and what stands there is varied: runs of axles, runs of
-//! half spans with uniform loads, factors on weights, the critical axle.
+//! At every position two cases are followed along their paths of equilibrium: what governs for rigid blocks there, and all
+//! that may stand there; then what was found to govern beside it, from position to position there and back. The worst
+//! position is sought between the positions, and what stands there is varied: runs of axles, runs of half spans with uniform
+//! loads, factors on weights, the critical axle.
 
 use super::super::deforming::{Bound, Deforming, Followed};
 use super::super::pieces::{self, Stage};
@@ -18,7 +19,6 @@ use mechanics::blocks::PointForce;
 use mechanics::path::Sweeper;
 use mechanics::watch::{Pace, Watch};
 use outcome::vehicles::{Case, Deformable, Direction, EnvelopePoint, PermissibleFactor, Swept, Weights};
-use outcome::warning::{self, Warning};
 use rules::{Pattern, Rule};
 use structure::discretise::Discretised;
 use structure::discretise::dispersal::{self, Strip};
@@ -42,7 +42,8 @@ struct Answer {
     found: Followed,
 }
 
-/// Puts the factors of joints that give beside those of rigid blocks, and the smaller one in front. Tells whether all of it was done.
+/// Puts the factors of joints that give beside those of rigid blocks, and the smaller one in front. Tells whether all of it
+/// was done.
 pub(super) fn beside(
     bridge: &Bridge,
     (rule, plan): (&Rule, &SweepPlan),
@@ -407,37 +408,4 @@ impl<'a> Moving<'a> {
 
 fn worst(answers: &[Option<Answer>]) -> Option<&Answer> {
     answers.iter().flatten().min_by(|a, b| a.found.factor.total_cmp(&b.found.factor))
-}
-
-/// What is to be said of paths that broke off, and of a self-weight that was not found.
-pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
-    let told = |one: &Swept| {
-        let own = one.deformable.as_ref()?;
-        match (own.stands, own.broken_off) {
-            (false, _) if own.falls => Some(format!("{}: the blocks fall under their own weight", one.code)),
-            (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
-            (true, 0) => None,
-            (true, count) => {
-                Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len()))
-            }
-        }
-    };
-    let told: Vec<String> = all.iter().filter_map(told).collect();
-    (!told.is_empty()).then(|| {
-        let message = format!(
-            "on joints that give: {}. The last state in balance counts where a path broke off, and more may be carried",
-            told.join("; ")
-        );
-        Warning::new(warning::PATHS_BROKEN_OFF, message)
-    })
-}
-
-/// What following joints that give assumes.
-pub(super) fn assumed(all: &[Swept]) -> Option<String> {
-    all.iter().any(|one| one.deformable.is_some()).then(|| {
-        "On joints that give these cases are followed at every position: what governs for rigid blocks, all that may stand there, and \
-         what governs beside it, each up to four times the least factor of rigid blocks. At the worst position its axles, uniform loads, factors on weights and critical axle are varied one after the other. The smaller \
-         adequacy factor of both methods counts. Fill acts by its weight alone there."
-            .to_owned()
-    })
 }

@@ -3,8 +3,8 @@
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
 //! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
-//! what joints carry meanwhile, `deformable` follows the cases on joints that give, `discrete` makes the governing case by discrete
-//! elements.
+//! what joints carry meanwhile, `deformable` follows the cases on joints that give, `discrete` makes the governing case by
+//! discrete elements.
 
 mod across;
 mod cases;
@@ -178,8 +178,8 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
              without dilation, and the least factor counts."
         ));
     }
-    found.warnings.extend(deformable::broken_off(&found.vehicles));
-    found.assumptions.extend(deformable::assumed(&found.vehicles));
+    found.warnings.extend(told::broken_off(&found.vehicles));
+    found.assumptions.extend(told::assumed(&found.vehicles));
     if found.discrete_elements.is_some() {
         found.warnings.push(super::notes::of_two_points());
     }

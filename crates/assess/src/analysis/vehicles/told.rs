@@ -1,7 +1,9 @@
-//! The governing case in words, for drawings: which vehicle, how often, which way, and where its axles stand.
+//! In words: the governing case, for drawings (which vehicle, how often, which way, where its axles stand), and what joints that
+//! give assume and leave open.
 
 use bridge::{Bridge, Load, LoadKind};
 use outcome::vehicles::{Case, Direction, Swept};
+use outcome::warning::{self, Warning};
 
 /// Vehicle, adequacy factor, direction and the places of what stands on the bridge `loaded` with the case.
 pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
@@ -29,4 +31,38 @@ fn axles(first: usize, last: usize, loads: &[Load]) -> String {
     } else {
         format!("axles {} to {} on the bridge, at {at} m", first + 1, last + 1)
     }
+}
+
+/// What is to be said of paths that broke off, and of a self-weight that was not found.
+pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
+    let told = |one: &Swept| {
+        let own = one.deformable.as_ref()?;
+        match (own.stands, own.broken_off) {
+            (false, _) if own.falls => Some(format!("{}: the blocks fall under their own weight", one.code)),
+            (false, _) => Some(format!("{}: no state under self-weight was found", one.code)),
+            (true, 0) => None,
+            (true, count) => {
+                Some(format!("{}: at {count} of {} positions the path broke off", one.code, one.envelope.len()))
+            }
+        }
+    };
+    let told: Vec<String> = all.iter().filter_map(told).collect();
+    (!told.is_empty()).then(|| {
+        let message = format!(
+            "on joints that give: {}. The last state in balance counts where a path broke off, and more may be carried",
+            told.join("; ")
+        );
+        Warning::new(warning::PATHS_BROKEN_OFF, message)
+    })
+}
+
+/// What following joints that give assumes.
+pub(super) fn assumed(all: &[Swept]) -> Option<String> {
+    all.iter().any(|one| one.deformable.is_some()).then(|| {
+        "On joints that give these cases are followed at every position: what governs for rigid blocks, all that may stand there, and \
+         what governs beside it, each up to four times the least factor of rigid blocks. At the worst position its axles, \
+         uniform loads, factors on weights and critical axle are varied one after the other. The smaller adequacy factor of \
+         both methods counts. States in service are those of the cases that govern. Fill acts by its weight alone there."
+            .to_owned()
+    })
 }
