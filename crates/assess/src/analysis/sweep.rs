@@ -91,7 +91,14 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
     Ok(found)
 }
 
+/// What a sweep of rigid blocks alone says of them.
+pub(super) const RIGID: &str = "Rings are rigid: joints that give carry less, flat rings under long loads by more than half \
+                                (docs/verification/joints-that-give.md); method = \"path\" in [analysis] follows them too.";
+
 fn notes(found: &mut Sweep, rows: &[Row]) {
+    if !found.is_deformable() {
+        found.assumptions.push(RIGID.to_owned());
+    }
     let open = found.positions_not_converged();
     if open > 0 {
         let bound = found.worst().and_then(SweepPoint::bound);

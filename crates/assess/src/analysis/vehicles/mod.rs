@@ -179,7 +179,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
         ));
     }
     found.warnings.extend(told::broken_off(&found.vehicles));
-    found.assumptions.extend(told::assumed(&found.vehicles));
+    found.assumptions.push(told::assumed(&found.vehicles));
     if found.discrete_elements.is_some() {
         found.warnings.push(super::notes::of_two_points());
     }

@@ -56,13 +56,14 @@ pub(super) fn broken_off(all: &[Swept]) -> Option<Warning> {
     })
 }
 
-/// What following joints that give assumes.
-pub(super) fn assumed(all: &[Swept]) -> Option<String> {
-    all.iter().any(|one| one.deformable.is_some()).then(|| {
-        "On joints that give these cases are followed at every position: what governs for rigid blocks, all that may stand there, and \
-         what governs beside it, each up to four times the least factor of rigid blocks. At the worst position its axles, \
-         uniform loads, factors on weights and critical axle are varied one after the other. The smaller adequacy factor of \
-         both methods counts. States in service are those of the cases that govern. Fill acts by its weight alone there."
-            .to_owned()
-    })
+/// What following joints that give assumes, or that they were not followed.
+pub(super) fn assumed(all: &[Swept]) -> String {
+    if all.iter().all(|one| one.deformable.is_none()) {
+        return crate::analysis::sweep::RIGID.to_owned();
+    }
+    "On joints that give these cases are followed at every position: what governs for rigid blocks, all that may stand there, and \
+     what governs beside it, each up to four times the least factor of rigid blocks. At the worst position its axles, \
+     uniform loads, factors on weights and critical axle are varied one after the other. The smaller adequacy factor of \
+     both methods counts. States in service are those of the cases that govern. Fill acts by its weight alone there."
+        .to_owned()
 }
