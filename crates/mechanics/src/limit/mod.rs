@@ -18,6 +18,7 @@ mod bounds;
 mod boxed;
 mod collapse;
 mod compliance;
+pub mod continuum;
 mod equilibrium;
 mod ground;
 mod joints;

@@ -1,0 +1,234 @@
+//! Conic programs in standard form, and Clarabel's interior-point method that solves them.
+//!
+//! Stresses, contact forces and the load factor are the variables, equilibrium the equations. They are handed to the solver as its dual
+//! problem: the velocities are then what it seeks, and there are fewer of them than stresses.
+
+use crate::watch::Pace;
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT,
+    ZeroConeT,
+};
+
+/// Minimises `cost z` subject to `A z = b`, where each variable is free, not negative, or one of three in a cone.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Conic {
+    /// The right side, an entry for each equation.
+    right: Vec<f64>,
+    /// Entries of each variable: equation and coefficient.
+    columns: Vec<Vec<(usize, f64)>>,
+    kinds: Vec<Kind>,
+    cost: Vec<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Free,
+    Positive,
+    /// `z0 >= |(z1, z2)|`, at the first of the three.
+    Cone,
+    /// The second and third.
+    Member,
+}
+
+/// A number that depends on the variables in a straight line.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Affine {
+    /// Variables and their coefficients.
+    pub terms: Vec<(usize, f64)>,
+    /// What is there without them.
+    pub constant: f64,
+}
+
+impl Affine {
+    /// One variable.
+    pub fn of(variable: usize) -> Affine {
+        Affine { terms: vec![(variable, 1.0)], constant: 0.0 }
+    }
+    /// `coefficient` times this added to `sum`.
+    pub fn add_to(&self, sum: &mut Affine, coefficient: f64) {
+        sum.terms.extend(self.terms.iter().map(|&(i, v)| (i, v * coefficient)));
+        sum.constant += coefficient * self.constant;
+    }
+    /// The sum of several, each times its coefficient.
+    pub fn sum(parts: &[(f64, &Affine)]) -> Affine {
+        let mut sum = Affine::default();
+        parts.iter().for_each(|(c, part)| part.add_to(&mut sum, *c));
+        sum
+    }
+    /// Its value.
+    pub fn at(&self, variables: &[f64]) -> f64 {
+        self.terms.iter().fold(self.constant, |sum, &(i, v)| sum + v * variables[i])
+    }
+}
+
+/// How a program ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// To its tolerance, or to [`NEARLY`].
+    Solved,
+    /// At rest before that: whether it is an answer is for the checks of what it returned to say.
+    Early,
+    /// Without an answer.
+    Unknown,
+    /// Stopped on the way.
+    Cancelled,
+}
+
+/// What a program returned.
+#[derive(Debug, Clone)]
+pub(super) struct Solved {
+    pub ending: Ending,
+    /// All variables.
+    pub variables: Vec<f64>,
+    /// A multiplier for each equation.
+    pub multipliers: Vec<f64>,
+    pub iterations: u32,
+}
+
+/// Relative gap and residuals to which programs are solved.
+const TOLERANCE: f64 = 1e-8;
+/// The same of a program that comes to rest early and is still an answer: its certificates are checked all the same.
+const NEARLY: f64 = 1e-5;
+
+impl Conic {
+    /// A new equation with its right side.
+    pub fn equation(&mut self, right: f64) -> usize {
+        self.right.push(right);
+        self.right.len() - 1
+    }
+    /// A new variable of any sign.
+    pub fn free(&mut self) -> usize {
+        self.variable(Kind::Free)
+    }
+    /// A new variable that is not negative.
+    pub fn positive(&mut self) -> usize {
+        self.variable(Kind::Positive)
+    }
+    /// Three new variables, the first no less than the length of the others.
+    pub fn cone(&mut self) -> usize {
+        let first = self.variable(Kind::Cone);
+        self.variable(Kind::Member);
+        self.variable(Kind::Member);
+        first
+    }
+    fn variable(&mut self, kind: Kind) -> usize {
+        self.kinds.push(kind);
+        self.columns.push(Vec::new());
+        self.cost.push(0.0);
+        self.kinds.len() - 1
+    }
+    /// Adds to an equation what depends on the variables.
+    pub fn add(&mut self, equation: usize, coefficient: f64, what: &Affine) {
+        if coefficient == 0.0 {
+            return;
+        }
+        for &(variable, v) in &what.terms {
+            self.columns[variable].push((equation, v * coefficient));
+        }
+        self.right[equation] -= coefficient * what.constant;
+    }
+    /// Demands that a number is not negative.
+    pub fn at_least_zero(&mut self, what: &Affine) {
+        let slack = self.positive();
+        let equation = self.equation(0.0);
+        self.add(equation, 1.0, what);
+        self.add(equation, -1.0, &Affine::of(slack));
+    }
+    /// Demands that a number is zero.
+    pub fn zero(&mut self, what: &Affine) {
+        let equation = self.equation(0.0);
+        self.add(equation, 1.0, what);
+    }
+    /// What a variable costs.
+    pub fn cost(&mut self, variable: usize, cost: f64) {
+        self.cost[variable] = cost;
+    }
+
+    /// Solves it.
+    pub fn solve(&self, pace: &Pace) -> Solved {
+        let failed = |ending| Solved {
+            ending,
+            variables: vec![0.0; self.kinds.len()],
+            multipliers: vec![0.0; self.right.len()],
+            iterations: 0,
+        };
+        let (order, cones) = self.order();
+        let (a, b) = self.transposed(&order);
+        let q: Vec<f64> = self.right.iter().map(|r| -r).collect();
+        if !pace.goes_on() {
+            return failed(Ending::Cancelled);
+        }
+        if a.nzval.iter().chain(&b).chain(&q).any(|v| !v.is_finite()) {
+            return failed(Ending::Unknown);
+        }
+        let settings = DefaultSettings {
+            verbose: std::env::var_os("EXTRADOS_CONE").is_some(),
+            max_iter: 200,
+            tol_gap_abs: TOLERANCE,
+            tol_gap_rel: TOLERANCE,
+            tol_feas: TOLERANCE,
+            reduced_tol_gap_abs: NEARLY,
+            reduced_tol_gap_rel: NEARLY,
+            reduced_tol_feas: NEARLY,
+            max_threads: 1,
+            presolve_enable: false,
+            direct_solve_method: "qdldl".to_string(),
+            ..DefaultSettings::default()
+        };
+        let p = CscMatrix::zeros((q.len(), q.len()));
+        let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
+            return failed(Ending::Unknown);
+        };
+        let asked = pace.clone();
+        solver.set_termination_callback(move |_| !asked.beat());
+        solver.solve();
+        let found = &solver.solution;
+        if found.x.iter().chain(&found.z).any(|v| !v.is_finite()) {
+            return failed(Ending::Unknown);
+        }
+        let mut variables = vec![0.0; self.kinds.len()];
+        for (&variable, &value) in order.iter().zip(&found.z) {
+            variables[variable] = value;
+        }
+        let ending = match found.status {
+            SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved,
+            SolverStatus::CallbackTerminated => Ending::Cancelled,
+            SolverStatus::InsufficientProgress | SolverStatus::MaxIterations | SolverStatus::NumericalError => Ending::Early,
+            _ => Ending::Unknown,
+        };
+        Solved { ending, variables, multipliers: found.x.clone(), iterations: found.iterations }
+    }
+
+    /// Free variables, then those that are not negative, then cones.
+    fn order(&self) -> (Vec<usize>, Vec<SupportedConeT<f64>>) {
+        let of = |wanted: &[Kind]| (0..self.kinds.len()).filter(|&i| wanted.contains(&self.kinds[i])).collect::<Vec<_>>();
+        let (free, positive, in_cones) = (of(&[Kind::Free]), of(&[Kind::Positive]), of(&[Kind::Cone, Kind::Member]));
+        let mut cones = vec![ZeroConeT(free.len()), NonnegativeConeT(positive.len())];
+        cones.extend((0..in_cones.len() / 3).map(|_| SecondOrderConeT(3)));
+        ([free, positive, in_cones].concat(), cones)
+    }
+
+    /// The matrix with a row for each variable, in the given order, and a column for each equation.
+    fn transposed(&self, order: &[usize]) -> (CscMatrix<f64>, Vec<f64>) {
+        let mut by_equation: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.right.len()];
+        for (row, &variable) in order.iter().enumerate() {
+            for &(equation, v) in &self.columns[variable] {
+                match by_equation[equation].last_mut() {
+                    Some(last) if last.0 == row => last.1 += v,
+                    _ => by_equation[equation].push((row, v)),
+                }
+            }
+        }
+        let (mut starts, mut indices, mut values) = (vec![0], Vec::new(), Vec::new());
+        for column in &by_equation {
+            for &(row, v) in column.iter().filter(|(_, v)| *v != 0.0) {
+                indices.push(row);
+                values.push(v);
+            }
+            starts.push(indices.len());
+        }
+        let b = order.iter().map(|&i| self.cost[i]).collect();
+        (CscMatrix::new(order.len(), self.right.len(), starts, indices, values), b)
+    }
+}

@@ -1,0 +1,234 @@
+//! The lower bound: stresses that vary in a straight line over each triangle and may jump from one to the next, in equilibrium
+//! everywhere and nowhere beyond strength (Lyamin and Sloan 2002; Makrodimopoulos and Martin 2006).
+//!
+//! Equilibrium inside a triangle is two equations, for stresses are linear; tractions on an edge agree wherever they agree at its ends;
+//! strength is convex, so that corners within it hold the whole triangle. Nothing is approximated but the shape of the field.
+
+use super::conic::{Affine, Conic, Ending};
+use super::mesh::Mesh;
+use super::setting::{Question, Setting};
+use crate::plane::{Vec2, vec2};
+use crate::watch::Pace;
+
+/// A stress field and the factor of the variable loads that it balances.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stresses {
+    /// Load factor.
+    pub factor: f64,
+    /// Stress (xx, yy, xy) at the corners of each triangle [Pa]; compression negative, water included.
+    pub stresses: Vec<[[f64; 3]; 3]>,
+    /// Forces of the joints of the blocks, of each the compressions, then the shear [N/m].
+    pub forces: Vec<f64>,
+    /// Largest force out of balance, of triangles, edges and blocks, relative to all loads.
+    pub equilibrium_residual: f64,
+    /// Largest force by which strength is exceeded, relative to all loads.
+    pub yield_violation: f64,
+    /// Iterations of the solver.
+    pub iterations: u32,
+}
+
+/// Forces out of balance and beyond strength, relative to all loads, up to which a field is an answer.
+const SOUND: f64 = 1e-6;
+
+/// The gradient of the barycentric coordinate of each corner, times the area [m].
+pub(super) fn gradients(corners: [Vec2; 3]) -> [Vec2; 3] {
+    [0, 1, 2].map(|k| {
+        let (a, b) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        vec2(0.5 * (a.y - b.y), 0.5 * (b.x - a.x))
+    })
+}
+
+/// The traction `s n` of a stress (xx, yy, xy), in x and in y.
+fn traction(stress: &[Affine; 3], n: Vec2) -> [Affine; 2] {
+    let [xx, yy, xy] = stress;
+    [Affine::sum(&[(n.x, xx), (n.y, xy)]), Affine::sum(&[(n.x, xy), (n.y, yy)])]
+}
+
+/// Finds the best stress field on a mesh.
+pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace: &Pace) -> Result<Stresses, Ending> {
+    let mut program = Conic::default();
+    let base = setting.begin(&mut program, question);
+    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let unit = setting.force;
+    let stresses: Vec<[[Affine; 3]; 3]> = (0..mesh.triangles.len())
+        .map(|t| {
+            let soil = setting.soil.regions[mesh.regions[t]].soil;
+            mesh.corners(t).map(|at| soil.stress(&mut program, setting.pore(at), unit))
+        })
+        .collect();
+    for (t, stress) in stresses.iter().enumerate() {
+        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let (area, gradients) = (mesh.area(t), gradients(mesh.corners(t)));
+        for (axis, weights) in
+            [[soil.weight.x, soil.variable_weight.x], [soil.weight.y, soil.variable_weight.y]].into_iter().enumerate()
+        {
+            let row = program.equation(0.0);
+            for (s, g) in stress.iter().zip(gradients) {
+                program.add(row, g.x, &s[if axis == 0 { 0 } else { 2 }]);
+                program.add(row, g.y, &s[if axis == 0 { 2 } else { 1 }]);
+            }
+            program.add(row, area * weights[0], &permanent);
+            program.add(row, area * weights[1], &variable);
+        }
+    }
+    for e in 0..mesh.edges.len() {
+        let at = Ends::of(mesh, e);
+        let inside = at.corners(mesh, mesh.edges[e].triangle).map(|k| &stresses[mesh.edges[e].triangle][k]);
+        if let Some(other) = mesh.edges[e].other {
+            let outside = at.corners(mesh, other).map(|k| &stresses[other][k]);
+            for k in 0..2 {
+                let (a, b) = (traction(inside[k], at.normal), traction(outside[k], at.normal));
+                for axis in 0..2 {
+                    let row = program.equation(0.0);
+                    program.add(row, at.length, &a[axis]);
+                    program.add(row, -at.length, &b[axis]);
+                }
+            }
+            continue;
+        }
+        let Some((block, contact)) = setting.body(mesh, e) else {
+            let [p, v] = setting.tractions(mesh, e);
+            for stress in inside {
+                let t = traction(stress, at.normal);
+                for (axis, loads) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
+                    let row = program.equation(0.0);
+                    program.add(row, at.length, &t[axis]);
+                    program.add(row, -at.length * loads[0], &permanent);
+                    program.add(row, -at.length * loads[1], &variable);
+                }
+            }
+            continue;
+        };
+        let t = inside.map(|stress| traction(stress, at.normal));
+        for k in 0..2 {
+            let pressure = Affine::sum(&[(-at.normal.x, &t[k][0]), (-at.normal.y, &t[k][1])]);
+            let along = at.normal.left();
+            let shear = Affine::sum(&[(along.x, &t[k][0]), (along.y, &t[k][1])]);
+            contact.limit(&mut program, &pressure, &shear, setting.pore(at.points[k]), unit);
+        }
+        if let Some(block) = block {
+            // Force and moment of a traction that is linear along the edge.
+            for (k, point) in at.thirds().into_iter().enumerate() {
+                let rows = setting.rows_of(block, point);
+                for axis in 0..2 {
+                    for &(row, v) in &rows[axis] {
+                        program.add(row, -0.5 * at.length * v, &t[k][axis]);
+                    }
+                }
+            }
+        }
+    }
+    let found = program.solve(pace);
+    if !matches!(found.ending, Ending::Solved | Ending::Early) {
+        return Err(found.ending);
+    }
+    let z = &found.variables;
+    let scale = match question {
+        Question::Factor => setting.factor_scale,
+        Question::Share => 1.0,
+    };
+    let values = stresses.iter().map(|s| s.each_ref().map(|s| s.each_ref().map(|a| a.at(z) * unit))).collect();
+    let mut field = Stresses {
+        factor: z[base.factor] * scale,
+        stresses: values,
+        forces: base.forces.iter().map(|&i| z[i] * unit).collect(),
+        equilibrium_residual: 0.0,
+        yield_violation: 0.0,
+        iterations: found.iterations,
+    };
+    let loads = match question {
+        Question::Factor => [1.0, field.factor],
+        Question::Share => [field.factor, 0.0],
+    };
+    (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, &field, loads);
+    let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
+    if sound { Ok(field) } else { Err(Ending::Unknown) }
+}
+
+/// The ends of an edge as seen from its own triangle.
+pub(super) struct Ends {
+    pub points: [Vec2; 2],
+    ids: [usize; 2],
+    pub length: f64,
+    /// Out of its own triangle.
+    pub normal: Vec2,
+}
+
+impl Ends {
+    pub fn of(mesh: &Mesh, edge: usize) -> Ends {
+        let points = mesh.ends(edge);
+        let run = points[1] - points[0];
+        Ends { points, ids: mesh.edges[edge].ends, length: run.norm(), normal: run.right().unit() }
+    }
+    /// The corners of a triangle at the two ends.
+    pub fn corners(&self, mesh: &Mesh, triangle: usize) -> [usize; 2] {
+        self.ids.map(|id| mesh.triangles[triangle].iter().position(|&p| p == id).unwrap_or(0))
+    }
+    /// Where the resultants of tractions act that fall from one at an end to zero at the other.
+    pub fn thirds(&self) -> [Vec2; 2] {
+        let [a, b] = self.points;
+        [(a * 2.0 + b) * (1.0 / 3.0), (a + b * 2.0) * (1.0 / 3.0)]
+    }
+}
+
+/// `s n` of a stress.
+fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
+    vec2(xx * n.x + xy * n.y, xy * n.x + yy * n.y)
+}
+
+/// Checks a field from its numbers alone, at what multiplies permanent and variable loads: the largest force out of balance and the largest
+/// force beyond strength, relative to all loads.
+fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses, [permanent, variable]: [f64; 2]) -> (f64, f64) {
+    let (mut residual, mut beyond) = (0.0f64, 0.0f64);
+    for (t, stress) in field.stresses.iter().enumerate() {
+        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let mut sum = (soil.weight * permanent + soil.variable_weight * variable) * mesh.area(t);
+        for (s, g) in stress.iter().zip(gradients(mesh.corners(t))) {
+            sum = sum + push(*s, g);
+        }
+        residual = residual.max(sum.norm());
+        let size = mesh.area(t).sqrt();
+        for (s, at) in stress.iter().zip(mesh.corners(t)) {
+            beyond = beyond.max(size * soil.excess(*s, setting.pore(at)));
+        }
+    }
+    let eq = &setting.equilibrium;
+    let mut blocks: Vec<f64> = (0..eq.rows)
+        .map(|i| eq.permanent[i] * eq.force * permanent + eq.variable[i] * eq.force / eq.factor_scale * variable)
+        .collect();
+    for (column, f) in eq.columns.iter().zip(&field.forces) {
+        column.iter().for_each(|&(i, v)| blocks[i] += v * f);
+    }
+    for e in 0..mesh.edges.len() {
+        let at = Ends::of(mesh, e);
+        let of = |t: usize| at.corners(mesh, t).map(|k| push(field.stresses[t][k], at.normal));
+        let inside = of(mesh.edges[e].triangle);
+        if let Some(other) = mesh.edges[e].other {
+            let outside = of(other);
+            (0..2).for_each(|k| residual = residual.max(at.length * (inside[k] - outside[k]).norm()));
+            continue;
+        }
+        match setting.body(mesh, e) {
+            None => {
+                let [p, v] = setting.tractions(mesh, e);
+                let wanted = p * permanent + v * variable;
+                inside.iter().for_each(|t| residual = residual.max(at.length * (*t - wanted).norm()));
+            }
+            Some((block, contact)) => {
+                for k in 0..2 {
+                    let (pressure, shear) = (-inside[k].dot(at.normal), inside[k].dot(at.normal.left()));
+                    beyond = beyond.max(at.length * contact.excess(pressure, shear, setting.pore(at.points[k])));
+                    let Some(block) = block else { continue };
+                    let [x, y] = setting.rows_of(block, at.thirds()[k]);
+                    x.iter().for_each(|&(i, v)| blocks[i] -= 0.5 * at.length * v * inside[k].x);
+                    y.iter().for_each(|&(i, v)| blocks[i] -= 0.5 * at.length * v * inside[k].y);
+                }
+            }
+        }
+    }
+    let residual = blocks.iter().fold(residual, |m, r| m.max(r.abs()));
+    let scaled: Vec<f64> = field.forces.iter().map(|f| f / eq.force).collect();
+    let joints = crate::limit::bounds::yield_violation(eq, &setting.joints, &setting.strengths, &scaled) * eq.force;
+    let all = (permanent.abs() * setting.loads[0] + variable.abs() * setting.loads[1]).max(f64::MIN_POSITIVE);
+    (residual / all, beyond.max(joints) / all)
+}

@@ -1,0 +1,26 @@
+//! Limit analysis of rigid blocks beside a continuum that yields: soil in plane strain, with bounds from both sides.
+//!
+//! A stress field in equilibrium within strength gives a load that is carried, a motion that obeys the flow rule a load that is not. Both
+//! are convex programs over the same triangles, with second-order cones for Mohr-Coulomb's surface, and the blocks of
+//! [`crate::limit`] in the same equations: what soil exerts on a block is what the block exerts on soil. Where the two
+//! bounds differ, the mesh is refined.
+//!
+//! Read in the order of the method: `model` says what is given, `triangulate` and `mesh` cut it up, `yielding` holds the strength, `lower` and
+//! `upper` set up one program each and check what it returns, `conic` solves, `bounds` refines.
+
+mod bounds;
+mod conic;
+mod lower;
+mod mesh;
+mod model;
+mod setting;
+mod triangulate;
+mod upper;
+mod yielding;
+
+pub use bounds::{Bounds, BoundsStatus, ContinuumError, Round, Wanted, collapse_bounds};
+pub use lower::Stresses;
+pub use mesh::{Edge, Mesh};
+pub use model::{Bears, Contact, Continuum, Region, Side, Soil, Water, davis};
+pub use triangulate::MeshError;
+pub use upper::Motion;

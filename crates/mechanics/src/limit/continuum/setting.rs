@@ -1,0 +1,219 @@
+//! What both programs have in common: units, blocks with their joints, loads; and where a contact acts on its block.
+
+use super::conic::{Affine, Conic};
+use super::mesh::Mesh;
+use super::model::{Bears, Contact, Continuum};
+use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::ids::{BlockId, Table};
+use crate::limit::equilibrium::Equilibrium;
+use crate::limit::joints::{Joint, Strength, joints};
+use crate::limit::settings::Settings;
+use crate::plane::Vec2;
+
+/// Blocks, loads and units; the same for every mesh.
+pub(super) struct Setting<'a> {
+    pub soil: &'a Continuum,
+    pub joints: Vec<Joint>,
+    pub interfaces: Vec<crate::blocks::Interface>,
+    pub strengths: Vec<Strength>,
+    pub equilibrium: Equilibrium,
+    centroids: Table<BlockId, Vec2>,
+    /// Unit of force [N/m]; that of stress is this over 1 m.
+    pub force: f64,
+    /// The scaled factor is the factor divided by this.
+    pub factor_scale: f64,
+    /// Sum of the sizes of all permanent and of all variable loads [N/m].
+    pub loads: [f64; 2],
+}
+
+/// Where the factor and the forces of the joints stand among the variables of a program. The equations of the blocks are the first ones.
+pub(super) struct Base {
+    pub factor: usize,
+    pub forces: Vec<usize>,
+}
+
+/// What multiplies the loads of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Question {
+    /// How often the variable loads are carried beside the permanent ones.
+    Factor,
+    /// Which share of the permanent loads is carried, up to all.
+    Share,
+}
+
+impl<'a> Setting<'a> {
+    pub fn new(
+        model: &BlockModel,
+        loading: &Loading,
+        settings: &Settings,
+        soil: &'a Continuum,
+    ) -> Result<Setting<'a>, ModelError> {
+        let (interfaces, joints) = joints(model, settings)?;
+        let equilibrium = Equilibrium::new(model, loading, &joints);
+        let size = |of: &dyn Fn(&super::model::Soil) -> Vec2| -> f64 {
+            let area = |outline: &[Vec2]| {
+                let next = outline.iter().cycle().skip(1);
+                0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
+            };
+            soil.regions.iter().map(|r| area(&r.outline) * of(&r.soil).norm()).sum()
+        };
+        let on_sides = |of: &dyn Fn(Vec2, Vec2) -> Vec2| -> f64 {
+            let each = soil.sides.iter().map(|s| match s.bears {
+                Bears::Load { permanent, variable } => (s.ends[1] - s.ends[0]).norm() * of(permanent, variable).norm(),
+                Bears::Body { .. } => 0.0,
+            });
+            each.sum()
+        };
+        let on_blocks = |loads: &[f64], unit: f64| loads.iter().map(|l| l.abs()).sum::<f64>() * unit;
+        let unit = equilibrium.force;
+        let permanent =
+            on_blocks(&equilibrium.permanent, unit) + size(&|s| s.weight) + on_sides(&|permanent, _| permanent);
+        let variable = on_blocks(&equilibrium.variable, unit / equilibrium.factor_scale)
+            + size(&|s| s.variable_weight)
+            + on_sides(&|_, variable| variable);
+        let strongest = soil.regions.iter().map(|r| r.soil.cohesion).fold(0.0, f64::max);
+        let force = [permanent, strongest, variable].into_iter().find(|f| *f > 0.0).unwrap_or(1.0);
+        Ok(Setting {
+            soil,
+            interfaces,
+            strengths: joints.iter().map(|j| j.strength).collect(),
+            joints,
+            equilibrium,
+            centroids: model.blocks.iter().map(|b| b.outline.centroid()).collect(),
+            force,
+            factor_scale: if variable > 0.0 { force / variable } else { 1.0 },
+            loads: [permanent, variable],
+        })
+    }
+
+    /// What permanent and variable loads are multiplied by, in the units of the program, under a question.
+    pub fn loads_of(&self, question: Question) -> [Share; 2] {
+        match question {
+            Question::Factor => [
+                Share { constant: 1.0 / self.force, factor: 0.0 },
+                Share { constant: 0.0, factor: self.factor_scale / self.force },
+            ],
+            Question::Share => [
+                Share { constant: 0.0, factor: 1.0 / self.force },
+                Share { constant: 0.0, factor: 0.0 },
+            ],
+        }
+    }
+
+    /// The factor, the equations of the blocks, the forces of their joints within strength.
+    pub fn begin(&self, program: &mut Conic, question: Question) -> Base {
+        let eq = &self.equilibrium;
+        for _ in 0..eq.rows {
+            program.equation(0.0);
+        }
+        let factor = match question {
+            Question::Factor => program.free(),
+            Question::Share => {
+                let share = program.positive();
+                program.at_least_zero(&Affine { terms: vec![(share, -1.0)], constant: 1.0 });
+                share
+            }
+        };
+        program.cost(factor, -1.0);
+        let [permanent, variable] = self.loads_of(question);
+        for i in 0..eq.rows {
+            program.add(i, eq.permanent[i] * eq.force, &permanent.of(factor));
+            program.add(i, eq.variable[i] * eq.force / eq.factor_scale, &variable.of(factor));
+        }
+        let mut forces = Vec::with_capacity(eq.columns.len());
+        for ((joint, strength), &c) in self.joints.iter().zip(&self.strengths).zip(&eq.first_column) {
+            let first = forces.len();
+            let n = joint.points.len();
+            let curvature = strength.curvature(n) * self.force;
+            let (tension, cohesion) = (strength.tension / self.force, strength.cohesion / self.force);
+            for _ in 0..n {
+                forces.push(if tension == 0.0 && curvature == 0.0 { program.positive() } else { program.free() });
+            }
+            forces.push(program.free());
+            let of = |k: usize| Affine::of(forces[first + k]);
+            let mut total = Affine::default();
+            (0..n).for_each(|k| of(k).add_to(&mut total, 1.0));
+            if curvature > 0.0 {
+                for k in 0..n {
+                    let cone = program.cone();
+                    let mut shifted = of(k);
+                    shifted.constant += tension;
+                    for (j, constant) in [curvature, -curvature].into_iter().enumerate() {
+                        let member = Affine { terms: vec![(cone + j, -1.0)], constant };
+                        program.zero(&Affine::sum(&[(1.0, &shifted), (1.0, &member)]));
+                    }
+                    let mut wide = total.clone();
+                    wide.constant += 2.0 * tension;
+                    program.zero(&Affine::sum(&[(2.0 * curvature, &wide), (-1.0, &Affine::of(cone + 2))]));
+                }
+            } else if tension > 0.0 {
+                (0..n).for_each(|k| program.at_least_zero(&Affine { terms: of(k).terms, constant: tension }));
+            }
+            if strength.friction.is_finite() {
+                for sign in [1.0, -1.0] {
+                    let mut room = Affine::sum(&[(sign, &of(n)), (strength.friction, &total)]);
+                    room.constant += cohesion;
+                    program.at_least_zero(&room);
+                }
+            }
+            for k in 0..=n {
+                for &(row, v) in &eq.columns[c + k] {
+                    program.add(row, v, &of(k));
+                }
+            }
+        }
+        Base { factor, forces }
+    }
+
+    /// The equations of a block that a force (1, 0), (0, 1) at a point takes part in, with its coefficients.
+    pub fn rows_of(&self, block: BlockId, at: Vec2) -> [Vec<(usize, f64)>; 2] {
+        let arm = at - self.centroids[block];
+        let rows = self.equilibrium.row[block];
+        let of = |values: [f64; 3]| rows.iter().zip(values).filter_map(|(r, v)| r.map(|i| (i, v))).collect();
+        let length = self.equilibrium.length;
+        [of([1.0, 0.0, -arm.y / length]), of([0.0, 1.0, arm.x / length])]
+    }
+
+    /// The velocity of a point of a block, of what multiplies its equations.
+    pub fn velocity(&self, block: Option<BlockId>, at: Vec2, velocities: &[f64]) -> Vec2 {
+        let Some(block) = block else { return Vec2::ZERO };
+        let [x, y] = self.rows_of(block, at).map(|rows| rows.iter().map(|&(i, v)| v * velocities[i]).sum::<f64>());
+        crate::plane::vec2(x, y)
+    }
+
+    /// Pore pressure at a point [Pa].
+    pub fn pore(&self, at: Vec2) -> f64 {
+        self.soil.water.map_or(0.0, |w| w.pressure(at))
+    }
+
+    /// The body that an edge of the boundary touches.
+    pub fn body(&self, mesh: &Mesh, edge: usize) -> Option<(Option<BlockId>, Contact)> {
+        match self.soil.sides[mesh.edges[edge].side?].bears {
+            Bears::Body { block, contact } => Some((block, contact)),
+            Bears::Load { .. } => None,
+        }
+    }
+
+    /// Tractions on an edge of the boundary that touches nothing [Pa]: permanent and variable.
+    pub fn tractions(&self, mesh: &Mesh, edge: usize) -> [Vec2; 2] {
+        match mesh.edges[edge].side.map(|s| self.soil.sides[s].bears) {
+            Some(Bears::Load { permanent, variable }) => [permanent, variable],
+            _ => [Vec2::ZERO; 2],
+        }
+    }
+}
+
+/// What a load is multiplied by: a constant and a multiple of the factor.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Share {
+    constant: f64,
+    factor: f64,
+}
+
+impl Share {
+    /// As a number that depends on the factor.
+    pub fn of(self, factor: usize) -> Affine {
+        let terms = if self.factor == 0.0 { Vec::new() } else { vec![(factor, self.factor)] };
+        Affine { terms, constant: self.constant }
+    }
+}

@@ -1,0 +1,225 @@
+//! The upper bound: velocities that are quadratic over each triangle and continuous from one to the next, and may jump where soil meets
+//! a body (Makrodimopoulos and Martin 2007).
+//!
+//! Strain rates are then linear over a triangle whose edges are straight, and a flow rule that holds at its corners holds throughout, for
+//! what it allows is convex. On an edge that touches a body the jump is quadratic; it is held at its three control points (Bernstein's), of
+//! which it is a mean everywhere. In both the dissipation that is counted is no less than that of the motion.
+
+use super::conic::{Affine, Conic, Ending};
+use super::lower::{Ends, gradients};
+use super::mesh::Mesh;
+use super::setting::{Question, Setting};
+use crate::plane::{Vec2, vec2};
+use crate::watch::Pace;
+
+/// A motion and the factor of the variable loads at which it needs no more work than they do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Load factor, recomputed from the velocities.
+    pub factor: f64,
+    /// Velocity of each node of the mesh [m/s], scaled so that the fastest point moves by 1 m/s.
+    pub velocities: Vec<Vec2>,
+    /// What multiplies the equations of the blocks, scaled alike.
+    pub blocks: Vec<f64>,
+    /// Power dissipated in each triangle [W/m], and what is dissipated where it touches bodies.
+    pub dissipation: Vec<f64>,
+    /// Power of the variable loads at a load factor of one [W/m].
+    pub power: f64,
+    /// Largest velocity that flow rules do not allow, relative to the fastest point.
+    pub flow_violation: f64,
+    /// Iterations of the solver.
+    pub iterations: u32,
+}
+
+/// Velocities against the flow rule, relative to the fastest, up to which a motion is an answer.
+const SOUND: f64 = 1e-5;
+
+/// Gradients of the six shape functions at a corner of a triangle, times its area [m].
+fn shapes(gradients: [Vec2; 3], corner: usize) -> [Vec2; 6] {
+    let mut of = [Vec2::ZERO; 6];
+    for k in 0..3 {
+        of[k] = if k == corner { gradients[k] * 3.0 } else { -gradients[k] };
+        // The middle of the edge opposite to `k`; it joins the other two.
+        let other = (0..3).find(|&j| j != k && j != corner);
+        if let (true, Some(other)) = (k != corner, other) {
+            of[3 + k] = gradients[other] * 4.0;
+        }
+    }
+    of
+}
+
+/// The nodes of an edge: its ends, and its middle.
+fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
+    let [a, b] = mesh.edges[edge].ends;
+    [a, mesh.points.len() + edge, b]
+}
+
+/// Control points of an edge as sums of its nodes' values.
+const CONTROL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-0.5, 2.0, -0.5], [0.0, 0.0, 1.0]];
+
+/// Finds the best motion on a mesh.
+pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace: &Pace) -> Result<Motion, Ending> {
+    let mut program = Conic::default();
+    let base = setting.begin(&mut program, question);
+    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let unit = setting.force;
+    let first = setting.equilibrium.rows;
+    // Two equations for each node, after what slacks have added: their numbers are kept.
+    let rows: Vec<usize> = (0..2 * mesh.nodes()).map(|_| program.equation(0.0)).collect();
+    for t in 0..mesh.triangles.len() {
+        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let (corners, nodes, third) = (mesh.corners(t), mesh.nodes_of(t), mesh.area(t) / 3.0);
+        let gradients = gradients(corners);
+        for k in 0..3 {
+            let [xx, yy, xy] = soil.stress(&mut program, setting.pore(corners[k]), unit);
+            for (node, g) in nodes.into_iter().zip(shapes(gradients, k)) {
+                if g == Vec2::ZERO {
+                    continue;
+                }
+                // The gradient holds the area, of which a third belongs to the corner.
+                let g = g * (-1.0 / 3.0);
+                program.add(rows[2 * node], g.x, &xx);
+                program.add(rows[2 * node], g.y, &xy);
+                program.add(rows[2 * node + 1], g.y, &yy);
+                program.add(rows[2 * node + 1], g.x, &xy);
+            }
+        }
+        for node in nodes.into_iter().skip(3) {
+            for (axis, [p, v]) in
+                [[soil.weight.x, soil.variable_weight.x], [soil.weight.y, soil.variable_weight.y]].into_iter().enumerate()
+            {
+                program.add(rows[2 * node + axis], third * p, &permanent);
+                program.add(rows[2 * node + axis], third * v, &variable);
+            }
+        }
+    }
+    for e in (0..mesh.edges.len()).filter(|&e| mesh.edges[e].other.is_none()) {
+        let (at, nodes) = (Ends::of(mesh, e), nodes(mesh, e));
+        let Some((block, contact)) = setting.body(mesh, e) else {
+            let [p, v] = setting.tractions(mesh, e);
+            for (node, weight) in nodes.into_iter().zip([1.0, 4.0, 1.0]) {
+                let length = at.length * weight / 6.0;
+                for (axis, [p, v]) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
+                    program.add(rows[2 * node + axis], length * p, &permanent);
+                    program.add(rows[2 * node + axis], length * v, &variable);
+                }
+            }
+            continue;
+        };
+        let [a, b] = at.points;
+        for (point, weights) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL) {
+            let [pressure, shear] = contact.stress(&mut program, setting.pore(point), unit);
+            // Traction on the soil.
+            let (n, s) = (at.normal, at.normal.left());
+            let traction = [
+                Affine::sum(&[(-n.x, &pressure), (s.x, &shear)]),
+                Affine::sum(&[(-n.y, &pressure), (s.y, &shear)]),
+            ];
+            let third = at.length / 3.0;
+            for axis in 0..2 {
+                for (node, weight) in nodes.into_iter().zip(weights) {
+                    program.add(rows[2 * node + axis], third * weight, &traction[axis]);
+                }
+                if let Some(block) = block {
+                    for &(row, v) in &setting.rows_of(block, point)[axis] {
+                        program.add(row, -third * v, &traction[axis]);
+                    }
+                }
+            }
+        }
+    }
+    let found = program.solve(pace);
+    if !matches!(found.ending, Ending::Solved | Ending::Early) {
+        return Err(found.ending);
+    }
+    let blocks: Vec<f64> = found.multipliers[..first].iter().map(|x| -x).collect();
+    let velocity = |k: usize| vec2(-found.multipliers[rows[2 * k]], -found.multipliers[rows[2 * k + 1]]);
+    let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
+    let mut motion = work(setting, mesh, velocities, blocks);
+    motion.iterations = found.iterations;
+    let sound = motion.flow_violation <= SOUND && motion.factor.is_finite() && motion.power > 0.0;
+    if sound { Ok(motion) } else { Err(Ending::Unknown) }
+}
+
+/// Strain rates (xx, yy, shear angle) at the corners of a triangle [1/s].
+pub(super) fn strain_rates(mesh: &Mesh, triangle: usize, velocities: &[Vec2]) -> [[f64; 3]; 3] {
+    let (gradients, area, nodes) = (gradients(mesh.corners(triangle)), mesh.area(triangle), mesh.nodes_of(triangle));
+    [0, 1, 2].map(|k| {
+        let mut rates = [0.0; 3];
+        for (node, g) in nodes.into_iter().zip(shapes(gradients, k)) {
+            let v = velocities[node] * (1.0 / area);
+            rates[0] += g.x * v.x;
+            rates[1] += g.y * v.y;
+            rates[2] += g.y * v.x + g.x * v.y;
+        }
+        rates
+    })
+}
+
+/// Control points of the jump on an edge that touches a body: where they are, and the soil's velocity towards the body and along it.
+pub(super) fn jumps(setting: &Setting<'_>, mesh: &Mesh, edge: usize, velocities: &[Vec2], blocks: &[f64]) -> Vec<(Vec2, f64, f64)> {
+    let Some((block, _)) = setting.body(mesh, edge) else { return Vec::new() };
+    let at = Ends::of(mesh, edge);
+    let [a, b] = at.points;
+    let nodes = nodes(mesh, edge);
+    let of = |(point, weights): (Vec2, [f64; 3])| {
+        let soil = nodes.into_iter().zip(weights).fold(Vec2::ZERO, |sum, (n, w)| sum + velocities[n] * w);
+        let jump = soil - setting.velocity(block, point, blocks);
+        (point, jump.dot(at.normal), jump.dot(at.normal.left()))
+    };
+    [a, (a + b) * 0.5, b].into_iter().zip(CONTROL).map(of).collect()
+}
+
+/// The work equation of a motion, from its velocities alone.
+fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f64>) -> Motion {
+    let eq = &setting.equilibrium;
+    let mut fastest = velocities.iter().map(|v| v.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    fastest = blocks.iter().map(|v| v.abs()).fold(fastest, f64::max);
+    let velocities: Vec<Vec2> = velocities.into_iter().map(|v| v * (1.0 / fastest)).collect();
+    let blocks: Vec<f64> = blocks.into_iter().map(|v| v / fastest).collect();
+    let (mut dissipation, mut violation) = (vec![0.0; mesh.triangles.len()], 0.0f64);
+    let [mut permanent, mut variable] = [0.0; 2];
+    for t in 0..mesh.triangles.len() {
+        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let third = mesh.area(t) / 3.0;
+        for (rates, at) in strain_rates(mesh, t, &velocities).into_iter().zip(mesh.corners(t)) {
+            let (power, wrong) = soil.dissipation(rates, setting.pore(at));
+            dissipation[t] += third * power;
+            violation = violation.max(wrong * mesh.area(t).sqrt());
+        }
+        for node in mesh.nodes_of(t).into_iter().skip(3) {
+            permanent += third * soil.weight.dot(velocities[node]);
+            variable += third * soil.variable_weight.dot(velocities[node]);
+        }
+    }
+    for e in (0..mesh.edges.len()).filter(|&e| mesh.edges[e].other.is_none()) {
+        let length = Ends::of(mesh, e).length;
+        if let Some((_, contact)) = setting.body(mesh, e) {
+            for (at, closing, sliding) in jumps(setting, mesh, e, &velocities, &blocks) {
+                let (power, wrong) = contact.dissipation(closing, sliding, setting.pore(at));
+                dissipation[mesh.edges[e].triangle] += length / 3.0 * power;
+                violation = violation.max(wrong);
+            }
+            continue;
+        }
+        let [p, v] = setting.tractions(mesh, e);
+        for (node, weight) in nodes(mesh, e).into_iter().zip([1.0, 4.0, 1.0]) {
+            permanent += length * weight / 6.0 * p.dot(velocities[node]);
+            variable += length * weight / 6.0 * v.dot(velocities[node]);
+        }
+    }
+    // Of the blocks: what their joints dissipate less the work of their permanent loads.
+    let joints = crate::limit::bounds::resistance(eq, &setting.joints, &setting.strengths, &blocks);
+    violation = violation.max(joints.violation);
+    variable += eq.variable.iter().zip(&blocks).map(|(p, u)| p * u).sum::<f64>() * eq.force / eq.factor_scale;
+    let total = dissipation.iter().sum::<f64>() + joints.factor * eq.force - permanent;
+    Motion {
+        factor: total / variable,
+        velocities,
+        blocks,
+        dissipation,
+        power: variable,
+        flow_violation: violation,
+        iterations: 0,
+    }
+}
