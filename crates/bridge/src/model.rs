@@ -46,6 +46,8 @@ pub struct Bridge {
     pub plan: Plan,
     /// What only the finite element model reads.
     pub service: Service,
+    /// How layers that are a continuum are modelled, where some are.
+    pub continuum: Option<ContinuumPlan>,
     /// Horizontal pressure of the fill against movement, in limit analysis, where the file says so.
     pub fill_pressure: Option<FillPressure>,
     /// Where vehicles may stand across the bridge, where the file says so.
@@ -214,12 +216,17 @@ pub struct Layer {
     pub weighs: bool,
     /// Whether it is modelled as particles; its weight then reaches the ring through them.
     pub particles: bool,
+    /// Whether it is modelled as a continuum that yields, in limit analysis. It weighs, so that other methods take it as weight.
+    pub continuum: bool,
     /// Length of the slabs that it is modelled as [m], where it is.
     pub slabs: Option<f64>,
-    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
+    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all; of the soil where it is a
+    /// continuum, which always has both.
     pub friction_angle: Option<f64>,
     /// See above.
     pub cohesion: Option<f64>,
+    /// Tensile strength of a continuum [Pa]; none: it carries no tension.
+    pub tensile_strength: Option<f64>,
     /// Young's modulus [Pa].
     pub elastic_modulus: Option<f64>,
 }
@@ -360,19 +367,62 @@ pub struct Backing {
     pub elastic_modulus: Option<f64>,
     /// Poisson's ratio.
     pub poisson_ratio: Option<f64>,
-    /// What it is in the discrete element method.
+    /// How it is modelled.
     pub body: BackingBody,
-    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all.
+    /// Friction angle [rad] and cohesion [Pa] between its particles, where they differ from those of all; of the backing itself where
+    /// it is a continuum, which always has both.
     pub friction_angle: Option<f64>,
     /// See above.
     pub cohesion: Option<f64>,
+    /// Tensile strength of a continuum [Pa]; none: it carries no tension.
+    pub tensile_strength: Option<f64>,
+    /// Compressive strength of a continuum [Pa]; none: unlimited.
+    pub compressive_strength: Option<f64>,
+}
+
+/// How layers and backing that are a continuum are modelled: plane strain, limit analysis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContinuumPlan {
+    /// Share of cohesion and of the tangent of the friction angle that is mobilised.
+    pub mobilised_share: f64,
+    /// Dilatancy angle [rad].
+    pub dilatancy_angle: f64,
+    /// Friction angle between soil and masonry [rad]; none: two thirds of the soil's.
+    pub interface_friction_angle: Option<f64>,
+    /// Cohesion between soil and masonry [Pa].
+    pub interface_cohesion: f64,
+    /// What stands at the far ends.
+    pub ends: FillEnds,
+    /// How far it reaches behind the outer springings at the extrados [m]; none: the larger of the abutment's upper face and twice
+    /// the height above that springing.
+    pub extent: Option<f64>,
+    /// Level of the water in the pores above the springings [m]; none: dry.
+    pub water_level: Option<f64>,
+    /// Wanted ratio of the upper bound to the lower bound of the load.
+    pub bound_ratio: f64,
+    /// Most triangles of the mesh.
+    pub elements: usize,
 }
 
 choice! {
-    /// What backing is in the discrete element method.
+    /// What stands at the far ends of fill that is a continuum.
+    pub enum FillEnds {
+        /// a smooth wall that does not move
+        Slide = "slide",
+        /// a wall that does not move, as rough as masonry
+        Hold = "hold",
+        /// nothing: the ends are free
+        Free = "free",
+    }
+}
+
+choice! {
+    /// How backing is modelled in limit analysis and in the discrete element method.
     pub enum BackingBody {
         /// weight on the extrados
         Weight = "weight",
+        /// masonry that yields, method "limit", strip "fill", under cover that is a continuum; in other methods weight
+        Continuum = "continuum",
         /// circular particles below its level, with properties of their own
         Particles = "particles",
         /// blocks of masonry, joined as voussoirs are: stones with level beds on backs steeper than 45 degrees, a column on every

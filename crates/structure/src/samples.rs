@@ -65,6 +65,7 @@ pub fn bridgemill() -> Bridge {
             support_movement: None,
             seed: 0,
         },
+        continuum: None,
         fill_pressure: None,
         carriageway: None,
         sweep: None,
@@ -110,6 +111,8 @@ pub fn case_two() -> Bridge {
         cohesion: None,
         particles: false,
         slabs: None,
+        continuum: false,
+        tensile_strength: None,
     };
     b.cover.layers = vec![
         layer(LayerKind::Fill, 0.203, true),
@@ -179,6 +182,8 @@ pub fn fill(thickness: f64, density: f64) -> Layer {
         weighs: true,
         particles: false,
         slabs: None,
+        continuum: false,
+        tensile_strength: None,
         friction_angle: None,
         cohesion: None,
         elastic_modulus: None,
@@ -213,6 +218,8 @@ pub fn backing(height: f64) -> Backing {
         elastic_modulus: None,
         poisson_ratio: None,
         body: BackingBody::Weight,
+        tensile_strength: None,
+        compressive_strength: None,
         friction_angle: None,
         cohesion: None,
     }

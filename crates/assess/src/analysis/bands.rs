@@ -30,7 +30,8 @@ pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
         }
         bottom = top;
     }
-    if let Some(backing) = bridge.cover.backing.filter(|b| b.body == BackingBody::Weight) {
+    let band = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
+    if let Some(backing) = bridge.cover.backing.filter(|b| band(b.body)) {
         let size = format!("to {} m above the springings", decimals(backing.height));
         found.push(Band { name: "backing".to_string(), size, outlines: below(&line, backing.height) });
     }

@@ -150,6 +150,8 @@ fn filled(b: &mut Bridge) {
         cohesion: None,
         elastic_modulus: None,
         slabs: None,
+        continuum: false,
+        tensile_strength: None,
     }];
     b.cover.depth = 0.4;
     b.loads[0].position = 1.5;
@@ -431,6 +433,8 @@ fn backing_of_blocks_stands_on_the_ring_and_helps() {
             body,
             friction_angle: None,
             cohesion: None,
+            tensile_strength: None,
+            compressive_strength: None,
         });
         b
     };

@@ -177,6 +177,46 @@ rise = "3.0 m""#,
         source: "the format of bridge files",
     },
     FileCard {
+        code: "B219",
+        title: "a continuum on a layer that is none",
+        meaning: "Layers that are a continuum are the lowest of the cover. Layers above them are weight or nothing.",
+        why: "The continuum rests on the rings and carries what lies on it. A layer of weight alone below it cannot carry it.",
+        wrong: "[[cover]]\nlayer = \"fill\"\nthickness = \"0.10 m\"\ndensity = \"1900 kg/m^3\"\n\n[[cover]]\nlayer = \
+                \"sub-base\"\nthickness = \"0.30 m\"\ndensity = \"1900 kg/m^3\"\nas = \"continuum\"",
+        right: "[[cover]]\nlayer = \"sub-base\"\nthickness = \"0.30 m\"\ndensity = \"1900 kg/m^3\"\nas = \"continuum\"",
+        source: "the format of bridge files",
+    },
+    FileCard {
+        code: "B220",
+        title: "backing and cover that do not fit together",
+        meaning: "Backing that is a continuum lies under cover whose lowest layer is a continuum. Under such cover backing is a \
+                  continuum or blocks.",
+        why: "The continuum fills the space above the rings. Backing that is weight alone would leave a hole in it, and backing that \
+              yields would bear against nothing above its level.",
+        wrong: "as = \"weight\"",
+        right: "as = \"continuum\"\nfriction_angle = \"40 deg\"\ncohesion = \"50 kPa\"\ntensile_strength = \"10 \
+                kPa\"\ncompressive_strength = \"2 MPa\"",
+        source: "the format of bridge files",
+    },
+    FileCard {
+        code: "B221",
+        title: "a soil without strength",
+        meaning: "A continuum has a friction angle or a cohesion.",
+        why: "Soil without both is a fluid: it carries no load beside the rings, and no limit load exists.",
+        wrong: "friction_angle = \"0 deg\"\ncohesion = \"0 kPa\"",
+        right: "friction_angle = \"32 deg\"\ncohesion = \"2 kPa\"",
+        source: "the Mohr-Coulomb law",
+    },
+    FileCard {
+        code: "B222",
+        title: "a continuum without depth over the crown",
+        meaning: "The layers that are a continuum are together at least 10 mm thick over the crown.",
+        why: "Loads stand on the continuum. Where it has no depth they would stand on the ring.",
+        wrong: "thickness = \"0 m\"\ndensity = \"1900 kg/m^3\"\nas = \"continuum\"",
+        right: "thickness = \"0.30 m\"\ndensity = \"1900 kg/m^3\"\nas = \"continuum\"",
+        source: "the format of bridge files",
+    },
+    FileCard {
         code: "B301",
         title: "a load off the bridge",
         meaning: "A load is between the first and the last springing, on an existing span.",

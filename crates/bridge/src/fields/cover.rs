@@ -1,6 +1,6 @@
 //! What lies above the rings: layers and backing.
 
-use super::{Field, Kind, Section};
+use super::{Field, Kind, Section, continuum};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
@@ -10,10 +10,12 @@ use crate::tree::Table;
 use crate::values::read;
 
 choice! {
-    /// What a layer is in the discrete element method.
+    /// How a layer is modelled.
     enum LayerBody {
         /// weight on the extrados; loads disperse through it
         Weight = "weight",
+        /// soil that yields, method "limit", strip "fill"; in other methods weight through which loads disperse
+        Continuum = "continuum",
         /// circular particles that carry and press; strip "fill", method "dem"
         Particles = "particles",
         /// slabs of `block_length` that lie on particles
@@ -39,22 +41,36 @@ pub(super) static COVER: Section = Section {
         )
         .only("as", &["weight"])
         .default("true"),
-        Field::new("as", Kind::Word(LayerBody::WORDS), "what the layer is in the discrete element method", "particles")
-            .default(LayerBody::Weight.word()),
+        Field::new(
+            "as",
+            Kind::Word(LayerBody::WORDS),
+            "how the layer is modelled in limit analysis and in the discrete element method",
+            "particles",
+        )
+        .default(LayerBody::Weight.word()),
         Field::new(
             "friction_angle",
             Kind::Quantity(Angle),
-            "angle of friction between the layer's particles",
+            "angle of friction between the layer's particles, or of the soil that yields",
             "35.6 deg",
         )
         .at_least(0.0)
         .at_most(1.5)
-        .only("as", &["particles"])
-        .optional("as [particle_joint] says"),
-        Field::new("cohesion", Kind::Quantity(Stress), "cohesion between the layer's particles", "10 kPa")
+        .only("as", &["particles", "continuum"])
+        .optional("particles: as [particle_joint] says; a continuum needs it"),
+        Field::new(
+            "cohesion",
+            Kind::Quantity(Stress),
+            "cohesion between the layer's particles, or of the soil that yields",
+            "10 kPa",
+        )
+        .at_least(0.0)
+        .only("as", &["particles", "continuum"])
+        .optional("particles: as [particle_joint] says; a continuum needs it"),
+        Field::new("tensile_strength", Kind::Quantity(Stress), "tensile strength of the soil that yields", "0 kPa")
             .at_least(0.0)
-            .only("as", &["particles"])
-            .optional("as [particle_joint] says"),
+            .only("as", &["continuum"])
+            .optional("soil carries no tension"),
         Field::new("block_length", Kind::Quantity(Length), "length of a slab along the bridge", "0.60 m")
             .positive()
             .only("as", &["blocks"]),
@@ -88,28 +104,45 @@ pub(super) static BACKING: Section = Section {
             "blocks",
         )
         .default(BackingBody::Weight.word()),
-        Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction between its particles", "40 deg")
+        Field::new(
+            "friction_angle",
+            Kind::Quantity(Angle),
+            "angle of friction between its particles, or of backing that yields",
+            "40 deg",
+        )
+        .at_least(0.0)
+        .at_most(1.5)
+        .only("as", &["particles", "continuum"])
+        .optional("particles: as [particle_joint] says; a continuum needs it"),
+        Field::new(
+            "cohesion",
+            Kind::Quantity(Stress),
+            "cohesion between its particles, or of backing that yields",
+            "50 kPa",
+        )
+        .at_least(0.0)
+        .only("as", &["particles", "continuum"])
+        .optional("particles: as [particle_joint] says; a continuum needs it"),
+        Field::new("tensile_strength", Kind::Quantity(Stress), "tensile strength of backing that yields", "0 kPa")
             .at_least(0.0)
-            .at_most(1.5)
-            .only("as", &["particles"])
-            .optional("as [particle_joint] says"),
-        Field::new("cohesion", Kind::Quantity(Stress), "cohesion between its particles", "50 kPa")
-            .at_least(0.0)
-            .only("as", &["particles"])
-            .optional("as [particle_joint] says"),
+            .only("as", &["continuum"])
+            .optional("backing carries no tension"),
+        Field::new(
+            "compressive_strength",
+            Kind::Quantity(Stress),
+            "compressive strength of backing that yields",
+            "2 MPa",
+        )
+        .positive()
+        .only("as", &["continuum"])
+        .optional("backing does not crush"),
     ],
 };
 
 pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> {
     let tables = file.tables("cover", findings);
     let layers: Vec<Option<Layer>> = tables.iter().map(|table| layer(table, findings)).collect();
-    let backing = file.optional("backing", findings, |table, findings| {
-        read!(
-            table,
-            findings,
-            Backing { height, density, elastic_modulus, poisson_ratio, body = "as", friction_angle, cohesion }
-        )
-    });
+    let backing = file.optional("backing", findings, backing);
     let layers = layers.into_iter().collect::<Option<Vec<Layer>>>()?;
     if !layers.iter().any(|layer| layer.particles) {
         let slabs =
@@ -123,6 +156,12 @@ pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> 
     }
     if file.has("cover") && layers.is_empty() {
         return None;
+    }
+    continuum::check_layers(&tables, &layers, findings);
+    if let Some(Some(backing)) = &backing
+        && let Some(table) = file.table("backing", &mut Findings::default())
+    {
+        continuum::check_backing(&table, backing, layers.first().is_some_and(|lowest| lowest.continuum), findings);
     }
     // From zero on, for an empty sum is minus zero.
     let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
@@ -139,6 +178,35 @@ fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
     );
 }
 
+fn backing(table: &Table<'_>, findings: &mut Findings) -> Option<Backing> {
+    let backing = read!(
+        table,
+        findings,
+        Backing {
+            height,
+            density,
+            elastic_modulus,
+            poisson_ratio,
+            body = "as",
+            friction_angle,
+            cohesion,
+            tensile_strength,
+            compressive_strength,
+        }
+    )?;
+    (backing.body != BackingBody::Continuum || needs(table, &STRENGTH, findings)).then_some(backing)
+}
+
+/// What a continuum cannot do without.
+const STRENGTH: [&str; 2] = ["friction_angle", "cohesion"];
+
+/// Whether all of these keys are written; those that are missing are reported.
+fn needs(table: &Table<'_>, keys: &[&str], findings: &mut Findings) -> bool {
+    let missing: Vec<&&str> = keys.iter().filter(|key| !table.has(key)).collect();
+    missing.iter().for_each(|key| table.need(key, findings));
+    missing.is_empty()
+}
+
 fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
     let body = table.read("as", findings);
     let weighs: Option<bool> = table.read("weighs", findings);
@@ -152,10 +220,12 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
             thickness,
             friction_angle,
             cohesion,
+            tensile_strength,
             elastic_modulus;
             density: density?.unwrap_or(0.0),
             weighs: weighs?,
             particles: false,
+            continuum: false,
             slabs: None,
         }
     );
@@ -168,9 +238,14 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
         table.need("density", findings);
         return None;
     }
+    if body == LayerBody::Continuum && !needs(table, &STRENGTH, findings) {
+        return None;
+    }
     let layer = layer?;
     Some(match body {
         LayerBody::Weight => layer,
+        // It weighs: in a method that knows no continuum it is weight alone.
+        LayerBody::Continuum => Layer { weighs: true, continuum: true, ..layer },
         LayerBody::Particles => Layer { weighs: false, particles: true, ..layer },
         LayerBody::Blocks => Layer { weighs: false, slabs: slab?, ..layer },
         LayerBody::Nothing => Layer { weighs: false, ..layer },

@@ -4,6 +4,7 @@
 pub(crate) mod assess;
 pub mod blocks;
 pub(crate) mod calibration;
+pub(crate) mod continuum;
 pub(crate) mod cover;
 pub(crate) mod loading;
 pub(crate) mod material;
@@ -305,6 +306,13 @@ pub static FILE: Section = Section {
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
             .optional("no backing"),
+        Field::new(
+            "continuum",
+            Kind::Table(&continuum::CONTINUUM),
+            "How layers and backing that are a continuum are modelled.",
+            "",
+        )
+        .optional("the defaults"),
         Field::new("dispersal", Kind::Table(&loading::DISPERSAL), "How loads spread through the cover.", "")
             .optional("possible only where there is no cover or no load"),
         Field::new(

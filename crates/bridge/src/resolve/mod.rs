@@ -23,6 +23,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
+    let continuum = continuum::continuum(file, cover.as_ref(), findings);
     let service = service::service(file, cover.as_ref(), findings);
     let particles = particles::particles(file, cover.as_ref(), findings);
     let calibration = calibration::calibration(file, findings);
@@ -69,6 +70,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         loads: loads?,
         dispersal: dispersal?,
         plan: plan?,
+        continuum: continuum?,
         fill_pressure: fill_pressure?,
         carriageway: carriageway?,
         sweep: sweep?,

@@ -30,12 +30,29 @@ pub const TRAIN_FILE: &str = include_str!("files/train-file.toml");
 /// Everything that an assessment may say.
 pub const ASSESS: &str = include_str!("files/assess.toml");
 
+/// Fill and backing as a continuum, and all that it may say.
+pub const CONTINUUM: &str = include_str!("files/continuum.toml");
+
 /// Everything that only the finite element model reads.
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 13] =
-    [CASE_1, VIADUCT, SHAPES, TINY, WALLS, PARTICLES, LAYERS, CALIBRATION, SERVICE, PASSAGE, TRAIN, TRAIN_FILE, ASSESS];
+pub const GOOD: [&str; 14] = [
+    CASE_1,
+    VIADUCT,
+    SHAPES,
+    TINY,
+    WALLS,
+    PARTICLES,
+    LAYERS,
+    CONTINUUM,
+    CALIBRATION,
+    SERVICE,
+    PASSAGE,
+    TRAIN,
+    TRAIN_FILE,
+    ASSESS,
+];
 
 /// A finding as plain text, for assertions and for reading.
 pub fn show(text: &str, finding: &Diagnostic) -> String {

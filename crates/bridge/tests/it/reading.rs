@@ -169,6 +169,42 @@ fn bodies_of_cover_need_particles_to_stand_among() {
     assert!(show_all(&slabs).contains("B216"), "{}", show_all(&slabs));
 }
 
+/// Layers and backing as a continuum: their strength, how they are modelled, and what does not fit.
+#[test]
+fn a_continuum_is_read_as_written() {
+    use crate::files::CONTINUUM;
+    let bridge = good(CONTINUUM);
+    let (fill, surfacing) = (&bridge.cover.layers[0], &bridge.cover.layers[1]);
+    assert!(
+        fill.continuum && fill.weighs && !surfacing.continuum && surfacing.weighs,
+        "other methods take it as weight"
+    );
+    assert!((fill.friction_angle.unwrap().to_degrees() - 32.0).abs() < 1e-9);
+    assert_eq!((fill.cohesion, fill.tensile_strength), (Some(2e3), Some(1e3)));
+    let backing = bridge.cover.backing.unwrap();
+    assert_eq!((backing.body, backing.cohesion), (BackingBody::Continuum, Some(50e3)));
+    assert_eq!((backing.tensile_strength, backing.compressive_strength), (Some(10e3), Some(2e6)));
+    let plan = bridge.continuum.unwrap();
+    assert_eq!((plan.mobilised_share, plan.interface_cohesion, plan.ends), (0.6, 1e3, bridge::FillEnds::Hold));
+    assert_eq!((plan.extent, plan.water_level, plan.bound_ratio, plan.elements), (Some(8.0), Some(0.5), 1.1, 2000));
+    // Without its table, by the defaults; without a continuum, none.
+    let table = CONTINUUM.split("[continuum]").nth(1).unwrap().split("[[load]]").next().unwrap();
+    let plan = good(&CONTINUUM.replacen(&format!("[continuum]{table}"), "", 1)).continuum.unwrap();
+    assert_eq!((plan.mobilised_share, plan.dilatancy_angle, plan.interface_friction_angle), (1.0, 0.0, None));
+    assert_eq!((plan.ends, plan.extent, plan.water_level), (bridge::FillEnds::Slide, None, None));
+    assert_eq!((plan.bound_ratio, plan.elements), (1.05, 4000));
+    assert_eq!(good(CASE_1).continuum, None);
+    let without = CONTINUUM.replacen("friction_angle = \"32 deg\"\n", "", 1);
+    assert!(show_all(&without).contains("B011"), "{}", show_all(&without));
+    // Backing that nobody described further is weight, which continuum above it cannot rest on.
+    let backing = CONTINUUM.split("[backing]").nth(1).unwrap().split("[continuum]").next().unwrap();
+    let weight = CONTINUUM.replacen(backing, "\nheight = \"1.5 m\"\ndensity = \"2200 kg/m^3\"\n\n", 1);
+    assert!(show_all(&weight).contains("B220"), "{}", show_all(&weight));
+    let surfacing = "density = \"2300 kg/m^3\"";
+    let slabs = format!("{surfacing}\nas = \"blocks\"\nblock_length = \"1 m\"");
+    assert!(show_all(&CONTINUUM.replacen(surfacing, &slabs, 1)).contains("B219"));
+}
+
 /// What the finite element model reads, and what it would still need: nothing of it is asked of a file for collapse.
 #[test]
 fn service_tables() {

@@ -1,5 +1,8 @@
 //! Integration tests of the crate, in one binary.
 
+mod continuum_arch;
+mod continuum_known;
+mod continuum_tools;
 mod dem_abutment;
 mod dem_bridgemill;
 mod dem_broken;

@@ -26,7 +26,8 @@ impl Column {
     pub fn of(bridge: &Bridge, extrados: &Extrados) -> Column {
         let unit = |l: &Layer| if l.weighs { l.density * bridge.gravity } else { 0.0 };
         let lowest = bridge.cover.layers.first();
-        let weight = bridge.cover.backing.filter(|b| b.body == BackingBody::Weight || fill::wanted(bridge).is_some());
+        let alone = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
+        let weight = bridge.cover.backing.filter(|b| alone(b.body) || fill::wanted(bridge).is_some());
         Column {
             backing: weight.map(|b| (b.height, b.density * bridge.gravity)),
             fill: lowest.map_or((f64::NEG_INFINITY, 0.0), |l| (extrados.crown() + l.thickness, unit(l))),

@@ -104,7 +104,7 @@ impl Build<'_> {
     /// Levels of the layers' upper faces; particles below slabs below what is weight alone.
     fn levels(&self) -> Result<Levels, DiscretiseError> {
         let cover = &self.bridge.cover;
-        if cover.backing.is_some_and(|b| b.body == BackingBody::Weight) {
+        if cover.backing.is_some_and(|b| matches!(b.body, BackingBody::Weight | BackingBody::Continuum)) {
             return Err(DiscretiseError::BackingUnderParticles);
         }
         let rank = |l: &Layer| {

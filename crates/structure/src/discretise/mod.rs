@@ -1,6 +1,7 @@
 //! From a bridge to blocks: rings, piers and abutments, what they weigh and carry, and where each block came from.
 
 mod backing;
+pub mod continuum;
 pub mod cover;
 mod curve;
 pub mod dispersal;
@@ -228,6 +229,23 @@ pub enum DiscretiseError {
     LayerOrder { layer: usize },
     #[error("there is no region between the extrados and the road that particles could fill")]
     NoRegion,
+    #[error(
+        "the continuum is {depth:.3} m thick over the crown and loads would stand on the ring: give its layers a greater thickness"
+    )]
+    ContinuumWithoutDepth {
+        /// Thickness over the crown [m].
+        depth: f64,
+    },
+    #[error(
+        "a load at {x:.3} m is {length:.3} m long: a point load on a continuum is carried by nothing; give contact_length, or the \
+         length of the load"
+    )]
+    PointLoadOnContinuum {
+        /// Its middle [m].
+        x: f64,
+        /// Its length along the bridge [m].
+        length: f64,
+    },
     #[error("support {support} does not exist: the last is {last}")]
     NoSuchSupport {
         /// Support named.

@@ -144,6 +144,8 @@ fn the_cover_weighs_what_the_area_above_the_ring_weighs() {
         cohesion: None,
         particles: false,
         slabs: None,
+        continuum: false,
+        tensile_strength: None,
     };
     b.cover.layers = vec![layer(LayerKind::Fill, 0.203, 1890.0), layer(LayerKind::SubBase, 0.125, 2000.0)];
     let d = discretise(&b).unwrap();
@@ -179,6 +181,8 @@ fn backing_takes_the_place_of_fill_below_its_level() {
         cohesion: None,
         particles: false,
         slabs: None,
+        continuum: false,
+        tensile_strength: None,
     }];
     let weight = |b: &Bridge| -> f64 { discretise(b).unwrap().loading.permanent.iter().map(|f| -f.force.y).sum() };
     let without = weight(&b);
@@ -188,6 +192,8 @@ fn backing_takes_the_place_of_fill_below_its_level() {
         elastic_modulus: None,
         poisson_ratio: None,
         body: bridge::BackingBody::Weight,
+        tensile_strength: None,
+        compressive_strength: None,
         friction_angle: None,
         cohesion: None,
     });

@@ -197,8 +197,9 @@ fn gaps(setting: &Setting<'_>, mesh: &Mesh, below: &Stresses, above: &Motion) ->
             (push.dot(n), push.dot(n.left()))
         });
         // Linear times quadratic, by its control points: integrals of products of Bernstein's polynomials.
-        for ((_, closing, sliding), weights) in
-            jumps(setting, mesh, e, &above.velocities, &above.blocks).into_iter().zip([[3.0, 1.0], [2.0, 2.0], [1.0, 3.0]])
+        for ((_, closing, sliding), weights) in jumps(setting, mesh, e, &above.velocities, &above.blocks)
+            .into_iter()
+            .zip([[3.0, 1.0], [2.0, 2.0], [1.0, 3.0]])
         {
             for ((pull, shear), weight) in ends.iter().zip(weights) {
                 gaps[t] += at.length * weight / 12.0 * (pull * closing + shear * sliding);

@@ -83,6 +83,9 @@ pub(super) struct Solved {
     pub variables: Vec<f64>,
     /// A multiplier for each equation.
     pub multipliers: Vec<f64>,
+    /// By how much the least cost may be missed for what the equations leave unbalanced, and for what the multipliers price wrongly: each
+    /// residual times its multiplier, to first order.
+    pub errors: [f64; 2],
     pub iterations: u32,
 }
 
@@ -151,6 +154,7 @@ impl Conic {
             ending,
             variables: vec![0.0; self.kinds.len()],
             multipliers: vec![0.0; self.right.len()],
+            errors: [f64::INFINITY; 2],
             iterations: 0,
         };
         let (order, cones) = self.order();
@@ -163,7 +167,7 @@ impl Conic {
             return failed(Ending::Unknown);
         }
         let settings = DefaultSettings {
-            verbose: std::env::var_os("EXTRADOS_CONE").is_some(),
+            verbose: false,
             max_iter: 200,
             tol_gap_abs: TOLERANCE,
             tol_gap_rel: TOLERANCE,
@@ -194,15 +198,42 @@ impl Conic {
         let ending = match found.status {
             SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved,
             SolverStatus::CallbackTerminated => Ending::Cancelled,
-            SolverStatus::InsufficientProgress | SolverStatus::MaxIterations | SolverStatus::NumericalError => Ending::Early,
+            SolverStatus::InsufficientProgress | SolverStatus::MaxIterations | SolverStatus::NumericalError => {
+                Ending::Early
+            }
             _ => Ending::Unknown,
         };
-        Solved { ending, variables, multipliers: found.x.clone(), iterations: found.iterations }
+        let multipliers = found.x.clone();
+        let errors = [self.unbalanced(&variables, &multipliers), self.mispriced(&variables, &multipliers)];
+        Solved { ending, variables, multipliers, errors, iterations: found.iterations }
+    }
+
+    /// What the equations leave, each times its multiplier.
+    fn unbalanced(&self, variables: &[f64], multipliers: &[f64]) -> f64 {
+        let mut left: Vec<f64> = self.right.iter().map(|r| -r).collect();
+        for (column, z) in self.columns.iter().zip(variables) {
+            column.iter().for_each(|&(i, v)| left[i] += v * z);
+        }
+        left.iter().zip(multipliers).map(|(r, x)| (r * x).abs()).sum()
+    }
+
+    /// How far the prices of variables lie outside of what their kind allows, each times the variable.
+    fn mispriced(&self, variables: &[f64], multipliers: &[f64]) -> f64 {
+        let price = |j: usize| self.cost[j] - self.columns[j].iter().map(|&(i, v)| v * multipliers[i]).sum::<f64>();
+        let of = |j: usize| match self.kinds[j] {
+            Kind::Free => (price(j) * variables[j]).abs(),
+            Kind::Positive => (-price(j)).max(0.0) * variables[j].abs(),
+            // The first of three is no less than the others together.
+            Kind::Cone => (price(j + 1).hypot(price(j + 2)) - price(j)).max(0.0) * variables[j].abs(),
+            Kind::Member => 0.0,
+        };
+        (0..self.kinds.len()).map(of).sum()
     }
 
     /// Free variables, then those that are not negative, then cones.
     fn order(&self) -> (Vec<usize>, Vec<SupportedConeT<f64>>) {
-        let of = |wanted: &[Kind]| (0..self.kinds.len()).filter(|&i| wanted.contains(&self.kinds[i])).collect::<Vec<_>>();
+        let of =
+            |wanted: &[Kind]| (0..self.kinds.len()).filter(|&i| wanted.contains(&self.kinds[i])).collect::<Vec<_>>();
         let (free, positive, in_cones) = (of(&[Kind::Free]), of(&[Kind::Positive]), of(&[Kind::Cone, Kind::Member]));
         let mut cones = vec![ZeroConeT(free.len()), NonnegativeConeT(positive.len())];
         cones.extend((0..in_cones.len() / 3).map(|_| SecondOrderConeT(3)));

@@ -13,7 +13,7 @@ use crate::watch::Pace;
 /// A stress field and the factor of the variable loads that it balances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stresses {
-    /// Load factor.
+    /// Load factor: what the stresses balance, less what their residuals may be worth.
     pub factor: f64,
     /// Stress (xx, yy, xy) at the corners of each triangle [Pa]; compression negative, water included.
     pub stresses: Vec<[[f64; 3]; 3]>,
@@ -141,6 +141,7 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
         Question::Share => [field.factor, 0.0],
     };
     (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, &field, loads);
+    field.factor -= found.errors[0] * scale;
     let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
     if sound { Ok(field) } else { Err(Ending::Unknown) }
 }

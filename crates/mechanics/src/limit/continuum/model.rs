@@ -104,11 +104,7 @@ impl Soil {
     pub fn reduced(&self, share: f64, dilatancy: f64) -> Soil {
         let mobilised = (self.friction_angle.tan() * share).atan();
         let beta = davis(mobilised, dilatancy.min(mobilised));
-        Soil {
-            cohesion: self.cohesion * share * beta,
-            friction_angle: (mobilised.tan() * beta).atan(),
-            ..*self
-        }
+        Soil { cohesion: self.cohesion * share * beta, friction_angle: (mobilised.tan() * beta).atan(), ..*self }
     }
 }
 

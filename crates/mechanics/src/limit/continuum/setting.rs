@@ -93,10 +93,9 @@ impl<'a> Setting<'a> {
                 Share { constant: 1.0 / self.force, factor: 0.0 },
                 Share { constant: 0.0, factor: self.factor_scale / self.force },
             ],
-            Question::Share => [
-                Share { constant: 0.0, factor: 1.0 / self.force },
-                Share { constant: 0.0, factor: 0.0 },
-            ],
+            Question::Share => {
+                [Share { constant: 0.0, factor: 1.0 / self.force }, Share { constant: 0.0, factor: 0.0 }]
+            }
         }
     }
 

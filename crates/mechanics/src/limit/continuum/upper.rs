@@ -15,7 +15,7 @@ use crate::watch::Pace;
 /// A motion and the factor of the variable loads at which it needs no more work than they do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// Load factor, recomputed from the velocities.
+    /// Load factor, recomputed from the velocities, and what their violations of the flow rule may be worth.
     pub factor: f64,
     /// Velocity of each node of the mesh [m/s], scaled so that the fastest point moves by 1 m/s.
     pub velocities: Vec<Vec2>,
@@ -48,6 +48,19 @@ fn shapes(gradients: [Vec2; 3], corner: usize) -> [Vec2; 6] {
     of
 }
 
+/// Pore pressures for the corners of a triangle [Pa] with which the sum over the corners, a third of the area each, is the integral of pore pressure
+/// times the rate of volume: both are linear.
+fn pores(setting: &Setting<'_>, corners: [Vec2; 3]) -> [f64; 3] {
+    let at = corners.map(|c| setting.pore(c));
+    at.map(|own| 0.25 * (at[0] + at[1] + at[2] + own))
+}
+
+/// The same for the control points of an edge, along which the jump is quadratic.
+fn pores_along(setting: &Setting<'_>, ends: [Vec2; 2]) -> [f64; 3] {
+    let [a, b] = ends.map(|c| setting.pore(c));
+    [0.25 * (3.0 * a + b), 0.5 * (a + b), 0.25 * (a + 3.0 * b)]
+}
+
 /// The nodes of an edge: its ends, and its middle.
 fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
     let [a, b] = mesh.edges[edge].ends;
@@ -70,8 +83,9 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
         let soil = setting.soil.regions[mesh.regions[t]].soil;
         let (corners, nodes, third) = (mesh.corners(t), mesh.nodes_of(t), mesh.area(t) / 3.0);
         let gradients = gradients(corners);
+        let pores = pores(setting, corners);
         for k in 0..3 {
-            let [xx, yy, xy] = soil.stress(&mut program, setting.pore(corners[k]), unit);
+            let [xx, yy, xy] = soil.stress(&mut program, pores[k], unit);
             for (node, g) in nodes.into_iter().zip(shapes(gradients, k)) {
                 if g == Vec2::ZERO {
                     continue;
@@ -85,8 +99,9 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
             }
         }
         for node in nodes.into_iter().skip(3) {
-            for (axis, [p, v]) in
-                [[soil.weight.x, soil.variable_weight.x], [soil.weight.y, soil.variable_weight.y]].into_iter().enumerate()
+            for (axis, [p, v]) in [[soil.weight.x, soil.variable_weight.x], [soil.weight.y, soil.variable_weight.y]]
+                .into_iter()
+                .enumerate()
             {
                 program.add(rows[2 * node + axis], third * p, &permanent);
                 program.add(rows[2 * node + axis], third * v, &variable);
@@ -107,14 +122,13 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
             continue;
         };
         let [a, b] = at.points;
-        for (point, weights) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL) {
-            let [pressure, shear] = contact.stress(&mut program, setting.pore(point), unit);
+        let pores = pores_along(setting, at.points);
+        for ((point, weights), pore) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL).zip(pores) {
+            let [pressure, shear] = contact.stress(&mut program, pore, unit);
             // Traction on the soil.
             let (n, s) = (at.normal, at.normal.left());
-            let traction = [
-                Affine::sum(&[(-n.x, &pressure), (s.x, &shear)]),
-                Affine::sum(&[(-n.y, &pressure), (s.y, &shear)]),
-            ];
+            let traction =
+                [Affine::sum(&[(-n.x, &pressure), (s.x, &shear)]), Affine::sum(&[(-n.y, &pressure), (s.y, &shear)])];
             let third = at.length / 3.0;
             for axis in 0..2 {
                 for (node, weight) in nodes.into_iter().zip(weights) {
@@ -136,6 +150,11 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
     let velocity = |k: usize| vec2(-found.multipliers[rows[2 * k]], -found.multipliers[rows[2 * k + 1]]);
     let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
     let mut motion = work(setting, mesh, velocities, blocks);
+    motion.factor += found.errors[1]
+        * match question {
+            Question::Factor => setting.factor_scale,
+            Question::Share => 1.0,
+        };
     motion.iterations = found.iterations;
     let sound = motion.flow_violation <= SOUND && motion.factor.is_finite() && motion.power > 0.0;
     if sound { Ok(motion) } else { Err(Ending::Unknown) }
@@ -157,7 +176,13 @@ pub(super) fn strain_rates(mesh: &Mesh, triangle: usize, velocities: &[Vec2]) ->
 }
 
 /// Control points of the jump on an edge that touches a body: where they are, and the soil's velocity towards the body and along it.
-pub(super) fn jumps(setting: &Setting<'_>, mesh: &Mesh, edge: usize, velocities: &[Vec2], blocks: &[f64]) -> Vec<(Vec2, f64, f64)> {
+pub(super) fn jumps(
+    setting: &Setting<'_>,
+    mesh: &Mesh,
+    edge: usize,
+    velocities: &[Vec2],
+    blocks: &[f64],
+) -> Vec<(Vec2, f64, f64)> {
     let Some((block, _)) = setting.body(mesh, edge) else { return Vec::new() };
     let at = Ends::of(mesh, edge);
     let [a, b] = at.points;
@@ -182,8 +207,8 @@ fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f
     for t in 0..mesh.triangles.len() {
         let soil = setting.soil.regions[mesh.regions[t]].soil;
         let third = mesh.area(t) / 3.0;
-        for (rates, at) in strain_rates(mesh, t, &velocities).into_iter().zip(mesh.corners(t)) {
-            let (power, wrong) = soil.dissipation(rates, setting.pore(at));
+        for (rates, pore) in strain_rates(mesh, t, &velocities).into_iter().zip(pores(setting, mesh.corners(t))) {
+            let (power, wrong) = soil.dissipation(rates, pore);
             dissipation[t] += third * power;
             violation = violation.max(wrong * mesh.area(t).sqrt());
         }
@@ -193,10 +218,11 @@ fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f
         }
     }
     for e in (0..mesh.edges.len()).filter(|&e| mesh.edges[e].other.is_none()) {
-        let length = Ends::of(mesh, e).length;
+        let Ends { length, points, .. } = Ends::of(mesh, e);
         if let Some((_, contact)) = setting.body(mesh, e) {
-            for (at, closing, sliding) in jumps(setting, mesh, e, &velocities, &blocks) {
-                let (power, wrong) = contact.dissipation(closing, sliding, setting.pore(at));
+            let each = jumps(setting, mesh, e, &velocities, &blocks).into_iter().zip(pores_along(setting, points));
+            for ((_, closing, sliding), pore) in each {
+                let (power, wrong) = contact.dissipation(closing, sliding, pore);
                 dissipation[mesh.edges[e].triangle] += length / 3.0 * power;
                 violation = violation.max(wrong);
             }

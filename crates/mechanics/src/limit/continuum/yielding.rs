@@ -132,11 +132,7 @@ impl Contact {
             return (self.cohesion * slide - pore * opening, opening.abs());
         }
         let violation = (self.friction * slide - opening).max(0.0);
-        let tip = if self.is_cut() || self.friction == 0.0 {
-            self.tension
-        } else {
-            self.cohesion / self.friction
-        };
+        let tip = if self.is_cut() || self.friction == 0.0 { self.tension } else { self.cohesion / self.friction };
         let shear = (self.cohesion - self.friction * tip).max(0.0);
         // Tension at the tip against the opening, and what shear is left there.
         let tip_power = if tip > 0.0 { tip * opening.max(0.0) } else { 0.0 };

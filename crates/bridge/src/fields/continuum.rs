@@ -1,0 +1,207 @@
+//! Fill and backing that yield as a continuum, and whether layers and backing fit together then.
+
+use super::{Field, Kind, Section};
+use crate::choice::Choice;
+use crate::diagnostic::TextRange;
+use crate::findings::Findings;
+use crate::model::{Backing, BackingBody, ContinuumPlan, Cover, FillEnds, Layer};
+use crate::quantity::Dimension::{Angle, Length, Stress};
+use crate::tree::Table;
+use crate::values::read;
+
+/// Share of the strength of soil that is mobilised, where the file says nothing.
+const MOBILISED_SHARE: &str = "1.0";
+
+/// Least depth of a continuum over the crown [m]: loads stand on it.
+const LEAST_DEPTH: f64 = 0.01;
+
+pub(super) static CONTINUUM: Section = Section {
+    path: "continuum",
+    doc: "How layers and backing that are a continuum (as = \"continuum\") are modelled: soil in plane strain that yields by \
+          Mohr-Coulomb's law, in limit analysis of strip \"fill\". Loads act on its upper face and do not disperse: the soil \
+          carries them to the rings.",
+    fields: &[
+        Field::new(
+            "mobilised_share",
+            Kind::Number,
+            "share of cohesion and of the tangent of the friction angle that is mobilised at collapse",
+            "0.6",
+        )
+        .positive()
+        .at_most(1.0)
+        .default(MOBILISED_SHARE),
+        Field::new(
+            "dilatancy_angle",
+            Kind::Quantity(Angle),
+            "angle by which soil dilates when it shears; less than the friction angle lowers the strength after Davis",
+            "0 deg",
+        )
+        .at_least(0.0)
+        .at_most(1.5)
+        .default("0 deg"),
+        Field::new(
+            "interface_friction_angle",
+            Kind::Quantity(Angle),
+            "angle of friction between soil and masonry; never more than that of the soil",
+            "20 deg",
+        )
+        .at_least(0.0)
+        .at_most(1.5)
+        .optional("two thirds of the soil's friction angle; backing is bonded to masonry with its own strength"),
+        Field::new(
+            "interface_cohesion",
+            Kind::Quantity(Stress),
+            "cohesion between soil and masonry; never more than that of the soil",
+            "0 kPa",
+        )
+        .at_least(0.0)
+        .default("0 kPa"),
+        Field::new("ends", Kind::Word(FillEnds::WORDS), "what stands at the far ends of the fill", "slide")
+            .default(FillEnds::Slide.word()),
+        Field::new(
+            "extent",
+            Kind::Quantity(Length),
+            "how far the fill reaches behind each outer springing, from the springing's extrados",
+            "8 m",
+        )
+        .positive()
+        .optional(
+            "the larger of the abutment's `top_width` and twice the height from that springing to the top of the continuum",
+        ),
+        Field::new(
+            "water_level",
+            Kind::Quantity(Length),
+            "level of the water in the pores above the springings; negative below them",
+            "-0.5 m",
+        )
+        .optional("the fill is dry"),
+        Field::new("bound_ratio", Kind::Number, "wanted ratio of the upper bound to the lower bound of the load", "1.05")
+            .above(1.0)
+            .at_most(10.0)
+            .default("1.05"),
+        Field::new("elements", Kind::Count, "most triangles of the mesh", "4000")
+            .at_least(50.0)
+            .at_most(100_000.0)
+            .default("4000"),
+    ],
+};
+
+/// How the continuum is modelled; none inside where no layer is one.
+pub(crate) fn continuum(
+    file: &Table<'_>,
+    cover: Option<&Cover>,
+    findings: &mut Findings,
+) -> Option<Option<ContinuumPlan>> {
+    let plan = file.part("continuum", findings, |table, findings| {
+        read!(
+            table,
+            findings,
+            ContinuumPlan {
+                mobilised_share,
+                dilatancy_angle,
+                interface_friction_angle,
+                interface_cohesion,
+                ends,
+                extent,
+                water_level,
+                bound_ratio,
+                elements,
+            }
+        )
+    });
+    // What is wrong with the cover has been reported.
+    let wanted = cover.is_none_or(|cover| cover.layers.iter().any(|layer| layer.continuum));
+    if !wanted && let Some(table) = file.table("continuum", &mut Findings::default()) {
+        findings.warning(
+            "P031",
+            table.range,
+            "a continuum is described, and no layer of the cover is one",
+            "[continuum] has no effect",
+            "write as = \"continuum\" in the lowest [[cover]], or remove [continuum]",
+        );
+    }
+    plan.map(|plan| Some(plan).filter(|_| wanted))
+}
+
+/// Layers that are a continuum lie on the rings, have strength, and have depth over the crown.
+pub(super) fn check_layers(tables: &[Table<'_>], layers: &[Layer], findings: &mut Findings) {
+    let placed = || tables.iter().zip(layers);
+    let first_other = layers.iter().position(|layer| !layer.continuum).unwrap_or(layers.len());
+    for (table, _) in placed().skip(first_other).filter(|(_, layer)| layer.continuum) {
+        findings.error(
+            "B219",
+            table.place("as"),
+            "a continuum lies on a layer that is none",
+            "what lies below cannot carry it",
+            "write as = \"continuum\" in every [[cover]] below this one, or as = \"weight\" here",
+        );
+    }
+    let body = |layer: &&Layer| layer.particles || layer.slabs.is_some();
+    if first_other > 0 {
+        for (table, _) in placed().filter(|(_, layer)| body(layer)) {
+            findings.error(
+                "B219",
+                table.place("as"),
+                "a layer of bodies lies on a continuum",
+                "a continuum carries weight and loads, and no particles or blocks",
+                "write as = \"weight\" here, or model no layer as a continuum",
+            );
+        }
+    }
+    for (table, layer) in placed().filter(|(_, layer)| layer.continuum) {
+        strength(table, layer.friction_angle, layer.cohesion, findings);
+    }
+    let depth: f64 = layers.iter().take(first_other).map(|layer| layer.thickness).sum();
+    if first_other > 0 && depth < LEAST_DEPTH {
+        findings.error(
+            "B222",
+            tables[0].place("thickness"),
+            "the continuum has no depth over the crown",
+            "loads would stand on the ring",
+            format!("write a thickness of at least \"{} mm\", or as = \"weight\"", 1e3 * LEAST_DEPTH),
+        );
+    }
+}
+
+/// Backing that is a continuum lies under one; under a continuum, backing that is weight alone would leave a hole.
+pub(super) fn check_backing(table: &Table<'_>, backing: &Backing, under: bool, findings: &mut Findings) {
+    let place = if table.has("as") { table.place("as") } else { table.range };
+    match backing.body {
+        BackingBody::Continuum => {
+            strength(table, backing.friction_angle, backing.cohesion, findings);
+            if !under {
+                misfit(
+                    place,
+                    "the backing is a continuum, and the cover above it is none",
+                    "write as = \"continuum\" in the lowest [[cover]], or as = \"weight\" or \"blocks\" in [backing]",
+                    findings,
+                );
+            }
+        }
+        BackingBody::Weight if under => misfit(
+            place,
+            "the backing is weight alone, and the cover above it is a continuum",
+            "write as = \"continuum\" or as = \"blocks\" in [backing]",
+            findings,
+        ),
+        // Particles without a layer of them are refused for that.
+        BackingBody::Weight | BackingBody::Particles | BackingBody::Blocks => {}
+    }
+}
+
+fn misfit(place: TextRange, message: &str, help: &str, findings: &mut Findings) {
+    findings.error("B220", place, message, "backing and cover do not fit together", help);
+}
+
+/// A soil without friction and cohesion is a fluid.
+fn strength(table: &Table<'_>, friction_angle: Option<f64>, cohesion: Option<f64>, findings: &mut Findings) {
+    if friction_angle == Some(0.0) && cohesion == Some(0.0) {
+        findings.error(
+            "B221",
+            table.place("cohesion"),
+            format!("{} describes a soil without strength", table.title()),
+            "a fluid: it has neither friction nor cohesion",
+            "give a friction angle or a cohesion",
+        );
+    }
+}

@@ -1,0 +1,125 @@
+//! Bounds of a continuum against answers of soil mechanics that are known. The meshes are those that a test can afford;
+//! `docs/verification/continuum.md` has those that end within 2 %.
+
+use crate::continuum_tools::{Case, SMOOTH, body, footing, ground, rough, soil, wall};
+use mechanics::blocks::Held;
+use mechanics::limit::continuum::{Bears, Contact, Continuum, Region, Side, Soil, Wanted, Water};
+use mechanics::plane::vec2;
+use std::f64::consts::PI;
+
+#[test]
+fn a_strip_footing_on_clay_carries_two_plus_pi() {
+    footing(soil(1.0, 0.0, 0.0), SMOOTH, 2.0, 1.2).brackets(2.0 + PI, 1.02, 1500);
+}
+
+#[test]
+fn a_strip_footing_on_weightless_soil_with_friction_carries_prandtls_load() {
+    let phi = 30f64.to_radians();
+    let nq = (PI * phi.tan()).exp() * (PI / 4.0 + phi / 2.0).tan().powi(2);
+    let nc = (nq - 1.0) / phi.tan();
+    assert!((nc - 30.14).abs() < 0.005);
+    footing(soil(1.0, 30.0, 0.0), SMOOTH, 6.0, 3.0).brackets(nc, 1.04, 2500);
+    // The same beside a surcharge and without cohesion.
+    let mut loaded = footing(soil(0.0, 30.0, 0.0), SMOOTH, 6.0, 3.0);
+    loaded.soil.sides.push(Side {
+        ends: [vec2(0.5, 0.0), vec2(6.0, 0.0)],
+        bears: Bears::Load { permanent: vec2(0.0, -1.0), variable: vec2(0.0, 0.0) },
+    });
+    loaded.brackets(nq, 1.06, 2500);
+}
+
+#[test]
+fn a_strip_footing_on_sand_lies_between_the_bounds() {
+    // Weight 2 N/m^3: the pressure is N_gamma. Martin's values by the method of characteristics.
+    footing(soil(0.0, 30.0, 2.0), rough(&soil(0.0, 30.0, 2.0)), 5.0, 2.0).brackets(14.754, 1.12, 2500);
+    footing(soil(0.0, 30.0, 2.0), SMOOTH, 5.0, 2.0).brackets(7.653, 1.06, 2500);
+}
+
+#[test]
+fn a_vertical_cut_stands_to_its_known_height() {
+    let corners = [(-2.0, -1.0), (2.5, -1.0), (2.5, 1.0), (0.0, 1.0), (0.0, 0.0), (-2.0, 0.0)].map(|(x, y)| vec2(x, y));
+    let clay = Soil { variable_weight: vec2(0.0, -1.0), ..soil(1.0, 0.0, 0.0) };
+    let [a, b, c, .., f] = corners;
+    let sides = vec![ground(a, b, rough(&clay)), ground(b, c, rough(&clay)), ground(f, a, rough(&clay))];
+    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil: clay }], sides, water: None };
+    Case::alone(earth).brackets(3.7759, 1.02, 1500);
+}
+
+#[test]
+fn smooth_walls_press_and_resist_as_rankine_says() {
+    for (towards, k) in [(true, 3.0), (false, 1.0 / 3.0)] {
+        let sand = soil(0.0, 30.0, 1000.0);
+        let exact = if towards { k } else { -k } * 0.5 * 1000.0;
+        // Rankine's field is linear, and so is his motion: both bounds are exact on any mesh.
+        let bounds = wall(sand, SMOOTH, towards, 4.0).bounds(Default::default());
+        let (lower, upper) = (bounds.lower.as_ref().unwrap().factor, bounds.upper.as_ref().unwrap().factor);
+        assert!((lower - exact).abs() < 0.06 * exact.abs() && lower < exact + 1e-3, "{lower}");
+        assert!((upper - exact).abs() < 0.06 * exact.abs() && upper > exact - 1e-3, "{upper}");
+    }
+}
+
+#[test]
+fn water_presses_on_a_wall_in_full_and_lightens_the_soil() {
+    // Water to the surface: the skeleton weighs the difference, and the wall bears the water besides.
+    let sand = soil(0.0, 30.0, 2000.0);
+    let mut wet = wall(sand, SMOOTH, true, 4.0);
+    wet.soil.water = Some(Water { level: 1.0, unit_weight: 1000.0 });
+    let exact = 0.5 * (3.0 * (2000.0 - 1000.0) + 1000.0);
+    let bounds = wet.brackets(exact, 1.06, 1500);
+    assert!(bounds.lower.unwrap().factor > 0.95 * exact);
+    // A level half way up cuts the soil.
+    let mut half = wall(sand, SMOOTH, true, 4.0);
+    half.soil.water = Some(Water { level: 0.5, unit_weight: 1000.0 });
+    let [a, b, c, d] = [(0.0, 0.0), (4.0, 0.0), (4.0, 0.5), (0.0, 0.5)].map(|(x, y)| vec2(x, y));
+    let [e, f] = [(4.0, 1.0), (0.0, 1.0)].map(|(x, y)| vec2(x, y));
+    half.soil.regions =
+        vec![Region { outline: vec![a, b, c, d], soil: sand }, Region { outline: vec![d, c, e, f], soil: sand }];
+    // Rankine's pressure: 3 s' + u, with s' = 2000 z above the level and 1000 + 1000 (z - 0.5) below.
+    let exact = 3.0 * (0.5 * 0.5 * 1000.0 + 0.5 * (1000.0 + 1500.0) * 0.5) + 0.5 * 0.5 * 500.0;
+    half.brackets(exact, 1.06, 1500);
+}
+
+#[test]
+fn a_vertical_cut_in_clay_without_tension_stands_to_half_of_that() {
+    // Drucker (1953): 2 c / weight, where soil bears no tension.
+    let corners = [(-2.0, -1.0), (2.5, -1.0), (2.5, 1.0), (0.0, 1.0), (0.0, 0.0), (-2.0, 0.0)].map(|(x, y)| vec2(x, y));
+    let clay = Soil { variable_weight: vec2(0.0, -1.0), tension: 0.0, ..soil(1.0, 0.0, 0.0) };
+    let [a, b, c, .., f] = corners;
+    let sides = vec![ground(a, b, rough(&clay)), ground(b, c, rough(&clay)), ground(f, a, rough(&clay))];
+    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil: clay }], sides, water: None };
+    Case::alone(earth).brackets(2.0, 1.09, 1500);
+}
+
+#[test]
+fn a_column_is_crushed_and_torn_at_its_strengths() {
+    // 1 m wide, glued to a plate that is pressed or pulled; no weight.
+    let corners = [vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(1.0, 2.0), vec2(0.0, 2.0)];
+    let [a, b, c, d] = corners;
+    let masonry = Soil { tension: 3.0, crushing: 50.0, ..soil(40.0, 35.0, 0.0) };
+    let glued = Contact { friction: 0.0, cohesion: 1e3, tension: 1e3 };
+    for (force, exact) in [(-1.0, 50.0), (1.0, 3.0)] {
+        let earth = Continuum {
+            regions: vec![Region { outline: corners.to_vec(), soil: masonry }],
+            sides: vec![ground(a, b, glued), body(c, d, glued)],
+            water: None,
+        };
+        let held = Held { x: true, y: false, rotation: true };
+        // One dimension: stress and motion that is exact on any mesh, but for the plates, which hold the ends sideways.
+        let case = Case::driven(vec2(0.0, 2.0), 1.0, 0.1, held, vec2(0.0, force), earth);
+        let bounds = case.bounds(Wanted { ratio: 1.01, elements: 1500, first: 200 });
+        let (lower, upper) = (bounds.lower.unwrap().factor, bounds.upper.unwrap().factor);
+        assert!(
+            lower > exact * (1.0 - 1e-4) && upper < exact * 1.03 && lower <= upper * (1.0 + 1e-6),
+            "{lower} {upper}"
+        );
+    }
+    // Without those limits the column is crushed as Mohr and Coulomb have it.
+    let earth = Continuum {
+        regions: vec![Region { outline: corners.to_vec(), soil: soil(10.0, 35.0, 0.0) }],
+        sides: vec![ground(a, b, SMOOTH), body(c, d, SMOOTH)],
+        water: None,
+    };
+    let held = Held { x: true, y: false, rotation: true };
+    let exact = 20.0 * (PI / 4.0 + 35f64.to_radians() / 2.0).tan();
+    Case::driven(vec2(0.0, 2.0), 1.0, 0.1, held, vec2(0.0, -1.0), earth).brackets(exact, 1.001, 400);
+}

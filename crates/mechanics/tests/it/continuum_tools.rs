@@ -1,0 +1,120 @@
+//! Bodies of soil that several tests share, in plane strain.
+
+use crate::limit_models::{block, dry, model};
+use mechanics::blocks::{BlockModel, Held, Loading, PointForce};
+use mechanics::ids::{BlockId, Id, Table};
+use mechanics::limit::Settings;
+use mechanics::limit::continuum::{
+    Bears, Bounds, BoundsStatus, Contact, Continuum, Region, Side, Soil, Wanted, collapse_bounds,
+};
+use mechanics::plane::{Polygon, Vec2, vec2};
+use mechanics::watch::Pace;
+
+/// A wall or a block that soil slides along and does not leave.
+pub const SMOOTH: Contact = Contact { friction: 0.0, cohesion: 0.0, tension: f64::INFINITY };
+
+/// Soil of a cohesion [Pa], a friction angle [degrees] and a unit weight [N/m^3].
+pub fn soil(cohesion: f64, degrees: f64, weight: f64) -> Soil {
+    Soil {
+        cohesion,
+        friction_angle: degrees.to_radians(),
+        tension: f64::INFINITY,
+        crushing: f64::INFINITY,
+        weight: vec2(0.0, -weight),
+        variable_weight: Vec2::ZERO,
+    }
+}
+
+/// A contact as strong as the soil.
+pub fn rough(soil: &Soil) -> Contact {
+    Contact { friction: soil.friction_angle.tan(), cohesion: soil.cohesion, tension: f64::INFINITY }
+}
+
+/// A side that touches ground.
+pub fn ground(a: Vec2, b: Vec2, contact: Contact) -> Side {
+    Side { ends: [a, b], bears: Bears::Body { block: None, contact } }
+}
+
+/// A side that touches the only block.
+pub fn body(a: Vec2, b: Vec2, contact: Contact) -> Side {
+    Side { ends: [a, b], bears: Bears::Body { block: Some(BlockId::new(0)), contact } }
+}
+
+/// Soil, and perhaps one weightless block that a force drives.
+pub struct Case {
+    pub model: BlockModel,
+    pub loading: Loading,
+    pub soil: Continuum,
+}
+
+impl Case {
+    /// Soil alone.
+    pub fn alone(soil: Continuum) -> Case {
+        let mut model = model(vec![], dry(0.5));
+        model.blocks = Table::default();
+        Case { model, loading: Loading::default(), soil }
+    }
+    /// A rectangle from `low`, of a width and a height, that moves where it is not held, driven by a force at its middle.
+    pub fn driven(low: Vec2, width: f64, height: f64, held: Held, force: Vec2, soil: Continuum) -> Case {
+        let outline = Polygon::rectangle(low, width, height).unwrap();
+        let at = outline.centroid();
+        let mut model = model(vec![block(outline, 0.0, 1.0, held)], dry(0.5));
+        model.gravity = Vec2::ZERO;
+        let variable = vec![PointForce { block: BlockId::new(0), at, force }];
+        Case { model, loading: Loading { variable, ..Loading::default() }, soil }
+    }
+    pub fn bounds(&self, wanted: Wanted) -> Bounds {
+        collapse_bounds(&self.model, &self.loading, &Settings::default(), &self.soil, &wanted, &Pace::default())
+            .unwrap()
+    }
+    /// Both bounds, which are wanted within a ratio and hold an exact value between them on every mesh.
+    pub fn brackets(&self, exact: f64, ratio: f64, elements: usize) -> Bounds {
+        let bounds = self.bounds(Wanted { ratio, elements, first: 200 });
+        assert_eq!(bounds.status, BoundsStatus::Bounded);
+        for round in &bounds.rounds {
+            let (lower, upper) = (round.lower.unwrap(), round.upper.unwrap());
+            let size = exact.abs() * 1e-6;
+            assert!(lower <= exact + size && exact <= upper + size, "{lower} {exact} {upper}");
+        }
+        for pair in bounds.rounds.windows(2) {
+            let size = exact.abs() * 3e-4;
+            assert!(
+                pair[0].lower.unwrap() <= pair[1].lower.unwrap() + size,
+                "a finer mesh holds the coarser field: {pair:?}"
+            );
+            assert!(
+                pair[1].upper.unwrap() <= pair[0].upper.unwrap() + size,
+                "a finer mesh holds the coarser motion: {pair:?}"
+            );
+        }
+        let reached = bounds.ratio().unwrap();
+        assert!(reached <= ratio, "{reached} after {} triangles", bounds.mesh.triangles.len());
+        assert!(bounds.lower.as_ref().unwrap().equilibrium_residual < 1e-6);
+        assert!(bounds.lower.as_ref().unwrap().yield_violation < 1e-6);
+        assert!(bounds.upper.as_ref().unwrap().flow_violation < 1e-5);
+        bounds
+    }
+}
+
+/// Half of a strip footing 1 m wide on a layer `width` m wide and `depth` m deep, to the right of its middle; per metre of the strip, a factor
+/// of one is a mean pressure of 1 Pa.
+pub fn footing(soil: Soil, base: Contact, width: f64, depth: f64) -> Case {
+    let corners = [vec2(0.0, -depth), vec2(width, -depth), vec2(width, 0.0), vec2(0.5, 0.0), vec2(0.0, 0.0)];
+    let [a, b, c, d, e] = corners;
+    let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, e, base), ground(e, a, SMOOTH)];
+    let held = Held { x: true, y: false, rotation: true };
+    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None };
+    Case::driven(vec2(0.0, 0.0), 0.5, 0.2, held, vec2(0.0, -0.5), earth)
+}
+
+/// Soil 1 m high behind a wall at x = 0 that moves level, and nothing else; a factor of one is 1 N/m on the wall, towards the soil (passive)
+/// or away from it.
+pub fn wall(soil: Soil, contact: Contact, towards: bool, width: f64) -> Case {
+    let corners = [vec2(0.0, 0.0), vec2(width, 0.0), vec2(width, 1.0), vec2(0.0, 1.0)];
+    let [a, b, c, d] = corners;
+    let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, a, contact)];
+    let held = Held { x: false, y: true, rotation: true };
+    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None };
+    let force = vec2(if towards { 1.0 } else { -1.0 }, 0.0);
+    Case::driven(vec2(-0.2, 0.0), 0.2, 1.0, held, force, earth)
+}
