@@ -231,6 +231,9 @@ pub struct LimitReport {
     pub yield_violation: Option<f64>,
     /// Iterations of the solver.
     pub iterations: u32,
+    /// What soil that yields as a continuum adds.
+    #[serde(default)]
+    pub continuum: Option<crate::soil::ContinuumReport>,
 }
 
 words! {

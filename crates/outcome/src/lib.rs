@@ -11,6 +11,7 @@ pub mod mesh;
 pub mod passage;
 pub mod picture;
 pub mod published;
+pub mod soil;
 pub mod study;
 pub mod sweep;
 pub mod update;

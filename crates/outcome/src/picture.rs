@@ -253,6 +253,9 @@ pub struct Picture {
     pub snapshots: Vec<Snapshot>,
     /// Index of the last stable snapshot.
     pub last_stable: Option<usize>,
+    /// Soil that yields as a continuum, where fill is one.
+    #[serde(default)]
+    pub soil: Option<crate::soil::SoilPicture>,
     /// Dimensions of the drawing; none for models without an arch.
     pub dimensions: Vec<DimensionLine>,
     /// Load at collapse [N/m], where one was found (support movement: [m]).

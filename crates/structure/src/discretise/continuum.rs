@@ -2,7 +2,7 @@
 //!
 //! The continuum fills the space between the extrados and the top of the layers that are a continuum. Below it lie the backs
 //! of the rings, the tops of piers and abutments, and beyond the abutments level ground; its ends are vertical. Levels of layers,
-//! of backing and of water cut it into regions. [`earth`] makes this geometry once; [`Earth::continuum`] gives it strength and
+//! of backing and of water cut it into regions. [`earth`] makes this geometry once; [`Earth::loaded`] gives it strength and
 //! loads as often as they change. Loads act on its upper face and nothing disperses: the soil carries them.
 //!
 //! Regions are made from below upwards. A chain of sides runs from the upper left corner down the left end, along the extrados
@@ -13,10 +13,16 @@ use super::dispersal::{Strip, strips};
 use super::extrados::{Face, Stretch};
 use super::{DiscretiseError, Discretised, Origin};
 use bridge::{Backing, BackingBody, Bridge, ContinuumPlan, FillEnds, Layer};
-use mechanics::blocks::Loading;
-use mechanics::ids::BlockId;
+use mechanics::blocks::{Block, BlockModel, Held, Loading, PointForce};
+use mechanics::ids::{BlockId, GroupId};
 use mechanics::limit::continuum::{Bears, Contact, Continuum, Region, Side, Soil, Water};
-use mechanics::plane::{Vec2, vec2};
+use mechanics::plane::{Polygon, Vec2, vec2};
+
+/// Height of the plate under a load [m], for drawings.
+const PLATE: f64 = 0.1;
+
+/// Mass density of plates [kg/m^3]: nothing beside any load.
+const WEIGHTLESS: f64 = 1e-6;
 
 /// Corners nearer to a level, and ends of loads nearer to a corner of the surface, are taken to lie on it [m].
 const SNAP: f64 = 1e-3;
@@ -119,8 +125,12 @@ impl Strength {
 /// The continuum with its strength and its loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedEarth {
-    /// What limit analysis takes.
+    /// Soil, and what it touches.
     pub continuum: Continuum,
+    /// The blocks of the bridge, and after them a plate under each load.
+    pub model: BlockModel,
+    /// What acts on them: the soil has the cover's weight, plates have the loads.
+    pub loading: Loading,
     /// Share of the loads that stands beyond the ends of the fill and is left out.
     pub left_out: f64,
 }
@@ -477,15 +487,34 @@ fn join(chain: &mut Chain, to: Vec2, [before, after]: [BlockId; 2], faces: &[Fac
 }
 
 impl Earth {
-    /// What acts on the blocks beside the continuum: it has the cover's weight and the loads. Pressure of fill on backs
+    /// The continuum with a strength, and with loads on its upper face. Each stands on a rigid plate as long as its strip, free to sink, slide
+    /// and turn: the soil decides where it presses, and the resultant stays where the load is. A pressure that must be uniform would fail
+    /// at the edges of its strip before the soil below it does. Loads whose strips meet share a plate. Pressure of fill on backs
     /// ([`super::pressure::restraints`]) must not be added.
-    pub fn loading(&self, discretised: &Discretised) -> Loading {
-        Loading { movements: discretised.loading.movements.clone(), ..Loading::default() }
-    }
-
-    /// The continuum with a strength, and with loads on its upper face.
-    pub fn continuum(&self, strength: Strength, strips: &[Strip]) -> Result<LoadedEarth, DiscretiseError> {
-        let pressures = self.pressures(strips)?;
+    pub fn loaded(
+        &self,
+        discretised: &Discretised,
+        strength: Strength,
+        strips: &[Strip],
+    ) -> Result<LoadedEarth, DiscretiseError> {
+        let plates = self.plates(strips)?;
+        let mut model = discretised.model.clone();
+        let mut loading = Loading { movements: discretised.loading.movements.clone(), ..Loading::default() };
+        let group = model.blocks.iter().next().map_or(GroupId(0), |b| b.group);
+        let mut blocks = Vec::with_capacity(plates.on.len());
+        for plate in &plates.on {
+            let [a, b] = plate.ends;
+            let outline = Polygon::rectangle(vec2(a, self.top), b - a, PLATE)
+                .map_err(|_| DiscretiseError::PointLoadOnContinuum { x: plate.at, length: b - a })?;
+            let block =
+                model.blocks.push(Block { outline, rounding: 0.0, density: WEIGHTLESS, group, held: Held::FREE });
+            let down = |force: f64, x: f64| PointForce { block, at: vec2(x, self.top), force: vec2(0.0, -force) };
+            loading.variable.push(down(plate.force, plate.at));
+            if self.surcharge > 0.0 {
+                loading.permanent.push(down(self.surcharge * (b - a), 0.5 * (a + b)));
+            }
+            blocks.push(block);
+        }
         let mut regions = Vec::new();
         let mut sides: Vec<Side> = self.edges.iter().filter_map(|edge| self.side(edge, strength)).collect();
         for piece in &self.pieces {
@@ -493,20 +522,25 @@ impl Earth {
             if piece.surface
                 && let (Some(&left), Some(&right)) = (outline.first(), outline.last())
             {
-                let inner = pressures.marks.iter().filter(|x| left.x + NEAR < **x && **x < right.x - NEAR);
+                let inner = plates.marks.iter().filter(|x| left.x + NEAR < **x && **x < right.x - NEAR);
                 let at = |x: f64| left + (right - left) * ((x - left.x) / (right.x - left.x));
                 outline.extend(inner.rev().map(|x| vec2(*x, at(*x).y)));
                 let along: Vec<Vec2> = outline[piece.outline.len() - 1..].iter().copied().chain([left]).collect();
+                let contact = self.contact(piece.material, strength);
                 for pair in along.windows(2) {
-                    let permanent = vec2(0.0, -self.surcharge);
-                    let variable = vec2(0.0, -pressures.at(0.5 * (pair[0].x + pair[1].x)));
-                    sides.push(Side { ends: [pair[0], pair[1]], bears: Bears::Load { permanent, variable } });
+                    let middle = 0.5 * (pair[0].x + pair[1].x);
+                    let plate = plates.on.iter().position(|p| p.ends[0] < middle && middle < p.ends[1]);
+                    let bears = match plate {
+                        Some(plate) => Bears::Body { block: Some(blocks[plate]), contact },
+                        None => Bears::Load { permanent: vec2(0.0, -self.surcharge), variable: Vec2::ZERO },
+                    };
+                    sides.push(Side { ends: [pair[0], pair[1]], bears });
                 }
             }
             regions.push(Region { outline, soil: self.soil(piece.material, strength) });
         }
-        let left_out = if pressures.total > 0.0 { pressures.left_out / pressures.total } else { 0.0 };
-        Ok(LoadedEarth { continuum: Continuum { regions, sides, water: self.water }, left_out })
+        let left_out = if plates.total > 0.0 { plates.left_out / plates.total } else { 0.0 };
+        Ok(LoadedEarth { continuum: Continuum { regions, sides, water: self.water }, model, loading, left_out })
     }
 
     fn soil(&self, material: usize, strength: Strength) -> Soil {
@@ -542,14 +576,14 @@ impl Earth {
         }
     }
 
-    /// The pressures of strips on the upper face.
-    fn pressures(&self, strips: &[Strip]) -> Result<Pressures, DiscretiseError> {
+    /// The plates of strips on the upper face.
+    fn plates(&self, strips: &[Strip]) -> Result<Plates, DiscretiseError> {
         let corners = self.pieces.iter().filter(|piece| piece.surface).flat_map(|piece| {
             let ends = [piece.outline.first(), piece.outline.last()];
             ends.into_iter().flatten().map(|p| p.x)
         });
         let mut marks: Vec<f64> = corners.collect();
-        let mut found = Pressures { marks: Vec::new(), loaded: Vec::new(), total: 0.0, left_out: 0.0 };
+        let mut found = Plates { marks: Vec::new(), on: Vec::new(), total: 0.0, left_out: 0.0 };
         for strip in strips {
             if !(strip.length >= LEAST_STRIP) {
                 return Err(DiscretiseError::PointLoadOnContinuum { x: strip.middle, length: strip.length });
@@ -567,31 +601,54 @@ impl Earth {
             let inside = if b > a { strip.force * (to - from) / strip.length } else { 0.0 };
             found.left_out += strip.force - inside;
             if b > a {
-                found.loaded.push(([a, b], inside / (b - a)));
+                found.on.push(Plate { ends: [a, b], force: inside, at: 0.5 * (from + to) });
             }
         }
         marks.sort_by(f64::total_cmp);
         marks.dedup();
-        Ok(Pressures { marks, ..found })
+        found.on.sort_by(|p, q| p.ends[0].total_cmp(&q.ends[0]));
+        let mut merged: Vec<Plate> = Vec::with_capacity(found.on.len());
+        for plate in found.on {
+            match merged.last_mut() {
+                Some(last) if plate.ends[0] <= last.ends[1] => last.join(plate),
+                _ => merged.push(plate),
+            }
+        }
+        Ok(Plates { marks, on: merged, ..found })
     }
 }
 
-/// Pressures on the upper face.
-struct Pressures {
+/// Plates on the upper face.
+struct Plates {
     /// Corners of the upper face and ends of loads, from left to right [m].
     marks: Vec<f64>,
-    /// Ends of every load [m], and its pressure [Pa].
-    loaded: Vec<([f64; 2], f64)>,
+    /// From left to right.
+    on: Vec<Plate>,
     /// Sum of all forces [N/m].
     total: f64,
     /// What stands beyond the ends [N/m].
     left_out: f64,
 }
 
-impl Pressures {
-    /// The sum of all pressures at a place [Pa].
-    fn at(&self, x: f64) -> f64 {
-        self.loaded.iter().filter(|([a, b], _)| *a < x && x < *b).map(|(_, pressure)| pressure).sum()
+/// A rigid plate under loads.
+#[derive(Debug, Clone, Copy)]
+struct Plate {
+    /// Its ends [m].
+    ends: [f64; 2],
+    /// The resultant of its loads [N/m].
+    force: f64,
+    /// Where it acts [m].
+    at: f64,
+}
+
+impl Plate {
+    fn join(&mut self, other: Plate) {
+        let force = self.force + other.force;
+        if force != 0.0 {
+            self.at = (self.force * self.at + other.force * other.at) / force;
+        }
+        self.force = force;
+        self.ends[1] = self.ends[1].max(other.ends[1]);
     }
 }
 

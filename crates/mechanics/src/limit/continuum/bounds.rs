@@ -154,6 +154,46 @@ pub fn collapse_bounds(
     }
 }
 
+/// Both bounds on a mesh that is given, of a body with other strengths or loads. Its boundary must touch the same things as that for which the
+/// mesh was made.
+pub fn bounds_on(
+    model: &BlockModel,
+    loading: &Loading,
+    settings: &Settings,
+    soil: &Continuum,
+    mesh: &Mesh,
+    pace: &Pace,
+) -> Result<Bounds, ContinuumError> {
+    let setting = Setting::new(model, loading, settings, soil)?;
+    let below = lower(&setting, mesh, Question::Factor, pace);
+    let above = upper(&setting, mesh, Question::Factor, pace);
+    let round = Round {
+        elements: mesh.triangles.len(),
+        lower: below.as_ref().ok().map(|s| s.factor),
+        upper: above.as_ref().ok().map(|m| m.factor),
+    };
+    let cancelled = matches!(below, Err(Ending::Cancelled)) || matches!(above, Err(Ending::Cancelled));
+    let status = match (&below, &above) {
+        (Ok(_), Ok(_)) => BoundsStatus::Bounded,
+        _ if cancelled => BoundsStatus::Cancelled,
+        _ => BoundsStatus::NotConverged,
+    };
+    let gaps = match (&below, &above) {
+        (Ok(below), Ok(above)) => gaps(&setting, mesh, below, above),
+        _ => Vec::new(),
+    };
+    Ok(Bounds {
+        status,
+        lower: below.ok(),
+        upper: above.ok(),
+        mesh: mesh.clone(),
+        gaps,
+        share: None,
+        rounds: vec![round],
+        interfaces: setting.interfaces,
+    })
+}
+
 /// What is known where a program was not solved.
 fn unsolved(setting: &Setting<'_>, mesh: &Mesh, mut bounds: Bounds, pace: &Pace) -> Bounds {
     if bounds.lower.is_some() {

@@ -118,31 +118,38 @@ fn conforms(continuum: &Continuum, free: usize) {
     assert_eq!(bare, free, "sides without anything");
 }
 
-fn made(b: &Bridge) -> (Discretised, Earth, Continuum) {
+fn made(b: &Bridge) -> (Discretised, Earth, LoadedEarth) {
     let d = discretise(b).unwrap();
     let e = earth(b, &d).unwrap().unwrap();
-    let loaded = e.continuum(Strength::of(&e.plan), &loads(b)).unwrap();
-    (d, e, loaded.continuum)
+    let loaded = e.loaded(&d, Strength::of(&e.plan), &loads(b)).unwrap();
+    (d, e, loaded)
+}
+
+/// Sum of downward forces [N/m].
+fn down(forces: &[PointForce]) -> f64 {
+    forces.iter().map(|f| -f.force.y).sum()
 }
 
 /// Area, weight and load of a bridge without steps in its extrados.
 fn check(b: &Bridge) -> (Earth, Continuum) {
-    let (d, e, c) = made(b);
+    let (d, e, loaded) = made(b);
+    let c = loaded.continuum;
     conforms(&c, 0);
     let sum: f64 = c.regions.iter().map(|region| area(&region.outline)).sum();
     let exact = space(b, &d, &e);
     assert!((sum / exact - 1.0).abs() < 1e-9, "{sum} {exact}");
     let top: Vec<&Side> = c.sides.iter().filter(|side| matches!(side.bears, Bears::Load { .. })).collect();
-    let (mut permanent, mut variable) = (0.0, 0.0);
+    let mut permanent = down(&loaded.loading.permanent);
     for side in &top {
         assert!(side.ends.iter().all(|p| p.y == e.top) && side.ends[0].x > side.ends[1].x, "{side:?}");
         if let Bears::Load { permanent: p, variable: v } = side.bears {
             permanent -= p.y * length(side);
-            variable -= v.y * length(side);
+            assert_eq!(v, Vec2::ZERO);
         }
     }
     assert!((permanent - e.surcharge * (e.ends[1] - e.ends[0])).abs() < 1e-6);
     let force: f64 = loads(b).iter().map(|strip| strip.force).sum();
+    let variable = down(&loaded.loading.variable);
     assert!((variable - force).abs() < 1e-9 * force, "{variable} {force}");
     (e, c)
 }
@@ -162,8 +169,10 @@ fn the_fill_of_bridgemill_is_one_region_as_heavy_as_its_weight() {
     assert!((weight / (columns + unit * beside) - 1.0).abs() < 1e-9, "{weight} {columns}");
     // Twice the height behind each springing, which is more than the abutment's top.
     assert!((springings[0].x - e.ends[0] - 2.0 * (e.top - springings[0].y)).abs() < 1e-9);
-    let left = e.loading(&d);
-    assert!(left.permanent.is_empty() && left.variable.is_empty() && left.restraints.is_empty());
+    // One plate carries the load, and nothing else acts on blocks.
+    let (_, _, loaded) = made(&b);
+    assert_eq!(loaded.model.blocks.len(), d.model.blocks.len() + 1);
+    assert!(loaded.loading.permanent.is_empty() && loaded.loading.restraints.is_empty());
     // Every back of the ring is a side, and both abutments.
     let blocks: std::collections::BTreeSet<_> = e
         .edges
@@ -252,7 +261,8 @@ fn water_cuts_regions_at_its_level() {
 fn backing_of_blocks_stands_below_a_continuum() {
     let mut b = semicircle();
     b.cover.backing = Some(Backing { body: BackingBody::Blocks, ..samples::backing(1.5) });
-    let (d, e, c) = made(&b);
+    let (d, e, loaded) = made(&b);
+    let c = loaded.continuum;
     conforms(&c, 0);
     assert_eq!(e.pieces.len(), 1);
     let sum: f64 = c.regions.iter().map(|region| area(&region.outline)).sum();
@@ -260,6 +270,7 @@ fn backing_of_blocks_stands_below_a_continuum() {
     let mut bare = b.clone();
     bare.cover.backing = None;
     let (bare, earth, whole) = made(&bare);
+    let whole = whole.continuum;
     let whole: f64 = whole.regions.iter().map(|region| area(&region.outline)).sum();
     assert!((whole - space(&b, &bare, &earth)).abs() < 1e-9);
     let blocks = d.origins.pairs().filter(|(_, origin)| matches!(origin, Origin::Backing { .. }));
@@ -280,7 +291,8 @@ fn the_ends_slide_hold_or_are_free() {
     for (ends, free, rough) in [(FillEnds::Slide, 0, 0), (FillEnds::Hold, 0, 2), (FillEnds::Free, 2, 0)] {
         let mut b = bridgemill();
         b.continuum = Some(ContinuumPlan { ends, ..plan() });
-        let (_, e, c) = made(&b);
+        let (_, e, loaded) = made(&b);
+        let c = loaded.continuum;
         conforms(&c, free);
         let at_end = |side: &&Side| e.ends.iter().any(|x| side.ends.iter().all(|p| p.x == *x));
         let friction = |side: &Side| match side.bears {
@@ -303,7 +315,7 @@ fn strength_is_reduced_and_the_interface_with_it() {
     let d = discretise(&b).unwrap();
     let e = earth(&b, &d).unwrap().unwrap();
     let strength = Strength { share: 0.5, dilatancy: 0.0 };
-    let c = e.continuum(strength, &[]).unwrap().continuum;
+    let c = e.loaded(&d, strength, &[]).unwrap().continuum;
     // By hand: half of tan(30 deg), times the cosine of the angle that is left.
     let mobilised = (0.5 * 30f64.to_radians().tan()).atan();
     let factor = 0.5 * mobilised.cos();
@@ -323,35 +335,31 @@ fn strength_is_reduced_and_the_interface_with_it() {
     let bond = ring(1);
     assert!((bond.friction - solid.friction_angle.tan()).abs() < 1e-12 && bond.cohesion == solid.cohesion);
     // Full strength where it dilates by its friction angle.
-    let whole = e.continuum(Strength { share: 1.0, dilatancy: 30f64.to_radians() }, &[]).unwrap().continuum;
+    let whole = e.loaded(&d, Strength { share: 1.0, dilatancy: 30f64.to_radians() }, &[]).unwrap().continuum;
     assert!(whole.regions.iter().any(|region| (region.soil.friction_angle.to_degrees() - 30.0).abs() < 1e-9));
 }
 
 #[test]
 fn strips_add_up_and_what_stands_beside_the_fill_is_counted() {
     let b = semicircle();
-    let (_, e, _) = made(&b);
+    let (d, e, _) = made(&b);
     let strip = |middle: f64, length: f64, force: f64| Strip { middle, length, force };
     let strength = Strength::of(&e.plan);
-    let force = |c: &Continuum| -> f64 {
-        c.sides
-            .iter()
-            .map(|side| match side.bears {
-                Bears::Load { variable, .. } => -variable.y * length(side),
-                Bears::Body { .. } => 0.0,
-            })
-            .sum()
-    };
+    let force = |loaded: &LoadedEarth| down(&loaded.loading.variable);
     let over = [strip(1.0, 0.5, 10e3), strip(1.2, 0.5, 20e3), strip(1.45 + 3e-4, 0.5, 30e3)];
-    let loaded = e.continuum(strength, &over).unwrap();
+    let loaded = e.loaded(&d, strength, &over).unwrap();
     conforms(&loaded.continuum, 0);
-    assert!((force(&loaded.continuum) - 60e3).abs() < 1e-6 && loaded.left_out == 0.0);
+    assert!((force(&loaded) - 60e3).abs() < 1e-6 && loaded.left_out == 0.0);
+    // Strips that meet share a plate, and the resultant stays in its place.
+    let [plate] = loaded.loading.variable[..] else { panic!("{:?}", loaded.loading.variable) };
+    let at = (10.0 * 1.0 + 20.0 * 1.2 + 30.0 * (1.45 + 3e-4)) / 60.0;
+    assert!((plate.at.x - at).abs() < 1e-9, "{}", plate.at.x);
     let beside = [strip(e.ends[1], 1.0, 10e3), strip(e.ends[0] - 3.0, 1.0, 10e3)];
-    let loaded = e.continuum(strength, &beside).unwrap();
+    let loaded = e.loaded(&d, strength, &beside).unwrap();
     conforms(&loaded.continuum, 0);
-    assert!((force(&loaded.continuum) - 5e3).abs() < 1e-6, "{}", force(&loaded.continuum));
+    assert!((force(&loaded) - 5e3).abs() < 1e-6, "{}", force(&loaded));
     assert!((loaded.left_out - 0.75).abs() < 1e-9, "{}", loaded.left_out);
-    let line = e.continuum(strength, &[strip(1.0, 0.0, 10e3)]);
+    let line = e.loaded(&d, strength, &[strip(1.0, 0.0, 10e3)]);
     let words = line.unwrap_err().to_string();
     assert!(words.contains("give contact_length"), "{words}");
 }
@@ -420,7 +428,8 @@ fn regions_conform_wherever_levels_fall() {
             continue;
         }
         rounds += 1;
-        let (_, e, c) = made(&b);
+        let (_, e, loaded) = made(&b);
+        let c = loaded.continuum;
         conforms(&c, 0);
         // Springings that are thicker than the ring above them leave steps, and so do blocks: the floor is not that of columns.
         let sum: f64 = c.regions.iter().map(|region| area(&region.outline)).sum();

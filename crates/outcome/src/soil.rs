@@ -1,0 +1,78 @@
+//! Soil that yields as a continuum: what limit analysis found of it, and what its figures are made from.
+
+use crate::picture::Point;
+use serde::{Deserialize, Serialize};
+
+/// What only a limit analysis with a continuum reports.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ContinuumReport {
+    /// Triangles of the last mesh.
+    pub elements: usize,
+    /// Upper over lower bound.
+    pub bound_ratio: Option<f64>,
+    /// Upper over lower bound at which refinement was to end.
+    pub wanted_ratio: f64,
+    /// Share of cohesion and of the tangent of the friction angle that is mobilised.
+    pub mobilised_share: f64,
+    /// Dilatancy angle [rad].
+    pub dilatancy_angle: f64,
+    /// Both bounds of a soil that dilates by its friction angle, at the same share [N/m].
+    pub associated: Option<[f64; 2]>,
+    /// The least and the largest share that the range is for.
+    pub shares: [f64; 2],
+    /// Lower bound at the least share and upper bound at the largest one [N/m].
+    pub range: Option<[f64; 2]>,
+    /// Share of the permanent loads that is carried, where they are not.
+    pub permanent_share: Option<f64>,
+    /// Share of the loads that stands beyond the ends of the fill and is left out.
+    pub left_out: f64,
+    /// Largest velocity that the flow rule does not allow, relative to the fastest.
+    pub flow_violation: Option<f64>,
+    /// Every mesh: triangles, lower and upper bound [N/m].
+    pub rounds: Vec<(usize, Option<f64>, Option<f64>)>,
+}
+
+/// Soil as triangles, with stresses that are carried and a motion that is not.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SoilPicture {
+    /// Corners [m].
+    pub points: Vec<Point>,
+    /// Corners of each triangle, counter-clockwise.
+    pub triangles: Vec<[usize; 3]>,
+    /// The region of each triangle: layers and backing, from below upwards.
+    pub regions: Vec<usize>,
+    /// Stress at the corners of each triangle [Pa], tension positive: xx, yy, xy. In equilibrium at the lower bound.
+    pub stresses: Vec<[[f64; 3]; 3]>,
+    /// Motion of each corner in the mechanism of the upper bound, in the scale of [`crate::picture::Picture::mechanism`].
+    pub motions: Vec<Point>,
+    /// Power that each triangle dissipates in that mechanism, per area, relative to the largest.
+    pub dissipation: Vec<f64>,
+    /// Share of the gap between the bounds that each triangle holds.
+    pub gaps: Vec<f64>,
+    /// Pressure on the backs of blocks, from left to right.
+    pub pressures: Vec<SoilPressure>,
+    /// Plates under loads: their ends, and how they move: translation of the middle and rotation.
+    pub plates: Vec<Plate>,
+}
+
+/// What soil exerts on a straight stretch of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SoilPressure {
+    /// The block: index into the shapes.
+    pub block: usize,
+    /// Its ends [m].
+    pub ends: [Point; 2],
+    /// Pressure at the ends [Pa], positive.
+    pub pressure: [f64; 2],
+    /// Shear stress at the ends [Pa], positive where it pulls the block from the first end to the second.
+    pub shear: [f64; 2],
+}
+
+/// A rigid plate through which a load stands on the soil.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Plate {
+    /// Its ends [m].
+    pub ends: [Point; 2],
+    /// How its ends move in the mechanism.
+    pub motions: [Point; 2],
+}
