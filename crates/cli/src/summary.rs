@@ -212,6 +212,13 @@ fn loads(page: &mut String, found: &Collapse) {
         line("without dilation", limit.non_associated_load);
         line("without fill pressure", limit.without_fill_pressure_load);
         line("all passive pressure", limit.full_fill_pressure_load);
+        if let Some(soil) = &limit.continuum {
+            line("half of the strength", soil.range.map(|r| r[0]).filter(|_| soil.shares[0] == 0.5));
+            line("all of the strength", soil.range.map(|r| r[1]).filter(|_| soil.mobilised_share < 1.0));
+            line("soil that dilates", soil.associated.map(|b| b[0]));
+            let ratio = soil.bound_ratio.map_or("none".to_owned(), |ratio| format!("{ratio:.3}"));
+            let _ = writeln!(page, "  {:<22}  {ratio:>9} with {} triangles", "upper over lower", soil.elements);
+        }
         let _ = writeln!(page, "  {:<22}  {:>9}", "friction", limit.friction);
     }
     if let Some(along) = found.along() {

@@ -351,6 +351,24 @@ findings::cards! {
          the modulus of its units, the ratio of Bridgemill's published joints, over the length of the longest voussoir. Joints decide \
          what a flat ring carries: at Bridgemill 132 kN/m with these, 182 with ten times as stiff ones, 231 as rigid blocks. Measure \
          the stiffness, or vary it (extrados vary), and write normal_stiffness and shear_stiffness into [joint] and [ring_joint].";
+    /// What the mobilised strength of soil makes of the load.
+    STRENGTH_RANGE = "A198", "the load depends on how much of the soil's strength is mobilised",
+        "Soil reaches its peak strength only after it has strained, and not everywhere at once: what moves with an arch has \
+         mobilised a part of it. How large a part is not known for any bridge. Every load with a continuum therefore comes with a \
+         range: the lower bound with half of the strength and the upper bound with all of it. mobilised_share in [continuum] says \
+         which share the load of the headline has.";
+    /// Bearing failure.
+    SOIL_BEARS_FIRST = "A199", "the soil fails under the load before the arch does",
+        "In the mechanism of the upper bound the soil is pushed aside below the load and the rings hardly move. The load is then the \
+         bearing capacity of the soil under a rigid plate as long as the load's strip. Surfacing spreads a wheel or a beam further: \
+         model it as a layer of its own with its strength, or give the length over which it spreads the load as contact_length, \
+         with the reason. The arch by itself may carry more.";
+    /// Soil that cannot stand.
+    SOIL_FALLS = "A200", "soil and rings do not carry their own weight",
+        "No stresses within strength were found that carry the weight of the soil and of the blocks. Steep soil without cohesion at \
+         free ends (ends = \"free\"), water above the ground behind the abutments, or a ring too thin for its fill are the usual \
+         reasons. Give the ends a wall (ends = \"slide\"), cohesion that was measured, or look at the ring by itself (as = \
+         \"weight\").";
 }
 
 impl Warning {

@@ -1,6 +1,7 @@
 //! Collapse load by limit analysis.
 
 use super::blank;
+use super::by_bounds::collapse_by_bounds;
 use super::places::{between_rings, edge_at, lines, point, scaled};
 use super::{AnalysisError, notes, picture, pieces};
 use bridge::{Bridge, ContactPoints, Friction, Method, Plan};
@@ -12,7 +13,7 @@ use outcome::collapse::{By, FlowRule};
 use outcome::collapse::{Collapse, LimitReport, Status};
 use outcome::collapse::{FiniteReport, PathReport};
 use outcome::picture::{ContactForce, Hinge, Motion, Picture, Snapshot, ThrustPoint};
-use structure::discretise::{Discretised, discretise, pressure};
+use structure::discretise::{Discretised, continuum, discretise, pressure};
 
 /// How the plan wants limit analysis done: with the compressive strength of the file, where it gives one.
 pub fn settings(bridge: &Bridge) -> limit::Settings {
@@ -69,6 +70,9 @@ fn fully_pressed(bridge: &Bridge) -> Bridge {
 
 /// The load factor at which the blocks as built become a mechanism.
 pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    if continuum::wanted(bridge).is_some() {
+        return collapse_by_bounds(bridge, watch);
+    }
     let d = prepared(bridge)?;
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
@@ -203,6 +207,7 @@ pub(super) fn loads(d: &Discretised, outcome: &limit::Outcome, unlimited: Option
         equilibrium_residual: Some(outcome.equilibrium_residual),
         yield_violation: Some(outcome.yield_violation),
         iterations: outcome.iterations,
+        continuum: None,
     });
 }
 

@@ -22,7 +22,8 @@ pub const OUT_OF_PLANE: &str = "A plane model does not include spandrel walls th
 
 /// Adds what concerns this analysis of a bridge.
 pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
-    let spreads = d.fill.is_none() && d.road.is_none() && bridge.dispersal.rule != DispersalRule::None;
+    let soil = c.limit().is_some_and(|l| l.continuum.is_some());
+    let spreads = !soil && d.fill.is_none() && d.road.is_none() && bridge.dispersal.rule != DispersalRule::None;
     if spreads && !bridge.cover.layers.is_empty() {
         c.assumptions.push(FILL_UNDER_WHEELS.into());
     }

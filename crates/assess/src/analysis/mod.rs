@@ -3,6 +3,7 @@
 mod asked;
 mod bands;
 mod blank;
+pub mod by_bounds;
 pub mod by_dem;
 pub mod by_fe;
 pub mod by_limit;
@@ -67,6 +68,11 @@ pub enum AnalysisError {
     /// The fill cannot be packed.
     #[error(transparent)]
     Packing(#[from] PackingError),
+    /// The continuum has no bounds.
+    #[error(transparent)]
+    Continuum(#[from] mechanics::limit::continuum::ContinuumError),
+    #[error("no layer of the file is modelled as a continuum: write as = \"continuum\" in a [[cover]]")]
+    NoContinuum,
     #[error("no layer of the file is modelled as particles: write as = \"particles\" in a [[cover]]")]
     NoParticles,
     #[error("calibration packs the fill anew for every seed: remove `file` from [particles]")]

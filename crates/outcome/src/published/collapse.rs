@@ -101,6 +101,23 @@ pub fn collapse(c: &Collapse) -> Object {
             yield_violation: l.yield_violation,
             solver_iterations: l.iterations,
             thrust_line: thrust_line(c),
+            ..l.continuum.as_ref().map(|s| object! {
+                bound_ratio: s.bound_ratio,
+                elements: s.elements,
+                mobilised_share: s.mobilised_share,
+                dilatancy_angle_deg: s.dilatancy_angle.to_degrees(),
+                associated_bounds_kn_per_m: s.associated.map(|b| b.map(kilo)),
+                range_shares: s.shares,
+                range_kn_per_m: s.range.map(|r| r.map(kilo)),
+                permanent_share?: s.permanent_share,
+                load_left_out: s.left_out,
+                flow_violation: s.flow_violation,
+                meshes: list(&s.rounds, |(elements, lower, upper)| object! {
+                    elements: *elements,
+                    lower_bound_kn_per_m: per_metre(*lower),
+                    upper_bound_kn_per_m: per_metre(*upper),
+                }),
+            }),
         }),
         ..c.along().map(|p| object! {
             peak_load_kn_per_m: per_metre(c.last_stable_load),

@@ -4,11 +4,15 @@ use super::conic::Ending;
 use super::lower::{Ends, Stresses, lower};
 use super::mesh::Mesh;
 use super::model::Continuum;
+use super::report::{Pressure, motions, of_blocks, pressures};
 use super::setting::{Question, Setting};
 use super::triangulate::{MeshError, triangulate};
 use super::upper::{Motion, jumps, strain_rates, upper};
-use crate::blocks::{BlockModel, Interface, Loading, ModelError};
-use crate::limit::settings::Settings;
+use crate::blocks::{BlockModel, Loading, ModelError};
+use crate::ids::{BlockId, Table};
+use crate::limit::outcome::{Outcome, Status};
+use crate::limit::settings::{Friction, Settings};
+use crate::plane::Vec2;
 use crate::watch::Pace;
 use thiserror::Error;
 
@@ -83,8 +87,12 @@ pub struct Bounds {
     pub share: Option<f64>,
     /// Every mesh.
     pub rounds: Vec<Round>,
-    /// Joints of the blocks.
-    pub interfaces: Vec<Interface>,
+    /// What the bounds say of the blocks: forces of the lower, mechanism of the upper. Without numbers where there are none.
+    pub blocks: Outcome,
+    /// Translation of the centroid [m] and rotation [rad] of each block, in the scale of the velocities of the soil.
+    pub motions: Table<BlockId, (Vec2, f64)>,
+    /// What soil exerts on the blocks at the lower bound.
+    pub pressures: Vec<Pressure>,
 }
 
 impl Bounds {
@@ -92,6 +100,15 @@ impl Bounds {
     pub fn ratio(&self) -> Option<f64> {
         let (lower, upper) = (self.lower.as_ref()?.factor, self.upper.as_ref()?.factor);
         (lower > 0.0).then_some(upper / lower)
+    }
+
+    fn take(&mut self, setting: &Setting<'_>, model: &BlockModel, mesh: Mesh, below: Stresses, above: Motion) {
+        self.gaps = gaps(setting, &mesh, &below, &above);
+        self.status = BoundsStatus::Bounded;
+        self.blocks = of_blocks(setting, model, &below, &above);
+        self.motions = motions(setting, &above);
+        self.pressures = pressures(setting.soil, &mesh, &below);
+        (self.lower, self.upper, self.mesh) = (Some(below), Some(above), mesh);
     }
 }
 
@@ -121,7 +138,9 @@ pub fn collapse_bounds(
         gaps: Vec::new(),
         share: None,
         rounds: Vec::new(),
-        interfaces: setting.interfaces.clone(),
+        blocks: without_numbers(&setting),
+        motions: Table::default(),
+        pressures: Vec::new(),
     };
     loop {
         let below = lower(&setting, &mesh, Question::Factor, pace);
@@ -140,10 +159,8 @@ pub fn collapse_bounds(
         let (Ok(below), Ok(above)) = (below, above) else {
             return Ok(unsolved(&setting, &mesh, bounds, pace));
         };
-        bounds.gaps = gaps(&setting, &mesh, &below, &above);
-        bounds.status = BoundsStatus::Bounded;
         let met = below.factor > 0.0 && above.factor <= wanted.ratio * below.factor;
-        (bounds.lower, bounds.upper, bounds.mesh) = (Some(below), Some(above), mesh);
+        bounds.take(&setting, model, mesh, below, above);
         let count = bounds.mesh.triangles.len();
         pace.reach((count as f64 / wanted.elements as f64).min(0.99));
         if met || count >= wanted.elements {
@@ -178,20 +195,28 @@ pub fn bounds_on(
         _ if cancelled => BoundsStatus::Cancelled,
         _ => BoundsStatus::NotConverged,
     };
-    let gaps = match (&below, &above) {
-        (Ok(below), Ok(above)) => gaps(&setting, mesh, below, above),
-        _ => Vec::new(),
-    };
-    Ok(Bounds {
+    let mut bounds = Bounds {
         status,
-        lower: below.ok(),
-        upper: above.ok(),
+        lower: None,
+        upper: None,
         mesh: mesh.clone(),
-        gaps,
+        gaps: Vec::new(),
         share: None,
         rounds: vec![round],
-        interfaces: setting.interfaces,
-    })
+        blocks: without_numbers(&setting),
+        motions: Table::default(),
+        pressures: Vec::new(),
+    };
+    match (below, above) {
+        (Ok(below), Ok(above)) => bounds.take(&setting, model, mesh.clone(), below, above),
+        (below, above) => (bounds.lower, bounds.upper) = (below.ok(), above.ok()),
+    }
+    Ok(bounds)
+}
+
+/// The joints, and nothing found.
+fn without_numbers(setting: &Setting<'_>) -> Outcome {
+    Outcome::without_numbers(Status::NotConverged, Friction::Associated, setting.interfaces.clone(), 0)
 }
 
 /// What is known where a program was not solved.

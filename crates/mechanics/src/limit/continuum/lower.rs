@@ -173,7 +173,7 @@ impl Ends {
 }
 
 /// `s n` of a stress.
-fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
+pub(super) fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
     vec2(xx * n.x + xy * n.y, xy * n.x + yy * n.y)
 }
 

@@ -6,13 +6,14 @@
 //! bounds differ, the mesh is refined.
 //!
 //! Read in the order of the method: `model` says what is given, `triangulate` and `mesh` cut it up, `yielding` holds the strength, `lower` and
-//! `upper` set up one program each and check what it returns, `conic` solves, `bounds` refines.
+//! `upper` set up one program each and check what it returns, `conic` solves, `bounds` refines, `report` says what it means for the blocks.
 
 mod bounds;
 mod conic;
 mod lower;
 mod mesh;
 mod model;
+mod report;
 mod setting;
 mod triangulate;
 mod upper;
@@ -22,5 +23,6 @@ pub use bounds::{Bounds, BoundsStatus, ContinuumError, Round, Wanted, bounds_on,
 pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
 pub use model::{Bears, Contact, Continuum, Region, Side, Soil, Water, davis};
+pub use report::Pressure;
 pub use triangulate::MeshError;
 pub use upper::Motion;
