@@ -420,6 +420,8 @@ pub enum BenchName {
     Limit,
     /// The same ring along the path of equilibrium, joints with distributed contact, from its weight to past its peak
     Path,
+    /// Bridgemill with its fill as a continuum: both bounds of its load, meshes included
+    Bounds,
     /// The elastic stiffness of a finite element mesh: analysed, assembled, factorised, solved with
     Factor,
     /// A rough footing pushed into yielding ground, in ten load steps

@@ -49,7 +49,7 @@ pub const ALL: &[Example] = &[
         name: "bridgemill",
         about: "the Bridgemill bridge, 18.3 m, tested to collapse",
         main: "case-1.toml",
-        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "pressure.toml", "vehicles.toml", "vary.toml", "assess.toml", "hb-45.toml"),
+        files: files!("bridgemill": "case-1.toml", "case-2.toml", "case-3.toml", "case-4.toml", "whole.toml", "calibration.toml", "parabola.toml", "pressure.toml", "continuum.toml", "vehicles.toml", "vary.toml", "assess.toml", "hb-45.toml"),
     },
     Example {
         name: "railway-arch",
@@ -61,7 +61,7 @@ pub const ALL: &[Example] = &[
         name: "prestwood",
         about: "the Prestwood bridge, 6.55 m, tested to collapse: fill that presses against movement",
         main: "limit.toml",
-        files: files!("prestwood": "limit.toml", "particles.toml"),
+        files: files!("prestwood": "limit.toml", "continuum.toml", "particles.toml"),
     },
     Example {
         name: "tiny",

@@ -75,8 +75,13 @@ pub fn sweep(sweep: &Sweep, out: &str) -> String {
             if let Some(most) = worst.load_factor_at_most {
                 let _ = writeln!(page, "  load factor at most     {most:.4}, which is a bound and no answer");
             }
-            for (name, factor) in [("rigid blocks", worst.rigid_factor), ("joints that give", worst.deformable_factor)]
-            {
+            let others = [
+                ("upper bound there", worst.upper_factor),
+                ("rigid blocks", worst.rigid_factor.filter(|_| worst.upper_factor.is_none())),
+                ("fill as weight", worst.rigid_factor.filter(|_| worst.upper_factor.is_some())),
+                ("joints that give", worst.deformable_factor),
+            ];
+            for (name, factor) in others {
                 if let Some(factor) = factor {
                     let _ = writeln!(page, "  {name:<22}  {factor:.4}");
                 }

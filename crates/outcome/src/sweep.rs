@@ -26,6 +26,10 @@ pub struct SweepPoint {
     pub rigid_factor: Option<f64>,
     /// Least load factor in balance on joints that give.
     pub deformable_factor: Option<f64>,
+    /// Upper bound of the load factor, where fill yields as a continuum: `load_factor` is the lower one then, and `rigid_factor` that of fill
+    /// as weight alone.
+    #[serde(default)]
+    pub upper_factor: Option<f64>,
 }
 
 impl SweepPoint {

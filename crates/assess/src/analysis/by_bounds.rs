@@ -4,8 +4,10 @@ use super::by_limit::{draw, settings};
 use super::places::point;
 use super::{AnalysisError, blank, notes, picture, pieces};
 use bridge::{Bridge, ContinuumPlan};
-use mechanics::blocks::Held;
-use mechanics::limit::continuum::{Bounds, BoundsStatus, Wanted, bounds_on, collapse_bounds};
+use mechanics::blocks::{BlockModel, Held, Loading};
+use mechanics::limit::continuum::{
+    Bounds, BoundsStatus, Continuum, ContinuumError, Mesh, Wanted, collapse_bounds, lower_on, upper_on,
+};
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::{Pace, Watch};
@@ -13,10 +15,8 @@ use outcome::collapse::{By, Collapse, FlowRule, LimitReport, Status};
 use outcome::picture::{Motion, Picture};
 use outcome::soil::{ContinuumReport, Plate, SoilPicture, SoilPressure};
 use structure::discretise::continuum::{Earth, LoadedEarth, Strength, earth, loads};
+use structure::discretise::dispersal::Strip;
 use structure::discretise::{Discretised, discretise};
-
-/// Triangles of the first mesh.
-const FIRST: usize = 400;
 
 /// The share of the soil's strength at the lower end of the range that is reported with every load. What moved in tests of arches
 /// in soil was between this and all of it; the page on the continuum has the sources.
@@ -33,32 +33,89 @@ pub fn collapse_by_bounds(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Coll
     pieces::alone("bounds of the load", true, watch, |pace| whole(bridge, &d, &earth, pace))
 }
 
+/// Both bounds and nothing beside them, with the load at a factor of one [N/m].
+pub fn bounds_alone(bridge: &Bridge, pace: &Pace) -> Result<(Bounds, f64), AnalysisError> {
+    let d = discretise(bridge)?;
+    let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
+    let loaded = earth.loaded(&d, Strength::of(&earth.plan), &loads(bridge))?;
+    let (model, settings, wanted) = (&loaded.model, associated(bridge), wanted(&earth.plan));
+    Ok((collapse_bounds(model, &loaded.loading, &settings, &loaded.continuum, &wanted, pace)?, d.reference_load))
+}
+
+/// A bridge whose loads move: its blocks and its soil, which stay.
+pub(super) struct Moving<'a> {
+    d: &'a Discretised,
+    earth: Earth,
+    settings: Settings,
+}
+
+impl<'a> Moving<'a> {
+    /// Makes the soil once.
+    pub fn new(bridge: &Bridge, d: &'a Discretised) -> Result<Moving<'a>, AnalysisError> {
+        let earth = earth(bridge, d)?.ok_or(AnalysisError::NoContinuum)?;
+        Ok(Moving { d, earth, settings: associated(bridge) })
+    }
+
+    /// The ratio of the bounds that the file wants.
+    pub fn ratio(&self) -> f64 {
+        self.earth.plan.bound_ratio
+    }
+
+    /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it.
+    pub fn factors(
+        &self,
+        strips: &[Strip],
+        ratio: f64,
+        pace: &Pace,
+    ) -> Result<(Status, Option<[f64; 2]>), AnalysisError> {
+        let plan = &ContinuumPlan { bound_ratio: ratio, ..self.earth.plan };
+        let loaded = self.earth.loaded(self.d, Strength::of(plan), strips)?;
+        if loaded.loading.variable.is_empty() {
+            return Ok((Status::Locks, None));
+        }
+        let (settings, wanted) = (&self.settings, wanted(plan));
+        let found = collapse_bounds(&loaded.model, &loaded.loading, settings, &loaded.continuum, &wanted, pace)?;
+        let both = found.lower.as_ref().zip(found.upper.as_ref());
+        Ok((status(&found), both.map(|(l, u)| [l.factor, u.factor])))
+    }
+}
+
+/// Blocks beside a continuum slide as they dilate: so much is a convex program.
+fn associated(bridge: &Bridge) -> Settings {
+    Settings { friction: Friction::Associated, ..settings(bridge) }
+}
+
+fn wanted(plan: &ContinuumPlan) -> Wanted {
+    Wanted { ratio: plan.bound_ratio, elements: plan.elements, ..Wanted::default() }
+}
+
 fn whole(bridge: &Bridge, d: &Discretised, earth: &Earth, pace: &Pace) -> Result<Collapse, AnalysisError> {
     let plan = &earth.plan;
-    let settings = Settings { friction: Friction::Associated, ..settings(bridge) };
+    let (settings, wanted) = (associated(bridge), wanted(plan));
     let strips = loads(bridge);
-    let wanted = Wanted { ratio: plan.bound_ratio, elements: plan.elements, first: FIRST };
     let loaded = earth.loaded(d, Strength::of(plan), &strips)?;
     let bounds =
         collapse_bounds(&loaded.model, &loaded.loading, &settings, &loaded.continuum, &wanted, &pace.part(0, 2))?;
     // The same body with other strengths, on the mesh that was found.
-    let again = |share: f64, dilatancy: f64, part: usize| -> Result<Option<[f64; 2]>, AnalysisError> {
+    type On = fn(&BlockModel, &Loading, &Settings, &Continuum, &Mesh, &Pace) -> Result<Option<f64>, ContinuumError>;
+    let again = |on: On, share: f64, dilatancy: f64, part: usize| -> Result<Option<f64>, AnalysisError> {
         if bounds.status != BoundsStatus::Bounded {
             return Ok(None);
         }
         let other = earth.loaded(d, Strength { share, dilatancy }, &strips)?;
-        let (continuum, mesh, pace) = (&other.continuum, &bounds.mesh, pace.part(3 + part, 6));
-        let found = bounds_on(&other.model, &other.loading, &settings, continuum, mesh, &pace)?;
-        let both = found.lower.zip(found.upper);
-        Ok(both.map(|(l, u)| [d.load(l.factor), d.load(u.factor)]))
+        let (continuum, pace) = (&other.continuum, pace.part(4 + part, 8));
+        let found = on(&other.model, &other.loading, &settings, continuum, &bounds.mesh, &pace)?;
+        Ok(found.map(|factor| d.load(factor)))
     };
-    let steepest = std::f64::consts::FRAC_PI_2;
-    let shares = [LEAST_SHARE.min(plan.mobilised_share), 1.0];
+    let (share, dilatancy) = (plan.mobilised_share, plan.dilatancy_angle);
+    let dilates = std::f64::consts::FRAC_PI_2;
+    let shares = [LEAST_SHARE.min(share), 1.0];
+    let associated = [again(lower_on, share, dilates, 0)?, again(upper_on, share, dilates, 1)?];
+    let range = [again(lower_on, shares[0], dilatancy, 2)?, again(upper_on, 1.0, dilatancy, 3)?];
+    let both = |[low, high]: [Option<f64>; 2]| Some([low?, high?]);
     let report = ContinuumReport {
-        associated: again(plan.mobilised_share, steepest, 0)?,
-        range: again(shares[0], plan.dilatancy_angle, 1)?
-            .zip(again(1.0, plan.dilatancy_angle, 2)?)
-            .map(|(least, most)| [least[0], most[1]]),
+        associated: both(associated),
+        range: both(range),
         shares,
         left_out: loaded.left_out,
         ..described(d, plan, &bounds)

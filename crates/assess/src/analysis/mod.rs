@@ -175,6 +175,8 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
 }
 
 #[cfg(test)]
+mod continuum_tests;
+#[cfg(test)]
 mod headline_tests;
 #[cfg(test)]
 mod path_many_tests;

@@ -4,6 +4,7 @@
 //! answered again without dilation; the worst position is then sought between the positions. With the path of equilibrium as the
 //! plan's method, `deformable` puts the factors of joints that give beside them.
 
+mod continuum;
 mod deformable;
 
 use super::pieces::{self, Pace, Stage};
@@ -75,18 +76,26 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
     let mut whole = rows.len() == list.len();
     whole &= scene.level(&mut rows, whole, watch)?;
     let step = if list.len() > 1 { list[1] - list[0] } else { 0.0 };
-    if whole && list.len() > 1 {
+    let yields = structure::discretise::continuum::wanted(bridge).is_some() && bridge.plan.method == Method::Limit;
+    if whole && list.len() > 1 && !yields {
         whole = scene.refined(&mut rows, step, watch)?;
     }
     let points: Vec<SweepPoint> = rows.iter().map(|row| scene.point(row)).collect();
     let mut found = Sweep { points, governing: None, step, whole, warnings: Vec::new(), assumptions: Vec::new() };
+    if whole && yields {
+        found.whole = continuum::instead(&scene, &rows, &mut found, watch)?;
+    }
     if whole && bridge.plan.method == Method::Path {
         found.whole = deformable::beside(&scene, (&mut rows, step), &mut found, watch)?;
     }
     found.points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let bounds = found.points.iter().enumerate().filter_map(|(k, p)| p.bound().map(|f| (k, f)));
     found.governing = bounds.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k);
-    notes(&mut found, &rows);
+    if yields {
+        found.assumptions.push(Places::UNREFINED.into());
+    } else {
+        notes(&mut found, &rows);
+    }
     found.warnings.extend(taken);
     Ok(found)
 }
@@ -350,6 +359,7 @@ impl Scene<'_> {
             axles: worst.map_or([0, row.axles.saturating_sub(1)], |case| case.axles),
             rigid_factor: None,
             deformable_factor: None,
+            upper_factor: None,
         }
     }
 }

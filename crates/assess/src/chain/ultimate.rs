@@ -1,7 +1,7 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
 use crate::analysis::{self, AnalysisError, Places};
-use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
+use bridge::{Analysis, BackingBody, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, UltimateFacts};
@@ -20,6 +20,9 @@ pub struct Ultimate {
 /// Positions over the shortest span, as in sweeps of vehicles: however long the bridge is, the worst position of a span is
 /// met and then sought between them.
 const POSITIONS_IN_A_SPAN: f64 = 60.0;
+
+/// The same where each position takes seconds: fill that yields as a continuum.
+const BOUNDS_IN_A_SPAN: f64 = 12.0;
 
 /// The bridge for limit analysis, and on joints that give where its plan asks for them: between its walls, fill as weight, loads
 /// through the cover.
@@ -60,11 +63,18 @@ pub fn at_position(bridge: &Bridge, position: f64, watch: &mut dyn Watch) -> Res
     })
 }
 
-/// The bridge with its fill as weight alone, where it presses.
+/// The bridge with its fill as weight alone, where it presses or yields as a continuum.
 pub fn by_weight_alone(bridge: &Bridge) -> Option<Bridge> {
     let mut own = bridge.clone();
-    own.fill_pressure.as_mut().filter(|fill| fill.applies)?.applies = false;
-    Some(own)
+    let yields = own.continuum.take().is_some();
+    if yields {
+        own.cover.layers.iter_mut().for_each(|layer| layer.continuum = false);
+        let backing = own.cover.backing.as_mut().filter(|backing| backing.body == BackingBody::Continuum);
+        backing.into_iter().for_each(|backing| backing.body = BackingBody::Weight);
+    }
+    let presses = own.fill_pressure.as_mut().filter(|fill| fill.applies);
+    let presses = presses.map(|fill| fill.applies = false).is_some();
+    (yields || presses).then_some(own)
 }
 
 /// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that
@@ -76,21 +86,27 @@ pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimat
     let [with, without] = [&found, &lower].map(|one| one.facts.load_factor);
     let told = |factor: Option<f64>| factor.map_or("no factor".to_owned(), |factor| format!("{factor:.3}"));
     let message = format!(
-        "factor on the loads of the file: {} by weight alone, {} with fill pressure; the lower one counts",
+        "factor on the loads of the file: {} by weight alone, {} with {}; the lower one counts",
         told(without),
-        told(with)
+        told(with),
+        if bridge.continuum.is_some() { "soil that yields, its lower bound," } else { "fill pressure" }
     );
     // A bridge that does not stand by weight alone has no factor: that is the lower end.
     let mut counts = if with.is_some_and(|with| without.is_some_and(|without| with < without)) { found } else { lower };
-    counts.facts.load_factor_with_fill_pressure = with;
-    counts.facts.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
+    if bridge.continuum.is_some() {
+        counts.facts.warnings.push(Warning::new(warning::STRENGTH_RANGE, message));
+    } else {
+        counts.facts.load_factor_with_fill_pressure = with;
+        counts.facts.warnings.push(Warning::new(warning::PRESSURE_RANGE, message));
+    }
     Ok(Some(counts))
 }
 
 fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
     let own = of_blocks(bridge);
     let shortest = own.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
-    let sweep = analysis::sweep(&own, Places::Every(shortest / POSITIONS_IN_A_SPAN), true, watch)?;
+    let positions = if own.continuum.is_some() { BOUNDS_IN_A_SPAN } else { POSITIONS_IN_A_SPAN };
+    let sweep = analysis::sweep(&own, Places::Every(shortest / positions), true, watch)?;
     if !sweep.whole {
         return Ok(None);
     }
@@ -102,6 +118,9 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
         method: match bridge.fill_pressure.is_some_and(|fill| fill.applies) {
             _ if gives(bridge) => {
                 "the smaller load of limit analysis (rigid blocks as built) and of the path of equilibrium (joints that give)"
+            }
+            _ if own.continuum.is_some() => {
+                "limit analysis, lower bound of rigid blocks as built beside soil that yields as a continuum"
             }
             true => "limit analysis, rigid blocks as built, fill that presses where the ring moves into it",
             false => "limit analysis, rigid blocks as built, fill by its weight and dispersal alone",

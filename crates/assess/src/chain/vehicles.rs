@@ -14,7 +14,9 @@ use rules::{Confidence, Rule};
 /// Moves the vehicles of the file's [sweep] over the bridge. With fill that presses both ends are made, and the lower one counts:
 /// its sweep is drawn.
 pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts, VehicleSweep), AnalysisError> {
-    let Some(bare) = by_weight_alone(bridge) else {
+    // Vehicles are moved with fill as weight where the file has it yield: minutes a vehicle otherwise.
+    let presses = bridge.fill_pressure.is_some_and(|fill| fill.applies);
+    let Some(bare) = by_weight_alone(bridge).filter(|_| presses) else {
         let found = vehicle_sweep(bridge, watch)?;
         return Ok((vehicle_facts(&found), found));
     };

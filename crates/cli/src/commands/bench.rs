@@ -1,5 +1,6 @@
 //! `extrados bench`: the speed of one method on this machine, on one core unless more are asked for.
 
+mod bounds;
 mod disks;
 mod factor;
 mod footing;
@@ -28,6 +29,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchName::Arch => bridgemill(arguments, arch),
         BenchName::Limit => bridgemill(arguments, limit),
         BenchName::Path => bridgemill(arguments, path),
+        BenchName::Bounds => bounds::run(arguments),
         BenchName::Factor => factor::run(arguments),
         BenchName::Footing => footing::run(desk, arguments),
         BenchName::Passage => passage::run(desk, arguments),
@@ -144,8 +146,12 @@ fn limit(bridge: &Bridge) -> Result<Found, AnalysisError> {
 
 /// Bridgemill, case 1, as it stands in the examples.
 fn case_one() -> Result<Bridge, Failure> {
-    let text =
-        examples::named("bridgemill").and_then(|example| example.files.iter().find(|file| file.name == "case-1.toml"));
+    of_bridgemill("case-1.toml")
+}
+
+/// A file of the example.
+fn of_bridgemill(name: &str) -> Result<Bridge, Failure> {
+    let text = examples::named("bridgemill").and_then(|example| example.files.iter().find(|file| file.name == name));
     let read = text.and_then(|file| bridge::read(file.text.as_bytes()).bridge);
     read.ok_or_else(|| Failure::input("F104", "the example bridgemill cannot be read", "report this"))
 }

@@ -195,6 +195,11 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());
     let factors: &[(&str, Factor)] = match found.is_deformable() {
+        _ if found.points.iter().any(|p| p.upper_factor.is_some()) => &[
+            ("lower bound", |p| p.load_factor),
+            ("upper bound", |p| p.upper_factor),
+            ("fill as weight", |p| p.rigid_factor),
+        ],
         true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
         false => &[("load factor", |p| p.load_factor)],
     };

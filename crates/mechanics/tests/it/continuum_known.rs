@@ -3,7 +3,7 @@
 
 use crate::continuum_tools::{Case, SMOOTH, body, footing, ground, rough, soil, wall};
 use mechanics::blocks::Held;
-use mechanics::limit::continuum::{Bears, Contact, Continuum, Region, Side, Soil, Wanted, Water};
+use mechanics::limit::continuum::{Bears, BoundsStatus, Contact, Continuum, Region, Side, Soil, Wanted, Water};
 use mechanics::plane::vec2;
 use std::f64::consts::PI;
 
@@ -122,4 +122,27 @@ fn a_column_is_crushed_and_torn_at_its_strengths() {
     let held = Held { x: true, y: false, rotation: true };
     let exact = 20.0 * (PI / 4.0 + 35f64.to_radians() / 2.0).tan();
     Case::driven(vec2(0.0, 2.0), 1.0, 0.1, held, vec2(0.0, -1.0), earth).brackets(exact, 1.001, 400);
+}
+
+#[test]
+fn soil_in_a_box_locks_and_sand_with_a_free_face_falls() {
+    let corners = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(2.0, 1.0), vec2(0.0, 1.0)];
+    let [a, b, c, d] = corners;
+    let sand = soil(0.0, 30.0, 1000.0);
+    let region = vec![Region { outline: corners.to_vec(), soil: sand }];
+    let held = Held { x: true, y: false, rotation: true };
+    let sides = vec![
+        ground(a, b, rough(&sand)),
+        ground(b, c, rough(&sand)),
+        ground(d, a, rough(&sand)),
+        body(c, d, rough(&sand)),
+    ];
+    let pressed = Continuum { regions: region.clone(), sides, water: None };
+    let pressed = Case::driven(vec2(0.0, 1.0), 2.0, 0.1, held, vec2(0.0, -1.0), pressed);
+    assert_eq!(pressed.bounds(Wanted::default()).status, BoundsStatus::Locks);
+    let falling = Continuum { regions: region, sides: vec![ground(a, b, rough(&sand))], water: None };
+    let falling = Case::driven(vec2(5.0, 1.0), 2.0, 0.1, held, vec2(0.0, -1.0), falling);
+    let found = falling.bounds(Wanted { ratio: 1.05, elements: 600, first: 100 });
+    assert_eq!(found.status, BoundsStatus::NoEquilibrium);
+    assert!(found.share.unwrap() < 0.01 && found.lower.is_none(), "{:?}", found.share);
 }

@@ -14,6 +14,8 @@ pub fn sweep(bridge: &str, width: f64, sweep: &Sweep) -> Object {
             load_factor_at_most?: p.load_factor_at_most,
             rigid_factor?: p.rigid_factor,
             deformable_factor?: p.deformable_factor,
+            lower_bound_factor?: p.upper_factor.and(p.load_factor),
+            upper_bound_factor?: p.upper_factor,
             last_stable_load_kn_per_m: p.collapse_load.map(kilo),
             last_stable_load_kn: p.collapse_load.map(|l| kilo(l * width)),
             collapse_load_kn_per_m: p.collapse_load.map(kilo),

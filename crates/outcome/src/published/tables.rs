@@ -79,12 +79,12 @@ pub fn blocks(c: &Collapse) -> String {
 pub fn sweep_table(sweep: &Sweep) -> String {
     let mut csv = String::from(
         "position_m,offset_m,status,load_factor,last_stable_load_kn_per_m,collapse_load_kn_per_m,first_axle,last_axle,\
-         rigid_factor,deformable_factor\n",
+         rigid_factor,deformable_factor,upper_bound_factor\n",
     );
     for p in &sweep.points {
         let load = p.collapse_load.map(|l| l / 1e3);
         let axles = p.axles.map(|k| k + 1);
-        let both = [p.rigid_factor, p.deformable_factor];
+        let both = [p.rigid_factor, p.deformable_factor, p.upper_factor];
         row!(&mut csv, p.position, p.offset, p.status.word(), p.load_factor, load, load, axles, both);
     }
     csv

@@ -190,6 +190,13 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
             1e3 * inset
         ));
     }
+    if bridge.continuum.is_some() {
+        found.assumptions.push(
+            "Vehicles are moved with fill as weight and dispersal, though the file has it yield as a continuum: whether the soil bears \
+             a wheel is not asked here (extrados collapse --sweep asks it of the loads of the file)."
+                .into(),
+        );
+    }
     if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
         found.assumptions.push("Fill presses against movement as [fill_pressure] says.".into());
     }

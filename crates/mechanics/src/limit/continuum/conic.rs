@@ -50,6 +50,10 @@ impl Affine {
         sum.terms.extend(self.terms.iter().map(|&(i, v)| (i, v * coefficient)));
         sum.constant += coefficient * self.constant;
     }
+    /// So many times this.
+    pub fn times(&self, coefficient: f64) -> Affine {
+        Affine::sum(&[(coefficient, self)])
+    }
     /// The sum of several, each times its coefficient.
     pub fn sum(parts: &[(f64, &Affine)]) -> Affine {
         let mut sum = Affine::default();
@@ -69,6 +73,8 @@ pub(super) enum Ending {
     Solved,
     /// At rest before that: whether it is an answer is for the checks of what it returned to say.
     Early,
+    /// The cost falls without end.
+    Endless,
     /// Without an answer.
     Unknown,
     /// Stopped on the way.
@@ -198,6 +204,8 @@ impl Conic {
         let ending = match found.status {
             SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved,
             SolverStatus::CallbackTerminated => Ending::Cancelled,
+            // What the solver seeks are the multipliers: none are feasible.
+            SolverStatus::PrimalInfeasible => Ending::Endless,
             SolverStatus::InsufficientProgress | SolverStatus::MaxIterations | SolverStatus::NumericalError => {
                 Ending::Early
             }

@@ -45,15 +45,15 @@ fn traction(stress: &[Affine; 3], n: Vec2) -> [Affine; 2] {
 }
 
 /// Finds the best stress field on a mesh.
-pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace: &Pace) -> Result<Stresses, Ending> {
+pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Stresses, Ending> {
     let mut program = Conic::default();
-    let base = setting.begin(&mut program, question);
-    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
+    let base = setting.begin(&mut program, Question::Factor);
+    let [permanent, variable] = setting.loads_of(Question::Factor).map(|share| share.of(base.factor));
     let unit = setting.force;
     let stresses: Vec<[[Affine; 3]; 3]> = (0..mesh.triangles.len())
         .map(|t| {
             let soil = setting.soil.regions[mesh.regions[t]].soil;
-            mesh.corners(t).map(|at| soil.stress(&mut program, setting.pore(at), unit))
+            mesh.corners(t).map(|at| soil.stress(&mut program, &permanent.times(setting.pore(at)), unit))
         })
         .collect();
     for (t, stress) in stresses.iter().enumerate() {
@@ -104,7 +104,7 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
             let pressure = Affine::sum(&[(-at.normal.x, &t[k][0]), (-at.normal.y, &t[k][1])]);
             let along = at.normal.left();
             let shear = Affine::sum(&[(along.x, &t[k][0]), (along.y, &t[k][1])]);
-            contact.limit(&mut program, &pressure, &shear, setting.pore(at.points[k]), unit);
+            contact.limit(&mut program, &pressure, &shear, &permanent.times(setting.pore(at.points[k])), unit);
         }
         if let Some(block) = block {
             // Force and moment of a traction that is linear along the edge.
@@ -123,10 +123,7 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
         return Err(found.ending);
     }
     let z = &found.variables;
-    let scale = match question {
-        Question::Factor => setting.factor_scale,
-        Question::Share => 1.0,
-    };
+    let scale = setting.factor_scale;
     let values = stresses.iter().map(|s| s.each_ref().map(|s| s.each_ref().map(|a| a.at(z) * unit))).collect();
     let mut field = Stresses {
         factor: z[base.factor] * scale,
@@ -136,11 +133,7 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
         yield_violation: 0.0,
         iterations: found.iterations,
     };
-    let loads = match question {
-        Question::Factor => [1.0, field.factor],
-        Question::Share => [field.factor, 0.0],
-    };
-    (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, &field, loads);
+    (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, &field);
     field.factor -= found.errors[0] * scale;
     let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
     if sound { Ok(field) } else { Err(Ending::Unknown) }
@@ -177,13 +170,13 @@ pub(super) fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
     vec2(xx * n.x + xy * n.y, xy * n.x + yy * n.y)
 }
 
-/// Checks a field from its numbers alone, at what multiplies permanent and variable loads: the largest force out of balance and the largest
-/// force beyond strength, relative to all loads.
-fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses, [permanent, variable]: [f64; 2]) -> (f64, f64) {
+/// Checks a field from its numbers alone: the largest force out of balance and the largest force beyond strength, relative to all loads.
+fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses) -> (f64, f64) {
+    let variable = field.factor;
     let (mut residual, mut beyond) = (0.0f64, 0.0f64);
     for (t, stress) in field.stresses.iter().enumerate() {
         let soil = setting.soil.regions[mesh.regions[t]].soil;
-        let mut sum = (soil.weight * permanent + soil.variable_weight * variable) * mesh.area(t);
+        let mut sum = (soil.weight + soil.variable_weight * variable) * mesh.area(t);
         for (s, g) in stress.iter().zip(gradients(mesh.corners(t))) {
             sum = sum + push(*s, g);
         }
@@ -195,7 +188,7 @@ fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses, [permanent, varia
     }
     let eq = &setting.equilibrium;
     let mut blocks: Vec<f64> = (0..eq.rows)
-        .map(|i| eq.permanent[i] * eq.force * permanent + eq.variable[i] * eq.force / eq.factor_scale * variable)
+        .map(|i| eq.permanent[i] * eq.force + eq.variable[i] * eq.force / eq.factor_scale * variable)
         .collect();
     for (column, f) in eq.columns.iter().zip(&field.forces) {
         column.iter().for_each(|&(i, v)| blocks[i] += v * f);
@@ -212,7 +205,7 @@ fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses, [permanent, varia
         match setting.body(mesh, e) {
             None => {
                 let [p, v] = setting.tractions(mesh, e);
-                let wanted = p * permanent + v * variable;
+                let wanted = p + v * variable;
                 inside.iter().for_each(|t| residual = residual.max(at.length * (*t - wanted).norm()));
             }
             Some((block, contact)) => {
@@ -230,6 +223,6 @@ fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses, [permanent, varia
     let residual = blocks.iter().fold(residual, |m, r| m.max(r.abs()));
     let scaled: Vec<f64> = field.forces.iter().map(|f| f / eq.force).collect();
     let joints = crate::limit::bounds::yield_violation(eq, &setting.joints, &setting.strengths, &scaled) * eq.force;
-    let all = (permanent.abs() * setting.loads[0] + variable.abs() * setting.loads[1]).max(f64::MIN_POSITIVE);
+    let all = (setting.loads[0] + variable.abs() * setting.loads[1]).max(f64::MIN_POSITIVE);
     (residual / all, beyond.max(joints) / all)
 }

@@ -19,7 +19,7 @@ mod triangulate;
 mod upper;
 mod yielding;
 
-pub use bounds::{Bounds, BoundsStatus, ContinuumError, Round, Wanted, bounds_on, collapse_bounds};
+pub use bounds::{Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, collapse_bounds, lower_on, upper_on};
 pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
 pub use model::{Bears, Contact, Continuum, Region, Side, Soil, Water, davis};

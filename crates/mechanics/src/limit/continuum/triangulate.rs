@@ -54,11 +54,11 @@ pub(super) fn triangulate(model: &Continuum, elements: usize) -> Result<Mesh, Me
         net.add_constraint(handles[a], handles[b]);
     }
     let area: f64 = model.regions.iter().map(|r| area(&r.outline)).sum();
+    // What lies beside the regions is refined too, and left out below: told to skip it, spade skips every second region.
     let parameters = RefinementParameters::<f64>::new()
-        .exclude_outer_faces(true)
         .with_angle_limit(AngleLimit::from_deg(LEAST_ANGLE))
         .with_max_allowed_area(2.0 * area / elements as f64)
-        .with_max_additional_vertices(4 * elements + 8 * points.len());
+        .with_max_additional_vertices(8 * elements + 16 * points.len());
     net.refine(parameters);
     let vertices: Vec<Vec2> = net.vertices().map(|v| vec2(v.position().x, v.position().y)).collect();
     let (mut triangles, mut regions) = (Vec::new(), Vec::new());

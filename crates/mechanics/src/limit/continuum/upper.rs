@@ -70,13 +70,12 @@ fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
 /// Control points of an edge as sums of its nodes' values.
 const CONTROL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-0.5, 2.0, -0.5], [0.0, 0.0, 1.0]];
 
-/// Finds the best motion on a mesh.
-pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace: &Pace) -> Result<Motion, Ending> {
+/// The program of a mesh: with it, where the factor stands and the equations of each node, in x and in y.
+fn program(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> (Conic, usize, Vec<usize>) {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, question);
     let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
     let unit = setting.force;
-    let first = setting.equilibrium.rows;
     // Two equations for each node, after what slacks have added: their numbers are kept.
     let rows: Vec<usize> = (0..2 * mesh.nodes()).map(|_| program.equation(0.0)).collect();
     for t in 0..mesh.triangles.len() {
@@ -85,7 +84,7 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
         let gradients = gradients(corners);
         let pores = pores(setting, corners);
         for k in 0..3 {
-            let [xx, yy, xy] = soil.stress(&mut program, pores[k], unit);
+            let [xx, yy, xy] = soil.stress(&mut program, &permanent.times(pores[k]), unit);
             for (node, g) in nodes.into_iter().zip(shapes(gradients, k)) {
                 if g == Vec2::ZERO {
                     continue;
@@ -124,7 +123,7 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
         let [a, b] = at.points;
         let pores = pores_along(setting, at.points);
         for ((point, weights), pore) in [a, (a + b) * 0.5, b].into_iter().zip(CONTROL).zip(pores) {
-            let [pressure, shear] = contact.stress(&mut program, pore, unit);
+            let [pressure, shear] = contact.stress(&mut program, &permanent.times(pore), unit);
             // Traction on the soil.
             let (n, s) = (at.normal, at.normal.left());
             let traction =
@@ -142,22 +141,35 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, question: Question, pace
             }
         }
     }
+    (program, base.factor, rows)
+}
+
+/// Finds the best motion on a mesh.
+pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Motion, Ending> {
+    let (program, _, rows) = program(setting, mesh, Question::Factor);
     let found = program.solve(pace);
     if !matches!(found.ending, Ending::Solved | Ending::Early) {
         return Err(found.ending);
     }
+    let first = setting.equilibrium.rows;
     let blocks: Vec<f64> = found.multipliers[..first].iter().map(|x| -x).collect();
     let velocity = |k: usize| vec2(-found.multipliers[rows[2 * k]], -found.multipliers[rows[2 * k + 1]]);
     let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
     let mut motion = work(setting, mesh, velocities, blocks);
-    motion.factor += found.errors[1]
-        * match question {
-            Question::Factor => setting.factor_scale,
-            Question::Share => 1.0,
-        };
+    motion.factor += found.errors[1] * setting.factor_scale;
     motion.iterations = found.iterations;
     let sound = motion.flow_violation <= SOUND && motion.factor.is_finite() && motion.power > 0.0;
     if sound { Ok(motion) } else { Err(Ending::Unknown) }
+}
+
+/// No more than this share of the permanent loads is carried; one where no motion says less.
+pub(super) fn share(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<f64, Ending> {
+    let (program, share, _) = program(setting, mesh, Question::Share);
+    let found = program.solve(pace);
+    match found.ending {
+        Ending::Solved => Ok((found.variables[share] + found.errors[0] + found.errors[1]).clamp(0.0, 1.0)),
+        other => Err(other),
+    }
 }
 
 /// Strain rates (xx, yy, shear angle) at the corners of a triangle [1/s].

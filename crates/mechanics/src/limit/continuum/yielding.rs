@@ -66,15 +66,16 @@ impl Soil {
         (power - pore * e, violation)
     }
 
-    /// A stress within strength, (xx, yy, xy) as numbers that depend on the program's variables. `unit` is the unit of stress [Pa].
-    pub(super) fn stress(&self, program: &mut Conic, pore: f64, unit: f64) -> [Affine; 3] {
+    /// A stress within strength, (xx, yy, xy) as numbers that depend on the program's variables. `unit` is the unit of stress [Pa], in which the
+    /// pore pressure is given.
+    pub(super) fn stress(&self, program: &mut Conic, pore: &Affine, unit: f64) -> [Affine; 3] {
         let limits: Vec<Limit> = self.limits().iter().map(|l| Limit { k: l.k / unit, ..*l }).collect();
         if limits.iter().any(|l| l.k == 0.0 && l.m == 0.0) {
             // A fluid: pressure alone.
             let p = Affine::of(program.free());
             return [p.clone(), p, Affine::default()];
         }
-        let (first, pore) = (program.cone(), pore / unit);
+        let first = program.cone();
         let [r, x, y] = [first, first + 1, first + 2];
         let steepest = (0..limits.len()).max_by(|&a, &b| limits[a].m.total_cmp(&limits[b].m)).unwrap_or(0);
         // Twice the centre of Mohr's circle, effective.
@@ -101,8 +102,9 @@ impl Soil {
             }
         }
         let total = |sign: f64| {
-            let mut s = Affine { terms: vec![(x, 0.5 * sign)], constant: -pore };
+            let mut s = Affine { terms: vec![(x, 0.5 * sign)], constant: 0.0 };
             p.add_to(&mut s, 0.5);
+            pore.add_to(&mut s, -1.0);
             s
         };
         [total(1.0), total(-1.0), Affine { terms: vec![(y, 0.5)], constant: 0.0 }]
@@ -140,9 +142,8 @@ impl Contact {
     }
 
     /// Demands of a pressure and a shear stress that they lie within strength. All in the unit of stress.
-    pub(super) fn limit(&self, program: &mut Conic, pressure: &Affine, shear: &Affine, pore: f64, unit: f64) {
-        let mut effective = pressure.clone();
-        effective.constant -= pore / unit;
+    pub(super) fn limit(&self, program: &mut Conic, pressure: &Affine, shear: &Affine, pore: &Affine, unit: f64) {
+        let mut effective = Affine::sum(&[(1.0, pressure), (-1.0, pore)]);
         let cohesion = self.cohesion / unit;
         if self.friction == 0.0 && cohesion == 0.0 {
             program.zero(shear);
@@ -161,7 +162,7 @@ impl Contact {
     }
 
     /// A pressure and a shear stress within strength, as numbers that depend on the program's variables.
-    pub(super) fn stress(&self, program: &mut Conic, pore: f64, unit: f64) -> [Affine; 2] {
+    pub(super) fn stress(&self, program: &mut Conic, pore: &Affine, unit: f64) -> [Affine; 2] {
         let cohesion = self.cohesion / unit;
         if self.friction < STEEP {
             let (pressure, shear) = (Affine::of(program.free()), Affine::of(program.free()));
@@ -177,7 +178,7 @@ impl Contact {
             room.constant += self.tension / unit;
             program.at_least_zero(&room);
         }
-        pressure.constant += pore / unit;
+        pore.add_to(&mut pressure, 1.0);
         [pressure, Affine { terms: vec![(a, 0.5), (b, -0.5)], constant: 0.0 }]
     }
 }

@@ -1,0 +1,120 @@
+//! A bridge whose fill yields as a continuum: what leads its result, what its picture holds, and how its loads move.
+
+use super::*;
+use mechanics::watch::Unwatched;
+use outcome::collapse::Status;
+use outcome::published;
+
+/// A ring of 4 m under half a metre of soil, in few words.
+const FILE: &str = r#"
+[bridge]
+name = "small"
+width = "4 m"
+[[span]]
+profile = "segmental"
+span = "4 m"
+rise = "1 m"
+thickness = "0.3 m"
+voussoirs = 21
+[[cover]]
+layer = "fill"
+as = "continuum"
+thickness = "0.4 m"
+density = "1900 kg/m^3"
+friction_angle = "34 deg"
+cohesion = "3 kPa"
+[continuum]
+bound_ratio = 1.15
+[masonry]
+density = "2200 kg/m^3"
+compressive_strength = "unlimited"
+[joint]
+friction_angle = "35 deg"
+cohesion = "0 kPa"
+[dispersal]
+rule = "uniform"
+slope = "2:1"
+[[load]]
+name = "axle"
+kind = "axles"
+axle_forces = ["100 kN"]
+axle_spacings = []
+contact_length = "0.3 m"
+effective_width = "2.5 m"
+at = "1/4 of span 1"
+[analysis]
+method = "limit"
+"#;
+
+fn small() -> Bridge {
+    let read = bridge::read(FILE.as_bytes());
+    read.bridge.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+}
+
+#[test]
+fn the_lower_bound_leads_and_both_stand_beside_it() {
+    let b = small();
+    let found = collapse(&b, None, &mut Unwatched).unwrap();
+    assert_eq!(found.status, Status::Collapsed);
+    let limit = found.limit().unwrap();
+    let report = limit.continuum.as_ref().unwrap();
+    let (lower, upper) = (limit.lower_bound.unwrap(), limit.upper_bound.unwrap());
+    assert_eq!(found.carried(), Some(lower));
+    assert_eq!((found.last_stable_load, found.collapse_load), (Some(lower), Some(upper)));
+    assert!(lower < upper && upper <= 1.15 * lower && report.bound_ratio.unwrap() <= 1.15);
+    // Half of the strength carries less, soil that dilates more.
+    let [least, most] = report.range.unwrap();
+    assert!(least < lower && (most / upper - 1.0).abs() < 0.05, "{least} {lower} {most} {upper}");
+    assert!(report.associated.unwrap()[0] > lower);
+    assert!(limit.equilibrium_residual.unwrap() < 1e-6 && report.flow_violation.unwrap() < 1e-5);
+    let codes: Vec<&str> = found.warnings.iter().map(|w| w.code).collect();
+    assert!(codes.contains(&"A198") && !codes.contains(&"A111"), "{codes:?}");
+    assert!(found.assumptions.iter().any(|a| a.contains("plates")));
+    // The words on weight alone and on dispersal would not be true.
+    assert!(!found.assumptions.iter().any(|a| a.contains("Loads spread") || a.contains("Dispersal is a rule")));
+
+    let soil = found.picture.soil.as_ref().unwrap();
+    assert_eq!(soil.triangles.len(), report.elements);
+    assert!(soil.motions.iter().all(|m| m[0].hypot(m[1]) <= 1.0 + 1e-12));
+    assert!((soil.gaps.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+    // What presses on the blocks is the weight of the soil over them and the load, but for what goes to ground and ends beside them.
+    let down: f64 = soil
+        .pressures
+        .iter()
+        .map(|p| {
+            let [a, b] = p.ends;
+            let (run, rise) = (b[0] - a[0], b[1] - a[1]);
+            let [pressure, shear] = [p.pressure, p.shear].map(|v| 0.5 * (v[0] + v[1]));
+            pressure * run - shear * rise
+        })
+        .sum();
+    let ends = soil.pressures.iter().flat_map(|p| p.ends).map(|p| p[0]);
+    let (from, to) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    let over = soil.triangles.iter().map(|corners| corners.map(|k| soil.points[k]));
+    let over = over.filter(|c| (from..to).contains(&((c[0][0] + c[1][0] + c[2][0]) / 3.0)));
+    let area: f64 = over.map(|[a, b, c]| 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))).sum();
+    let whole = 1900.0 * 9.81 * area + lower;
+    assert!((down / whole - 1.0).abs() < 0.1, "{down} {whole}");
+    let told = published::collapse(&found);
+    for key in ["lower_bound_kn_per_m", "upper_bound_kn_per_m", "bound_ratio", "elements", "mobilised_share"] {
+        assert!(told.contains_key(key), "{key}");
+    }
+}
+
+#[test]
+fn loads_that_move_have_both_bounds_and_are_mirrored() {
+    let b = small();
+    let found = sweep(&b, Places::Between([0.4, 3.6], 3), true, &mut Unwatched).unwrap();
+    assert!(found.whole && found.points.len() == 3);
+    for point in &found.points {
+        let (lower, upper) = (point.load_factor.unwrap(), point.upper_factor.unwrap());
+        assert!(lower <= upper && upper <= 1.2 * lower + 1e-9, "{lower} {upper}");
+    }
+    for (a, b) in found.points.iter().zip(found.points.iter().rev()) {
+        // The mesh is not mirrored; the bounds of both sides are of one load.
+        assert!(a.load_factor.unwrap() <= b.upper_factor.unwrap() * (1.0 + 1e-6));
+    }
+    let worst = found.worst().unwrap();
+    assert!(worst.upper_factor.unwrap() <= 1.15 * worst.load_factor.unwrap(), "the worst one as close as wanted");
+    assert!(!found.is_deformable());
+}
