@@ -118,3 +118,12 @@ fn loads_that_move_have_both_bounds_and_are_mirrored() {
     assert!(worst.upper_factor.unwrap() <= 1.15 * worst.load_factor.unwrap(), "the worst one as close as wanted");
     assert!(!found.is_deformable());
 }
+
+#[test]
+fn vehicles_say_that_they_take_a_continuum_as_weight() {
+    let text = format!("{FILE}\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\n");
+    let read = bridge::read(text.as_bytes());
+    let b = read.bridge.unwrap_or_else(|| panic!("{:?}", read.diagnostics));
+    let found = vehicle_sweep(&b, &mut Unwatched).unwrap();
+    assert!(found.assumptions.iter().any(|a| a.contains("continuum")), "{:?}", found.assumptions);
+}
