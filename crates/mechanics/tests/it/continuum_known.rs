@@ -146,3 +146,18 @@ fn soil_in_a_box_locks_and_sand_with_a_free_face_falls() {
     assert_eq!(found.status, BoundsStatus::NoEquilibrium);
     assert!(found.share.unwrap() < 0.01 && found.lower.is_none(), "{:?}", found.share);
 }
+
+#[test]
+fn soil_over_a_trapdoor_and_behind_a_rough_wall_carries_what_others_computed() {
+    // Clay twice as deep as the opening is wide, pressed from above: an independent program has bounds of 3.640 and 3.682 cohesions.
+    let clay = soil(1.0, 0.0, 0.0);
+    let corners = [(0.0, 0.0), (0.5, 0.0), (5.0, 0.0), (5.0, 2.0), (0.0, 2.0)].map(|(x, y)| vec2(x, y));
+    let [a, b, c, d, e] = corners;
+    let pressed = Side { ends: [d, e], bears: Bears::Load { permanent: vec2(0.0, 0.0), variable: vec2(0.0, -1.0) } };
+    let sides = vec![ground(b, c, rough(&clay)), ground(c, d, SMOOTH), pressed, ground(e, a, SMOOTH)];
+    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil: clay }], sides, water: None };
+    Case::alone(earth).brackets(3.66, 1.05, 1500);
+    // Friction of two thirds on a passive wall: Sokolovskii's field of slip lines has a horizontal part of 4.939.
+    let contact = Contact { friction: 20f64.to_radians().tan(), cohesion: 0.0, tension: f64::INFINITY };
+    wall(soil(0.0, 30.0, 1000.0), contact, true, 7.0).brackets(4.939 * 500.0, 1.05, 1500);
+}
