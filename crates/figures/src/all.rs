@@ -31,7 +31,8 @@ pub fn both(name: &str, svg: &str) -> Result<[File; 2], RasterError> {
     ])
 }
 
-/// The ParaView files: one VTU a snapshot for blocks, contacts, particles and their forces, the series, and the mechanism.
+/// The ParaView files: one VTU a snapshot for blocks, contacts, particles and their forces, the series, the mechanism, and soil
+/// that yields.
 pub fn paraview(picture: &Picture) -> Vec<File> {
     let mut files = Vec::new();
     let mut put = |name: String, text: String| {
@@ -39,6 +40,9 @@ pub fn paraview(picture: &Picture) -> Vec<File> {
     };
     if let Some(text) = vtk::mechanism(picture) {
         put("mechanism.vtu".into(), text);
+    }
+    if let Some(text) = vtk::soil(picture) {
+        put("soil.vtu".into(), text);
     }
     let moments = vtk::moments(picture);
     type Writer = fn(&Picture, usize) -> Option<String>;

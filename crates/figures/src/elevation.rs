@@ -108,21 +108,26 @@ fn foot(picture: &Picture, middle: Point) -> f64 {
 pub fn surface_loads(sheet: &mut Sheet, view: &View, picture: &Picture) {
     sheet.open("surface-loads");
     for &(middle, length) in &picture.surface_loads {
-        let [x, y] = view.spot([middle[0], foot(picture, middle)]);
-        let half = (0.5 * length.max(0.0) * view.scale()).max(2.0);
-        let gaps = ((2.0 * half / 9.0).round() as usize).clamp(0, 24);
-        let (top, tip) = (y - ARROW, y - 1.5);
-        let pen = Pen::line(LOAD, MEDIUM).class("load");
-        for k in 0..=gaps {
-            let at = if gaps == 0 { x } else { x - half + 2.0 * half * k as f64 / gaps as f64 };
-            sheet.arrow([at, top], [at, tip], pen);
-        }
-        if gaps > 0 {
-            sheet.line([x - half, top], [x + half, top], pen);
-        }
-        sheet.avoid(Area { left: x - half - 3.0, right: x + half + 3.0, top, bottom: y });
+        let spot = view.spot([middle[0], foot(picture, middle)]);
+        load_bar(sheet, spot, 0.5 * length.max(0.0) * view.scale());
     }
     sheet.close();
+}
+
+/// A load on the sheet: a bar of twice `half` over a row of arrows that end at a level.
+pub fn load_bar(sheet: &mut Sheet, [x, y]: [f64; 2], half: f64) {
+    let half = half.max(2.0);
+    let gaps = ((2.0 * half / 9.0).round() as usize).clamp(0, 24);
+    let (top, tip) = (y - ARROW, y - 1.5);
+    let pen = Pen::line(LOAD, MEDIUM).class("load");
+    for k in 0..=gaps {
+        let at = if gaps == 0 { x } else { x - half + 2.0 * half * k as f64 / gaps as f64 };
+        sheet.arrow([at, top], [at, tip], pen);
+    }
+    if gaps > 0 {
+        sheet.line([x - half, top], [x + half, top], pen);
+    }
+    sheet.avoid(Area { left: x - half - 3.0, right: x + half + 3.0, top, bottom: y });
 }
 
 /// Length of the longest load arrow on the sheet.
@@ -249,7 +254,18 @@ pub enum Sign {
     Thrust,
     /// A contact stress.
     Contact,
+    /// A principal stress that presses, and one that pulls.
+    Compression,
+    Tension,
+    /// Pressure on the backs of blocks, and shear along them.
+    Pressure,
+    Shear,
 }
+
+/// Colour of principal stresses that pull.
+pub const TENSION: &str = "#b35900";
+/// Colours of pressures on the backs: area and line.
+pub const PRESSURE: [&str; 2] = ["#bcd4ea", "#1f5fa8"];
 
 /// Colour of sliding joints.
 pub const SLIDING: &str = "#0b5394";
@@ -276,6 +292,18 @@ impl Sign {
                 sheet.rectangle(area, Pen::shape(&hatch, INK, HAIR));
             }
             Sign::Thrust => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(THRUST, crate::sheet::THICK)),
+            Sign::Compression => sheet.line([x - 10.0, y], [x + 10.0, y], Pen::line(INK, 1.1)),
+            Sign::Tension => {
+                sheet.line([x - 8.0, y], [x + 8.0, y], Pen::line(TENSION, 0.9));
+                for end in [x - 8.0, x + 8.0] {
+                    sheet.line([end, y - 2.5], [end, y + 2.5], Pen::line(TENSION, 0.9));
+                }
+            }
+            Sign::Pressure => {
+                let area = Area { left: x - 10.0, right: x + 10.0, top: y - 5.0, bottom: y + 5.0 };
+                sheet.rectangle(area, Pen::shape(PRESSURE[0], PRESSURE[1], THIN));
+            }
+            Sign::Shear => sheet.arrow([x - 8.0, y], [x + 8.0, y], Pen::line(INK, THIN)),
             Sign::Contact => sheet.line([x, y - 7.0], [x, y + 7.0], Pen::line(INK, 1.6)),
         }
     }

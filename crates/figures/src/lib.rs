@@ -36,6 +36,7 @@ mod passage;
 mod raster;
 mod sheet;
 mod sliding;
+mod soil;
 mod stiffness;
 mod stress;
 mod study;
@@ -64,6 +65,9 @@ pub use mesh::mesh;
 pub use packing::packing;
 pub use passage::{passage, passage_drawings, passage_records, passage_ring};
 pub use raster::{RasterError, png};
+pub use soil::mechanism::soil_mechanism;
+pub use soil::pressure::soil_pressure;
+pub use soil::stress::soil_stress;
 pub use stress::{most_compressive, stress};
 pub use study::{heat_map, name_and_unit, response, study, study_drawings, tornado};
 pub use thrust::thrust_line;
@@ -84,4 +88,7 @@ pub const FIGURES: &[Figure] = &[
     chains::FIGURE,
     displaced::FIGURE,
     fill_stress::FIGURE,
+    soil::mechanism::FIGURE,
+    soil::stress::FIGURE,
+    soil::pressure::FIGURE,
 ];

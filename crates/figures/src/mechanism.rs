@@ -6,7 +6,7 @@ use crate::figure::Figure;
 use crate::geometry::{Extent, Turn, View, as_built, centroid, largest_displacement, moved};
 use crate::sheet::place::Room;
 use crate::sheet::{Pen, Sheet, Spot, Style};
-use crate::words;
+use crate::{soil, words};
 use outcome::picture::{Hinge, HingeAt, Picture, Point, Shape};
 
 /// See [`Figure`].
@@ -16,6 +16,9 @@ pub(crate) const FIGURE: Figure = Figure { name: "mechanism", caption: "Mechanis
 const SHARE: f64 = 0.05;
 /// The same where a loading block sinks into particles, which stand as packed.
 const SHARE_IN_FILL: f64 = 0.02;
+
+/// The same where fill moves as a continuum: more would turn its triangles inside out.
+const SHARE_IN_SOIL: f64 = 0.03;
 
 /// With more hinges than this they are drawn small and without labels, which would hide the drawing; the place of
 /// the circle tells the edge.
@@ -30,32 +33,66 @@ fn edge_words(edge: HingeAt) -> &'static str {
     }
 }
 
+/// How fill that yields as a continuum is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Ground {
+    /// Pale, behind the blocks.
+    Pale,
+    /// Coloured by the power that it dissipates.
+    Dissipating,
+}
+
 /// The mechanism, exaggerated, over the faint bridge as built; hinges, sliding joints and loads marked. None where
 /// the analysis found no mechanism.
 pub fn mechanism(picture: &Picture) -> Option<String> {
+    drawn(picture, Ground::Pale)
+}
+
+/// The mechanism with its fill in one way or the other.
+pub(crate) fn drawn(picture: &Picture, ground: Ground) -> Option<String> {
+    let coloured = soil::of(picture).filter(|_| ground == Ground::Dissipating);
     let motions = picture.mechanism.as_deref().filter(|m| m.len() == picture.shapes.len())?;
     let built = as_built(&picture.shapes)?;
     let size = built.size()[0].max(built.size()[1]);
-    let largest = largest_displacement(&picture.shapes, motions, Turn::Small);
-    let share = if picture.particles.is_empty() { SHARE } else { SHARE_IN_FILL };
+    let of_blocks = largest_displacement(&picture.shapes, motions, Turn::Small);
+    let largest = of_blocks.max(soil::largest_motion(picture));
+    let share = match soil::of(picture) {
+        Some(_) => SHARE_IN_SOIL,
+        None if picture.particles.is_empty() => SHARE,
+        None => SHARE_IN_FILL,
+    };
     let scale = if largest > 0.0 { share * size / largest } else { 0.0 };
     let place = |k: usize| moved(&picture.shapes[k], motions[k], scale, Turn::Small);
 
-    let mut sheet = Sheet::new("mechanism");
+    let (name, what) = match coloured {
+        Some(_) => ("soil-mechanism", "Mechanism of blocks and fill"),
+        None => ("mechanism", "Mechanism"),
+    };
+    let mut sheet = Sheet::new(name);
     draw::define_hatch(&mut sheet);
     let second = match draw::collapse_load(picture) {
-        Some(load) if picture.moves_supports => format!("Mechanism at a support movement of {}", words::metres(load)),
-        Some(load) => format!("Mechanism at collapse, {}", words::force(load)),
-        None => "Mechanism".to_string(),
+        Some(load) if picture.moves_supports => format!("{what} at a support movement of {}", words::metres(load)),
+        Some(load) => format!("{what} at collapse, {}", words::force(load)),
+        None => what.to_string(),
     };
     let top = draw::heading(&mut sheet, picture, &second);
     let deformed = Extent::of((0..motions.len()).flat_map(&place)).unwrap_or(built);
     let extent = draw::extent(picture).map_or(deformed, |e| e.with(deformed));
+    let extent = soil::around(extent, picture, scale);
     // Labels of hinges and tails of arrows stand above and below the blocks.
-    let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
+    let frame = draw::frame(extent, top + soil::above(picture), draw::TALLEST);
     let view = View::fit(extent, frame);
     draw::faint_surface(&mut sheet, &view, picture);
     discs::pale(&mut sheet, &view, picture, None);
+    if soil::of(picture).is_some() {
+        soil::open(&mut sheet, &view, extent);
+        soil::ghost(&mut sheet, &view, picture);
+        soil::pale(&mut sheet, &view, picture, scale);
+        if let Some(soil) = coloured {
+            soil::mechanism::dissipating(&mut sheet, &view, soil, scale);
+        }
+        sheet.close();
+    }
     draw::ghost(&mut sheet, &view, &picture.shapes);
     draw::blocks(&mut sheet, &view, &picture.shapes, place);
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, place);
@@ -65,6 +102,7 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
         }
     }
     draw::load_arrows(&mut sheet, &view, picture, Some((motions, scale)));
+    soil::plates(&mut sheet, &view, picture, scale);
 
     let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
     let room = Room::between(top, frame.bottom + 20.0);
@@ -86,11 +124,14 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     if !picture.sliding.is_empty() {
         entries.push((Sign::Sliding, "sliding joint"));
     }
-    if !picture.loads.is_empty() {
+    if !picture.loads.is_empty() || soil::loaded(picture) {
         entries.push((Sign::Load, "load"));
     }
     entries.push((Sign::AsBuilt, if picture.surface.len() > 1 { "as built, and road surface" } else { "as built" }));
     y = draw::key(&mut sheet, y + 2.0, &entries);
+    if coloured.is_some() {
+        y = soil::mechanism::key(&mut sheet, y + 6.0);
+    }
     let shown = words::metres(scale * largest);
     let mut caption = if picture.moves_supports {
         format!("The largest displacement is drawn as {shown} at the scale of the bar.")
@@ -101,6 +142,8 @@ pub fn mechanism(picture: &Picture) -> Option<String> {
     };
     if !picture.particles.is_empty() {
         caption += " Particles are drawn as packed.";
+    } else if coloured.is_some() {
+        caption += " Dark bands in the fill are slip lines.";
     } else if !picture.loads.is_empty() {
         caption = format!("{caption} {}", draw::LOAD_WORDS);
     }

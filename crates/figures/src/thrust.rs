@@ -7,7 +7,7 @@ use crate::geometry::{View, as_built};
 use crate::mechanism::mark_hinges;
 use crate::sheet::place::Room;
 use crate::sheet::{Area, Pen, Sheet, Style, THICK};
-use crate::words;
+use crate::{soil, words};
 use outcome::picture::{Picture, Point, ThrustPoint};
 
 /// See [`Figure`].
@@ -17,8 +17,7 @@ pub(crate) const FIGURE: Figure =
 /// The ring with its line of thrust, hinges, loads, and the size of the thrust at springings and crown. None
 /// without a line of thrust.
 pub fn thrust_line(picture: &Picture) -> Option<String> {
-    let drawable = |line: &&Vec<ThrustPoint>| line.len() > 1;
-    if !picture.thrust_lines.iter().any(|l| drawable(&l)) {
+    if !picture.thrust_lines.iter().any(|line| drawable(&line)) {
         return None;
     }
     let built = as_built(&picture.shapes)?;
@@ -28,6 +27,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     let at_rest = picture.last_stable.and_then(|k| picture.snapshots.get(k)).map(|s| s.load);
     let second = match (at_rest, draw::collapse_load(picture)) {
         _ if picture.moves_supports => "Line of thrust".to_string(),
+        _ if soil::of(picture).is_some() => "Line of thrust at the lower bound of the load".to_string(),
         (Some(rest), Some(collapse)) if rest < collapse => {
             format!("Line of thrust at the last stable load, {}", words::force(rest))
         }
@@ -35,24 +35,17 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         _ => "Line of thrust".to_string(),
     };
     let top = draw::heading(&mut sheet, picture, &second);
-    let extent = draw::extent(picture).unwrap_or(built);
-    let frame = draw::frame(extent, top + 14.0, draw::TALLEST);
+    let extent = soil::around(draw::extent(picture).unwrap_or(built), picture, 0.0);
+    let frame = draw::frame(extent, top + soil::above(picture), draw::TALLEST);
     let view = View::fit(extent, frame);
     discs::pale(&mut sheet, &view, picture, None);
+    soil::behind(&mut sheet, &view, extent, picture);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::faint_surface(&mut sheet, &view, picture);
     draw::load_arrows(&mut sheet, &view, picture, None);
-    sheet.open("thrust-lines");
-    for line in picture.thrust_lines.iter().filter(drawable) {
-        let points: Vec<Point> =
-            line.iter().map(|t| t.point).filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
-        let spots = view.spots(&points);
-        sheet.polyline(&spots, Pen::line(THRUST, THICK).class("thrust"));
-        // Short enough that the rectangles around its parts hug the line.
-        spots.windows(2).filter_map(Area::around).for_each(|a| sheet.avoid(a.grown(2.0)));
-    }
-    sheet.close();
+    soil::plates(&mut sheet, &view, picture, 0.0);
+    lines(&mut sheet, &view, picture);
 
     let room = Room::between(top, frame.bottom + 20.0);
     let middle = [0.5 * (built.low[0] + built.high[0]), 0.5 * (built.low[1] + built.high[1])];
@@ -80,7 +73,7 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
     if !hinges.is_empty() {
         entries.push((Sign::Hinge, "hinge"));
     }
-    if !picture.loads.is_empty() {
+    if !picture.loads.is_empty() || soil::loaded(picture) {
         entries.push((Sign::Load, "load"));
     }
     y = draw::key(&mut sheet, y + 2.0, &entries);
@@ -88,6 +81,25 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         y = sheet.caption(y, draw::LOAD_WORDS);
     }
     Some(sheet.finish(y))
+}
+
+/// Whether a line has points enough.
+fn drawable(line: &&Vec<ThrustPoint>) -> bool {
+    line.len() > 1
+}
+
+/// The lines of thrust themselves.
+pub(crate) fn lines(sheet: &mut Sheet, view: &View, picture: &Picture) {
+    sheet.open("thrust-lines");
+    for line in picture.thrust_lines.iter().filter(drawable) {
+        let points: Vec<Point> =
+            line.iter().map(|t| t.point).filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
+        let spots = view.spots(&points);
+        sheet.polyline(&spots, Pen::line(THRUST, THICK).class("thrust"));
+        // Short enough that the rectangles around its parts hug the line.
+        spots.windows(2).filter_map(Area::around).for_each(|a| sheet.avoid(a.grown(2.0)));
+    }
+    sheet.close();
 }
 
 /// Whether a line rises more than it runs: that of a pier.

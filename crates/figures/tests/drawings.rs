@@ -487,3 +487,118 @@ fn twenty_thousand_particles_stay_within_some_megabytes() {
         assert!(svg.len() < 4_000_000, "{name}: {} bytes", svg.len());
     }
 }
+
+/// Names of the figures that only soil has.
+const OF_SOIL: [&str; 3] = ["soil-mechanism", "soil-stress", "soil-pressure"];
+
+#[test]
+fn no_figure_of_soil_without_soil() {
+    let with: Vec<String> =
+        figures::drawings(&sample::soils::two_triangles()).into_iter().map(|(name, _)| name).collect();
+    assert!(OF_SOIL.iter().all(|name| with.iter().any(|n| n == name)), "{with:?}");
+    for (name, mut picture) in sample::every() {
+        picture.soil = None;
+        for (kind, svg) in figures::drawings(&picture) {
+            assert!(!kind.starts_with("soil") && !svg.contains("class=\"soil"), "{name}/{kind}");
+        }
+    }
+}
+
+#[test]
+fn slip_is_coloured_and_what_stands_is_one_pale_outline() {
+    let picture = sample::soils::two_triangles();
+    let svg = figures::soil_mechanism(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    // One of the two triangles dissipates.
+    let slips = classed(&document, "path", "slip");
+    assert_eq!(slips.len(), 1);
+    assert_eq!(slips[0].attribute("d").unwrap().matches('M').count(), 1);
+    let outlines = classed(&document, "path", "soil-outline");
+    assert_eq!(outlines[0].attribute("d").unwrap().split(' ').count(), 8, "four corners");
+    assert_eq!(classed(&document, "polyline", "plate").len(), 1);
+    assert!(texts(&document).iter().any(|t| t.ends_with("at collapse, 12 kN/m")), "{:?}", texts(&document));
+    // The soil is moved in the scale of the blocks: its lower side half as far as the block.
+    let corner = |d: &str| -> f64 { d[1..].split(' ').next().unwrap().parse().unwrap() };
+    let ghost = classed(&document, "path", "soil-ghost")[0].attribute("d").unwrap().to_owned();
+    let of_soil = corner(outlines[0].attribute("d").unwrap()) - corner(&ghost);
+    let of_block = points(&classed(&document, "polygon", "block")[0])[0][0]
+        - points(&classed(&document, "polygon", "ghost")[0])[0][0];
+    // All rounded to a hundredth of a unit.
+    assert!(of_block > 5.0 && (of_soil - 0.5 * of_block).abs() < 0.03, "{of_soil} {of_block}");
+}
+
+#[test]
+fn the_largest_pressure_is_named_and_drawn_to_its_scale() {
+    let picture = sample::soils::two_triangles();
+    let svg = figures::soil_pressure(&picture).unwrap();
+    let document = Document::parse(&svg).unwrap();
+    let words = texts(&document);
+    assert!(words.iter().any(|t| t == "20 kPa"), "{words:?}");
+    assert!(words.iter().any(|t| t.contains("Largest pressure: 20 kPa. Largest shear stress: 3 kPa.")), "{words:?}");
+    // The bar stands for the largest round pressure, here the largest itself; the mark of that stands as high over the back.
+    let bar = points(&classed(&document, "polyline", "pressure-bar")[0]);
+    let back = points(&classed(&document, "polygon", "block")[0])[2];
+    let mark = &classed(&document, "circle", "largest")[0];
+    assert!((back[1] - number(mark, "cy") - (bar[0][1] - bar[1][1])).abs() < 0.03);
+    // Shear on the block is negative: against the way from the first end to the second.
+    let arrow = points(&classed(&document, "polyline", "shear")[0]);
+    assert!(arrow[1][0] < arrow[0][0]);
+}
+
+#[test]
+fn principal_stresses_press_or_pull_and_are_told_apart() {
+    let path = |picture: &Picture, class: &str| {
+        let svg = figures::soil_stress(picture).unwrap();
+        let document = Document::parse(&svg).unwrap();
+        let count = |n: Node| n.children().filter_map(|p| Some(p.attribute("d")?.matches('M').count())).sum::<usize>();
+        (classed(&document, "g", class).into_iter().map(count).sum::<usize>(), texts(&document))
+    };
+    let mut picture = sample::soils::two_triangles();
+    let (pressing, words) = path(&picture, "compression");
+    assert!(pressing > 200 && !words.contains(&"tension".to_owned()), "{pressing}");
+    assert_eq!(path(&picture, "tension").0, 0);
+    picture.soil.as_mut().unwrap().stresses = vec![[[5e3, -20e3, 0.0]; 3]; 2];
+    let (pulling, words) = path(&picture, "tension");
+    // Each with a short bar at both ends.
+    assert_eq!(pulling, 3 * path(&picture, "compression").0);
+    assert!(words.contains(&"tension".to_owned()) && words.contains(&"20 kPa".to_owned()), "{words:?}");
+}
+
+#[test]
+fn ten_thousand_triangles_stay_within_half_a_megabyte() {
+    let mut picture = sample::soils::under_fill(2, 48);
+    let soil = picture.soil.as_mut().unwrap();
+    assert!(soil.triangles.len() > 10_000);
+    // Neighbours of one class share an outline; these share none.
+    soil.dissipation = (0..soil.triangles.len()).map(|t| 1.2e-3 * (1.0 + (t % 12) as f64).powi(3)).collect();
+    for (name, svg) in figures::drawings(&picture) {
+        assert!(svg.len() < 600_000, "{name}: {} bytes", svg.len());
+    }
+}
+
+#[test]
+fn soil_that_is_not_a_number_does_no_harm() {
+    let mut picture = sample::soils::soiled();
+    let soil = picture.soil.as_mut().unwrap();
+    soil.points[3] = [f64::NAN, 1.0];
+    soil.points[4] = [1e300, 1.0];
+    soil.motions[70] = [f64::INFINITY, 0.0];
+    soil.stresses[9] = [[f64::NAN; 3]; 3];
+    soil.dissipation[5] = f64::NAN;
+    soil.pressures[2].pressure = [f64::NAN; 2];
+    soil.pressures[3].ends = [[0.0; 2]; 2];
+    soil.plates[0].motions[0] = [f64::NAN; 2];
+    for (name, svg) in figures::drawings(&picture) {
+        Document::parse(&svg).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+    }
+    let soil = picture.soil.as_mut().unwrap();
+    soil.stresses.pop();
+    soil.dissipation.clear();
+    soil.pressures.clear();
+    let names: Vec<String> = figures::drawings(&picture).into_iter().map(|d| d.0).collect();
+    assert!(!names.iter().any(|n| n.starts_with("soil")), "{names:?}");
+    picture.soil.as_mut().unwrap().triangles[0] = [0, 1, usize::MAX];
+    assert!(figures::vtk::soil(&picture).is_none());
+    assert!(figures::mechanism(&picture).is_some());
+}

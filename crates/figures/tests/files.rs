@@ -249,3 +249,27 @@ fn a_mesh_reads_back_as_written() {
         MeshPicture { nodes: vec![], quads: vec![], zone_of: vec![], interfaces: vec![], base: vec![], ..mesh };
     Document::parse(&figures::mesh("Nothing", &nothing)).unwrap();
 }
+
+#[test]
+fn soil_reads_back_as_written() {
+    let picture = sample::soils::two_triangles();
+    let file = figures::vtk::soil(&picture).unwrap();
+    let document = Document::parse(&file).unwrap();
+    let piece = document.descendants().find(|n| n.has_tag_name("Piece")).unwrap();
+    assert_eq!((piece.attribute("NumberOfPoints"), piece.attribute("NumberOfCells")), (Some("4"), Some("2")));
+    assert_eq!(wholes(&document, "connectivity"), [0, 1, 2, 0, 2, 3]);
+    assert_eq!(wholes(&document, "offsets"), [3, 6]);
+    assert_eq!(bytes(&document, "types"), [5, 5]);
+    assert_eq!(wholes(&document, "region"), [0, 0]);
+    assert_eq!(reals(&document, "dissipation"), [1.0, 0.0]);
+    assert_eq!(reals(&document, "gap"), [0.75, 0.25]);
+    assert_eq!(reals(&document, "motion")[..6], [0.5, 0.0, 0.0, 0.5, 0.0, 0.0]);
+    // The mean of three equal thirds.
+    let stress = [-2e3, 1e3, 0.0, 1e3, -10e3, 0.0, 0.0, 0.0, 0.0];
+    for (read, written) in reals(&document, "stress")[9..].iter().zip(stress) {
+        assert!((read - written).abs() < 1e-9, "{read} {written}");
+    }
+    let names: Vec<String> = figures::paraview(&picture).into_iter().map(|f| f.name).collect();
+    assert!(names.contains(&"paraview/soil.vtu".to_owned()), "{names:?}");
+    assert!(figures::vtk::soil(&sample::arch()).is_none());
+}

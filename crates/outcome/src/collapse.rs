@@ -233,7 +233,7 @@ pub struct LimitReport {
     pub iterations: u32,
     /// What soil that yields as a continuum adds.
     #[serde(default)]
-    pub continuum: Option<crate::soil::ContinuumReport>,
+    pub continuum: Option<Box<crate::soil::ContinuumReport>>,
 }
 
 words! {

@@ -181,7 +181,7 @@ fn reported(
         equilibrium_residual: bounds.lower.as_ref().map(|l| l.equilibrium_residual),
         yield_violation: bounds.lower.as_ref().map(|l| l.yield_violation),
         iterations: bounds.blocks.iterations,
-        continuum: Some(report),
+        continuum: Some(Box::new(report)),
         ..LimitReport::default()
     });
     notes::continuum(bridge, d, &mut c);

@@ -57,4 +57,19 @@ impl Sheet {
                 writeln!(self.body, "<path d=\"{path}\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.3\"/>");
         }
     }
+    /// Closed chains of points as one path; chains with a coordinate that is not finite are left out.
+    pub fn loops(&mut self, loops: &[Vec<Spot>], pen: Pen) {
+        let mut path = String::new();
+        for chain in loops.iter().filter(|c| c.len() > 2 && c.iter().flatten().all(|x| x.is_finite())) {
+            for (k, spot) in chain.iter().enumerate() {
+                let _ = write!(path, "{}{} {}", if k == 0 { "M" } else { " " }, number(spot[0]), number(spot[1]));
+            }
+            path.push('Z');
+        }
+        if !path.is_empty() {
+            let _ = write!(self.body, "<path d=\"{path}\"");
+            pen.write(&mut self.body);
+            self.body.push_str(" stroke-linejoin=\"round\"/>\n");
+        }
+    }
 }

@@ -5,6 +5,7 @@ mod contacts;
 mod mesh;
 mod particles;
 mod series;
+mod soil;
 mod write;
 
 pub use blocks::{blocks, mechanism, role_number};
@@ -12,4 +13,5 @@ pub use contacts::contacts;
 pub use mesh::mesh;
 pub use particles::{particle_forces, particles};
 pub use series::{moments, series};
+pub use soil::soil;
 pub(crate) use write::{Array, Grid};

@@ -1,6 +1,7 @@
 //! Invented results in the shape of real ones, to try drawings on. No number here is a result.
 #![allow(dead_code)]
 
+pub mod soils;
 pub mod studies;
 pub mod updates;
 
@@ -15,6 +16,16 @@ fn shape(outline: Vec<Point>, role: &str, held: bool) -> Shape {
 
 fn rectangle(left: f64, right: f64, low: f64, high: f64) -> Vec<Point> {
     vec![[left, low], [right, low], [right, high], [left, high]]
+}
+
+/// Two triangles for each cell of a grid so many points wide and so many cells high.
+fn square_cells(wide: usize, rows: usize) -> Vec<[usize; 3]> {
+    let corner = |row: usize, k: usize| row * wide + k;
+    let cell = |row: usize, k: usize| {
+        let (a, b) = (corner(row, k), corner(row + 1, k));
+        [[a, a + 1, b + 1], [a, b + 1, b]]
+    };
+    (0..rows).flat_map(|row| (0..wide - 1).flat_map(move |k| cell(row, k))).collect()
 }
 
 /// Joints of a segmental ring from left to right: intrados and extrados point.
@@ -518,6 +529,8 @@ pub fn every() -> Vec<(&'static str, Picture)> {
         ("wall", falling_wall()),
         ("block", single_block()),
         ("filled", filled()),
+        ("soiled", soils::soiled()),
+        ("two triangles", soils::two_triangles()),
         ("empty", Picture { title: "Nothing".into(), ..Picture::default() }),
     ]
 }

@@ -178,7 +178,7 @@ fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses) -> (f64, f64) {
         let soil = setting.soil.regions[mesh.regions[t]].soil;
         let mut sum = (soil.weight + soil.variable_weight * variable) * mesh.area(t);
         for (s, g) in stress.iter().zip(gradients(mesh.corners(t))) {
-            sum = sum + push(*s, g);
+            sum += push(*s, g);
         }
         residual = residual.max(sum.norm());
         let size = mesh.area(t).sqrt();
