@@ -9,6 +9,7 @@ use bridge::{Analysis, ContactLength, ContactPoints, Friction, JointContact, Met
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use extrados::StageName;
+use outcome::validation::Predictor;
 use std::path::PathBuf;
 use verification::footing::Ground;
 
@@ -58,6 +59,8 @@ pub enum Command {
     Schema(Schema),
     /// Run the verification cases and print their table
     Verify(Verify),
+    /// Predict every field test of a folder by every method from one set of prior values: table and figure of prediction over test
+    Validate(Validate),
     /// Measure the speed of one method on this machine
     Bench(Bench),
 }
@@ -384,6 +387,23 @@ pub struct Verify {
     pub manual: Option<PathBuf>,
 }
 
+/// `extrados validate`.
+#[derive(Debug, Args)]
+pub struct Validate {
+    /// Folder with priors.toml and a folder for each test
+    #[arg(default_value = "validation")]
+    pub folder: PathBuf,
+    /// Folder for results [default: out/validate]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Only the test in the folder of this name; repeat the flag, or write commas, for more
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    pub only: Vec<String>,
+    /// Only these methods, with commas [default: all but particles, which take hours]
+    #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = one_of(PREDICTORS))]
+    pub methods: Vec<Predictor>,
+}
+
 /// `extrados bench`.
 #[derive(Debug, Args)]
 pub struct Bench {
@@ -443,6 +463,15 @@ pub const STAGES: &[Word<StageName>] = &[
     ("vehicles", "The vehicles of [sweep]", StageName::Vehicles),
     ("support-movement", "The support that moves", StageName::SupportMovement),
     ("sensitivity", "What would change the verdict", StageName::Sensitivity),
+];
+
+/// Methods of `validate`.
+pub const PREDICTORS: &[Word<Predictor>] = &[
+    ("weight", Predictor::Weight.about(), Predictor::Weight),
+    ("pressure", Predictor::Pressure.about(), Predictor::Pressure),
+    ("continuum", Predictor::Continuum.about(), Predictor::Continuum),
+    ("path", Predictor::Path.about(), Predictor::Path),
+    ("particles", Predictor::Particles.about(), Predictor::Particles),
 ];
 
 /// Ground under the footing of `bench footing`.

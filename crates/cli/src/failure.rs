@@ -114,6 +114,14 @@ findings::cards! {
                with `place`, a table or a folder beside the file) and at least one [[parameter]] with a range. At \
                least one channel of the records must be usable: the message lists what was found in them. Columns are \
                named after sensors, or assigned to them by `column` in [[channel]].";
+    "F131", "no field tests found",
+        "`extrados validate FOLDER` needs a folder with priors.toml and a folder for each test. Without FOLDER it looks in validation/ of \
+        the current folder. The tests come with the source and not with the program: run it in a clone, or name the folder. --only \
+        names tests that the folder has.";
+    "F132", "a field test cannot be read",
+        "Each test is a folder with bridge.toml (geometry and load, without materials) and test.toml (what was measured, from where, how \
+        certain); priors.toml beside them states density, strength and friction for all tests. The message names the file, the key and \
+        what is wrong with it; validation/README.md lists the keys.";
 }
 
 impl Failure {

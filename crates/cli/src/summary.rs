@@ -4,6 +4,7 @@ mod assess;
 mod passage;
 mod records;
 mod update;
+mod validation;
 mod vary;
 mod vehicles;
 
@@ -11,6 +12,7 @@ pub use self::assess::assessment;
 pub use passage::passage;
 pub use records::records;
 pub use update::update;
+pub use validation::validation;
 pub use vary::vary;
 pub use vehicles::vehicles;
 

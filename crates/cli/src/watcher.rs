@@ -98,8 +98,16 @@ fn draw(bar: &ProgressBar, progress: &Progress) -> Wish {
 }
 
 /// A bar that counts pieces of work.
-pub fn count(quiet: bool, pieces: usize) -> ProgressBar {
-    bar(quiet, pieces as u64)
+pub fn count(quiet: bool, pieces: u64) -> ProgressBar {
+    bar(quiet, pieces)
+}
+
+/// A piece of work is done that is as large as so many.
+pub fn counted_by(bar: &ProgressBar, pieces: u64, what: &str) {
+    bar.inc(pieces);
+    let share = bar.position() as f64 / bar.length().unwrap_or(1).max(1) as f64;
+    bar.set_message(what.to_owned());
+    signs::tell(&format!("last done: {what}"), Some(share));
 }
 
 /// A piece of work is done.

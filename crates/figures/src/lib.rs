@@ -44,6 +44,7 @@ mod thinned;
 mod thrust;
 mod ticks;
 mod update;
+mod validation;
 mod vehicles;
 pub mod vtk;
 mod words;
@@ -72,6 +73,7 @@ pub use stress::{most_compressive, stress};
 pub use study::{heat_map, name_and_unit, response, study, study_drawings, tornado};
 pub use thrust::thrust_line;
 pub use update::{UPDATE_FIGURES, update, update_drawings};
+pub use validation::{validation, validation_drawing};
 pub use vehicles::vehicles;
 pub use words::four_digits;
 

@@ -15,6 +15,7 @@ pub mod soil;
 pub mod study;
 pub mod sweep;
 pub mod update;
+pub mod validation;
 pub mod vehicles;
 pub mod warning;
 mod words;

@@ -15,6 +15,7 @@ mod manual;
 mod measure;
 mod service;
 mod tables;
+pub mod validation;
 
 pub use case::{Case, CaseError, Class, Expect, Kind, Value};
 pub use judge::{Judged, Judgement, Verdict, run};

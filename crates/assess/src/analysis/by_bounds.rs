@@ -24,13 +24,22 @@ pub const LEAST_SHARE: f64 = 0.5;
 
 /// Both bounds of the load.
 pub fn collapse_by_bounds(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    found(bridge, true, watch)
+}
+
+/// The same with the strength of the file alone: neither the range over shares of it, nor soil that dilates.
+pub fn with_strength_of_the_file(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    found(bridge, false, watch)
+}
+
+fn found(bridge: &Bridge, others: bool, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
     let Some(earth) = earth(bridge, &d)? else { return Err(AnalysisError::NoContinuum) };
-    pieces::alone("bounds of the load", true, watch, |pace| whole(bridge, &d, &earth, pace))
+    pieces::alone("bounds of the load", true, watch, |pace| whole(bridge, &d, &earth, others, pace))
 }
 
 /// Both bounds and nothing beside them, with the load at a factor of one [N/m].
@@ -89,7 +98,13 @@ fn wanted(plan: &ContinuumPlan) -> Wanted {
     Wanted { ratio: plan.bound_ratio, elements: plan.elements, ..Wanted::default() }
 }
 
-fn whole(bridge: &Bridge, d: &Discretised, earth: &Earth, pace: &Pace) -> Result<Collapse, AnalysisError> {
+fn whole(
+    bridge: &Bridge,
+    d: &Discretised,
+    earth: &Earth,
+    others: bool,
+    pace: &Pace,
+) -> Result<Collapse, AnalysisError> {
     let plan = &earth.plan;
     let (settings, wanted) = (associated(bridge), wanted(plan));
     let strips = loads(bridge);
@@ -99,7 +114,7 @@ fn whole(bridge: &Bridge, d: &Discretised, earth: &Earth, pace: &Pace) -> Result
     // The same body with other strengths, on the mesh that was found.
     type On = fn(&BlockModel, &Loading, &Settings, &Continuum, &Mesh, &Pace) -> Result<Option<f64>, ContinuumError>;
     let again = |on: On, share: f64, dilatancy: f64, part: usize| -> Result<Option<f64>, AnalysisError> {
-        if bounds.status != BoundsStatus::Bounded {
+        if !others || bounds.status != BoundsStatus::Bounded {
             return Ok(None);
         }
         let other = earth.loaded(d, Strength { share, dilatancy }, &strips)?;

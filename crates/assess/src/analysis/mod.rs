@@ -36,6 +36,7 @@ pub use by_path::collapse_by_path;
 pub use movement::support_movement;
 pub use of_blocks::{blocks_as_built, collapse_of_blocks};
 pub use planned::planned;
+pub use stiffened::stiffened;
 pub use sweep::{Places, sweep};
 pub use thickness::thickness;
 pub use vehicles::vehicle_sweep;

@@ -19,7 +19,7 @@ pub(super) fn for_paths(bridge: &Bridge) -> Option<(Bridge, Option<Warning>)> {
 }
 
 /// The bridge with a stiffness for all of its joints, where its units have a modulus.
-pub(super) fn stiffened(bridge: &Bridge) -> Bridge {
+pub fn stiffened(bridge: &Bridge) -> Bridge {
     let mut own = bridge.clone();
     let Some([normal, shear]) = taken(bridge) else { return own };
     let walls = own.spandrel_wall.iter_mut().map(|wall| &mut wall.joint);

@@ -12,6 +12,7 @@ mod new;
 mod respond;
 mod schema;
 mod update;
+mod validate;
 mod vary;
 mod vehicles;
 mod verify;
@@ -121,6 +122,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Vehicles(arguments) => vehicles::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
+        Command::Validate(arguments) => validate::run(desk, arguments).map(Answer::from),
         Command::Bench(arguments) => bench::run(desk, arguments).map(Answer::from),
     }
 }

@@ -35,6 +35,7 @@ const UPDATE: &[&str] = &["result", "sweeps", "samples"];
 const VARY: &[&str] = &["result", "tornado", "curve-*", "heat-map", "vary"];
 const ASSESS: &[&str] = &["result", "report", "checks"];
 const FLEET: &[&str] = &["result", "fleet"];
+const VALIDATE: &[&str] = &["result", "validation"];
 const CALIBRATE: &[&str] = &["result", "stress-strain", "moduli", "sample", "curve"];
 const CHECK: &[&str] = &["bridge", "mesh"];
 
@@ -49,6 +50,7 @@ impl Purpose {
             "vary" => [VARY, &[]],
             "assess" => [ASSESS, &[]],
             "fleet" => [FLEET, &[]],
+            "validate" => [VALIDATE, &[]],
             "calibrate" => [CALIBRATE, &[]],
             _ => [CHECK, &[]],
         };

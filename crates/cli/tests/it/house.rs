@@ -62,7 +62,7 @@ fn every_crate_and_top_folder_is_in_the_architecture() {
         let place = format!("`crates/{}", entry.file_name().to_string_lossy());
         assert!(page.contains(&place), "ARCHITECTURE.md does not name {place}`");
     }
-    for folder in ["examples", "docs", "verification", ".ci"] {
+    for folder in ["examples", "docs", "validation", "verification", ".ci"] {
         assert!(page.contains(&format!("`{folder}/")), "ARCHITECTURE.md does not name {folder}");
     }
 }

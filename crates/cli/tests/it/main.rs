@@ -28,6 +28,7 @@ mod tiny;
 mod tutorials;
 mod twins;
 mod update;
+mod validate;
 mod vary;
 mod varying;
 mod vehicle_files;

@@ -26,7 +26,7 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let folder = Folder::prepare(&out, Purpose::new("fleet", &arguments.file, &paths))?;
     let program = program::hash();
     signs::keeps("out", folder.path(), KEPT);
-    let bar = watcher::count(desk.screen.quiet, paths.len());
+    let bar = watcher::count(desk.screen.quiet, paths.len() as u64);
     let rows: Vec<Option<FleetRow>> = paths
         .par_iter()
         .map(|file| {

@@ -1,0 +1,268 @@
+//! Predictions over tests: one row a bridge, one line a method, on a logarithmic axis with the test at 1.
+
+mod marks;
+
+use crate::all::{File, both};
+use crate::chart::Axis;
+use crate::elevation::INK;
+use crate::raster::RasterError;
+use crate::sheet::{Anchor, Area, GREY_TEXT, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use marks::{colour, mark};
+use outcome::validation::{Bias, Prediction, Predictor, Tested, Validation};
+
+/// Height of one method's line.
+const LINE: f64 = 17.0;
+/// Gap between two bridges.
+const GAP: f64 = 9.0;
+/// Room for words to the right of the plane.
+const WORDS: f64 = 176.0;
+/// Side on which a method predicts more than the test carried.
+const TOO_HIGH: &str = "#fbeee6";
+const ALARM: &str = "#a02020";
+/// The axis never shows less than this, nor more than that: what goes beyond ends in an arrow.
+const FARTHEST: [f64; 2] = [0.02, 20.0];
+
+/// The figure of a validation, as the files it is written to.
+pub fn validation(found: &Validation) -> Result<Vec<File>, RasterError> {
+    let drawing = validation_drawing(found).map(|svg| both("validation", &svg)).transpose()?;
+    Ok(drawing.into_iter().flatten().collect())
+}
+
+/// The same as SVG. None without a prediction.
+pub fn validation_drawing(found: &Validation) -> Option<String> {
+    let methods: Vec<Predictor> = found.statistics.iter().map(|one| one.by).collect();
+    let range = range(found)?;
+    let mut sheet = Sheet::new("validation");
+    let top = sheet.title(
+        "Prediction over test",
+        "Bridges loaded to collapse, all predicted from one set of prior values; nothing is fitted to a test",
+    );
+    let plane = Plane::new(found, methods.len(), top, range);
+    plane.draw(&mut sheet);
+    for (row, test) in found.tests.iter().enumerate() {
+        plane.test(&mut sheet, row, test);
+    }
+    plane.all(&mut sheet, found);
+    let one = plane.x(1.0);
+    sheet.line([one, plane.area.top], [one, plane.area.bottom], Pen::line(INK, 1.6).class("test"));
+    let bottom = key(&mut sheet, plane.area.bottom + 48.0, found, &methods);
+    let caption = "Thick: priors at their least and their largest values. Thin: dimensions that were not read at the ends of their intervals \
+                   too. An arrow goes on beyond the axis. Right: prediction over test.";
+    let bottom = sheet.caption(bottom + 2.0, caption);
+    let bottom = sheet.caption(bottom, &doubts(found));
+    Some(sheet.finish(bottom))
+}
+
+/// What a reader should know of tests, after their marks.
+fn doubts(found: &Validation) -> String {
+    let mut words = String::new();
+    if found.tests.iter().any(|test| !test.recalled.is_empty()) {
+        words += "† Some dimensions were not read: remembered or assumed.";
+    }
+    if found.tests.iter().any(|test| test.doubt.is_some()) {
+        words += " ‡ The test may not be a fair one.";
+    }
+    words.trim().to_owned()
+}
+
+/// First and last value of the axis: everything that is shown, and 1.
+fn range(found: &Validation) -> Option<[f64; 2]> {
+    let of = |test: &Tested, one: &Prediction| {
+        let ends = [one.by_priors, one.by_dimensions].into_iter().flatten().flatten();
+        let loads = ends.chain(one.load).chain(one.half_strength).chain(one.dilating);
+        loads.filter(|load| *load > 0.0).map(|load| test.over(load)).collect::<Vec<_>>()
+    };
+    let every = || found.tests.iter().flat_map(|test| test.predictions.iter().flat_map(move |one| of(test, one)));
+    let (low, high) = (every().reduce(f64::min)?, every().reduce(f64::max)?);
+    Some([(0.85 * low.min(0.7)).max(FARTHEST[0]), (1.18 * high.max(1.5)).min(FARTHEST[1])])
+}
+
+/// Where everything is drawn.
+struct Plane {
+    area: Area,
+    range: [f64; 2],
+    methods: usize,
+    /// The top of each row: tests, and all of them together.
+    rows: Vec<f64>,
+}
+
+impl Plane {
+    fn new(found: &Validation, methods: usize, top: f64, range: [f64; 2]) -> Plane {
+        let bold = Style { weight: font::Weight::Bold, ..Style::default() };
+        let names =
+            found.tests.iter().map(|test| font::width(&name(test), bold.size, bold.weight)).fold(96.0, f64::max);
+        let high = LINE * methods as f64 + GAP;
+        let rows: Vec<f64> = (0..=found.tests.len()).map(|row| top + 26.0 + high * row as f64).collect();
+        let area = Area {
+            left: MARGIN + names + 14.0,
+            right: WIDTH - MARGIN - WORDS,
+            top: top + 22.0,
+            bottom: top + 26.0 + high * rows.len() as f64,
+        };
+        Plane { area, range, methods, rows }
+    }
+
+    fn x(&self, over: f64) -> f64 {
+        let [low, high] = self.range;
+        let share = (over.clamp(low, high) / low).ln() / (high / low).ln();
+        self.area.left + share * (self.area.right - self.area.left)
+    }
+
+    /// The middle of a method's line in a row.
+    fn y(&self, row: usize, method: usize) -> f64 {
+        self.rows[row] + 0.5 * GAP - 3.0 + LINE * (method as f64 + 0.5)
+    }
+
+    fn draw(&self, sheet: &mut Sheet) {
+        let Area { left, right, top, bottom } = self.area;
+        let small = Style { size: SMALL, ..Style::default() };
+        sheet.open("axes");
+        sheet.rectangle(Area { left: self.x(1.0), right, top, bottom }, Pen::shape(TOO_HIGH, "none", 0.0));
+        let axis = Axis::logarithmic("prediction over test", self.range[0], self.range[1]);
+        for &value in &axis.ticks.values {
+            let x = self.x(value);
+            sheet.line([x, top], [x, bottom], Pen::line("#d0d0d0", HAIR));
+            sheet.line([x, bottom], [x, bottom + 5.0], Pen::line(INK, 0.9));
+            sheet.text([x, bottom + 19.0], &axis.words(value), small.anchored(Anchor::Middle));
+        }
+        for &row in &self.rows[1..] {
+            sheet.line([MARGIN, row], [WIDTH - MARGIN, row], Pen::line("#b0b0b0", HAIR));
+        }
+        sheet.rectangle(self.area, Pen::line(INK, 0.9));
+        sheet.text([0.5 * (left + right), bottom + 38.0], axis.name, Style::default().anchored(Anchor::Middle));
+        let grey = Style { colour: GREY_TEXT, ..small };
+        sheet.text([self.x(1.0) - 8.0, top - 6.0], "careful", grey.anchored(Anchor::End));
+        sheet.text([self.x(1.0) + 8.0, top - 6.0], "more than the test carried", grey);
+        sheet.close();
+    }
+
+    fn test(&self, sheet: &mut Sheet, row: usize, test: &Tested) {
+        let bold = Style { weight: font::Weight::Bold, ..Style::default() };
+        let middle = self.rows[row] + 0.5 * (GAP + LINE * self.methods as f64);
+        let edge = self.area.left - 12.0;
+        sheet.text([edge, middle - 3.0], &name(test), bold.anchored(Anchor::End));
+        let load = format!("{:.0} kN", test.carried / 1e3);
+        let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
+        sheet.text([edge, middle + 13.0], &load, grey.anchored(Anchor::End));
+        for (line, one) in test.predictions.iter().enumerate() {
+            let y = self.y(row, line);
+            let over = |load: f64| test.over(load);
+            self.interval(sheet, y, one.by_dimensions.map(|ends| ends.map(over)), 1.0, colour(one.by));
+            self.interval(sheet, y, one.by_priors.map(|ends| ends.map(over)), 4.0, colour(one.by));
+            for other in [one.half_strength, one.dilating].into_iter().flatten() {
+                self.tick(sheet, over(other), y, colour(one.by));
+            }
+            if let Some(load) = one.load {
+                mark(sheet, [self.x(over(load)), y], one.by);
+            }
+            if one.load.is_none() {
+                let words = Style { colour: ALARM, ..Style::on_drawing() };
+                let room = self.area.right - self.area.left - 16.0;
+                let lines = font::wrap(&one.ended.replace('-', " "), SMALL, words.weight, room);
+                let at = [self.area.left + 8.0, y + 0.5 * font::CAPITAL * SMALL];
+                sheet.text(at, lines.first().map_or("", String::as_str), words);
+            }
+            self.words(sheet, y, one.by, &one.load.map_or("no load".to_owned(), |load| number(over(load))));
+        }
+    }
+
+    /// A line from end to end, with an arrow where it goes on beyond the axis.
+    fn interval(&self, sheet: &mut Sheet, y: f64, ends: Option<[f64; 2]>, width: f64, colour: &str) {
+        let Some([low, high]) = ends else { return };
+        let pen = Pen::line(colour, width).class("interval");
+        let (a, b) = (self.x(low), self.x(high));
+        sheet.line([a, y], [b, y], pen);
+        let beyond = [low < self.range[0], high > self.range[1]];
+        for (x, side, beyond) in [(a, -1.0, beyond[0]), (b, 1.0, beyond[1])] {
+            if beyond {
+                let wing = |up: f64| [x - 7.0 * side, y + 4.0 * up];
+                sheet.polygon(&[[x, y], wing(1.0), wing(-1.0)], Pen::shape(colour, colour, HAIR));
+            } else if width < 2.0 {
+                sheet.line([x, y - 3.5], [x, y + 3.5], Pen::line(colour, width));
+            }
+        }
+    }
+
+    /// Another answer of the same method: with half of the strength, or with dilation.
+    fn tick(&self, sheet: &mut Sheet, over: f64, y: f64, colour: &str) {
+        if over >= self.range[0] && over <= self.range[1] {
+            sheet.circle([self.x(over), y], 3.0, Pen::shape("white", colour, MEDIUM).class("other"));
+        }
+    }
+
+    fn words(&self, sheet: &mut Sheet, y: f64, by: Predictor, words: &str) {
+        let small = Style { size: SMALL, ..Style::default() };
+        let drop = y + 0.5 * font::CAPITAL * SMALL;
+        let left = self.area.right + 12.0;
+        sheet.text([left, drop], by.word(), Style { colour: GREY_TEXT, ..small });
+        sheet.text([left + 76.0, drop], words, small);
+    }
+
+    /// Medians of all tests with one standard deviation of the logarithm to both sides.
+    fn all(&self, sheet: &mut Sheet, found: &Validation) {
+        let row = self.rows.len() - 1;
+        let bold = Style { weight: font::Weight::Bold, ..Style::default() };
+        let middle = self.rows[row] + 0.5 * (GAP + LINE * self.methods as f64);
+        let edge = self.area.left - 12.0;
+        sheet.text([edge, middle - 3.0], "all tests", bold.anchored(Anchor::End));
+        let grey = Style { size: SMALL, colour: GREY_TEXT, ..Style::default() };
+        sheet.text([edge, middle + 13.0], "median, scatter", grey.anchored(Anchor::End));
+        for (line, one) in found.statistics.iter().enumerate() {
+            let y = self.y(row, line);
+            let Bias { by, median: Some(median), scatter, .. } = one else {
+                self.words(sheet, y, one.by, "no number");
+                continue;
+            };
+            if let Some(scatter) = scatter {
+                let ends = [median * (-scatter).exp(), median * scatter.exp()];
+                self.interval(sheet, y, Some(ends), 1.6, colour(*by));
+            }
+            mark(sheet, [self.x(*median), y], *by);
+            let spread = scatter.map_or(String::new(), |scatter| format!(", {}", number(scatter)));
+            self.words(sheet, y, *by, &format!("{}{spread}", number(*median)));
+        }
+    }
+}
+
+/// Name of a bridge with the marks of what is doubtful.
+fn name(test: &Tested) -> String {
+    let memory = if test.recalled.is_empty() { "" } else { "†" };
+    let doubt = if test.doubt.is_some() { "‡" } else { "" };
+    format!("{}{memory}{doubt}", test.name)
+}
+
+fn number(over: f64) -> String {
+    format!("{over:.2}")
+}
+
+/// What marks mean; returns the y below.
+fn key(sheet: &mut Sheet, top: f64, found: &Validation, methods: &[Predictor]) -> f64 {
+    let style = Style { size: SMALL, ..Style::default() };
+    let (mut x, mut y) = (MARGIN, top + 14.0);
+    let mut place = |sheet: &mut Sheet, words: &str, draw: &dyn Fn(&mut Sheet, [f64; 2])| {
+        let wide = 24.0 + font::width(words, SMALL, style.weight);
+        if x > MARGIN && x + wide > WIDTH - MARGIN {
+            (x, y) = (MARGIN, y + 18.0);
+        }
+        draw(sheet, [x + 9.0, y - 4.0]);
+        sheet.text([x + 22.0, y], words, style);
+        x += wide + 18.0;
+        y
+    };
+    sheet.open("key");
+    let mut bottom = top;
+    for &by in methods {
+        bottom = place(sheet, &format!("{}: {}", by.word(), by.about()), &|sheet, at| mark(sheet, at, by));
+    }
+    let others = |one: &Prediction| one.half_strength.is_some() || one.dilating.is_some();
+    if found.tests.iter().any(|test| test.predictions.iter().any(others)) {
+        let words = "continuum with half of its strength (left) and with dilation (right)";
+        let pen = Pen::shape("white", colour(Predictor::Continuum), MEDIUM);
+        bottom = place(sheet, words, &|sheet, at| sheet.circle(at, 3.0, pen));
+    }
+    sheet.close();
+    bottom + 6.0
+}
+
+#[cfg(test)]
+mod tests;

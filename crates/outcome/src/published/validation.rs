@@ -1,0 +1,123 @@
+//! `extrados.validate/1` and its table.
+
+use super::{Object, each, kilo, list, object, row};
+use crate::validation::{Bias, Prediction, Tested, Validation};
+
+/// The fields of a validation.
+pub fn validation(found: &Validation) -> Object {
+    object! {
+        tests: list(&found.tests, |test| object! {
+            name: test.name,
+            title: test.title,
+            test_kn: kilo(test.carried),
+            test_mark: test.carried_mark,
+            failed: test.failed,
+            doubt?: test.doubt,
+            from_memory: test.recalled,
+            predictions: list(&test.predictions, |one| prediction(test, one)),
+        }),
+        statistics: list(&found.statistics, statistics),
+    }
+}
+
+fn prediction(test: &Tested, one: &Prediction) -> Object {
+    let over = |load: Option<f64>| load.map(|load| test.over(load));
+    let both = |ends: Option<[f64; 2]>| ends.map(|ends| ends.map(|load| test.over(load)));
+    object! {
+        method: one.by,
+        ended: one.ended,
+        prediction_kn: one.load.map(kilo),
+        prediction_over_test: over(one.load),
+        interval_kn: one.by_priors.map(|ends| ends.map(kilo)),
+        interval_over_test: both(one.by_priors),
+        interval_with_dimensions_kn: one.by_dimensions.map(|ends| ends.map(kilo)),
+        interval_with_dimensions_over_test: both(one.by_dimensions),
+        without_a_number: one.without,
+        upper_bound_kn?: one.upper_bound.map(kilo),
+        upper_bound_over_test?: over(one.upper_bound),
+        half_strength_kn?: one.half_strength.map(kilo),
+        half_strength_over_test?: over(one.half_strength),
+        dilating_kn?: one.dilating.map(kilo),
+        dilating_over_test?: over(one.dilating),
+        seconds: one.seconds,
+        bridge_file: one.bridge_file,
+    }
+}
+
+fn statistics(of: &Bias) -> Object {
+    object! {
+        method: of.by,
+        tests: of.tests,
+        median: of.median,
+        scatter: of.scatter,
+        too_high: list(&of.too_high, |(test, over)| object! { test: test, prediction_over_test: over, }),
+        left_out: list(&of.left_out, |one| object! {
+            test: one.test,
+            bias_of_the_others: one.bias,
+            corrected: one.corrected,
+        }),
+        left_out_scatter: of.left_out_scatter,
+    }
+}
+
+/// One line for each test and method.
+pub fn validation_table(found: &Validation) -> String {
+    let mut table = String::from(
+        "test,test_kn,method,ended,prediction_kn,prediction_over_test,least_kn,most_kn,least_with_dimensions_kn,\
+         most_with_dimensions_kn,upper_bound_kn,half_strength_kn,dilating_kn,bias_of_the_others,corrected,seconds\n",
+    );
+    for test in &found.tests {
+        for one in &test.predictions {
+            let of_method = found.statistics.iter().find(|of| of.by == one.by);
+            let left_out = of_method.and_then(|of| of.left_out.iter().find(|left| left.test == test.name));
+            row!(
+                &mut table,
+                test.name,
+                kilo(test.carried),
+                one.by.word(),
+                one.ended,
+                one.load.map(kilo),
+                one.load.map(|load| test.over(load)),
+                each(one.by_priors).map(|load| load.map(kilo)),
+                each(one.by_dimensions).map(|load| load.map(kilo)),
+                one.upper_bound.map(kilo),
+                one.half_strength.map(kilo),
+                one.dilating.map(kilo),
+                left_out.map(|left| left.bias),
+                left_out.map(|left| left.corrected),
+                one.seconds,
+            );
+        }
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::Predictor;
+
+    #[test]
+    fn loads_are_kilonewtons_and_what_is_not_known_is_left_empty() {
+        let one = Prediction {
+            by: Predictor::Weight,
+            load: Some(150e3),
+            ended: "collapsed".into(),
+            by_priors: Some([100e3, 200e3]),
+            by_dimensions: None,
+            without: Vec::new(),
+            upper_bound: None,
+            half_strength: None,
+            dilating: None,
+            seconds: 0.5,
+            bridge_file: String::new(),
+        };
+        let test = Tested { name: "a".into(), carried: 300e3, predictions: vec![one], ..Tested::default() };
+        let found = Validation { tests: vec![test], statistics: Vec::new() };
+        let table = validation_table(&found);
+        assert_eq!(table.lines().nth(1), Some("a,300,weight,collapsed,150,0.5,100,200,,,,,,,,0.5"));
+        let object = validation(&found);
+        assert_eq!(object["tests"][0]["predictions"][0]["interval_kn"][1], 200.0);
+        assert_eq!(object["tests"][0]["predictions"][0]["method"], "weight");
+    }
+}

@@ -1,0 +1,132 @@
+//! Bridges that were loaded to collapse, beside what several methods predict of them from one set of prior values.
+
+use crate::words::words;
+
+words! {
+    /// What predicts the load of a test.
+    pub enum Predictor {
+        /// Limit analysis with fill as weight through which loads disperse.
+        Weight = "weight",
+        /// The same, where half of the passive pressure of the fill resists.
+        Pressure = "pressure",
+        /// Limit analysis with fill as a continuum that yields with its full strength and without dilation: the lower bound.
+        Continuum = "continuum",
+        /// The path of equilibrium on joints that give, with fill as weight.
+        Path = "path",
+        /// Discrete elements with fill as particles.
+        Particles = "particles",
+    }
+}
+
+impl Predictor {
+    /// What it does, in a line.
+    pub const fn about(self) -> &'static str {
+        match self {
+            Predictor::Weight => "limit analysis, fill as weight",
+            Predictor::Pressure => "limit analysis, half of the passive pressure",
+            Predictor::Continuum => "limit analysis, fill as a continuum, lower bound",
+            Predictor::Path => "path of equilibrium, fill as weight",
+            Predictor::Particles => "discrete elements, fill as particles",
+        }
+    }
+}
+
+/// Every test with its predictions, and what they come to.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Validation {
+    /// In the order of their names.
+    pub tests: Vec<Tested>,
+    /// One for each method, in the order in which they were asked for.
+    pub statistics: Vec<Bias>,
+}
+
+/// A bridge that was loaded to collapse.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tested {
+    /// Name of its folder.
+    pub name: String,
+    /// What it was.
+    pub title: String,
+    /// Largest load of the test [N].
+    pub carried: f64,
+    /// How certain that load is: a word.
+    pub carried_mark: String,
+    /// How it failed.
+    pub failed: String,
+    /// Why it may be no fair test of the methods.
+    pub doubt: Option<String>,
+    /// Dimensions that are remembered and not read.
+    pub recalled: Vec<String>,
+    /// One for each method.
+    pub predictions: Vec<Prediction>,
+}
+
+/// What a method predicts of a test: loads on the whole width.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prediction {
+    /// The method.
+    pub by: Predictor,
+    /// Load that is carried with the expected prior values [N]; none where the analysis found none.
+    pub load: Option<f64>,
+    /// How the analysis ended.
+    pub ended: String,
+    /// Least and largest load with all priors at their expected, their least and their largest values [N]. Zero where the bridge
+    /// does not stand under its own weight.
+    pub by_priors: Option<[f64; 2]>,
+    /// The same where remembered dimensions are at the ends of their intervals too [N]; none where all are read.
+    pub by_dimensions: Option<[f64; 2]>,
+    /// Runs at the ends of intervals that gave no load, and how they ended.
+    pub without: Vec<String>,
+    /// Of a continuum: the upper bound that belongs to `load` [N]; the answer lies between them.
+    pub upper_bound: Option<f64>,
+    /// Of a continuum: the lower bound with half of the soil's strength [N].
+    pub half_strength: Option<f64>,
+    /// Of a continuum: the lower bound where soil dilates by its friction angle [N].
+    pub dilating: Option<f64>,
+    /// Time of all runs [s].
+    pub seconds: f64,
+    /// The bridge file that was analysed, with the expected prior values.
+    pub bridge_file: String,
+}
+
+/// What the predictions of one method come to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bias {
+    /// The method.
+    pub by: Predictor,
+    /// Tests with a prediction.
+    pub tests: usize,
+    /// Median of prediction over test, of its logarithm.
+    pub median: Option<f64>,
+    /// Standard deviation of the logarithm of prediction over test; none for a single test.
+    pub scatter: Option<f64>,
+    /// Names of the tests that it predicts too high, with prediction over test, the worst first.
+    pub too_high: Vec<(String, f64)>,
+    /// Every test left out in turn.
+    pub left_out: Vec<LeftOut>,
+    /// Standard deviation of the logarithm after leaving out.
+    pub left_out_scatter: Option<f64>,
+}
+
+/// One test, corrected by the bias of all the others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftOut {
+    /// Its name.
+    pub test: String,
+    /// Median of prediction over test of all others.
+    pub bias: f64,
+    /// Prediction over test, divided by that bias.
+    pub corrected: f64,
+}
+
+impl Tested {
+    /// A load over that of the test.
+    pub fn over(&self, load: f64) -> f64 {
+        load / self.carried
+    }
+
+    /// What a method predicts of it.
+    pub fn prediction(&self, by: Predictor) -> Option<&Prediction> {
+        self.predictions.iter().find(|one| one.by == by)
+    }
+}
