@@ -95,6 +95,19 @@ fn a_misspelt_key_is_not_missing_as_well() {
 }
 
 #[test]
+fn paths_of_equilibrium_take_a_stiffness_from_the_modulus_of_the_units() {
+    let path = CASE_1
+        .replace("normal_stiffness", "# ")
+        .replace("shear_stiffness", "# ")
+        .replace("method = \"dem\"", "method = \"path\"");
+    assert!(path.contains("method = \"path\"") && path.contains("elastic_modulus"), "{path}");
+    let shown = show_all(&path);
+    assert!(!shown.contains("B401"), "{shown}");
+    let unknown = show_all(&path.replace("elastic_modulus", "# "));
+    assert_eq!(unknown.matches("error[B401]").count(), 2, "{unknown}");
+}
+
+#[test]
 fn the_discrete_element_method_asks_for_stiffness() {
     let shown = show_all(&format!("{TINY}analysis = {{ method = \"dem\" }}\n"));
     assert_eq!(shown.matches("error[B401]").count(), 3, "{shown}");
