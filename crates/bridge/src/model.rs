@@ -398,10 +398,22 @@ pub struct ContinuumPlan {
     pub extent: Option<f64>,
     /// Level of the water in the pores above the springings [m]; none: dry.
     pub water_level: Option<f64>,
+    /// What holds the fill out of the plane.
+    pub confinement: Confinement,
     /// Wanted ratio of the upper bound to the lower bound of the load.
     pub bound_ratio: f64,
     /// Most triangles of the mesh.
     pub elements: usize,
+}
+
+choice! {
+    /// What holds fill that is a continuum out of its plane.
+    pub enum Confinement {
+        /// whatever pressure plane strain needs
+        PlaneStrain = "plane-strain",
+        /// no more than the weight of the spandrel walls resists before they tilt or slide outwards
+        SpandrelWalls = "spandrel-walls",
+    }
 }
 
 choice! {

@@ -223,6 +223,8 @@ fn loads(page: &mut String, found: &Collapse) {
             line("half of the strength", soil.range.map(|r| r[0]).filter(|_| soil.shares[0] == 0.5));
             line("all of the strength", soil.range.map(|r| r[1]).filter(|_| soil.mobilised_share < 1.0));
             line("soil that dilates", soil.associated.map(|b| b[0]));
+            line("flow by iteration", soil.iterated);
+            line("in plane strain", soil.plane_strain);
             let ratio = soil.bound_ratio.map_or("none".to_owned(), |ratio| format!("{ratio:.3}"));
             let _ = writeln!(page, "  {:<22}  {ratio:>9} with {} triangles", "upper over lower", soil.elements);
         }

@@ -22,6 +22,15 @@ pub struct ContinuumReport {
     pub shares: [f64; 2],
     /// Lower bound at the least share and upper bound at the largest one [N/m].
     pub range: Option<[f64; 2]>,
+    /// Load at which the iteration for flow with less dilation settled [N/m]: an estimate, and no bound.
+    #[serde(default)]
+    pub iterated: Option<f64>,
+    /// Lower bound in plane strain, where spandrel walls bound the stress out of the plane [N/m].
+    #[serde(default)]
+    pub plane_strain: Option<f64>,
+    /// The piece of a spandrel wall that gives way the most in the mechanism, where walls bound the stress out of the plane.
+    #[serde(default)]
+    pub wall: Option<WallThatGives>,
     /// Share of the permanent loads that is carried, where they are not.
     pub permanent_share: Option<f64>,
     /// Share of the loads that stands beyond the ends of the fill and is left out.
@@ -30,6 +39,17 @@ pub struct ContinuumReport {
     pub flow_violation: Option<f64>,
     /// Every mesh: triangles, lower and upper bound [N/m].
     pub rounds: Vec<(usize, Option<f64>, Option<f64>)>,
+}
+
+/// A piece of a spandrel wall that gives way.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct WallThatGives {
+    /// Its ends [m].
+    pub ends: [f64; 2],
+    /// Whether it tilts outwards; else it slides.
+    pub tilts: bool,
+    /// What it resists with: moment about its bed where it tilts [N m], force where it slides [N].
+    pub resists: f64,
 }
 
 /// Soil as triangles, with stresses that are carried and a motion that is not.

@@ -215,6 +215,12 @@ impl Swept {
         // What is carried where no load was found bounds nothing from above; a state in balance is carried.
         let answered = run.status == Status::Collapsed || run.along().is_some();
         let by_itself = run.carried().filter(|_| answered).map(|load| load / run.reference_load * capacity);
+        self.counts(by_itself);
+    }
+
+    /// Takes the adequacy factor of the governing case by another method: the smaller one counts, and where there is none, nothing is
+    /// settled.
+    pub fn counts(&mut self, by_itself: Option<f64>) {
         match by_itself {
             Some(factor) => {
                 let smaller = |found: f64| if factor < found * (1.0 - SAME) { factor } else { found };

@@ -368,7 +368,13 @@ findings::cards! {
         "No stresses within strength were found that carry the weight of the soil and of the blocks. Steep soil without cohesion at \
          free ends (ends = \"free\"), water above the ground behind the abutments, or a ring too thin for its fill are the usual \
          reasons. Give the ends a wall (ends = \"slide\"), cohesion that was measured, or look at the ring by itself (as = \
-         \"weight\").";
+         \"weight\"). With confinement = \"spandrel-walls\" it may be the walls: thin ones do not hold deep fill by their weight alone.";
+    /// Walls that give first.
+    WALLS_GIVE_FIRST = "A201", "spandrel walls tilt or slide outwards before the fill is as strong as in plane strain",
+        "Fill bears a load by what holds it sideways. In plane strain that is whatever pressure it needs; spandrel walls hold no more than \
+         their weight resists before they tilt about their outer toe or slide on their bed. Here they give first, and the load \
+         is that of fill held by no more. Friction between fill and rings, bonding of wall and barrel, ties, and what a wall hands on \
+         along the bridge are left out, and they help. Look for bulging, leaning and longitudinal cracks inside the walls.";
 }
 
 impl Warning {

@@ -1,13 +1,14 @@
 //! Collapse load by limit analysis where fill and backing are a continuum that yields: two bounds.
 
-use super::by_limit::{draw, settings};
+mod beside;
+
+use super::by_limit::{cancelled, draw, settings};
 use super::places::point;
 use super::{AnalysisError, blank, notes, picture, pieces};
+use beside::Beside;
 use bridge::{Bridge, ContinuumPlan};
-use mechanics::blocks::{BlockModel, Held, Loading};
-use mechanics::limit::continuum::{
-    Bounds, BoundsStatus, Continuum, ContinuumError, Mesh, Wanted, collapse_bounds, lower_on, upper_on,
-};
+use mechanics::blocks::Held;
+use mechanics::limit::continuum::{Bounds, BoundsStatus, Wanted, collapse_bounds};
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::{Pace, Watch};
@@ -17,10 +18,6 @@ use outcome::soil::{ContinuumReport, Plate, SoilPicture, SoilPressure};
 use structure::discretise::continuum::{Earth, LoadedEarth, Strength, earth, loads};
 use structure::discretise::dispersal::Strip;
 use structure::discretise::{Discretised, discretise};
-
-/// The share of the soil's strength at the lower end of the range that is reported with every load. What moved in tests of arches
-/// in soil was between this and all of it; the page on the continuum has the sources.
-pub const LEAST_SHARE: f64 = 0.5;
 
 /// Both bounds of the load.
 pub fn collapse_by_bounds(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
@@ -70,23 +67,36 @@ impl<'a> Moving<'a> {
         self.earth.plan.bound_ratio
     }
 
-    /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it.
-    pub fn factors(
-        &self,
-        strips: &[Strip],
-        ratio: f64,
-        pace: &Pace,
-    ) -> Result<(Status, Option<[f64; 2]>), AnalysisError> {
+    /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
+    /// them stands on the fill, nothing can fail.
+    pub fn bracket(&self, strips: &[Strip], ratio: f64, pace: &Pace) -> Result<Bracket, AnalysisError> {
         let plan = &ContinuumPlan { bound_ratio: ratio, ..self.earth.plan };
         let loaded = self.earth.loaded(self.d, Strength::of(plan), strips)?;
-        if loaded.loading.variable.is_empty() {
-            return Ok((Status::Locks, None));
+        if strips.is_empty() || loaded.left_out > 1.0 - 1e-9 {
+            return Ok(Bracket { status: Status::Locks, lower: None, upper: None });
         }
         let (settings, wanted) = (&self.settings, wanted(plan));
         let found = collapse_bounds(&loaded.model, &loaded.loading, settings, &loaded.continuum, &wanted, pace)?;
-        let both = found.lower.as_ref().zip(found.upper.as_ref());
-        Ok((status(&found), both.map(|(l, u)| [l.factor, u.factor])))
+        let (lower, upper) = (found.lower.as_ref().map(|l| l.factor), found.upper.as_ref().map(|u| u.factor));
+        Ok(Bracket { status: status(&found), lower, upper })
     }
+}
+
+/// Both bounds of the factor of the loads of a bridge, within a ratio.
+pub(super) fn bracket(bridge: &Bridge, ratio: f64, pace: &Pace) -> Result<Bracket, AnalysisError> {
+    let d = discretise(bridge)?;
+    Moving::new(bridge, &d)?.bracket(&loads(bridge), ratio, pace)
+}
+
+/// Bounds of a load factor, and how they ended. Without convergence either may stand alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bracket {
+    /// How they ended.
+    pub status: Status,
+    /// What is carried.
+    pub lower: Option<f64>,
+    /// What is not.
+    pub upper: Option<f64>,
 }
 
 /// Blocks beside a continuum slide as they dilate: so much is a convex program.
@@ -98,7 +108,7 @@ fn wanted(plan: &ContinuumPlan) -> Wanted {
     Wanted { ratio: plan.bound_ratio, elements: plan.elements, ..Wanted::default() }
 }
 
-fn whole(
+pub(super) fn whole(
     bridge: &Bridge,
     d: &Discretised,
     earth: &Earth,
@@ -111,31 +121,13 @@ fn whole(
     let loaded = earth.loaded(d, Strength::of(plan), &strips)?;
     let bounds =
         collapse_bounds(&loaded.model, &loaded.loading, &settings, &loaded.continuum, &wanted, &pace.part(0, 2))?;
-    // The same body with other strengths, on the mesh that was found.
-    type On = fn(&BlockModel, &Loading, &Settings, &Continuum, &Mesh, &Pace) -> Result<Option<f64>, ContinuumError>;
-    let again = |on: On, share: f64, dilatancy: f64, part: usize| -> Result<Option<f64>, AnalysisError> {
-        if !others || bounds.status != BoundsStatus::Bounded {
-            return Ok(None);
-        }
-        let other = earth.loaded(d, Strength { share, dilatancy }, &strips)?;
-        let (continuum, pace) = (&other.continuum, pace.part(4 + part, 8));
-        let found = on(&other.model, &other.loading, &settings, continuum, &bounds.mesh, &pace)?;
-        Ok(found.map(|factor| d.load(factor)))
+    let report = ContinuumReport { left_out: loaded.left_out, ..described(d, plan, &bounds) };
+    let report = match others && bounds.status == BoundsStatus::Bounded {
+        true => Beside { d, earth, settings, strips: &strips, bounds: &bounds, pace }.reported(report)?,
+        false => report,
     };
-    let (share, dilatancy) = (plan.mobilised_share, plan.dilatancy_angle);
-    let dilates = std::f64::consts::FRAC_PI_2;
-    let shares = [LEAST_SHARE.min(share), 1.0];
-    let associated = [again(lower_on, share, dilates, 0)?, again(upper_on, share, dilates, 1)?];
-    let range = [again(lower_on, shares[0], dilatancy, 2)?, again(upper_on, 1.0, dilatancy, 3)?];
-    let both = |[low, high]: [Option<f64>; 2]| Some([low?, high?]);
-    let report = ContinuumReport {
-        associated: both(associated),
-        range: both(range),
-        shares,
-        left_out: loaded.left_out,
-        ..described(d, plan, &bounds)
-    };
-    Ok(reported(bridge, d, &loaded, &bounds, report))
+    let found = reported(bridge, d, &loaded, &bounds, report);
+    Ok(if pace.goes_on() { found } else { cancelled(bridge, d) })
 }
 
 fn described(d: &Discretised, plan: &ContinuumPlan, bounds: &Bounds) -> ContinuumReport {
@@ -181,12 +173,12 @@ fn reported(
     let mut c = blank::of_bridge(bridge, d, By::Limit(LimitReport::default()), drawn);
     c.status = status(bounds);
     // Of a bridge that does not stand the stresses carry a share of its weight, and no load.
-    let bounded = bounds.status == BoundsStatus::Bounded;
-    let lower = bounds.lower.as_ref().filter(|_| bounded).map(|l| d.load(l.factor));
-    let upper = bounds.upper.as_ref().filter(|_| bounded).map(|u| d.load(u.factor));
-    c.last_stable_load = lower;
-    c.limit_load = lower;
-    c.collapse_load = upper;
+    let stands = c.status != Status::UnstableUnderSelfWeight;
+    let lower = bounds.lower.as_ref().filter(|_| stands).map(|l| d.load(l.factor));
+    let upper = bounds.upper.as_ref().filter(|_| stands).map(|u| d.load(u.factor));
+    if c.status == Status::Collapsed {
+        (c.last_stable_load, c.limit_load, c.collapse_load) = (lower, lower, upper);
+    }
     c.contacts = bounds.blocks.interfaces.iter().map(|i| i.points.len()).sum();
     c.tolerance = report.wanted_ratio - 1.0;
     c.by = By::Limit(LimitReport {

@@ -1,6 +1,6 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
-use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, FillEnds};
+use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule};
 use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
@@ -8,7 +8,10 @@ use outcome::collapse::{Collapse, Status};
 use outcome::warning::{self, Warning};
 use structure::discretise::{Discretised, Origin, pressure};
 
+mod continuum;
 mod joints;
+
+pub use continuum::continuum;
 
 /// Discrete elements usually lie up to this share below the limit load of the same blocks.
 const USUAL_GAP: f64 = 0.15;
@@ -72,111 +75,6 @@ pub fn limit(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             format!("lower bound {:.4} kN/m, upper bound {:.4} kN/m", lower / 1e3, upper / 1e3),
         ));
     }
-    c.warnings.extend(warnings);
-    c.assumptions.extend(assumptions);
-}
-
-/// Notes on fill and backing that yield as a continuum.
-pub fn continuum(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
-    common(bridge, d, c);
-    let (Some(report), Some(plan)) = (c.limit().and_then(|l| l.continuum.clone()), &bridge.continuum) else { return };
-    let (mut warnings, mut assumptions) = (Vec::new(), Vec::new());
-    let told = |load: f64| format!("{:.2}", load / 1e3);
-    if let (Some([low, high]), Some(load)) = (report.range, c.last_stable_load) {
-        warnings.push(Warning::new(
-            warning::STRENGTH_RANGE,
-            format!(
-                "{} to {} kN/m where {:.0} to {:.0} % of the soil's strength is mobilised; {} kN/m with the {:.0} % of \
-                 the file",
-                told(low),
-                told(high),
-                100.0 * report.shares[0],
-                100.0 * report.shares[1],
-                told(load),
-                100.0 * report.mobilised_share
-            ),
-        ));
-    }
-    if let Some(ratio) = report.bound_ratio.filter(|ratio| *ratio > report.wanted_ratio) {
-        warnings.push(Warning::new(
-            warning::BOUNDS_APART,
-            format!(
-                "the upper bound is {ratio:.3} times the lower one after {} triangles, {:.3} times was wanted; the \
-                 lower bound is carried all the same. `elements` in [continuum] allows more triangles",
-                report.elements, report.wanted_ratio
-            ),
-        ));
-    }
-    if super::by_bounds::bears_first(&c.picture) {
-        warnings.push(Warning::new(
-            warning::SOIL_BEARS_FIRST,
-            "the soil fails under the load and the rings stay: the load is what the soil bears, and the arch may carry \
-             more of a load that is spread further",
-        ));
-    }
-    if report.left_out > 1e-9 {
-        warnings.push(Warning::new(
-            warning::GROUND_LOAD,
-            format!("{:.1} % of the loads stands beyond the ends of the fill and is left out", 100.0 * report.left_out),
-        ));
-    }
-    if let (Status::UnstableUnderSelfWeight, Some(share)) = (c.status, report.permanent_share) {
-        warnings.push(Warning::new(
-            warning::SOIL_FALLS,
-            format!(
-                "rings and soil carry {:.1} % of their own weight on the finest mesh that was tried",
-                100.0 * share
-            ),
-        ));
-    }
-    assumptions.push(
-        "Rigid blocks as built beside soil that yields: nothing deforms before collapse. Friction of joints is \
-         associated: where joints slide in the mechanism the bounds are those of joints that dilate."
-            .into(),
-    );
-    assumptions.push(format!(
-        "Soil yields by Mohr and Coulomb in plane strain with {:.0} % of the cohesion and of the tangent of the friction \
-         angle that the file gives{}; between soil and masonry it slides at {} and carries no tension.",
-        100.0 * report.mobilised_share,
-        if plan.dilatancy_angle > 0.0 {
-            format!(
-                ", reduced after Davis for a dilatancy angle of {:.1} degrees",
-                report.dilatancy_angle.to_degrees()
-            )
-        } else {
-            ", reduced after Davis for soil that does not dilate".to_owned()
-        },
-        match plan.interface_friction_angle {
-            Some(angle) => format!("{:.1} degrees, reduced alike", angle.to_degrees()),
-            None => "two thirds of its friction angle, reduced alike".to_owned(),
-        }
-    ));
-    if let Some([low, high]) = report.associated {
-        assumptions.push(format!(
-            "Soil that dilates by its friction angle, at the same share of its strength, would carry {} to {} kN/m.",
-            told(low),
-            told(high)
-        ));
-    }
-    assumptions.push(
-        "Loads stand on the upper face of the soil on rigid plates that sink, slide and turn freely; nothing disperses \
-         by a rule. Layers above the soil weigh and do nothing else."
-            .into(),
-    );
-    assumptions.push(format!(
-        "The fill reaches {} behind the outer springings on rigid ground; its ends {}.",
-        plan.extent.map_or("twice its height or over the abutments".to_owned(), |extent| format!("{extent:.2} m")),
-        match plan.ends {
-            FillEnds::Slide => "slide along smooth walls",
-            FillEnds::Hold => "are held by rough walls",
-            FillEnds::Free => "are free",
-        }
-    ));
-    assumptions.push(
-        "Spandrel walls hold the fill sideways: what they bear is not checked, and a wall that leans or slides lowers \
-         the load."
-            .into(),
-    );
     c.warnings.extend(warnings);
     c.assumptions.extend(assumptions);
 }
@@ -567,6 +465,9 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
                 }
             },
         ));
+    }
+    if !soil {
+        c.assumptions.extend(continuum::as_weight(bridge));
     }
     let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| l.name.word()).collect();
     if !unloaded.is_empty() {

@@ -91,9 +91,7 @@ pub fn sweep(bridge: &Bridge, places: Places, subsets: bool, watch: &mut dyn Wat
     found.points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let bounds = found.points.iter().enumerate().filter_map(|(k, p)| p.bound().map(|f| (k, f)));
     found.governing = bounds.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k);
-    if yields {
-        found.assumptions.push(Places::UNREFINED.into());
-    } else {
+    if !yields {
         notes(&mut found, &rows);
     }
     found.warnings.extend(taken);

@@ -217,6 +217,16 @@ rise = "3.0 m""#,
         source: "the format of bridge files",
     },
     FileCard {
+        code: "B223",
+        title: "fill held by walls that are not described",
+        meaning: "confinement = \"spandrel-walls\" in [continuum] needs a [spandrel_wall].",
+        why: "The fill is as strong as the pressure that holds it sideways allows, and what a wall holds follows from its thickness, its \
+              weight and its friction.",
+        wrong: "# no [spandrel_wall]",
+        right: "[spandrel_wall]\nbrick_length = \"0.60 m\"\nbrick_height = \"0.30 m\"\nthickness = \"0.90 m\"",
+        source: "Cavicchi and Gambarotta, two-dimensional limit analysis of masonry arches and fill (2007)",
+    },
+    FileCard {
         code: "B301",
         title: "a load off the bridge",
         meaning: "A load is between the first and the last springing, on an existing span.",

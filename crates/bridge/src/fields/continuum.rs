@@ -4,7 +4,7 @@ use super::{Field, Kind, Section};
 use crate::choice::Choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Backing, BackingBody, ContinuumPlan, Cover, FillEnds, Layer};
+use crate::model::{Backing, BackingBody, Confinement, ContinuumPlan, Cover, FillEnds, Layer};
 use crate::quantity::Dimension::{Angle, Length, Stress};
 use crate::tree::Table;
 use crate::values::read;
@@ -75,6 +75,13 @@ pub(super) static CONTINUUM: Section = Section {
             "-0.5 m",
         )
         .optional("the fill is dry"),
+        Field::new(
+            "confinement",
+            Kind::Word(Confinement::WORDS),
+            "what holds the fill sideways, out of the plane",
+            "spandrel-walls",
+        )
+        .default(Confinement::PlaneStrain.word()),
         Field::new("bound_ratio", Kind::Number, "wanted ratio of the upper bound to the lower bound of the load", "1.05")
             .above(1.0)
             .at_most(10.0)
@@ -104,6 +111,7 @@ pub(crate) fn continuum(
                 ends,
                 extent,
                 water_level,
+                confinement,
                 bound_ratio,
                 elements,
             }
@@ -118,6 +126,19 @@ pub(crate) fn continuum(
             "a continuum is described, and no layer of the cover is one",
             "[continuum] has no effect",
             "write as = \"continuum\" in the lowest [[cover]], or remove [continuum]",
+        );
+    }
+    if let Some(plan) = &plan
+        && plan.confinement == Confinement::SpandrelWalls
+        && !file.has("spandrel_wall")
+        && let Some(table) = file.table("continuum", &mut Findings::default())
+    {
+        findings.error(
+            "B223",
+            table.place("confinement"),
+            "the fill is held by spandrel walls, and the file has none",
+            "what a wall holds follows from its thickness, its weight and its friction",
+            "describe the walls with [spandrel_wall], or write confinement = \"plane-strain\"",
         );
     }
     plan.map(|plan| Some(plan).filter(|_| wanted))

@@ -21,6 +21,7 @@ mod compliance;
 pub mod continuum;
 mod equilibrium;
 mod ground;
+mod interior_point;
 mod joints;
 mod mechanism;
 mod nonassociated;

@@ -1,12 +1,10 @@
 //! The convex program, solved by Clarabel's interior-point method.
 
 use super::equilibrium::{Entry, Equilibrium};
+use super::interior_point::{Accuracy, minimise};
 use super::joints::{Joint, Strength};
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT,
-    ZeroConeT,
-};
+use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
 
 /// Maximises a number `t`, or what `reward` says of the joint forces `f`, subject to `B f + t drive + rest = 0`,
 /// `t <= cap` and the strength of the joints.
@@ -100,20 +98,6 @@ impl<'a> Program<'a> {
             q[i] -= v;
         }
         let p = self.prices(forces + 1);
-        let settings = DefaultSettings {
-            verbose: false,
-            max_iter: 100,
-            tol_gap_abs: tolerance,
-            tol_gap_rel: tolerance,
-            tol_feas: tolerance,
-            reduced_tol_gap_abs: NEARLY,
-            reduced_tol_gap_rel: NEARLY,
-            reduced_tol_feas: NEARLY,
-            max_threads: 1,
-            presolve_enable: false,
-            direct_solve_method: "qdldl".to_string(),
-            ..DefaultSettings::default()
-        };
         let unknown = || Solution {
             ending: Ending::Unknown,
             forces: vec![0.0; forces],
@@ -121,19 +105,10 @@ impl<'a> Program<'a> {
             velocities: vec![0.0; self.equilibrium.rows],
             iterations: 0,
         };
-        if !self.equilibrium.pace.goes_on() || a.nzval.iter().chain(&b).chain(&q).any(|v| !v.is_finite()) {
-            return unknown();
-        }
-        let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
-            return unknown();
-        };
-        let pace = self.equilibrium.pace.clone();
-        solver.set_termination_callback(move |_| !pace.beat());
-        solver.solve();
-        let found = &solver.solution;
-        if found.x.iter().chain(&found.z).any(|v| !v.is_finite()) {
-            return unknown();
-        }
+        let pace = &self.equilibrium.pace;
+        let accuracy = Accuracy { tolerance, nearly: NEARLY, iterations: 100, refinements: 10 };
+        let found = pace.goes_on().then(|| minimise((&p, &q), (&a, &b), &cones, accuracy, pace)).flatten();
+        let Some(found) = found else { return unknown() };
         Solution {
             ending: match found.status {
                 SolverStatus::Solved => Ending::Solved,

@@ -103,7 +103,8 @@ pub fn footing(soil: Soil, base: Contact, width: f64, depth: f64) -> Case {
     let [a, b, c, d, e] = corners;
     let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, e, base), ground(e, a, SMOOTH)];
     let held = Held { x: true, y: false, rotation: true };
-    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None };
+    let earth =
+        Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None, confinement: None };
     Case::driven(vec2(0.0, 0.0), 0.5, 0.2, held, vec2(0.0, -0.5), earth)
 }
 
@@ -114,7 +115,31 @@ pub fn wall(soil: Soil, contact: Contact, towards: bool, width: f64) -> Case {
     let [a, b, c, d] = corners;
     let sides = vec![ground(a, b, rough(&soil)), ground(b, c, SMOOTH), body(d, a, contact)];
     let held = Held { x: false, y: true, rotation: true };
-    let earth = Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None };
+    let earth =
+        Continuum { regions: vec![Region { outline: corners.to_vec(), soil }], sides, water: None, confinement: None };
     let force = vec2(if towards { 1.0 } else { -1.0 }, 0.0);
     Case::driven(vec2(-0.2, 0.0), 0.2, 1.0, held, force, earth)
+}
+
+/// The load that three meshes tend to if their errors form a geometric series; each has elements half as long as the one before.
+pub fn extrapolated([coarse, middle, fine]: [f64; 3]) -> f64 {
+    let [first, second] = [coarse - middle, middle - fine];
+    // Errors of first order halve, those of order one half fall to 0.71.
+    assert!(0.0 < second && second < 0.7 * first, "errors shrink as meshes do: {coarse} {middle} {fine}");
+    fine - second * second / (first - second)
+}
+
+/// The lower and the upper bound.
+pub fn ends(bounds: &Bounds) -> [f64; 2] {
+    assert_eq!(bounds.status, BoundsStatus::Bounded);
+    [bounds.lower.as_ref().unwrap().factor, bounds.upper.as_ref().unwrap().factor]
+}
+
+/// Finite elements never carry less than the lower bound, and no more than the upper one and the error of their mesh.
+pub fn between(found: [f64; 3], [lower, upper]: [f64; 2]) {
+    let limit = extrapolated(found);
+    let error = found[2] - limit;
+    assert!(found[2] > lower, "{found:?} below {lower}");
+    assert!(found[2] <= upper + error, "{found:?}, less an error of {error}, above {upper}");
+    assert!(limit >= lower, "{found:?} tend to {limit}, below {lower}");
 }

@@ -1,6 +1,10 @@
 //! Integration tests of the crate, in one binary.
 
 mod continuum_arch;
+mod continuum_confined;
+mod continuum_elements;
+mod continuum_flow;
+mod continuum_footing;
 mod continuum_known;
 mod continuum_tools;
 mod dem_abutment;

@@ -16,14 +16,18 @@ pub struct Strip {
     pub length: f64,
     /// Force per metre of width [N/m], downwards positive.
     pub force: f64,
+    /// Whether it is a pressure that follows the ground; else a body stands on it, as stiff as a wheel or a beam.
+    pub is_pressure: bool,
 }
 
 /// The strips of a load; axles in the order of the file.
 pub fn strips(kind: &LoadKind, position: f64) -> Vec<Strip> {
     match kind {
-        LoadKind::KnifeEdge { force, length } => vec![Strip { middle: position, length: *length, force: *force }],
+        LoadKind::KnifeEdge { force, length } => {
+            vec![Strip { middle: position, length: *length, force: *force, is_pressure: false }]
+        }
         LoadKind::Patch { pressure, length } => {
-            vec![Strip { middle: position, length: *length, force: pressure * length }]
+            vec![Strip { middle: position, length: *length, force: pressure * length, is_pressure: true }]
         }
         LoadKind::Axles { axles, contact_length, effective_width } => axles
             .iter()
@@ -31,6 +35,7 @@ pub fn strips(kind: &LoadKind, position: f64) -> Vec<Strip> {
                 middle: position - behind,
                 length: *contact_length,
                 force: force / effective_width,
+                is_pressure: false,
             })
             .collect(),
     }

@@ -31,6 +31,10 @@ pub fn bridge(bridge: &Bridge, rule: &Rule, weights: &Weights) -> Bridge {
         fill.mobilisation /= f.fill_pressure.value;
         fill.cohesion_mobilisation /= f.fill_pressure.value;
     }
+    // A factor on what fill resists is one on its strength.
+    if let Some(soil) = &mut b.continuum {
+        soil.mobilised_share /= f.fill_pressure.value;
+    }
     b.plan.method = Method::Limit;
     b.loads.clear();
     b

@@ -3,11 +3,12 @@
 //!
 //! Read in the order of the method: `weights` lists the combinations of factors on dead load, `factored` gives loads and
 //! strengths their factors, `cases` lists places, `standing` what stands there, `search` answers every case, `sections` keeps
-//! what joints carry meanwhile, `deformable` follows the cases on joints that give, `discrete` makes the governing case by
+//! what joints carry meanwhile, `continuum` asks what governs on fill that yields, `deformable` follows the cases on joints that give, `discrete` makes the governing case by
 //! discrete elements.
 
 mod across;
 mod cases;
+mod continuum;
 mod deformable;
 mod discrete;
 mod factored;
@@ -54,13 +55,20 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
     let step = plan.step.unwrap_or(shortest / 60.0);
     let weights = weights::combinations(bridge, &rule);
     let gives = bridge.plan.method == Method::Path;
-    let rigid_part = &mut Portion::new(watch, if gives { [0.0, 0.5] } else { [0.0, 1.0] });
+    let yields = !gives && continuum::is_wanted(bridge);
+    let rigid_part = &mut Portion::new(watch, if gives || yields { [0.0, 0.5] } else { [0.0, 1.0] });
     let mut swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, true, rigid_part)?;
     let answered = swept.iter().all(|one| !matches!(one.status, Status::Cancelled | Status::UnstableUnderSelfWeight));
     if gives && answered {
         let second_part = &mut Portion::new(watch, [0.5, 1.0]);
         let moved = (&mut swept[..], step);
         if !deformable::beside(bridge, (&rule, plan), (&vehicles, &weights), moved, second_part)? {
+            swept.iter_mut().for_each(Swept::cancel);
+        }
+    }
+    if yields && answered {
+        let second_part = &mut Portion::new(watch, [0.5, 1.0]);
+        if !continuum::beside(bridge, (&rule, plan), &vehicles, &mut swept, second_part)? {
             swept.iter_mut().for_each(Swept::cancel);
         }
     }
@@ -192,8 +200,9 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     if bridge.continuum.is_some() {
         found.assumptions.push(
-            "Vehicles are moved with fill as weight and dispersal, though the file has it yield as a continuum: whether the soil bears \
-             a wheel is not asked here (extrados collapse --sweep asks it of the loads of the file)."
+            "Vehicles are moved with fill as weight and dispersal. Fill yields as a continuum in the file: the case that governs each \
+             vehicle is answered again with it, over the width to which its axles disperse, and the smaller factor counts; other positions \
+             are not, nor is one wheel by itself."
                 .into(),
         );
     }

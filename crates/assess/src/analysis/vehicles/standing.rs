@@ -61,8 +61,12 @@ impl Scene<'_> {
         let mut axles: Vec<(usize, Effect)> = Vec::new();
         for (k, axle) in drive.pattern.axles.iter().enumerate() {
             let middle = drive.axle_at(position, k);
-            let strip =
-                Strip { middle, length: foot.length, force: axle.force * foot.axle_at(middle) / foot.across.axles };
+            let strip = Strip {
+                middle,
+                length: foot.length,
+                force: axle.force * foot.axle_at(middle) / foot.across.axles,
+                is_pressure: false,
+            };
             if let Some(effect) = self.effect(sweeper, foot, strip) {
                 axles.push((k, effect));
             }
@@ -138,7 +142,12 @@ impl Scene<'_> {
         let mut sum: Option<Effect> = None;
         let case = self.bare(index, position);
         for (from, to, pressure) in clipped(&drive.pattern, foot, &case, range) {
-            let strip = Strip { middle: 0.5 * (from + to), length: to - from, force: pressure * (to - from) };
+            let strip = Strip {
+                middle: 0.5 * (from + to),
+                length: to - from,
+                force: pressure * (to - from),
+                is_pressure: true,
+            };
             if let Some(effect) = self.effect(sweeper, foot, strip) {
                 match &mut sum {
                     Some(sum) => sum.add(&effect, 1.0),

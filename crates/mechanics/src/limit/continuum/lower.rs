@@ -6,7 +6,10 @@
 
 use super::conic::{Affine, Conic, Ending};
 use super::mesh::Mesh;
-use super::setting::{Question, Setting};
+use super::model::Panel;
+use super::setting::{Base, Question, Setting};
+use super::sideways::{Sideways, Weights, bear, linear};
+use super::strengths::Strengths;
 use crate::plane::{Vec2, vec2};
 use crate::watch::Pace;
 
@@ -17,6 +20,8 @@ pub struct Stresses {
     pub factor: f64,
     /// Stress (xx, yy, xy) at the corners of each triangle [Pa]; compression negative, water included.
     pub stresses: Vec<[[f64; 3]; 3]>,
+    /// Pressure out of the plane at the corners of each triangle that a panel holds [Pa], positive; zero elsewhere.
+    pub sideways: Vec<[f64; 3]>,
     /// Forces of the joints of the blocks, of each the compressions, then the shear [N/m].
     pub forces: Vec<f64>,
     /// Largest force out of balance, of triangles, edges and blocks, relative to all loads.
@@ -46,18 +51,43 @@ fn traction(stress: &[Affine; 3], n: Vec2) -> [Affine; 2] {
 
 /// Finds the best stress field on a mesh.
 pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Stresses, Ending> {
+    within(setting, mesh, &Strengths::of(setting, mesh), pace)
+}
+
+/// The program of a mesh.
+pub(super) struct Asked {
+    pub program: Conic,
+    base: Base,
+    /// At the corners of each triangle.
+    stresses: Vec<[[Affine; 3]; 3]>,
+    /// Of triangles beside panels: the panel, the pressures at the corners, what they add to its resultant and moment.
+    pressures: Vec<(usize, [usize; 3], Weights)>,
+}
+
+/// What is asked within strengths that vary from corner to corner.
+pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths) -> Asked {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, Question::Factor);
     let [permanent, variable] = setting.loads_of(Question::Factor).map(|share| share.of(base.factor));
     let unit = setting.force;
+    let panels = setting.panels();
+    let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
     let stresses: Vec<[[Affine; 3]; 3]> = (0..mesh.triangles.len())
         .map(|t| {
-            let soil = setting.soil.regions[mesh.regions[t]].soil;
-            mesh.corners(t).map(|at| soil.stress(&mut program, &permanent.times(setting.pore(at)), unit))
+            let (corners, soils, sideways) = (mesh.corners(t), &strengths.soils[t], strengths.sideways[t]);
+            let held = sideways.map(|s| (s, [0; 3].map(|_| program.positive())));
+            if let Some((s, variables)) = held {
+                pressures.push((s.panel, variables, linear(mesh, t, &panels[s.panel])));
+            }
+            [0, 1, 2].map(|k| {
+                let pore = permanent.times(setting.pore(corners[k]));
+                soils[k].stress(&mut program, &pore, unit, held.map(|(s, variables)| (s, variables[k])))
+            })
         })
         .collect();
+    bear(&mut program, panels, &pressures, unit);
     for (t, stress) in stresses.iter().enumerate() {
-        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let soil = strengths.soils[t][0];
         let (area, gradients) = (mesh.area(t), gradients(mesh.corners(t)));
         for (axis, weights) in
             [[soil.weight.x, soil.variable_weight.x], [soil.weight.y, soil.variable_weight.y]].into_iter().enumerate()
@@ -86,7 +116,7 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<S
             }
             continue;
         }
-        let Some((block, contact)) = setting.body(mesh, e) else {
+        let (Some((block, _)), Some(contacts)) = (setting.body(mesh, e), strengths.contacts[e]) else {
             let [p, v] = setting.tractions(mesh, e);
             for stress in inside {
                 let t = traction(stress, at.normal);
@@ -104,7 +134,7 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<S
             let pressure = Affine::sum(&[(-at.normal.x, &t[k][0]), (-at.normal.y, &t[k][1])]);
             let along = at.normal.left();
             let shear = Affine::sum(&[(along.x, &t[k][0]), (along.y, &t[k][1])]);
-            contact.limit(&mut program, &pressure, &shear, &permanent.times(setting.pore(at.points[k])), unit);
+            contacts[k].limit(&mut program, &pressure, &shear, &permanent.times(setting.pore(at.points[k])), unit);
         }
         if let Some(block) = block {
             // Force and moment of a traction that is linear along the edge.
@@ -118,25 +148,41 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<S
             }
         }
     }
-    let found = program.solve(pace);
-    if !matches!(found.ending, Ending::Solved | Ending::Early) {
-        return Err(found.ending);
-    }
-    let z = &found.variables;
-    let scale = setting.factor_scale;
-    let values = stresses.iter().map(|s| s.each_ref().map(|s| s.each_ref().map(|a| a.at(z) * unit))).collect();
-    let mut field = Stresses {
-        factor: z[base.factor] * scale,
-        stresses: values,
-        forces: base.forces.iter().map(|&i| z[i] * unit).collect(),
-        equilibrium_residual: 0.0,
-        yield_violation: 0.0,
-        iterations: found.iterations,
-    };
-    (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, &field);
-    field.factor -= found.errors[0] * scale;
-    let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
-    if sound { Ok(field) } else { Err(Ending::Unknown) }
+    Asked { program, base, stresses, pressures }
+}
+
+/// The best stress field within strengths that vary from corner to corner.
+pub(super) fn within(
+    setting: &Setting<'_>,
+    mesh: &Mesh,
+    strengths: &Strengths,
+    pace: &Pace,
+) -> Result<Stresses, Ending> {
+    let Asked { program, base, stresses, pressures } = asked(setting, mesh, strengths);
+    let unit = setting.force;
+    program.answer(pace, |found| {
+        if !matches!(found.ending, Ending::Solved | Ending::Early) {
+            return Err(found.ending);
+        }
+        let z = &found.variables;
+        let scale = setting.factor_scale;
+        let values = stresses.iter().map(|s| s.each_ref().map(|s| s.each_ref().map(|a| a.at(z) * unit))).collect();
+        let mut beside = pressures.iter().map(|(_, variables, _)| variables.map(|i| z[i] * unit));
+        let of = |s: &Option<Sideways>| s.and_then(|_| beside.next()).unwrap_or_default();
+        let mut field = Stresses {
+            factor: z[base.factor] * scale,
+            stresses: values,
+            sideways: strengths.sideways.iter().map(of).collect(),
+            forces: base.forces.iter().map(|&i| z[i] * unit).collect(),
+            equilibrium_residual: 0.0,
+            yield_violation: 0.0,
+            iterations: found.iterations,
+        };
+        (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, strengths, &field);
+        field.factor -= found.errors[0] * scale;
+        let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
+        if sound { Ok(field) } else { Err(Ending::Unknown) }
+    })
 }
 
 /// The ends of an edge as seen from its own triangle.
@@ -170,19 +216,40 @@ pub(super) fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
     vec2(xx * n.x + xy * n.y, xy * n.x + yy * n.y)
 }
 
+/// By how much pressures out of the plane exceed what panels bear, and stresses what these pressures allow [N/m].
+fn beyond_panels(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, field: &Stresses) -> f64 {
+    let panels = setting.panels();
+    let mut borne = vec![[0.0; 2]; panels.len()];
+    let mut beyond = 0.0f64;
+    for (t, sideways) in strengths.sideways.iter().enumerate() {
+        let Some(sideways) = sideways else { continue };
+        let size = mesh.area(t).sqrt();
+        let weights = linear(mesh, t, &panels[sideways.panel]);
+        for (k, at) in mesh.corners(t).into_iter().enumerate() {
+            let pressure = field.sideways[t][k];
+            let excess = sideways.excess(field.stresses[t][k], setting.pore(at), pressure);
+            beyond = beyond.max(size * excess.max(-pressure));
+            borne[sideways.panel][0] += weights[k][0] * pressure;
+            borne[sideways.panel][1] += weights[k][1] * pressure;
+        }
+    }
+    let over = |(panel, [force, moment]): (&Panel, &[f64; 2])| (force - panel.force).max(moment - panel.moment);
+    panels.iter().zip(&borne).map(over).fold(beyond, f64::max)
+}
+
 /// Checks a field from its numbers alone: the largest force out of balance and the largest force beyond strength, relative to all loads.
-fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses) -> (f64, f64) {
+pub(super) fn check(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, field: &Stresses) -> (f64, f64) {
     let variable = field.factor;
-    let (mut residual, mut beyond) = (0.0f64, 0.0f64);
+    let (mut residual, mut beyond) = (0.0f64, beyond_panels(setting, mesh, strengths, field));
     for (t, stress) in field.stresses.iter().enumerate() {
-        let soil = setting.soil.regions[mesh.regions[t]].soil;
-        let mut sum = (soil.weight + soil.variable_weight * variable) * mesh.area(t);
+        let soils = &strengths.soils[t];
+        let mut sum = (soils[0].weight + soils[0].variable_weight * variable) * mesh.area(t);
         for (s, g) in stress.iter().zip(gradients(mesh.corners(t))) {
             sum += push(*s, g);
         }
         residual = residual.max(sum.norm());
         let size = mesh.area(t).sqrt();
-        for (s, at) in stress.iter().zip(mesh.corners(t)) {
+        for ((s, at), soil) in stress.iter().zip(mesh.corners(t)).zip(soils) {
             beyond = beyond.max(size * soil.excess(*s, setting.pore(at)));
         }
     }
@@ -202,16 +269,16 @@ fn check(setting: &Setting<'_>, mesh: &Mesh, field: &Stresses) -> (f64, f64) {
             (0..2).for_each(|k| residual = residual.max(at.length * (inside[k] - outside[k]).norm()));
             continue;
         }
-        match setting.body(mesh, e) {
+        match setting.body(mesh, e).zip(strengths.contacts[e]) {
             None => {
                 let [p, v] = setting.tractions(mesh, e);
                 let wanted = p + v * variable;
                 inside.iter().for_each(|t| residual = residual.max(at.length * (*t - wanted).norm()));
             }
-            Some((block, contact)) => {
+            Some(((block, _), contacts)) => {
                 for k in 0..2 {
                     let (pressure, shear) = (-inside[k].dot(at.normal), inside[k].dot(at.normal.left()));
-                    beyond = beyond.max(at.length * contact.excess(pressure, shear, setting.pore(at.points[k])));
+                    beyond = beyond.max(at.length * contacts[k].excess(pressure, shear, setting.pore(at.points[k])));
                     let Some(block) = block else { continue };
                     let [x, y] = setting.rows_of(block, at.thirds()[k]);
                     x.iter().for_each(|&(i, v)| blocks[i] -= 0.5 * at.length * v * inside[k].x);

@@ -109,8 +109,9 @@ impl Mesh {
     }
 
     /// The mesh with the marked triangles divided at their longest edges, and as many others as that takes to fit together
-    /// (Rivara 1984). Angles stay above half of the smallest one of the first mesh; every field of the coarse mesh is one of the fine mesh.
-    pub(super) fn refined(&self, marked: &[bool], model: &Continuum) -> Mesh {
+    /// (Rivara 1984), and of each of its triangles the one that it is a piece of. Angles stay above half of the smallest one of the first mesh;
+    /// every field of the coarse mesh is one of the fine mesh.
+    pub(super) fn refined(&self, marked: &[bool], model: &Continuum) -> (Mesh, Vec<usize>) {
         let mut divided = vec![false; self.edges.len()];
         let longest: Vec<usize> = (0..self.triangles.len()).map(|t| self.longest(t)).collect();
         let mut open: Vec<usize> = (0..self.triangles.len()).filter(|&t| marked[t]).collect();
@@ -132,7 +133,7 @@ impl Mesh {
                 })
             })
             .collect();
-        let (mut triangles, mut regions) = (Vec::new(), Vec::new());
+        let (mut triangles, mut parents) = (Vec::new(), Vec::new());
         for (t, corners) in self.triangles.iter().enumerate() {
             let k = longest[t];
             let [top, left, right] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
@@ -152,9 +153,10 @@ impl Mesh {
                     }
                 }
             }
-            regions.extend(std::iter::repeat_n(self.regions[t], triangles.len() - before));
+            parents.extend(std::iter::repeat_n(t, triangles.len() - before));
         }
-        Mesh::new(points, triangles, regions, &model.sides)
+        let regions = parents.iter().map(|&t| self.regions[t]).collect();
+        (Mesh::new(points, triangles, regions, &model.sides), parents)
     }
 
     /// The longest edge of a triangle; of equal ones the one with the larger number, which both neighbours agree on.

@@ -6,23 +6,30 @@
 //! bounds differ, the mesh is refined.
 //!
 //! Read in the order of the method: `model` says what is given, `triangulate` and `mesh` cut it up, `yielding` holds the strength, `lower` and
-//! `upper` set up one program each and check what it returns, `conic` solves, `bounds` refines, `report` says what it means for the blocks.
+//! `upper` set up one program each and check what it returns, `conic` solves, `bounds` refines, `flow` estimates what
+//! less dilation takes off, `report` says what it means for the blocks.
 
 mod bounds;
 mod conic;
+mod flow;
 mod lower;
 mod mesh;
 mod model;
 mod report;
 mod setting;
+mod sideways;
+mod strengths;
 mod triangulate;
 mod upper;
 mod yielding;
 
-pub use bounds::{Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, collapse_bounds, lower_on, upper_on};
+pub use bounds::{
+    Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, Which, bound_on, collapse_bounds, flow_on,
+};
+pub use flow::Flow;
 pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
-pub use model::{Bears, Contact, Continuum, Region, Side, Soil, Water, davis};
+pub use model::{Bears, Confinement, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};
 pub use report::Pressure;
 pub use triangulate::MeshError;
 pub use upper::Motion;

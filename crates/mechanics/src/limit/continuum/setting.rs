@@ -2,7 +2,7 @@
 
 use super::conic::{Affine, Conic};
 use super::mesh::Mesh;
-use super::model::{Bears, Contact, Continuum};
+use super::model::{Bears, Contact, Continuum, Panel, Soil};
 use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::ids::{BlockId, Table};
 use crate::limit::equilibrium::Equilibrium;
@@ -50,11 +50,11 @@ impl<'a> Setting<'a> {
     ) -> Result<Setting<'a>, ModelError> {
         let (interfaces, joints) = joints(model, settings)?;
         let equilibrium = Equilibrium::new(model, loading, &joints);
-        let size = |of: &dyn Fn(&super::model::Soil) -> Vec2| -> f64 {
-            let area = |outline: &[Vec2]| {
-                let next = outline.iter().cycle().skip(1);
-                0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
-            };
+        let area = |outline: &[Vec2]| {
+            let next = outline.iter().cycle().skip(1);
+            0.5 * outline.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<f64>()
+        };
+        let size = |of: &dyn Fn(&Soil) -> Vec2| -> f64 {
             soil.regions.iter().map(|r| area(&r.outline) * of(&r.soil).norm()).sum()
         };
         let on_sides = |of: &dyn Fn(Vec2, Vec2) -> Vec2| -> f64 {
@@ -73,6 +73,9 @@ impl<'a> Setting<'a> {
             + on_sides(&|_, variable| variable);
         let strongest = soil.regions.iter().map(|r| r.soil.cohesion).fold(0.0, f64::max);
         let force = [permanent, strongest, variable].into_iter().find(|f| *f > 0.0).unwrap_or(1.0);
+        // Strengths of hundreds of units leave the solver no digits: a trapdoor in clay under a load of a thousandth of its cohesion.
+        let area: f64 = soil.regions.iter().map(|region| area(&region.outline)).sum();
+        let force = force.max(strongest * area.abs().sqrt());
         Ok(Setting {
             soil,
             interfaces,
@@ -146,7 +149,9 @@ impl<'a> Setting<'a> {
                     program.zero(&Affine::sum(&[(2.0 * curvature, &wide), (-1.0, &Affine::of(cone + 2))]));
                 }
             } else if tension > 0.0 {
-                (0..n).for_each(|k| program.at_least_zero(&Affine { terms: of(k).terms, constant: tension }));
+                for k in 0..n {
+                    program.at_least_zero(&Affine { terms: of(k).terms, constant: tension });
+                }
             }
             if strength.friction.is_finite() {
                 for sign in [1.0, -1.0] {
@@ -178,6 +183,16 @@ impl<'a> Setting<'a> {
         let Some(block) = block else { return Vec2::ZERO };
         let [x, y] = self.rows_of(block, at).map(|rows| rows.iter().map(|&(i, v)| v * velocities[i]).sum::<f64>());
         crate::plane::vec2(x, y)
+    }
+
+    /// The soil of a triangle.
+    pub fn soil_of(&self, mesh: &Mesh, triangle: usize) -> Soil {
+        self.soil.regions[mesh.regions[triangle]].soil
+    }
+
+    /// What holds the soil out of its plane.
+    pub fn panels(&self) -> &[Panel] {
+        self.soil.confinement.as_ref().map_or(&[], |confinement| &confinement.panels)
     }
 
     /// Pore pressure at a point [Pa].

@@ -8,7 +8,9 @@
 use super::conic::{Affine, Conic, Ending};
 use super::lower::{Ends, gradients};
 use super::mesh::Mesh;
+use super::model::Panel;
 use super::setting::{Question, Setting};
+use super::sideways::{Sideways, Weights, bear, by_corners};
 use crate::plane::{Vec2, vec2};
 use crate::watch::Pace;
 
@@ -21,6 +23,8 @@ pub struct Motion {
     pub velocities: Vec<Vec2>,
     /// What multiplies the equations of the blocks, scaled alike.
     pub blocks: Vec<f64>,
+    /// How each panel beside the plane gives way: velocity [m/s] and rotation [rad/s] per metre of soil across, scaled alike.
+    pub panels: Vec<[f64; 2]>,
     /// Power dissipated in each triangle [W/m], and what is dissipated where it touches bodies.
     pub dissipation: Vec<f64>,
     /// Power of the variable loads at a load factor of one [W/m].
@@ -70,21 +74,38 @@ fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
 /// Control points of an edge as sums of its nodes' values.
 const CONTROL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-0.5, 2.0, -0.5], [0.0, 0.0, 1.0]];
 
-/// The program of a mesh: with it, where the factor stands and the equations of each node, in x and in y.
-fn program(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> (Conic, usize, Vec<usize>) {
+/// The program of a mesh.
+pub(super) struct Asked {
+    pub program: Conic,
+    /// Where the factor stands.
+    factor: usize,
+    /// The equations of each node, in x and in y.
+    rows: Vec<usize>,
+    /// The equations of each panel beside the plane: of its resultant and of its moment.
+    panels: Vec<[usize; 2]>,
+}
+
+pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> Asked {
     let mut program = Conic::default();
     let base = setting.begin(&mut program, question);
     let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
     let unit = setting.force;
     // Two equations for each node, after what slacks have added: their numbers are kept.
     let rows: Vec<usize> = (0..2 * mesh.nodes()).map(|_| program.equation(0.0)).collect();
+    let panels = setting.panels();
+    let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
     for t in 0..mesh.triangles.len() {
-        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let soil = setting.soil_of(mesh, t);
+        let held = Sideways::of(setting, mesh, t, &soil).map(|s| (s, [0; 3].map(|_| program.positive())));
+        if let Some((s, variables)) = held {
+            pressures.push((s.panel, variables, by_corners(mesh, t, &panels[s.panel])));
+        }
         let (corners, nodes, third) = (mesh.corners(t), mesh.nodes_of(t), mesh.area(t) / 3.0);
         let gradients = gradients(corners);
         let pores = pores(setting, corners);
         for k in 0..3 {
-            let [xx, yy, xy] = soil.stress(&mut program, &permanent.times(pores[k]), unit);
+            let beside = held.map(|(s, variables)| (s, variables[k]));
+            let [xx, yy, xy] = soil.stress(&mut program, &permanent.times(pores[k]), unit, beside);
             for (node, g) in nodes.into_iter().zip(shapes(gradients, k)) {
                 if g == Vec2::ZERO {
                     continue;
@@ -107,6 +128,7 @@ fn program(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> (Conic, us
             }
         }
     }
+    let panels = bear(&mut program, panels, &pressures, unit);
     for e in (0..mesh.edges.len()).filter(|&e| mesh.edges[e].other.is_none()) {
         let (at, nodes) = (Ends::of(mesh, e), nodes(mesh, e));
         let Some((block, contact)) = setting.body(mesh, e) else {
@@ -141,35 +163,35 @@ fn program(setting: &Setting<'_>, mesh: &Mesh, question: Question) -> (Conic, us
             }
         }
     }
-    (program, base.factor, rows)
+    Asked { program, factor: base.factor, rows, panels }
 }
 
 /// Finds the best motion on a mesh.
 pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Motion, Ending> {
-    let (program, _, rows) = program(setting, mesh, Question::Factor);
-    let found = program.solve(pace);
-    if !matches!(found.ending, Ending::Solved | Ending::Early) {
-        return Err(found.ending);
-    }
-    let first = setting.equilibrium.rows;
-    let blocks: Vec<f64> = found.multipliers[..first].iter().map(|x| -x).collect();
-    let velocity = |k: usize| vec2(-found.multipliers[rows[2 * k]], -found.multipliers[rows[2 * k + 1]]);
-    let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
-    let mut motion = work(setting, mesh, velocities, blocks);
-    motion.factor += found.errors[1] * setting.factor_scale;
-    motion.iterations = found.iterations;
-    let sound = motion.flow_violation <= SOUND && motion.factor.is_finite() && motion.power > 0.0;
-    if sound { Ok(motion) } else { Err(Ending::Unknown) }
+    let Asked { program, rows, panels, .. } = asked(setting, mesh, Question::Factor);
+    program.answer(pace, |found| {
+        if !matches!(found.ending, Ending::Solved | Ending::Early) {
+            return Err(found.ending);
+        }
+        let blocks: Vec<f64> = found.multipliers[..setting.equilibrium.rows].iter().map(|x| -x).collect();
+        let velocity = |k: usize| vec2(-found.multipliers[rows[2 * k]], -found.multipliers[rows[2 * k + 1]]);
+        let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
+        let panels = panels.iter().map(|both| both.map(|row| found.multipliers[row].max(0.0))).collect();
+        let mut motion = work(setting, mesh, velocities, blocks, panels);
+        motion.factor += found.errors[1] * setting.factor_scale;
+        motion.iterations = found.iterations;
+        let sound = motion.flow_violation <= SOUND && motion.factor.is_finite() && motion.power > 0.0;
+        if sound { Ok(motion) } else { Err(Ending::Unknown) }
+    })
 }
 
 /// No more than this share of the permanent loads is carried; one where no motion says less.
 pub(super) fn share(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<f64, Ending> {
-    let (program, share, _) = program(setting, mesh, Question::Share);
-    let found = program.solve(pace);
-    match found.ending {
+    let Asked { program, factor: share, .. } = asked(setting, mesh, Question::Share);
+    program.answer(pace, |found| match found.ending {
         Ending::Solved => Ok((found.variables[share] + found.errors[0] + found.errors[1]).clamp(0.0, 1.0)),
         other => Err(other),
-    }
+    })
 }
 
 /// Strain rates (xx, yy, shear angle) at the corners of a triangle [1/s].
@@ -208,19 +230,29 @@ pub(super) fn jumps(
 }
 
 /// The work equation of a motion, from its velocities alone.
-fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f64>) -> Motion {
+fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f64>, panels: Vec<[f64; 2]>) -> Motion {
     let eq = &setting.equilibrium;
     let mut fastest = velocities.iter().map(|v| v.norm()).fold(f64::MIN_POSITIVE, f64::max);
     fastest = blocks.iter().map(|v| v.abs()).fold(fastest, f64::max);
     let velocities: Vec<Vec2> = velocities.into_iter().map(|v| v * (1.0 / fastest)).collect();
     let blocks: Vec<f64> = blocks.into_iter().map(|v| v / fastest).collect();
+    let panels: Vec<[f64; 2]> = panels.into_iter().map(|both| both.map(|v| v / fastest)).collect();
     let (mut dissipation, mut violation) = (vec![0.0; mesh.triangles.len()], 0.0f64);
     let [mut permanent, mut variable] = [0.0; 2];
     for t in 0..mesh.triangles.len() {
-        let soil = setting.soil.regions[mesh.regions[t]].soil;
+        let soil = setting.soil_of(mesh, t);
         let third = mesh.area(t) / 3.0;
-        for (rates, pore) in strain_rates(mesh, t, &velocities).into_iter().zip(pores(setting, mesh.corners(t))) {
-            let (power, wrong) = soil.dissipation(rates, pore);
+        let corners = mesh.corners(t);
+        let beside = Sideways::of(setting, mesh, t, &soil);
+        let each = strain_rates(mesh, t, &velocities).into_iter().zip(pores(setting, corners)).zip(corners);
+        for ((rates, pore), at) in each {
+            let (power, wrong) = match &beside {
+                None => soil.dissipation(rates, pore),
+                Some(sideways) => {
+                    let ([slide, tilt], foot) = (panels[sideways.panel], setting.panels()[sideways.panel].foot);
+                    soil.dissipation_beside(rates, pore, sideways, slide + tilt * (at.y - foot))
+                }
+            };
             dissipation[t] += third * power;
             violation = violation.max(wrong * mesh.area(t).sqrt());
         }
@@ -250,11 +282,14 @@ fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f
     let joints = crate::limit::bounds::resistance(eq, &setting.joints, &setting.strengths, &blocks);
     violation = violation.max(joints.violation);
     variable += eq.variable.iter().zip(&blocks).map(|(p, u)| p * u).sum::<f64>() * eq.force / eq.factor_scale;
-    let total = dissipation.iter().sum::<f64>() + joints.factor * eq.force - permanent;
+    let resisted = |(panel, [slide, tilt]): (&Panel, &[f64; 2])| panel.force * slide + panel.moment * tilt;
+    let held: f64 = setting.panels().iter().zip(&panels).map(resisted).sum();
+    let total = dissipation.iter().sum::<f64>() + held + joints.factor * eq.force - permanent;
     Motion {
         factor: total / variable,
         velocities,
         blocks,
+        panels,
         dissipation,
         power: variable,
         flow_violation: violation,

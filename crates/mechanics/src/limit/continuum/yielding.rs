@@ -6,6 +6,7 @@
 
 use super::conic::{Affine, Conic};
 use super::model::{Contact, Soil};
+use super::sideways::Sideways;
 
 /// `R <= k - m P`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,14 +68,21 @@ impl Soil {
     }
 
     /// A stress within strength, (xx, yy, xy) as numbers that depend on the program's variables. `unit` is the unit of stress [Pa], in which the
-    /// pore pressure is given.
-    pub(super) fn stress(&self, program: &mut Conic, pore: &Affine, unit: f64) -> [Affine; 3] {
+    /// pore pressure is given; `beside` is what holds the soil out of the plane, and the variable of the pressure there.
+    pub(super) fn stress(
+        &self,
+        program: &mut Conic,
+        pore: &Affine,
+        unit: f64,
+        beside: Option<(Sideways, usize)>,
+    ) -> [Affine; 3] {
         let limits: Vec<Limit> = self.limits().iter().map(|l| Limit { k: l.k / unit, ..*l }).collect();
         if limits.iter().any(|l| l.k == 0.0 && l.m == 0.0) {
             // A fluid: pressure alone.
             let p = Affine::of(program.free());
             return [p.clone(), p, Affine::default()];
         }
+        let several = limits.len() > 1 || beside.is_some();
         let first = program.cone();
         let [r, x, y] = [first, first + 1, first + 2];
         let steepest = (0..limits.len()).max_by(|&a, &b| limits[a].m.total_cmp(&limits[b].m)).unwrap_or(0);
@@ -82,7 +90,7 @@ impl Soil {
         let p = if limits[steepest].m >= STEEP {
             let Limit { k, m } = limits[steepest];
             let mut p = Affine { terms: vec![(r, -1.0 / m)], constant: k / m };
-            if limits.len() > 1 {
+            if several {
                 p.terms.push((program.positive(), -1.0 / m));
             }
             p
@@ -95,11 +103,17 @@ impl Soil {
             }
             let mut room = Affine { terms: vec![(r, -1.0)], constant: limit.k };
             p.add_to(&mut room, -limit.m);
-            if limits.len() > 1 {
+            if several {
                 program.at_least_zero(&room);
             } else {
                 program.zero(&room);
             }
+        }
+        if let Some((sideways, pressure)) = beside {
+            let terms = vec![(r, -1.0), (pressure, 2.0 * sideways.ratio)];
+            let mut room = Affine { terms, constant: 2.0 * sideways.cohesive / unit };
+            p.add_to(&mut room, 1.0);
+            program.at_least_zero(&room);
         }
         let total = |sign: f64| {
             let mut s = Affine { terms: vec![(x, 0.5 * sign)], constant: 0.0 };

@@ -4,7 +4,9 @@ use super::*;
 use crate::discretise::discretise;
 use crate::samples::{self, Dice};
 use bridge::ring::Profile;
-use bridge::{LayerKind, LoadKind, Method, Ring, Span};
+use bridge::{Backing, BackingBody, Confinement, FillEnds, LayerKind, LoadKind, Method, Ring, Span};
+use mechanics::blocks::PointForce;
+use mechanics::limit::continuum::{Bears, Side};
 
 /// A layer of sand, or of what else.
 fn soil(thickness: f64, density: f64, friction: f64, cohesion: f64) -> Layer {
@@ -25,6 +27,7 @@ fn plan() -> ContinuumPlan {
         ends: FillEnds::Slide,
         extent: None,
         water_level: None,
+        confinement: Confinement::PlaneStrain,
         bound_ratio: 1.05,
         elements: 4000,
     }
@@ -343,7 +346,7 @@ fn strength_is_reduced_and_the_interface_with_it() {
 fn strips_add_up_and_what_stands_beside_the_fill_is_counted() {
     let b = semicircle();
     let (d, e, _) = made(&b);
-    let strip = |middle: f64, length: f64, force: f64| Strip { middle, length, force };
+    let strip = |middle: f64, length: f64, force: f64| Strip { middle, length, force, is_pressure: false };
     let strength = Strength::of(&e.plan);
     let force = |loaded: &LoadedEarth| down(&loaded.loading.variable);
     let over = [strip(1.0, 0.5, 10e3), strip(1.2, 0.5, 20e3), strip(1.45 + 3e-4, 0.5, 30e3)];
@@ -447,4 +450,69 @@ fn regions_conform_wherever_levels_fall() {
         }
     }
     assert!(rounds > 300, "{rounds}");
+}
+
+#[test]
+fn walls_hold_what_their_weight_resists() {
+    let mut b = filled(samples::semicircle(6.0, 0.45, 31), vec![soil(0.4, 1900.0, 30.0, 5e3)]);
+    let wall = bridge::SpandrelWall { thickness: 0.9, density: 2200.0, top: Some(1.4), ..samples::spandrel_wall(&b) };
+    let plan = ContinuumPlan { confinement: Confinement::SpandrelWalls, ..plan() };
+    (b.spandrel_wall, b.continuum) = (Some(wall), Some(plan));
+    let (d, e, loaded) = made(&b);
+    // By hand, a metre from the crown: each wall is 0.45 m thick, and 1.4 m high at the crown of the circle on which it stands.
+    let weight = 2200.0 * b.gravity * 0.45 * (1.4 + 1.0 / (6.0 * 3.45));
+    let crown = e.panels.iter().find(|panel| panel.ends[0] <= 3.0 && 3.0 < panel.ends[1]).unwrap();
+    let length = crown.ends[1] - crown.ends[0];
+    let near = |value: f64, exact: f64| (value / (exact * length) - 1.0).abs() < 0.01;
+    assert!(
+        near(crown.force, b.joint.friction_angle.tan() * weight) && near(crown.moment, weight * 0.225),
+        "{crown:?}"
+    );
+    assert!(crown.foot < d.extrados.crown() && crown.foot > d.extrados.crown() - 0.2);
+    // They stand side by side from end to end, on nothing that is above the soil beside them, and the same on both sides.
+    assert_eq!([e.panels[0].ends[0], e.panels[e.panels.len() - 1].ends[1]], e.ends);
+    assert!(e.panels.windows(2).all(|pair| pair[0].ends[1] == pair[1].ends[0]));
+    for (left, right) in e.panels.iter().zip(e.panels.iter().rev()) {
+        assert!((left.moment / right.moment - 1.0).abs() < 1e-6 && (left.foot - right.foot).abs() < 1e-6);
+    }
+    let soil = loaded.continuum;
+    for point in soil.regions.iter().flat_map(|region| &region.outline) {
+        let beside = e.panels.iter().filter(|panel| panel.ends[0] <= point.x && point.x <= panel.ends[1]);
+        assert!(beside.clone().all(|panel| panel.foot <= point.y + 1e-9) && beside.count() > 0, "{point:?}");
+    }
+    assert_eq!(soil.confinement.unwrap().panels, e.panels);
+    // Where plane strain holds the fill, nothing bounds it.
+    b.continuum = Some(self::plan());
+    assert_eq!(made(&b).2.continuum.confinement, None);
+}
+
+#[test]
+fn a_pressure_follows_the_ground_and_presses_on_plates() {
+    let mut b = filled(samples::semicircle(6.0, 0.45, 31), vec![soil(0.4, 1900.0, 30.0, 5e3)]);
+    b.loads = samples::bridgemill().loads;
+    let (d, e, _) = made(&b);
+    let strip = |from: f64, to: f64, force: f64, is_pressure: bool| Strip {
+        middle: 0.5 * (from + to),
+        length: to - from,
+        force,
+        is_pressure,
+    };
+    // 2 kPa over 4 m, 3 kPa over a part of it, and a wheel of 0.5 m on both.
+    let strips = [strip(1.0, 5.0, 8e3, true), strip(2.0, 4.0, 6e3, true), strip(3.75, 4.25, 50e3, false)];
+    let loaded = e.loaded(&d, Strength::of(&e.plan), &strips).unwrap();
+    let pressed = loaded.continuum.sides.iter().filter_map(|side| match side.bears {
+        Bears::Load { variable, .. } if variable.y != 0.0 => {
+            Some(((side.ends[1].x - side.ends[0].x).abs(), -variable.y))
+        }
+        _ => None,
+    });
+    let pressed: Vec<(f64, f64)> = pressed.collect();
+    let sum = |pressure: f64| pressed.iter().filter(|p| (p.1 - pressure).abs() < 1e-6).map(|p| p.0).sum::<f64>();
+    assert!((sum(2e3) - 1.75).abs() < 1e-9 && (sum(5e3) - 1.75).abs() < 1e-9, "{pressed:?}");
+    // The wheel bears what lies on it: 50 kN, and 0.25 m of 5 and of 2 kPa.
+    let wheel = &loaded.loading.variable[0];
+    assert_eq!(loaded.loading.variable.len(), 1);
+    assert!((wheel.force.y + 50e3 + 0.25 * 5e3 + 0.25 * 2e3).abs() < 1e-6, "{wheel:?}");
+    let moment = 50e3 * 4.0 + 0.25 * 5e3 * 3.875 + 0.25 * 2e3 * 4.125;
+    assert!((wheel.at.x - moment / -wheel.force.y).abs() < 1e-9);
 }

@@ -64,7 +64,7 @@ mod tests {
     fn bricks_carry_the_whole_load_where_it_stands() {
         for count in [None, Some(1), Some(2), Some(3), Some(5)] {
             for middle in [4.2, 4.575, 4.79, 5.1] {
-                let strip = Strip { middle, length: 0.75, force: 1e3 };
+                let strip = Strip { middle, length: 0.75, force: 1e3, is_pressure: false };
                 let s = on_bricks(strip, count, &road(), 1.0);
                 let down: f64 = s.forces.iter().map(|f| -f.force.y).sum();
                 let moment: f64 = s.forces.iter().map(|f| -f.force.y * f.at.x).sum();
@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn two_bricks_beside_a_head_joint_carry_half_each() {
-        let s = on_bricks(Strip { middle: 4.8, length: 0.75, force: 1e3 }, Some(2), &road(), 1.0);
+        let s = on_bricks(Strip { middle: 4.8, length: 0.75, force: 1e3, is_pressure: false }, Some(2), &road(), 1.0);
         let forces: Vec<f64> = s.forces.iter().map(|f| -f.force.y).collect();
         assert!(forces.len() == 2 && forces.iter().all(|f| (f - 500.0).abs() < 1e-9), "{forces:?}");
     }

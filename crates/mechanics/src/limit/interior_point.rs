@@ -1,0 +1,54 @@
+//! Clarabel's interior-point method as every program here uses it: one thread, no presolve, watched.
+
+use crate::watch::Pace;
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettings, DefaultSolution, DefaultSolver, IPSolver, SupportedConeT};
+
+/// How exactly a program is to be solved, and how long it may take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Accuracy {
+    /// Relative gap and residuals.
+    pub tolerance: f64,
+    /// The same of a program that comes to rest a little early.
+    pub nearly: f64,
+    /// Most iterations.
+    pub iterations: u32,
+    /// How often each solution of linear equations is refined, at most.
+    pub refinements: u32,
+}
+
+/// Minimises `x P x / 2 + q x` where `b - A x` lies in the cones; none where a number is not finite or the solver will not begin.
+pub(super) fn minimise(
+    (p, q): (&CscMatrix<f64>, &[f64]),
+    (a, b): (&CscMatrix<f64>, &[f64]),
+    cones: &[SupportedConeT<f64>],
+    accuracy: Accuracy,
+    pace: &Pace,
+) -> Option<DefaultSolution<f64>> {
+    let Accuracy { tolerance, nearly, iterations, refinements } = accuracy;
+    if a.nzval.iter().chain(b).chain(q).any(|v| !v.is_finite()) {
+        return None;
+    }
+    let settings = DefaultSettings {
+        verbose: false,
+        max_iter: iterations,
+        tol_gap_abs: tolerance,
+        tol_gap_rel: tolerance,
+        tol_feas: tolerance,
+        reduced_tol_gap_abs: nearly,
+        reduced_tol_gap_rel: nearly,
+        reduced_tol_feas: nearly,
+        iterative_refinement_enable: refinements > 0,
+        iterative_refinement_max_iter: refinements,
+        max_threads: 1,
+        presolve_enable: false,
+        direct_solve_method: "qdldl".to_string(),
+        ..DefaultSettings::default()
+    };
+    let mut solver = DefaultSolver::new(p, q, a, b, cones, settings).ok()?;
+    let pace = pace.clone();
+    solver.set_termination_callback(move |_| !pace.beat());
+    solver.solve();
+    let found = solver.solution;
+    found.x.iter().chain(&found.z).all(|v| v.is_finite()).then_some(found)
+}
