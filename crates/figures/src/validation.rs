@@ -47,7 +47,7 @@ pub fn validation_drawing(found: &Validation) -> Option<String> {
     sheet.line([one, plane.area.top], [one, plane.area.bottom], Pen::line(INK, 1.6).class("test"));
     let bottom = key(&mut sheet, plane.area.bottom + 48.0, found, &methods);
     let caption = "Thick: priors at their least and their largest values. Thin: dimensions that were not read at the ends of their intervals \
-                   too. An arrow goes on beyond the axis. Right: prediction over test.";
+                   too; of particles, the packings. An arrow goes on beyond the axis. Right: prediction over test.";
     let bottom = sheet.caption(bottom + 2.0, caption);
     let bottom = sheet.caption(bottom, &doubts(found));
     Some(sheet.finish(bottom))
@@ -68,7 +68,7 @@ fn doubts(found: &Validation) -> String {
 /// First and last value of the axis: everything that is shown, and 1.
 fn range(found: &Validation) -> Option<[f64; 2]> {
     let of = |test: &Tested, one: &Prediction| {
-        let ends = [one.by_priors, one.by_dimensions].into_iter().flatten().flatten();
+        let ends = [one.by_priors, one.by_dimensions, one.by_packings].into_iter().flatten().flatten();
         let loads = ends.chain(one.load).chain(one.half_strength).chain(one.dilating);
         loads.filter(|load| *load > 0.0).map(|load| test.over(load)).collect::<Vec<_>>()
     };
@@ -148,6 +148,7 @@ impl Plane {
             let y = self.y(row, line);
             let over = |load: f64| test.over(load);
             self.interval(sheet, y, one.by_dimensions.map(|ends| ends.map(over)), 1.0, colour(one.by));
+            self.interval(sheet, y, one.by_packings.map(|ends| ends.map(over)), 1.0, colour(one.by));
             self.interval(sheet, y, one.by_priors.map(|ends| ends.map(over)), 4.0, colour(one.by));
             for other in [one.half_strength, one.dilating].into_iter().flatten() {
                 self.tick(sheet, over(other), y, colour(one.by));

@@ -66,7 +66,7 @@ pub struct Tested {
 pub struct Prediction {
     /// The method.
     pub by: Predictor,
-    /// Load that is carried with the expected prior values [N]; none where the analysis found none.
+    /// Load that is carried with the expected prior values [N], of particles the mean of all packings; none where the analysis found none.
     pub load: Option<f64>,
     /// How the analysis ended.
     pub ended: String,
@@ -75,7 +75,9 @@ pub struct Prediction {
     pub by_priors: Option<[f64; 2]>,
     /// The same where remembered dimensions are at the ends of their intervals too [N]; none where all are read.
     pub by_dimensions: Option<[f64; 2]>,
-    /// Runs at the ends of intervals that gave no load, and how they ended.
+    /// Of particles: the least and the largest load of all packings [N].
+    pub by_packings: Option<[f64; 2]>,
+    /// Runs at the ends of intervals, or with other packings, that gave no load, and how they ended.
     pub without: Vec<String>,
     /// Of a continuum: the upper bound that belongs to `load` [N]; the answer lies between them.
     pub upper_bound: Option<f64>,

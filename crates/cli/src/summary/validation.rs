@@ -61,6 +61,9 @@ fn beside(page: &mut String, found: &Validation) {
                     test.name, one.by
                 ));
             }
+            if let Some([least, most]) = one.by_packings.map(|ends| ends.map(|load| test.over(load))) {
+                lines.push(format!("{}, {}: {least:.2} to {most:.2} by the packing", test.name, one.by));
+            }
             for end in &one.without {
                 lines.push(format!("{}, {}, no number with {end}", test.name, one.by));
             }

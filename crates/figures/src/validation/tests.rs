@@ -8,6 +8,7 @@ fn prediction(by: Predictor, load: Option<f64>) -> Prediction {
         ended: "unstable-under-self-weight".into(),
         by_priors: load.map(|load| [0.0, 1.5 * load]),
         by_dimensions: load.map(|load| [0.0, 2.0 * load]),
+        by_packings: None,
         without: Vec::new(),
         upper_bound: None,
         half_strength: None,

@@ -19,6 +19,8 @@ pub struct Job {
     pub by: Predictor,
     /// At which end of the intervals: of priors, and of remembered dimensions.
     pub at: (Level, Option<Side>),
+    /// Of particles: the seed of the packing.
+    pub seed: u64,
 }
 
 /// What one analysis gave: loads on the whole width.
@@ -64,13 +66,17 @@ pub(super) fn ends(test: &Test) -> Vec<(Level, Option<Side>)> {
     ends
 }
 
-/// Every run for these methods, the long ones first. Particles run with expected values alone.
+/// Every run for these methods, the long ones first. Particles run with expected values alone, in several packings.
 pub fn jobs(corpus: &Corpus, methods: &[Predictor]) -> Vec<Job> {
     let mut jobs = Vec::new();
     for (number, test) in corpus.tests.iter().enumerate() {
         for &by in methods {
-            let ends = ends(test).into_iter().filter(|at| by != Predictor::Particles || *at == (Level::Expected, None));
-            jobs.extend(ends.map(|at| Job { test: number, by, at }));
+            if by == Predictor::Particles {
+                let at = (Level::Expected, None);
+                jobs.extend((1..=corpus.priors.stated.packings).map(|seed| Job { test: number, by, at, seed }));
+            } else {
+                jobs.extend(ends(test).into_iter().map(|at| Job { test: number, by, at, seed: 1 }));
+            }
         }
     }
     jobs.sort_by_key(|job| std::cmp::Reverse(job.effort()));
@@ -108,7 +114,7 @@ fn analysed(test: &Test, priors: &Priors, job: &Job, watch: &mut dyn Watch) -> R
 const STEP: f64 = 0.05;
 const FARTHEST: f64 = 10.0;
 
-/// Load steps for discrete elements, by the load that fill as weight carries: never by that of the test.
+/// Seed and load steps for discrete elements, these by the load that fill as weight carries: never by that of the test.
 fn stepped(
     test: &Test,
     priors: &Priors,
@@ -123,6 +129,7 @@ fn stepped(
     for (key, times) in [("load_step", STEP), ("load_limit", FARTHEST)] {
         plan.insert(key.into(), format!("{:.4} kN/m", times * load / 1e3).into());
     }
+    plan.insert("seed".into(), toml::Value::Integer(job.seed as i64));
     Ok(())
 }
 
@@ -177,13 +184,21 @@ fn prediction(by: Predictor, answers: &[&(Job, Answer)]) -> Option<Prediction> {
     let every = [priors, dimensions].concat();
     let without = priors.iter().chain(&dimensions).filter_map(|(words, answer)| Some((words, (*answer)?)));
     let without = without.filter(|(_, answer)| answer.load.is_none());
+    let packings: Vec<&(Job, Answer)> =
+        answers.iter().copied().filter(|(job, _)| job.by == Predictor::Particles).collect();
+    let by_packings: Vec<f64> = packings.iter().filter_map(|(_, answer)| answer.load).collect();
+    let failed = packings.iter().filter(|(_, answer)| answer.load.is_none() && packings.len() > 1);
+    let failed = failed.map(|(job, answer)| format!("seed {}: {}", job.seed, answer.ended));
+    let mean = by_packings.iter().sum::<f64>() / by_packings.len() as f64;
+    let least_and_most = [f64::min, f64::max].map(|by| by_packings.iter().copied().reduce(by).unwrap_or(0.0));
     Some(Prediction {
         by,
-        load: expected.load,
+        load: if by_packings.is_empty() { expected.load } else { Some(mean) },
         ended: expected.ended.clone(),
         by_priors: asked(&priors).then(|| span(&priors)).flatten(),
         by_dimensions: asked(&dimensions).then(|| span(&every)).flatten(),
-        without: without.map(|(words, answer)| format!("{words}: {}", answer.ended)).collect(),
+        by_packings: (by_packings.len() > 1).then_some(least_and_most),
+        without: without.map(|(words, answer)| format!("{words}: {}", answer.ended)).chain(failed).collect(),
         upper_bound: expected.upper_bound,
         half_strength: expected.half_strength,
         dilating: expected.dilating,

@@ -71,6 +71,8 @@ pub struct Stated {
     pub elements: u32,
     /// Particles in the fill.
     pub particles: u32,
+    /// Packings of particles whose loads are averaged: seeds from 1.
+    pub packings: u64,
     /// Stiffness of the contacts of particles.
     pub particle_normal_stiffness: String,
     /// The same in shear.

@@ -69,6 +69,7 @@ mod tests {
                 ended: "collapsed".into(),
                 by_priors: None,
                 by_dimensions: None,
+                by_packings: None,
                 without: Vec::new(),
                 upper_bound: None,
                 half_strength: None,
