@@ -6,6 +6,7 @@ pub mod assess;
 pub mod blocks;
 pub mod choice;
 mod companions;
+pub mod defect;
 pub mod diagnostic;
 pub mod edit;
 pub mod explain;

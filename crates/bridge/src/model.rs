@@ -1,6 +1,7 @@
 //! What a bridge file means, in SI units: the value that reading returns. Plain data, nothing computed.
 
 use crate::choice::choice;
+use crate::defect::Defect;
 use crate::diagnostic::TextRange;
 use crate::fields::FILE;
 use crate::findings::Findings;
@@ -69,6 +70,8 @@ pub struct Span {
     pub rise: f64,
     /// Rings from the intrados up; at least one.
     pub rings: Vec<Ring>,
+    /// What is wrong with them, in the order of the file.
+    pub defects: Vec<Defect>,
 }
 
 /// One ring of voussoirs.

@@ -1,6 +1,7 @@
 //! The bridge as its file draws it.
 
 use crate::cover;
+use crate::defects;
 use crate::dimension;
 use crate::discs;
 use crate::elevation::{self as draw, Sign};
@@ -29,6 +30,7 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     discs::by_layer(&mut sheet, &view, picture, None);
     draw::blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
     draw::avoid_blocks(&mut sheet, &view, &picture.shapes, |k| picture.shapes[k].outline.clone());
+    defects::lines(&mut sheet, &view, picture);
     draw::surface(&mut sheet, &view, picture);
     let on_surface = !picture.surface_loads.is_empty();
     if on_surface {
@@ -48,6 +50,7 @@ pub fn bridge_as_drawn(picture: &Picture) -> String {
     }
     y = discs::key(&mut sheet, y + 4.0, picture, false);
     y = cover::key(&mut sheet, y, picture);
+    y = defects::key(&mut sheet, y, picture);
     if !entries.is_empty() {
         y = draw::key(&mut sheet, y, &entries);
     }

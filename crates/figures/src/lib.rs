@@ -15,6 +15,7 @@ mod chains;
 mod chart;
 mod colour;
 mod cover;
+mod defects;
 mod dimension;
 mod discs;
 mod displaced;

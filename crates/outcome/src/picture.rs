@@ -188,6 +188,15 @@ pub struct Band {
     pub outlines: Vec<Vec<Point>>,
 }
 
+/// A defect of a ring as drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DefectMark {
+    /// What it is and where, in words.
+    pub words: String,
+    /// Along the face or the joint that has it, from left to right [m].
+    pub line: Vec<Point>,
+}
+
 /// What a dimension measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Measure {
@@ -231,6 +240,9 @@ pub struct Picture {
     pub fill: Vec<Point>,
     /// Layers of the cover that are weight alone, and backing, from the extrados up.
     pub bands: Vec<Band>,
+    /// Defects of the rings, in the order of the file.
+    #[serde(default)]
+    pub defects: Vec<DefectMark>,
     /// What the loads of the drawing are, where they are one case of many: vehicle, factor, place, direction.
     pub case: Option<String>,
     /// Outline of the road surface, where there is a cover [m].

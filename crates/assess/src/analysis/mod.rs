@@ -10,6 +10,7 @@ pub mod by_limit;
 pub mod by_path;
 pub mod calibrate;
 mod caveats;
+mod defects;
 mod deforming;
 mod dimensions;
 mod filled;
@@ -177,6 +178,8 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
 
 #[cfg(test)]
 mod continuum_tests;
+#[cfg(test)]
+mod defect_tests;
 #[cfg(test)]
 mod headline_tests;
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The parts of a picture that every analysis shares.
 
 use super::bands::bands;
+use super::defects;
 use super::dimensions::dimensions;
 use super::places::point;
 use bridge::Bridge;
@@ -30,6 +31,7 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
         bands: bands(bridge, d),
+        defects: defects::marks(bridge),
         dimensions: dimensions(bridge, d.surface),
         ..Picture::default()
     }

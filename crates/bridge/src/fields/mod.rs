@@ -6,6 +6,7 @@ pub mod blocks;
 pub(crate) mod calibration;
 pub(crate) mod continuum;
 pub(crate) mod cover;
+pub(crate) mod defect;
 pub(crate) mod loading;
 pub(crate) mod material;
 pub(crate) mod particles;
@@ -306,6 +307,8 @@ pub static FILE: Section = Section {
             .optional("nothing lies on the extrados"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
             .optional("no backing"),
+        Field::new("defect", Kind::Tables(&defect::DEFECT), "What is wrong with the rings, and where.", "")
+            .optional("the rings are sound"),
         Field::new(
             "continuum",
             Kind::Table(&continuum::CONTINUUM),

@@ -243,7 +243,11 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
         return None;
     }
     let (rings, places) = rings?.into_iter().unzip();
-    Some(PlacedSpan { span: Span { profile, span, rise, rings }, shape: table.range, rings: places })
+    Some(PlacedSpan {
+        span: Span { profile, span, rise, rings, defects: Vec::new() },
+        shape: table.range,
+        rings: places,
+    })
 }
 
 type PlacedRing = (Ring, (TextRange, TextRange));

@@ -13,7 +13,8 @@ pub(crate) use geometry::Layout;
 /// Reads the whole file. There is a bridge only if nothing is missing; whether it can be used is for the findings.
 pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridge> {
     let general = structure::general(file, findings);
-    let spans = structure::spans(file, findings);
+    let mut spans = structure::spans(file, findings);
+    let defects = spans.as_mut().map(|spans| defect::defects(file, spans, findings));
     let piers = structure::piers(file, findings);
     let abutments = structure::abutments(file, findings);
     let masonry = material::masonry(file, findings);
@@ -43,12 +44,14 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
         let wall_joint = spandrel_wall.as_ref().and_then(Option::as_ref).map(|wall| &wall.joint);
         plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref(), wall_joint], masonry.as_ref(), findings);
+        defect::check(file, plan, findings);
         loading::check_blocks(file, plan, loads, matches!(particles, Some(Some(_))), findings);
     }
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 
     let general = general?;
     let spans = spans?;
+    defects??;
     let mut piers = piers?;
     if let [one] = &piers[..] {
         piers = vec![one.clone(); spans.len() - 1];

@@ -33,11 +33,14 @@ pub const ASSESS: &str = include_str!("files/assess.toml");
 /// Fill and backing as a continuum, and all that it may say.
 pub const CONTINUUM: &str = include_str!("files/continuum.toml");
 
+/// Two rings with every kind of defect.
+pub const DEFECTS: &str = include_str!("files/defects.toml");
+
 /// Everything that only the finite element model reads.
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 14] = [
+pub const GOOD: [&str; 15] = [
     CASE_1,
     VIADUCT,
     SHAPES,
@@ -46,6 +49,7 @@ pub const GOOD: [&str; 14] = [
     PARTICLES,
     LAYERS,
     CONTINUUM,
+    DEFECTS,
     CALIBRATION,
     SERVICE,
     PASSAGE,

@@ -48,12 +48,14 @@ pub struct Extrados {
     pub line: Vec<Vec2>,
     /// Plumb faces at the ends of backing that is blocks.
     pub faces: Vec<Face>,
+    /// How much lower the crown lies than it was built, where stones have lost their backs [m]: layers keep their levels.
+    pub lost: f64,
 }
 
 impl Extrados {
-    /// Highest point of the curve [m].
+    /// Highest point of the curve as it was built [m].
     pub fn crown(&self) -> f64 {
-        self.line.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max)
+        self.line.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max) + self.lost
     }
     /// Level of the curve at `x` [m]; beyond the ends that of the nearest end.
     pub fn level(&self, x: f64) -> f64 {

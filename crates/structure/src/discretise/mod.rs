@@ -4,6 +4,7 @@ mod backing;
 pub mod continuum;
 pub mod cover;
 mod curve;
+mod defects;
 pub mod dispersal;
 pub mod extrados;
 pub mod fill;
@@ -15,8 +16,9 @@ mod rings;
 mod supports;
 pub mod wall;
 
+use bridge::defect::{Defect, DefectKind, Face};
 use bridge::ring::Misfit;
-use bridge::{Bridge, Load, SpandrelWall, Strip as Width};
+use bridge::{Bridge, Load, Span, SpandrelWall, Strip as Width};
 use curve::Curve;
 use dispersal::{Spread, Strip};
 use extrados::{Extrados, Stretch};
@@ -272,15 +274,17 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let mut x = 0.0;
     let mut skewbacks = Vec::new();
     let (mut spans, mut lines) = (Vec::new(), Vec::new());
+    let mut built = f64::NEG_INFINITY;
     for (i, span) in bridge.spans.iter().enumerate() {
         let curve =
             Curve::new(span, vec2(x, 0.0)).map_err(|misfit| DiscretiseError::Intrados { span: i + 1, misfit })?;
-        let total: f64 = span.rings.iter().map(|r| r.springing_thickness).sum();
         skewbacks.push([0.0, 1.0].map(|share| {
             let (intrados, normal) = curve.at(share);
-            Skewback { intrados, extrados: intrados + normal * total }
+            Skewback { intrados, extrados: intrados + normal * rings::faces(span, span.rings.len() - 1, share)[1] }
         }));
         lines.push(rings::extrados(span, &curve));
+        let sound = Span { defects: Vec::new(), ..span.clone() };
+        built = built.max(highest(&rings::extrados(&sound, &curve)));
         spans.push(rings::cut(i, span, &curve)?);
         x += span.span + bridge.piers.get(i).map_or(0.0, |p| p.width);
     }
@@ -294,15 +298,29 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
         }
     }
     build.abutment(last, skewbacks[last - 1][1], 1.0)?;
+    build.extrados.lost = (built - highest(&build.extrados.line)).max(0.0);
     build.finish()
+}
+
+/// Highest level of a line [m].
+fn highest(line: &[Vec2]) -> f64 {
+    line.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Voussoirs of a ring that are in the same state.
+struct RingGroup {
+    group: GroupId,
+    span: usize,
+    ring: usize,
+    state: defects::State,
 }
 
 struct Build<'a> {
     bridge: &'a Bridge,
     blocks: Table<BlockId, Block>,
     groups: Table<GroupId, String>,
-    /// Groups whose mutual contacts are joints between rings: span and ring.
-    rings: Vec<(GroupId, usize, usize)>,
+    /// Groups of voussoirs.
+    rings: Vec<RingGroup>,
     origins: Table<BlockId, Origin>,
     faces: Table<BlockId, Option<Faces>>,
     extrados: Extrados,
@@ -353,9 +371,19 @@ impl<'a> Build<'a> {
     fn span(&mut self, span: usize, rings: Vec<Vec<rings::Cut>>) {
         let uppermost = rings.len() - 1;
         for (ring, cuts) in rings.into_iter().enumerate() {
-            let group = self.groups.push(format!("span {} ring {}", span + 1, ring + 1));
-            self.rings.push((group, span, ring));
+            let mut groups: Vec<RingGroup> = Vec::new();
             for (voussoir, cut) in cuts.into_iter().enumerate() {
+                let state = defects::State::of(&self.bridge.spans[span], ring, voussoir);
+                if state.is_missing {
+                    continue;
+                }
+                let known = groups.iter().find(|known| known.state == state).map(|known| known.group);
+                let group = known.unwrap_or_else(|| {
+                    let name = format!("span {} ring {}{}", span + 1, ring + 1, state.name());
+                    let group = self.groups.push(name);
+                    groups.push(RingGroup { group, span, ring, state });
+                    group
+                });
                 let faces = Faces { bed: cut.bed, back: cut.back };
                 let origin = Origin::Voussoir { span, ring, voussoir };
                 let block = self.block(cut.outline, group, Held::FREE, origin, Some(faces));
@@ -364,6 +392,7 @@ impl<'a> Build<'a> {
                     self.seats.push(Seat { left: cut.back[0], right: cut.back[1], span: Some(span) });
                 }
             }
+            self.rings.extend(groups);
         }
     }
 
@@ -551,11 +580,15 @@ impl<'a> Build<'a> {
         let joint: ContactLaw = laws::law(self.bridge, &self.bridge.joint);
         let between_rings = laws::law(self.bridge, &self.bridge.ring_joint);
         let mut laws = LawTable::uniform(self.groups.len(), joint);
-        for &(a, span_a, ring_a) in &self.rings {
-            for &(b, span_b, ring_b) in &self.rings {
-                if span_a == span_b && ring_a != ring_b {
-                    laws.set(a, b, between_rings);
-                }
+        for a in &self.rings {
+            for b in self.rings.iter().filter(|b| b.span == a.span && b.ring > a.ring) {
+                laws.set(a.group, b.group, a.state.separated(&self.bridge.spans[a.span], between_rings));
+            }
+        }
+        for weak in &self.rings {
+            for other in self.groups.ids() {
+                let law = *laws.between(weak.group, other);
+                laws.set(weak.group, other, weak.state.weakened(&self.bridge.spans[weak.span], law));
             }
         }
         if let Some(wall) = &self.bridge.spandrel_wall {
@@ -634,6 +667,34 @@ fn movements(
     // The centroid of a block that turns about another point also moves.
     let translation = vec2(m.horizontal, m.vertical) + (centre - pivot).left() * m.rotation;
     Ok(vec![Movement { block, translation, rotation: m.rotation }])
+}
+
+/// The line along which a defect of a span lies, from left to right [m]: the face that lost something, the joint that parted, the middle of
+/// what is weak. Empty where the span has no curve.
+pub fn defect_line(bridge: &Bridge, span: usize, defect: &Defect) -> Vec<Vec2> {
+    let before = bridge.spans[..span].iter().map(|s| s.span).chain(bridge.piers[..span].iter().map(|p| p.width));
+    let described = &bridge.spans[span];
+    let Ok(curve) = Curve::new(described, vec2(before.sum(), 0.0)) else { return Vec::new() };
+    const STEPS: usize = 48;
+    let last = described.rings.len() - 1;
+    let point = |step: usize| {
+        let share = defect.shares[0] + (defect.shares[1] - defect.shares[0]) * step as f64 / STEPS as f64;
+        let (at, normal) = curve.at(share);
+        let [lowest, highest] = [rings::faces(described, 0, share)[0], rings::faces(described, last, share)[1]];
+        let offset = match defect.kind {
+            DefectKind::LostMortar { face: Face::Extrados, .. } | DefectKind::ThinRing { face: Face::Extrados, .. } => {
+                highest
+            }
+            DefectKind::LostMortar { .. } | DefectKind::ThinRing { .. } | DefectKind::MissingStones => lowest,
+            DefectKind::RingSeparation { ring, .. } => rings::faces(described, ring, share)[1],
+            DefectKind::WeakMasonry { ring: Some(ring), .. } => {
+                rings::faces(described, ring, share).iter().sum::<f64>() * 0.5
+            }
+            DefectKind::WeakMasonry { ring: None, .. } => 0.5 * (lowest + highest),
+        };
+        at + normal * offset
+    };
+    (0..=STEPS).map(point).collect()
 }
 
 /// Distance between the outer springings, at the intrados [m].

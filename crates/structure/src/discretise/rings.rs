@@ -8,6 +8,7 @@
 use super::DiscretiseError;
 use super::curve::Curve;
 use bridge::Span;
+use bridge::defect::{Face, raked, thinned};
 use mechanics::plane::{Polygon, Vec2};
 
 /// A voussoir as drawn: outline and the edge on its back.
@@ -32,9 +33,20 @@ struct Joints {
 }
 
 /// Thickness of a ring at a share of the arc length: linear from springing to crown.
-pub(super) fn thickness(ring: &bridge::Ring, share: f64) -> f64 {
+fn thickness(ring: &bridge::Ring, share: f64) -> f64 {
     let to_crown = 1.0 - (2.0 * share - 1.0).abs();
     ring.springing_thickness + (ring.crown_thickness - ring.springing_thickness) * to_crown
+}
+
+/// Distance of a ring's lower and upper face from the intrados of the span as it was built, along its normal, at a share of the arc length
+/// [m]: less what stones have lost.
+pub(super) fn faces(span: &Span, ring: usize, share: f64) -> [f64; 2] {
+    let below: f64 = span.rings[..ring].iter().map(|r| thickness(r, share)).sum();
+    let lost = |face: Face, is_outer: bool| {
+        if is_outer { thinned(&span.defects, face, share, span.rings[ring].voussoirs) } else { 0.0 }
+    };
+    let upper = below + thickness(&span.rings[ring], share);
+    [below + lost(Face::Intrados, ring == 0), upper - lost(Face::Extrados, ring + 1 == span.rings.len())]
 }
 
 /// The voussoirs of every ring of `span`, from the intrados up, each from left to right.
@@ -53,6 +65,7 @@ pub fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, Di
                 outline.extend(corners.rev().map(|(_, p)| *p));
             }
             outline.push(own.upper[i]);
+            let outline = raked_joints(span, k, own, i, outline);
             let outline = Polygon::new(outline).map_err(|source| DiscretiseError::Voussoir {
                 span: index + 1,
                 ring: k + 1,
@@ -66,6 +79,49 @@ pub fn cut(index: usize, span: &Span, curve: &Curve) -> Result<Vec<Vec<Cut>>, Di
     Ok(rings)
 }
 
+/// How far the corner of a stone stands free of its neighbour where mortar is lost [m]. Only the depth decides what the joint carries; a real
+/// joint is wider, and stones lose no weight with their mortar.
+const HALF_JOINT: f64 = 2e-4;
+
+/// Most of a stone's face that a corner of it stands free.
+const MOST_OF_A_FACE: f64 = 0.2;
+
+/// Least depth without mortar that is modelled [m].
+const LEAST_RAKED: f64 = 1e-4;
+
+/// The outline of a voussoir, first its lower corners, then its back, without the corners that no mortar holds any more.
+fn raked_joints(span: &Span, ring: usize, own: &Joints, i: usize, outline: Vec<Vec2>) -> Vec<Vec2> {
+    let last = outline.len() - 1;
+    let depth = |corner: usize| {
+        let share = own.shares[if corner == 0 || corner == last { i } else { i + 1 }];
+        let face = match corner {
+            0 | 1 if ring == 0 => Face::Intrados,
+            2 if ring + 1 == span.rings.len() => Face::Extrados,
+            _ if corner == last && ring + 1 == span.rings.len() => Face::Extrados,
+            _ => return 0.0,
+        };
+        raked(&span.defects, face, share, span.rings[ring].voussoirs)
+    };
+    let mut cut = Vec::with_capacity(outline.len() + 4);
+    for (corner, &at) in outline.iter().enumerate() {
+        let depth = depth(corner);
+        if depth < LEAST_RAKED {
+            cut.push(at);
+            continue;
+        }
+        let (before, after) = (outline[(corner + last) % (last + 1)], outline[(corner + 1) % (last + 1)]);
+        let towards = |to: Vec2, far: f64| at + (to - at) * (far / (to - at).norm());
+        let along = |to: Vec2| towards(to, HALF_JOINT.min(MOST_OF_A_FACE * (to - at).norm()));
+        if corner == 0 || corner == 2 {
+            // The joint comes before the corner, and the face after it.
+            cut.extend([towards(before, depth), along(after)]);
+        } else {
+            cut.extend([along(before), towards(after, depth)]);
+        }
+    }
+    cut
+}
+
 /// Steps in which the curve of the extrados is drawn: chords so short depart from it by less than a thousandth of a
 /// millimetre.
 const FINE: usize = 1024;
@@ -75,7 +131,7 @@ pub fn extrados(span: &Span, curve: &Curve) -> Vec<Vec2> {
     let point = |i: usize| {
         let share = i as f64 / FINE as f64;
         let (point, normal) = curve.at(share);
-        point + normal * span.rings.iter().map(|r| thickness(r, share)).sum::<f64>()
+        point + normal * faces(span, span.rings.len() - 1, share)[1]
     };
     (0..=FINE).map(point).collect()
 }
@@ -97,13 +153,11 @@ fn joints(span: &Span, curve: &Curve) -> Vec<Joints> {
                 snapped.unwrap_or(share)
             })
             .collect();
-        let depth = |share: f64| span.rings[..k].iter().map(|r| thickness(r, share)).sum::<f64>();
         let end = |share: f64, offset: f64| {
             let (point, normal) = curve.at(share);
             point + normal * offset
         };
-        let lower = shares.iter().map(|&s| end(s, depth(s))).collect();
-        let upper = shares.iter().map(|&s| end(s, depth(s) + thickness(ring, s))).collect();
+        let [lower, upper] = [0, 1].map(|face| shares.iter().map(|&s| end(s, faces(span, k, s)[face])).collect());
         rings.push(Joints { shares, lower, upper });
     }
     for k in 1..rings.len() {

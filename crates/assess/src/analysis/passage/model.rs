@@ -1,6 +1,7 @@
 //! What the zones and interfaces of a mesh are made of: the finite element model of a bridge.
 
 use super::PassageError;
+use crate::analysis::defects::told_of_elements;
 use bridge::choice::Choice;
 use bridge::{Bridge, Cone as FileCone, Joint, Soil, SoilLaw};
 use mechanics::fem::joint::{Contact, JointLaw, LiftOff, Mortar, Shear};
@@ -133,7 +134,7 @@ fn contact(bridge: &Bridge, meshed: &Meshed) -> JointLaw {
 /// What the model assumes, in words.
 pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
     let JointLaw::Contact(contact) = contact(bridge, meshed) else { return Vec::new() };
-    vec![
+    let mut told: Vec<String> = vec![
         "Plane strain: a metre of the barrel's width, the same across it. Stone, piers, abutments and backing are linear elastic, of \
          elements with incompatible modes; soil that yields is of plain four-node elements."
             .into(),
@@ -150,7 +151,9 @@ pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
         ),
         "The base of piers, abutments and the fill behind them is fixed; the side boundaries hold the fill horizontally.".into(),
         "Self-weight is carried by the finished bridge, without the centring's stages, and taken off the records.".into(),
-    ]
+    ];
+    told.extend(told_of_elements(bridge));
+    told
 }
 
 /// What carries shear in joints, in words.

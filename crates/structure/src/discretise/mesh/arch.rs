@@ -1,7 +1,7 @@
 //! A span's strip of rings: points of it, and where along it a condition is met.
 
 use crate::discretise::curve::Curve;
-use crate::discretise::rings::thickness;
+use crate::discretise::rings::faces;
 use bridge::Span;
 use mechanics::plane::Vec2;
 
@@ -36,26 +36,21 @@ pub struct Arch<'a> {
 }
 
 impl Arch<'_> {
-    /// Thickness of all rings below ring `ring` [m].
-    fn below(&self, share: f64, ring: usize) -> f64 {
-        self.span.rings[..ring].iter().map(|r| thickness(r, share)).sum()
-    }
-
     /// A point of ring `ring`, at a share of its depth from its intrados.
     pub fn at(&self, share: f64, ring: usize, depth: f64) -> Vec2 {
         let (point, normal) = self.curve.at(share);
-        point + normal * (self.below(share, ring) + depth * thickness(&self.span.rings[ring], share))
+        let [lower, upper] = faces(self.span, ring, share);
+        point + normal * (lower + depth * (upper - lower))
     }
 
     /// A point of the intrados.
     pub fn intrados(&self, share: f64) -> Vec2 {
-        self.curve.at(share).0
+        self.at(share, 0, 0.0)
     }
 
     /// A point of the extrados.
     pub fn extrados(&self, share: f64) -> Vec2 {
-        let (point, normal) = self.curve.at(share);
-        point + normal * self.below(share, self.span.rings.len())
+        self.at(share, self.span.rings.len() - 1, 1.0)
     }
 
     /// Length of the extrados between two shares [m].

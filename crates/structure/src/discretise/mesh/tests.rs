@@ -13,7 +13,8 @@ fn ring(thickness: f64, voussoirs: usize) -> Ring {
 
 /// Four spans of 6 m like those of the railway paper.
 fn railway() -> Bridge {
-    let span = Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring(0.54, 25)] };
+    let span =
+        Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring(0.54, 25)], defects: Vec::new() };
     let mut b = spans(vec![span; 4], 1.5, 1.8, 3.0, 6);
     b.cover.depth = 0.48;
     b.abutments = [Abutment { top_width: 1.5, height: 3.0 }; 2];
