@@ -94,6 +94,12 @@ pub const ALL: &[Example] = &[
         files: files!("two-ring": "bridge.toml"),
     },
     Example {
+        name: "defects",
+        about: "an arch as an inspection found it: mortar lost, rings separated, bricks spalled and soft",
+        main: "bridge.toml",
+        files: files!("defects": "bridge.toml"),
+    },
+    Example {
         name: "settlement",
         about: "an abutment that gives way until a mechanism forms",
         main: "bridge.toml",

@@ -7,6 +7,7 @@ mod calibration;
 mod carried;
 mod caveats;
 mod checked;
+mod defects;
 mod drawings;
 mod drawn;
 mod examples;

@@ -194,11 +194,10 @@ fn backed(file: &mut Table, test: &Test, priors: &Priors, by: Predictor, level: 
 /// The same bridge with its layers as weight, which needs no more to be read.
 fn weight_alone(file: &Table) -> Table {
     let mut plain = file.clone();
-    for layer in plain.get_mut("cover").and_then(Value::as_array_mut).into_iter().flatten() {
-        if let Some(layer) = layer.as_table_mut() {
-            layer.retain(|key, _| !["as", "friction_angle", "cohesion"].contains(&key));
-        }
-    }
+    let strip = |layer: &mut Table| layer.retain(|key, _| !["as", "friction_angle", "cohesion"].contains(&key));
+    let layers = plain.get_mut("cover").and_then(Value::as_array_mut).into_iter().flatten();
+    layers.filter_map(Value::as_table_mut).for_each(strip);
+    plain.get_mut("backing").and_then(Value::as_table_mut).into_iter().for_each(strip);
     plain.insert("analysis".into(), table([("method", "limit".into())]));
     plain
 }

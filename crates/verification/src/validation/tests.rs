@@ -75,6 +75,17 @@ fn priors_are_what_a_bridge_is_made_of() {
     assert!(document::bridge_of(&particles).is_ok());
 }
 
+#[test]
+fn every_test_is_a_bridge_by_every_method_at_every_end() {
+    let corpus = Corpus::read(&here(), &[]).expect("all tests");
+    let methods = [Predictor::Weight, Predictor::Pressure, Predictor::Continuum, Predictor::Path, Predictor::Particles];
+    for job in jobs(&corpus, &methods) {
+        let test = &corpus.tests[job.test];
+        let file = document::document(test, &corpus.priors, job.by, job.at).and_then(|file| document::bridge_of(&file));
+        assert!(file.is_ok(), "{} by {} at {:?}: {:?}", test.name, job.by, job.at, file.err());
+    }
+}
+
 /// A name, a change of a file, words that the error says.
 type Spoilt = (&'static str, (&'static str, &'static str, &'static str), [&'static str; 2]);
 

@@ -18,6 +18,35 @@ pub(super) fn railway() -> Bridge {
     bridge
 }
 
+/// A ring that is thinner throughout has a smaller mesh; mortar that is lost is not felt, and the result says so.
+#[test]
+fn finite_elements_say_which_defects_they_leave_out() {
+    use bridge::defect::{Defect, DefectKind, Face};
+    let sound = railway();
+    let mut b = sound.clone();
+    let whole = |kind| Defect { kind, from_to: [0.0, 6.0], shares: [0.0, 1.0] };
+    for span in &mut b.spans {
+        span.defects = vec![
+            whole(DefectKind::LostMortar { face: Face::Intrados, depth: 0.05 }),
+            whole(DefectKind::ThinRing { face: Face::Intrados, depth: 0.06 }),
+        ];
+    }
+    let meshed = setup(&b).unwrap().meshed;
+    let told = model::assumptions(&b, &meshed).join("\n");
+    assert!(
+        told.contains("mortar lost to 50 mm from the intrados is left out") && told.contains("60 mm of stone lost")
+    );
+    let deepest = |of: &structure::discretise::mesh::Meshed| {
+        let ring = of.picture().surface[0][0];
+        let crown = 0.5 * sound.spans[0].span;
+        let near = of.mesh.nodes.iter().filter(|p| (p.x - crown).abs() < 0.05 && p.x > ring);
+        near.map(|p| p.y).filter(|y| *y > 0.5).fold(f64::INFINITY, f64::min)
+    };
+    let lost = deepest(&meshed) - deepest(&setup(&sound).unwrap().meshed);
+    // A node beside the crown lies up to a millimetre lower.
+    assert!((lost - 0.06).abs() < 1.5e-3, "{lost}");
+}
+
 #[test]
 fn a_passage_is_set_up_on_the_mesh() {
     let bridge = railway();
