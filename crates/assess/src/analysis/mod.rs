@@ -131,6 +131,11 @@ pub enum AnalysisError {
     Elements(mechanics::fem::ModelError),
     #[error("the equations of the ring cannot be set up: {0}")]
     Equations(mechanics::fem::FactorError),
+    #[error(
+        "finite elements of the ring and the least thickness know no defects, and the file has some: use method \"limit\", \"path\" or \
+         \"dem\" with analysis \"load\", or leave [[defect]] out"
+    )]
+    KnowsNoDefects,
     /// A vehicle or a rule of a sweep is not known.
     #[error(transparent)]
     Vehicles(#[from] crate::vehicles::Refused),
@@ -160,7 +165,9 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
         return strips::both(bridge, resume, watch);
     }
+    let has_defects = bridge.spans.iter().any(|span| !span.defects.is_empty());
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
+        (Analysis::Load, Method::Fe) | (Analysis::Thickness, _) if has_defects => Err(AnalysisError::KnowsNoDefects),
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge, watch),
         (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),
         (Analysis::Load, Method::Path) => collapse_by_path(bridge, watch),

@@ -5,7 +5,7 @@ use super::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::defect::{Defect, DefectKind, Face, raked, thinned};
 use crate::findings::Findings;
-use crate::model::{Analysis, Method, Plan, Span};
+use crate::model::Span;
 use crate::quantity::Dimension::{Angle, Length, Stress};
 use crate::ring::Intrados;
 use crate::tree::{At, Table};
@@ -225,23 +225,4 @@ fn shares(span: &Span, places: [f64; 2]) -> Option<[f64; 2]> {
         }
         0.5 * (low + high)
     }))
-}
-
-/// Analyses that know no defects say so.
-pub(crate) fn check(file: &Table<'_>, plan: &Plan, findings: &mut Findings) {
-    if !file.has("defect") {
-        return;
-    }
-    let what = match (plan.analysis, plan.method) {
-        (_, Method::Fe) => "the finite element model of the ring knows none",
-        (Analysis::Thickness, _) => "the least thickness is that of a ring which is the same throughout",
-        _ => return,
-    };
-    findings.error(
-        "B226",
-        file.place("defect"),
-        "the file has defects that this analysis would leave out",
-        what,
-        "use method = \"limit\", \"path\" or \"dem\" with analysis = \"load\", or leave [[defect]] out",
-    );
 }

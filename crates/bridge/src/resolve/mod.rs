@@ -44,7 +44,6 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     if let (Some(plan), Some(loads)) = (&plan, &loads) {
         let wall_joint = spandrel_wall.as_ref().and_then(Option::as_ref).map(|wall| &wall.joint);
         plan::check(file, plan, loads, [joint.as_ref(), ring_joint.as_ref(), wall_joint], masonry.as_ref(), findings);
-        defect::check(file, plan, findings);
         loading::check_blocks(file, plan, loads, matches!(particles, Some(Some(_))), findings);
     }
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
