@@ -1,6 +1,7 @@
 //! Vehicles and rules that a bridge file can name: those of the library, the trains of passages, and an engineer's own.
 
 use bridge::{Bridge, SweepPlan};
+use outcome::vehicles::Grade;
 use rules::{Acting, Confidence};
 pub use rules::{Extent, Library, LoadModel, Rule, Source, Spacing, Uniform, Vehicle, Ways};
 
@@ -101,6 +102,7 @@ pub fn library(gravity: f64) -> Result<Library, Unknown> {
             note: "axle loads are the railway paper's, spacings are assumed".to_owned(),
         },
         vehicles: vehicles.collect(),
+        grades: String::new(),
         published: Vec::new(),
         span_limit: None,
         abreast: Vec::new(),
@@ -118,6 +120,8 @@ pub struct Chosen {
     pub ways: Ways,
     /// The vehicle.
     pub vehicle: Vehicle,
+    /// The grade of a bridge that carries it, where its model has grades.
+    pub grade: Option<Grade>,
     /// What the rule does with its loads.
     pub acting: Acting,
     /// Shares of its axle loads in the first lane, the second and so on; all whole where none are given.
@@ -272,10 +276,18 @@ fn taken(
         model: model.code.clone(),
         ways: model.ways,
         vehicle: vehicle.clone(),
+        grade: grade(model, vehicle),
         acting,
         abreast: model.abreast.clone(),
         source: model.source_of(vehicle).clone(),
     })
+}
+
+/// The grade of a bridge that carries a vehicle, and its rank among those of the model.
+fn grade(model: &LoadModel, vehicle: &Vehicle) -> Option<Grade> {
+    let rank = model.vehicles.iter().position(|other| other.code == vehicle.code)?;
+    let has_one = !model.grades.is_empty() && !vehicle.grade.is_empty();
+    has_one.then(|| Grade { of: model.grades.clone(), name: vehicle.grade.clone(), rank })
 }
 
 /// A refusal of the name that was written.

@@ -167,6 +167,7 @@ mod tests {
             code: code.to_owned(),
             title: code.to_uppercase(),
             model: code.to_owned(),
+            grade: None,
             status: Status::Collapsed,
             adequacy,
             adequacy_at_most: None,

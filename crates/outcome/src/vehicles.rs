@@ -125,6 +125,17 @@ pub struct PermissibleFactor {
     pub position: f64,
 }
 
+/// A grade of bridges: that of one which carries a certain vehicle.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Grade {
+    /// What it is of: "Route Availability".
+    pub of: String,
+    /// Its name: "RA8".
+    pub name: String,
+    /// Its place among all of them, from the lightest up.
+    pub rank: usize,
+}
+
 /// What was found for one vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Swept {
@@ -134,6 +145,9 @@ pub struct Swept {
     pub title: String,
     /// Code of its load model.
     pub model: String,
+    /// The grade of a bridge that carries it, where its load model has grades.
+    #[serde(default)]
+    pub grade: Option<Grade>,
     /// How the governing case ended.
     pub status: Status,
     /// Adequacy factor: what all its axle loads may be multiplied by; 1 is just enough. None where nothing makes a mechanism, and
@@ -285,6 +299,17 @@ impl Swept {
         own.is_some_and(|own| self.rigid.is_none_or(|rigid| own < rigid))
     }
 
+    /// Whether it is carried under the factors of the rule; none where nothing is settled.
+    pub fn is_carried(&self) -> Option<bool> {
+        match (self.status, self.adequacy, self.adequacy_at_most) {
+            (Status::Locks, ..) => Some(true),
+            (Status::UnstableUnderSelfWeight, ..) => Some(false),
+            (_, Some(factor), _) => Some(factor >= 1.0),
+            (_, None, Some(most)) if most < 1.0 => Some(false),
+            _ => None,
+        }
+    }
+
     /// The adequacy factor, or what bounds it from above.
     pub fn factor(&self) -> Option<f64> {
         self.adequacy.or(self.adequacy_at_most)
@@ -319,7 +344,47 @@ pub struct VehicleSweep {
     pub assumptions: Vec<String>,
 }
 
+/// What a bridge is worth in the grades of a load model, lightest first: those of the vehicles that were asked for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Graded {
+    /// What the grades are of: "Route Availability".
+    pub of: String,
+    /// The last grade up to which every one is carried with an adequacy factor of 1 or more.
+    pub highest: Option<String>,
+    /// Those that are carried.
+    pub carried: Vec<String>,
+    /// Those that are not.
+    pub not_carried: Vec<String>,
+    /// Those for which nothing is settled.
+    pub unanswered: Vec<String>,
+}
+
 impl VehicleSweep {
+    /// The grades of the bridge, one list for each load model that has them.
+    pub fn grades(&self) -> Vec<Graded> {
+        let mut vehicles: Vec<(&Grade, &Swept)> =
+            self.vehicles.iter().filter_map(|one| Some((one.grade.as_ref()?, one))).collect();
+        vehicles.sort_by_key(|(grade, _)| grade.rank);
+        let mut found: Vec<Graded> = Vec::new();
+        for (Grade { of, name, .. }, one) in vehicles {
+            let at = found.iter().position(|graded| graded.of == *of).unwrap_or_else(|| {
+                found.push(Graded { of: of.clone(), ..Graded::default() });
+                found.len() - 1
+            });
+            let graded = &mut found[at];
+            let list = match one.is_carried() {
+                Some(true) => &mut graded.carried,
+                Some(false) => &mut graded.not_carried,
+                None => &mut graded.unanswered,
+            };
+            list.push(name.clone());
+            if graded.not_carried.is_empty() && graded.unanswered.is_empty() {
+                graded.highest = Some(name.clone());
+            }
+        }
+        found
+    }
+
     /// How it ended: completed only where every position of every vehicle was answered.
     pub fn status(&self) -> Ended {
         let ended = |status| self.vehicles.iter().any(|v| v.status == status);

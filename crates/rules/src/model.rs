@@ -15,6 +15,9 @@ pub struct LoadModel {
     pub ways: Ways,
     /// Where it is from.
     pub source: Source,
+    /// What its vehicles are grades of, where they are, from the lightest up: "Route Availability".
+    #[serde(default)]
+    pub grades: String,
     /// Its vehicles.
     #[serde(default, rename = "vehicle")]
     pub vehicles: Vec<Vehicle>,

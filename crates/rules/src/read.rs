@@ -51,6 +51,12 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
         let twice = model.vehicles[..k].iter().any(|other| other.code == vehicle.code);
         found.need(!twice, &format!("vehicle[{k}].code"), "another vehicle of this file has the same code");
         found.vehicle(&format!("vehicle[{k}]"), vehicle);
+        let told = vehicle.grade.is_empty() || !model.grades.is_empty();
+        found.need(
+            told,
+            &format!("vehicle[{k}].grade"),
+            "write at the head of the file what it is a grade of: grades = \"…\"",
+        );
     }
     if let Some(limit) = &model.span_limit {
         found.source("span_limit.source", &limit.source);

@@ -197,6 +197,7 @@ static VEHICLE: Shape = Shape {
     keys: &[
         must("code", Kind::Text, "its name in bridge files"),
         must("title", Kind::Text, "its name in reports"),
+        may("grade", Kind::Text, "the grade of a bridge that carries it, where the file has `grades`"),
         must("axle_loads_kn", Kind::Numbers, "load of each axle, from the first one back [kN]"),
         must(
             "spacings_m",
@@ -274,6 +275,7 @@ pub static LOAD_MODEL: Shape = Shape {
             Kind::Numbers,
             "shares of its axle loads in the first lane, the second and so on; all whole where not written",
         ),
+        may("grades", Kind::Text, "what its vehicles are grades of, where they are, from the lightest up"),
         may("span_limit", Kind::Table(&SPAN_LIMIT), "the longest span that it may be used for"),
         must("vehicle", Kind::Tables(&VEHICLE), "its vehicles"),
         may("under", Kind::Tables(&UNDER), "factors under rules that do not name it"),

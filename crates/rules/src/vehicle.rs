@@ -12,6 +12,9 @@ pub struct Vehicle {
     pub code: String,
     /// The name in reports.
     pub title: String,
+    /// The grade that a bridge has which carries it, where its model has grades: `RA8`.
+    #[serde(default)]
+    pub grade: String,
     /// Load of each axle [kN], from the first one back.
     pub axle_loads_kn: Vec<f64>,
     /// Distances between neighbouring axles [m]: one fewer than axles.
@@ -107,6 +110,7 @@ impl Vehicle {
         Vehicle {
             code: code.to_owned(),
             title: title.to_owned(),
+            grade: String::new(),
             axle_loads_kn: axles.iter().map(|a| 1e-3 * a.0).collect(),
             spacings_m: axles.windows(2).map(|pair| Spacing::Fixed(pair[1].1 - pair[0].1)).collect(),
             lift_off: Vec::new(),

@@ -5,7 +5,7 @@ use rules::{Confidence, Impact, Pattern, library, read_load_model, read_rule};
 #[test]
 fn every_file_is_read_and_every_source_is_named() {
     let library = library().unwrap_or_else(|problems| panic!("{problems:?}"));
-    assert_eq!(library.models.len(), 9);
+    assert_eq!(library.models.len(), 11);
     assert_eq!(library.rules.len(), 5);
     let codes: Vec<&str> = library.vehicles().map(|(_, v)| v.code.as_str()).collect();
     for (k, code) in codes.iter().enumerate() {
@@ -27,6 +27,43 @@ fn every_load_model_gives_its_own_published_table() {
         rows += checked.len();
     }
     assert!(rows > 55, "{rows}");
+}
+
+/// What is known of each without its drawing: the length of a wagon is its mass over its mass per metre, and trucks weigh what they are called.
+#[test]
+fn wagons_and_trucks_weigh_what_they_are_called() {
+    let library = library().unwrap();
+    let known = [
+        ("a", 16.0, 5.0),
+        ("b2", 18.0, 6.4),
+        ("c3", 20.0, 7.2),
+        ("c4", 20.0, 8.0),
+        ("d2", 22.5, 6.4),
+        ("d4", 22.5, 8.0),
+        ("e5", 25.0, 8.8),
+    ];
+    for (name, axle, per_metre) in known {
+        let (model, wagon) = library.vehicle(&format!("line-{name}")).unwrap();
+        assert_eq!((model.grades.as_str(), wagon.grade.to_lowercase().as_str()), ("line category", name));
+        let pattern: &Pattern = &wagon.patterns()[0];
+        assert!(pattern.axles.iter().all(|one| (one.force - axle * 9.81e3).abs() < 10.0));
+        // From the first axle of a wagon to that of the next.
+        let length = pattern.axles[4].offset - pattern.axles[0].offset;
+        assert!((length / (4.0 * axle / per_metre) - 1.0).abs() < 6e-3, "{name}: {length}");
+    }
+    for (name, tons) in [
+        ("type-3", 25.0),
+        ("type-3s2", 36.0),
+        ("type-3-3", 40.0),
+        ("su4", 27.0),
+        ("su5", 31.0),
+        ("su6", 34.75),
+        ("su7", 38.75),
+    ] {
+        let truck = library.vehicle(name).unwrap().1;
+        let weight: f64 = truck.axle_loads_kn.iter().sum();
+        assert!((weight / (tons * 2.0 * 4.4482216) - 1.0).abs() < 1e-3, "{name}: {weight}");
+    }
 }
 
 #[test]

@@ -24,6 +24,13 @@ pub fn vehicle_sweep(found: &VehicleSweep) -> Object {
         weight_combinations: list(&found.weights, weights),
         step_m: found.step,
         positions_not_converged: found.positions_not_converged(),
+        grades?: Some(found.grades()).filter(|all| !all.is_empty()).map(|all| list(&all, |one| object! {
+            of: one.of,
+            highest: one.highest,
+            carried: one.carried,
+            not_carried: one.not_carried,
+            unanswered: one.unanswered,
+        })),
         // The governing position, as in sweeps of the file's own loads, with its vehicle.
         governing: governing.map(|v| object! {
             vehicle: v.code,

@@ -447,6 +447,7 @@ fn blank(chosen: &Chosen, foot: &Footprint) -> Swept {
         code: chosen.vehicle.code.clone(),
         title: chosen.vehicle.title.clone(),
         model: chosen.model.clone(),
+        grade: chosen.grade.clone(),
         status: Status::Locks,
         adequacy: None,
         adequacy_at_most: None,

@@ -81,6 +81,36 @@ fn the_governing_case_by_itself_has_the_same_factor() {
     }
 }
 
+/// Grades are those of the vehicles that are carried, lightest first whatever the order of the plan; the highest is the last before one that
+/// is not.
+#[test]
+fn a_bridge_has_the_grades_that_it_carries() {
+    let asked = ["line-e5", "line-a", "line-b2", "line-c2", "line-c4", "line-d2", "line-d4"];
+    let mut b = spans(1);
+    b.sweep = Some(plan(&asked));
+    let factor =
+        |found: &VehicleSweep, code: &str| found.vehicles.iter().find(|v| v.code == code).unwrap().adequacy.unwrap();
+    // A ring of such strength that line category C4 fails by a hair or holds by one.
+    let all = swept(&b);
+    for scale in [1.02, 0.98] {
+        let mut b = b.clone();
+        let text = rules::FILES[1].iter().find(|f| f.0 == "characteristic").unwrap().1;
+        let live = format!("[factors.live_load]\nvalue = {:.9}", scale * factor(&all, "line-c4"));
+        let plan = b.sweep.as_mut().unwrap();
+        plan.rule_file = Some("own.toml".into());
+        plan.texts = vec![("own.toml".into(), text.replacen("[factors.live_load]\nvalue = 1.0", &live, 1))];
+        let found = swept(&b);
+        let graded = &found.grades()[0];
+        assert_eq!(graded.of, "line category");
+        let holds = |name: &str| factor(&found, &format!("line-{}", name.to_lowercase())) >= 1.0;
+        assert!(graded.carried.iter().all(|name| holds(name)) && !graded.not_carried.iter().any(|name| holds(name)));
+        assert_eq!(graded.carried.len() + graded.not_carried.len(), asked.len());
+        let wanted = if scale > 1.0 { "B2" } else { "C4" };
+        assert!(graded.carried.contains(&wanted.to_owned()), "{graded:?}");
+        assert_eq!(graded.highest.as_deref(), Some(wanted), "{graded:?}");
+    }
+}
+
 #[test]
 fn a_symmetric_bridge_has_the_same_factor_both_ways() {
     let mut b = bridgemill(&["hl-93-truck"]);
