@@ -251,6 +251,9 @@ pub struct VehicleFacts {
     pub safety: SafetyFacts,
     /// One entry a vehicle.
     pub vehicles: Vec<SweptFacts>,
+    /// What the bridge is worth in the grades of the vehicles' load models: what they are of, the highest grade, and the others in words.
+    #[serde(default)]
+    pub grades: Vec<[String; 3]>,
     /// Distance between positions [m].
     pub step_m: f64,
     /// The vehicle with the least adequacy factor.

@@ -359,6 +359,24 @@ pub struct Graded {
     pub unanswered: Vec<String>,
 }
 
+impl Graded {
+    /// Every grade in words: what is carried, what is not, what is not settled.
+    pub fn all_told(&self) -> String {
+        let lists = [("carried", &self.carried), ("not carried", &self.not_carried), ("not settled", &self.unanswered)];
+        let told = lists.iter().filter(|(_, grades)| !grades.is_empty());
+        told.map(|(words, grades)| format!("{words}: {}", grades.join(", "))).collect::<Vec<_>>().join("; ")
+    }
+
+    /// The highest grade in words.
+    pub fn told(&self) -> String {
+        match (&self.highest, self.not_carried.first().or(self.unanswered.first())) {
+            (Some(highest), _) => highest.clone(),
+            (None, Some(first)) => format!("less than {first}"),
+            (None, None) => "nothing is settled".to_owned(),
+        }
+    }
+}
+
 impl VehicleSweep {
     /// The grades of the bridge, one list for each load model that has them.
     pub fn grades(&self) -> Vec<Graded> {

@@ -44,6 +44,7 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
 pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
     let source = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
     VehicleFacts {
+        grades: found.grades().iter().map(|one| [one.of.clone(), one.told(), one.all_told()]).collect(),
         rule: rule_line(&found.rule),
         factors: found
             .rule

@@ -44,13 +44,8 @@ pub fn vehicles(found: &VehicleSweep, out: &str) -> String {
         let _ = writeln!(page, "  {:<22}  {factor:>8}{both}  {place}{open}", v.code);
     }
     for one in found.grades() {
-        let all = |grades: &[String]| if grades.is_empty() { "none".to_owned() } else { grades.join(", ") };
-        let _ = writeln!(page, "\n  {:<22}  {}", one.of, one.highest.as_deref().unwrap_or("none"));
-        let _ = writeln!(page, "  carried                 {}", all(&one.carried));
-        let _ = writeln!(page, "  not carried             {}", all(&one.not_carried));
-        if !one.unanswered.is_empty() {
-            let _ = writeln!(page, "  nothing is settled for  {}", all(&one.unanswered));
-        }
+        let _ = writeln!(page, "\n  {:<22}  {}", one.of, one.told());
+        let _ = writeln!(page, "  {}", one.all_told());
     }
     if let Some(v) = found.governing.map(|k| &found.vehicles[k]) {
         let _ = writeln!(page, "\n  governing vehicle        {}", v.title);

@@ -129,3 +129,20 @@ fn the_ladder_of_verdicts_is_explained() {
         assert!(card.contains(word), "{card}");
     }
 }
+
+#[test]
+fn a_sweep_says_what_grade_the_bridge_has() {
+    let stage = Stage::with_example("verdict-grades", "viaduct");
+    let text = stage
+        .read("bridge/bridge.toml")
+        .replace("vehicles = [\"ra\"]", "vehicles = [\"ra8\", \"ra1\", \"line-a\"]\nstep = \"1 m\"");
+    let text = text.replace("rule = \"nr-civ-025\"", "rule = \"characteristic\"");
+    stage.write("bridge/graded.toml", text);
+    let (answer, _) = stage.object(&["collapse", "bridge/graded.toml", "--sweep", "--method", "limit"]);
+    let grades = answer["grades"].as_array().expect("grades");
+    assert_eq!((grades.len(), grades[0]["of"].as_str()), (2, Some("Route Availability")), "{answer}");
+    let factor = |k: usize| answer["vehicles"][k]["adequacy_factor"].as_f64().expect("a factor");
+    let carried = |grade: &str| grades[0]["carried"].as_array().is_some_and(|all| all.contains(&grade.into()));
+    assert_eq!((carried("RA8"), carried("RA1")), (factor(0) >= 1.0, factor(1) >= 1.0), "{answer}");
+    assert_eq!(grades[1]["highest"].is_null(), factor(2) < 1.0, "{answer}");
+}
