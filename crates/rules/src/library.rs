@@ -22,7 +22,7 @@ pub type File = (&'static str, &'static str);
 
 /// The texts of all files: load models, then rules.
 pub const FILES: [&[File]; 2] = [
-    files!("loads": "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454", "ra"),
+    files!("loads": "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454", "ra", "sw"),
     files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025", "en-1991-2"),
 ];
 

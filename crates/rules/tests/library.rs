@@ -5,7 +5,7 @@ use rules::{Confidence, Impact, Pattern, library, read_load_model, read_rule};
 #[test]
 fn every_file_is_read_and_every_source_is_named() {
     let library = library().unwrap_or_else(|problems| panic!("{problems:?}"));
-    assert_eq!(library.models.len(), 9);
+    assert_eq!(library.models.len(), 10);
     assert_eq!(library.rules.len(), 5);
     let codes: Vec<&str> = library.vehicles().map(|(_, v)| v.code.as_str()).collect();
     for (k, code) in codes.iter().enumerate() {

@@ -1,6 +1,6 @@
-//! Every vehicle of the library by a second calculation, and Route Availability numbers.
+//! Every vehicle of the library by a second calculation, families against what defines them, and Route Availability numbers.
 
-use rules::{Library, Pattern, Stretch, Vehicle, library};
+use rules::{Library, Pattern, Stretch, Vehicle, library, read_load_model};
 
 const SPANS: [f64; 20] =
     [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 25.0, 30.0, 40.0];
@@ -115,6 +115,40 @@ fn a_vehicle_has_a_route_availability_number() {
         [90.0, 45.0].map(|tonnes| rules::equivalent_units(&wagons(tonnes), &wagons(45.0), 1.0, &SPANS));
     for (a, b) in double.iter().zip(&single) {
         assert!((a.governing() - 2.0).abs() < 1e-9 && (b.bending - 1.0).abs() < 1e-9, "{a:?} {b:?}");
+    }
+}
+
+/// Two uniform loads with a gap, and no axle: what is read, and what is refused.
+#[test]
+fn a_vehicle_may_be_uniform_loads_alone() {
+    let library = library().unwrap();
+    let sw = &vehicle(&library, "sw-2").patterns()[0];
+    assert_eq!((sw.axles.len(), sw.length()), (0, 57.0));
+    assert!(sw.is_symmetric());
+    assert_eq!((sw.stretches[1].from, sw.stretches[1].to), (32.0, 57.0));
+    // Both parts with the gap over midspan of a longer span: less than one part in the middle with the other beside it.
+    let [bending, shear] = rules::greatest_of(vehicle(&library, "sw-0"), 40.0);
+    let part = 133e3 * 15.0 * (40.0 / 4.0 - 15.0 / 8.0);
+    assert!(bending > part && bending < 133e3 * 40.0 * 40.0 / 8.0, "{bending} {part}");
+    // First part from the support on, the second 20.3 to 35.3 m from it.
+    assert!((shear / (133e3 * 15.0 * ((1.0 - 7.5 / 40.0) + (1.0 - 27.8 / 40.0))) - 1.0).abs() < 1e-9, "{shear}");
+    let text = |uniform: &str| {
+        format!(
+            "code = \"mine\"\ntitle = \"t\"\nways = \"rail\"\nsource = {{ text = \"t\", date = \"2026\", confidence = \"read\" }}\n\
+             [[vehicle]]\ncode = \"a\"\ntitle = \"a\"\naxle_loads_kn = []\nspacings_m = []\nuniform = [{uniform}]\n\
+             axles_may_be_dropped = false\nwheel_track_m = 1.5\ncontact_length_m = 0.25\n"
+        )
+    };
+    let part = "{ load_kn_per_m = 80.0, place = \"part\", length_m = 6.4, may_be_dropped = false }";
+    assert!(read_load_model("mine.toml", &text(part)).is_ok());
+    for (wrong, key) in [
+        (String::new(), "vehicle[0].axle_loads_kn"),
+        (part.replace(", length_m = 6.4", ""), "vehicle[0].uniform[0].length_m"),
+        (part.replace("6.4", "-1.0"), "vehicle[0].uniform[0].length_m"),
+        (part.replace("\"part\"", "\"everywhere\""), "vehicle[0].uniform[0].length_m"),
+    ] {
+        let found = read_load_model("mine.toml", &text(&wrong)).unwrap_err();
+        assert_eq!(found.iter().map(|p| p.key.as_str()).collect::<Vec<_>>(), [key], "{wrong}");
     }
 }
 
