@@ -231,7 +231,7 @@ pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
     if !plan.vehicles.is_empty() {
         return Vec::new();
     }
-    let made_for = library.models.iter().filter(|model| rule.acting(model).is_some());
+    let made_for = library.models.iter().filter(|model| !model.only_by_name && rule.acting(model).is_some());
     made_for
         .filter_map(|model| {
             let limit = model.span_limit.as_ref().filter(|limit| longest(bridge) > limit.longest_m)?;

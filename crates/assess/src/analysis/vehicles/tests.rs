@@ -546,6 +546,25 @@ fn spans_that_are_too_long_for_a_load_model_are_refused() {
     assert!(vehicles.iter().any(|v| v.vehicle.code == "25t-2008"));
 }
 
+/// Load models that are taken only by name stay out of a sweep of all that a rule is made for; named, they are swept, and a
+/// vehicle of uniform loads alone has a factor with both bounds.
+#[test]
+fn some_load_models_are_taken_only_by_name() {
+    let mut b = bridgemill(&["sw-0", "lm2"]);
+    let found = swept(&b);
+    assert_eq!(found.vehicles.len(), 2);
+    for (k, v) in found.vehicles.iter().enumerate() {
+        let [lower, upper] = v.bounds.unwrap();
+        assert!((upper / lower - 1.0).abs() < 1e-8, "{}: {lower} {upper}", v.code);
+        assert!((lower / alone(&b, &found, k) - 1.0).abs() < 1e-6, "{}", v.code);
+    }
+    let case = found.vehicles[0].case.clone().unwrap();
+    assert!(case.axles.is_none() && case.uniform.is_some(), "{case:?}");
+    b.sweep.as_mut().unwrap().vehicles.clear();
+    let (_, all) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    assert!(all.iter().any(|v| v.vehicle.code == "lm71") && all.iter().all(|v| v.vehicle.code != "sw-0"));
+}
+
 /// On spans of 3 and 12 m an axle has the coefficient of the span that it stands on, not the shortest's on both.
 #[test]
 fn motion_adds_by_the_span_that_is_loaded() {
