@@ -106,6 +106,7 @@ pub fn library(gravity: f64) -> Result<Library, Unknown> {
         published: Vec::new(),
         span_limit: None,
         abreast: Vec::new(),
+        only_by_name: false,
         under: Vec::new(),
     });
     Ok(library)
@@ -179,7 +180,10 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
     let mut vehicles: Vec<Chosen> = Vec::new();
     if plan.vehicles.is_empty() {
         for (k, model) in library.models.iter().enumerate() {
-            let wanted = model.vehicles.iter().filter(|v| model.code != TRAINS || v.code == "paper-short");
+            let wanted = model
+                .vehicles
+                .iter()
+                .filter(|v| !model.only_by_name && (model.code != TRAINS || v.code == "paper-short"));
             for vehicle in wanted {
                 match rule.as_ref().map(|rule| taken(bridge, rule, &library, model, vehicle)) {
                     Some(Ok(chosen)) => vehicles.push(chosen),
@@ -231,7 +235,7 @@ pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
     if !plan.vehicles.is_empty() {
         return Vec::new();
     }
-    let made_for = library.models.iter().filter(|model| rule.acting(model).is_some());
+    let made_for = library.models.iter().filter(|model| !model.only_by_name && rule.acting(model).is_some());
     made_for
         .filter_map(|model| {
             let limit = model.span_limit.as_ref().filter(|limit| longest(bridge) > limit.longest_m)?;

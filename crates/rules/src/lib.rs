@@ -17,6 +17,7 @@ mod rule;
 pub mod shape;
 mod simple_span;
 mod source;
+mod units;
 mod vehicle;
 mod walk;
 
@@ -31,4 +32,5 @@ pub use read::{Problem, read_load_model, read_rule};
 pub use rule::{Acting, EffectiveWidth, Factors, Loads, Rule};
 pub use simple_span::{Greatest, equivalent_uniform_load, greatest_bending, greatest_bending_at, greatest_shear};
 pub use source::{Confidence, Source};
+pub use units::{RouteAvailability, Units, equivalent_units, greatest_of};
 pub use vehicle::{Extent, Spacing, Uniform, Vehicle};

@@ -22,8 +22,11 @@ pub type File = (&'static str, &'static str);
 
 /// The texts of all files: load models, then rules.
 pub const FILES: [&[File]; 2] = [
-    files!("loads": "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454", "ra", "en-15528", "aashto-legal"),
-    files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025", "en-1991-2"),
+    files!("loads":
+        "25t-2008", "hml-30t", "lm71", "cooper-e80", "hl-93", "lm1", "hb", "cs-454", "ra", "lm2", "lm3", "sw", "en-15528",
+        "sv", "gb-restrictions", "hs20", "aashto-legal", "mbg-1987", "dfc-32.5t",
+    ),
+    files!("rules": "characteristic", "cs-454", "irs-bridge-rules", "nr-civ-025", "en-1991-2", "aashto-mbe"),
 ];
 
 /// Reads the library. A test reads it too, so that complaints reach users only from files of their own.

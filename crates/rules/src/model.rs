@@ -31,6 +31,9 @@ pub struct LoadModel {
     /// every lane where none are given.
     #[serde(default)]
     pub abreast: Vec<f64>,
+    /// Whether its vehicles are taken only where they, or the model, are named, and not among all that a rule is made for.
+    #[serde(default)]
+    pub only_by_name: bool,
     /// Factors under rules that do not name this model, where its file gives them.
     #[serde(default)]
     pub under: Vec<Under>,

@@ -34,9 +34,10 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Distance from the first to the last axle [m].
+    /// Distance from the first to the last axle, or to the end of the last uniform load that has one [m].
     pub fn length(&self) -> f64 {
-        self.axles.last().map_or(0.0, |axle| axle.offset)
+        let ends = self.stretches.iter().map(|stretch| stretch.to).filter(|to| to.is_finite());
+        ends.fold(self.axles.last().map_or(0.0, |axle| axle.offset), f64::max)
     }
 
     /// Sum of the axle forces [N].

@@ -2,7 +2,7 @@
 
 use crate::shape::Shape;
 use crate::walk::{differences, line_of};
-use crate::{Factor, Impact, LoadModel, Rule, Source, Spacing, Vehicle};
+use crate::{Extent, Factor, Impact, LoadModel, Rule, Source, Spacing, Vehicle};
 use serde::de::DeserializeOwned;
 use std::fmt;
 
@@ -249,12 +249,13 @@ impl Complaints<'_> {
         let key = |name: &str| format!("{at}.{name}");
         self.need(!vehicle.code.is_empty(), &key("code"), "give the vehicle a name, as \"hb-45\"");
         self.need(
-            (1..=MOST_AXLES).contains(&n) && vehicle.axle_loads_kn.iter().all(|p| *p > 0.0 && p.is_finite()),
+            (1..=MOST_AXLES).contains(&n) && vehicle.axle_loads_kn.iter().all(|p| *p > 0.0 && p.is_finite())
+                || n == 0 && !vehicle.uniform.is_empty(),
             &key("axle_loads_kn"),
-            "give one axle load at least, each positive, as [245.25, 245.25]",
+            "give one axle load at least, each positive, as [245.25, 245.25], or [] with uniform loads",
         );
         self.need(
-            vehicle.spacings_m.len() + 1 == n,
+            vehicle.spacings_m.len() == n.saturating_sub(1),
             &key("spacings_m"),
             &format!("{n} axles have {} distances, this vehicle has {}", n.max(1) - 1, vehicle.spacings_m.len()),
         );
@@ -286,6 +287,14 @@ impl Complaints<'_> {
                     && u.width_m.is_none_or(|w| w > 0.0 && w.is_finite()),
                 &format!("{at}.uniform[{k}]"),
                 "load_kn_per_m and width_m are positive and gap_m is 0 or more",
+            );
+            self.need(
+                match u.length_m {
+                    Some(length) => u.place == Extent::Part && length > 0.0 && length.is_finite(),
+                    None => u.place != Extent::Part,
+                },
+                &format!("{at}.uniform[{k}].length_m"),
+                "give a positive length_m with place = \"part\", and with no other place",
             );
         }
         self.need(

@@ -181,8 +181,13 @@ static UNIFORM: Shape = Shape {
     name: "uniform",
     keys: &[
         must("load_kn_per_m", Kind::Number, "load along the bridge [kN/m]"),
-        must("place", Kind::Word(&["ahead", "behind", "everywhere"]), "where it stands"),
-        may("gap_m", Kind::Number, "from the outermost axle to where it begins [m]"),
+        must("place", Kind::Word(&["ahead", "behind", "everywhere", "part"]), "where it stands"),
+        may(
+            "gap_m",
+            Kind::Number,
+            "from the outermost axle to where it begins [m]; for a part from the first axle, or the front where there is no axle, back",
+        ),
+        may("length_m", Kind::Number, "length of a part [m]; for `place = \"part\"` alone, and needed there"),
         must("may_be_dropped", Kind::Flag, "whether it may be left out where it helps"),
         may(
             "width_m",
@@ -198,7 +203,11 @@ static VEHICLE: Shape = Shape {
         must("code", Kind::Text, "its name in bridge files"),
         must("title", Kind::Text, "its name in reports"),
         may("grade", Kind::Text, "the grade of a bridge that carries it, where the file has `grades`"),
-        must("axle_loads_kn", Kind::Numbers, "load of each axle, from the first one back [kN]"),
+        must(
+            "axle_loads_kn",
+            Kind::Numbers,
+            "load of each axle, from the first one back [kN]; [] where the vehicle is uniform loads alone",
+        ),
         must(
             "spacings_m",
             Kind::Spacings,
@@ -277,6 +286,11 @@ pub static LOAD_MODEL: Shape = Shape {
         ),
         may("grades", Kind::Text, "what its vehicles are grades of, where they are, from the lightest up"),
         may("span_limit", Kind::Table(&SPAN_LIMIT), "the longest span that it may be used for"),
+        may(
+            "only_by_name",
+            Kind::Flag,
+            "whether its vehicles are taken only where they are named, and not among all that a rule is made for; false where not written",
+        ),
         must("vehicle", Kind::Tables(&VEHICLE), "its vehicles"),
         may("under", Kind::Tables(&UNDER), "factors under rules that do not name it"),
         may("published", Kind::Tables(&PUBLISHED), "numbers that it is compared with"),

@@ -15,7 +15,7 @@ pub struct Vehicle {
     /// The grade that a bridge has which carries it, where its model has grades: `RA8`.
     #[serde(default)]
     pub grade: String,
-    /// Load of each axle [kN], from the first one back.
+    /// Load of each axle [kN], from the first one back; none where the vehicle is uniform loads alone.
     pub axle_loads_kn: Vec<f64>,
     /// Distances between neighbouring axles [m]: one fewer than axles.
     pub spacings_m: Vec<Spacing>,
@@ -61,9 +61,13 @@ pub struct Uniform {
     pub load_kn_per_m: f64,
     /// Where it stands.
     pub place: Extent,
-    /// From the outermost axle to where it begins [m]; not for `everywhere`.
+    /// From the outermost axle to where it begins [m]; for `part` from the first axle, or the front where there is no axle, back;
+    /// not for `everywhere`.
     #[serde(default)]
     pub gap_m: f64,
+    /// Its length, for `part` alone [m].
+    #[serde(default)]
+    pub length_m: Option<f64>,
     /// Whether it may be left out where it helps.
     pub may_be_dropped: bool,
     /// Width over which it stands across the bridge [m]; as an axle where none is given.
@@ -81,6 +85,8 @@ pub enum Extent {
     Behind,
     /// Along the whole bridge, under the axles too.
     Everywhere,
+    /// A part of the vehicle, of a length of its own.
+    Part,
 }
 
 impl Spacing {
@@ -156,6 +162,7 @@ impl Vehicle {
                 Extent::Ahead => [f64::NEG_INFINITY, -u.gap_m],
                 Extent::Behind => [last + u.gap_m, f64::INFINITY],
                 Extent::Everywhere => [f64::NEG_INFINITY, f64::INFINITY],
+                Extent::Part => [u.gap_m, u.gap_m + u.length_m.unwrap_or(0.0)],
             };
             Stretch { force: 1e3 * u.load_kn_per_m, from, to, may_be_dropped: u.may_be_dropped }
         });

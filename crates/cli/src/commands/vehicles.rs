@@ -117,6 +117,7 @@ fn place(load: &Uniform) -> &'static str {
         Extent::Ahead => "ahead",
         Extent::Behind => "behind",
         Extent::Everywhere => "along the whole bridge",
+        Extent::Part => "over a part of the vehicle",
     }
 }
 

@@ -135,7 +135,7 @@ fn a_sweep_says_what_grade_the_bridge_has() {
     let stage = Stage::with_example("verdict-grades", "viaduct");
     let text = stage
         .read("bridge/bridge.toml")
-        .replace("vehicles = [\"ra\"]", "vehicles = [\"ra8\", \"ra1\", \"line-a\"]\nstep = \"1 m\"");
+        .replace("vehicles = [\"ra\"]", "vehicles = [\"ra8\", \"ra1\", \"en15528-a\"]\nstep = \"1 m\"");
     let text = text.replace("rule = \"nr-civ-025\"", "rule = \"characteristic\"");
     stage.write("bridge/graded.toml", text);
     let (answer, _) = stage.object(&["collapse", "bridge/graded.toml", "--sweep", "--method", "limit"]);

@@ -85,7 +85,7 @@ fn the_governing_case_by_itself_has_the_same_factor() {
 /// is not.
 #[test]
 fn a_bridge_has_the_grades_that_it_carries() {
-    let asked = ["line-e5", "line-a", "line-b2", "line-c2", "line-c4", "line-d2", "line-d4"];
+    let asked = ["en15528-e5", "en15528-a", "en15528-b2", "en15528-c2", "en15528-c4", "en15528-d2", "en15528-d4"];
     let mut b = spans(1);
     b.sweep = Some(plan(&asked));
     let factor =
@@ -95,14 +95,14 @@ fn a_bridge_has_the_grades_that_it_carries() {
     for scale in [1.02, 0.98] {
         let mut b = b.clone();
         let text = rules::FILES[1].iter().find(|f| f.0 == "characteristic").unwrap().1;
-        let live = format!("[factors.live_load]\nvalue = {:.9}", scale * factor(&all, "line-c4"));
+        let live = format!("[factors.live_load]\nvalue = {:.9}", scale * factor(&all, "en15528-c4"));
         let plan = b.sweep.as_mut().unwrap();
         plan.rule_file = Some("own.toml".into());
         plan.texts = vec![("own.toml".into(), text.replacen("[factors.live_load]\nvalue = 1.0", &live, 1))];
         let found = swept(&b);
         let graded = &found.grades()[0];
         assert_eq!(graded.of, "line category");
-        let holds = |name: &str| factor(&found, &format!("line-{}", name.to_lowercase())) >= 1.0;
+        let holds = |name: &str| factor(&found, &format!("en15528-{}", name.to_lowercase())) >= 1.0;
         assert!(graded.carried.iter().all(|name| holds(name)) && !graded.not_carried.iter().any(|name| holds(name)));
         assert_eq!(graded.carried.len() + graded.not_carried.len(), asked.len());
         let wanted = if scale > 1.0 { "B2" } else { "C4" };
@@ -574,6 +574,25 @@ fn spans_that_are_too_long_for_a_load_model_are_refused() {
     b.spans[1] = b.spans[0].clone();
     let (_, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
     assert!(vehicles.iter().any(|v| v.vehicle.code == "25t-2008"));
+}
+
+/// Load models that are taken only by name stay out of a sweep of all that a rule is made for; named, they are swept, and a
+/// vehicle of uniform loads alone has a factor with both bounds.
+#[test]
+fn some_load_models_are_taken_only_by_name() {
+    let mut b = bridgemill(&["sw-0", "lm2"]);
+    let found = swept(&b);
+    assert_eq!(found.vehicles.len(), 2);
+    for (k, v) in found.vehicles.iter().enumerate() {
+        let [lower, upper] = v.bounds.unwrap();
+        assert!((upper / lower - 1.0).abs() < 1e-8, "{}: {lower} {upper}", v.code);
+        assert!((lower / alone(&b, &found, k) - 1.0).abs() < 1e-6, "{}", v.code);
+    }
+    let case = found.vehicles[0].case.clone().unwrap();
+    assert!(case.axles.is_none() && case.uniform.is_some(), "{case:?}");
+    b.sweep.as_mut().unwrap().vehicles.clear();
+    let (_, all) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    assert!(all.iter().any(|v| v.vehicle.code == "lm71") && all.iter().all(|v| v.vehicle.code != "sw-0"));
 }
 
 /// On spans of 3 and 12 m an axle has the coefficient of the span that it stands on, not the shortest's on both.
