@@ -210,7 +210,7 @@ fn random_span(dice: &mut Dice) -> Span {
         springing_thickness: springing / rings as f64,
         voussoirs: voussoirs + k,
     });
-    Span { profile, span, rise, rings: rings.collect() }
+    Span { profile, span, rise, rings: rings.collect(), defects: Vec::new() }
 }
 
 fn random_bridge(dice: &mut Dice) -> Bridge {
