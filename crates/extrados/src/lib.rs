@@ -63,7 +63,7 @@ pub use crate::project::Project;
 pub use crate::refusal::{Refusal, reason};
 pub use crate::respond::{RespondOptions, respond};
 pub use crate::stepping::Stepping;
-pub use crate::sweep::{SweepOptions, Swept, sweep};
+pub use crate::sweep::{SweepOptions, Swept, sweep, sweeps};
 pub use crate::update::{UpdateOptions, can_update, judge, update};
 pub use crate::vary::{Studied, VaryOptions, VaryPlan, settings, vary};
 pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};

@@ -6,6 +6,7 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Looking, Watch};
 use assess::analysis::{self, Places};
+use bridge::Method;
 use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
 use structure::discretise::bridge_length;
@@ -36,15 +37,38 @@ pub enum Swept {
 pub fn sweep(project: &Project, options: &SweepOptions, watch: &mut dyn Watch) -> Result<Swept, Refusal> {
     let mut bridge = planned(project, &options.choice)?;
     let watch = &mut Looking(watch);
+    let other = Some(bridge.plan.method).filter(|method| !sweeps(*method)).map(instead_of);
     let found = match &mut bridge.sweep {
         Some(plan) => {
             plan.step = options.step.or(plan.step);
-            analysis::vehicle_sweep(&bridge, watch).map(|found| Swept::Vehicles(Box::new(found)))
+            analysis::vehicle_sweep(&bridge, watch).map(|mut found| {
+                found.assumptions.extend(other);
+                Swept::Vehicles(Box::new(found))
+            })
         }
         None => {
             let step = options.step.unwrap_or_else(|| bridge_length(&bridge) / 100.0);
-            analysis::sweep(&bridge, Places::Every(step), true, watch).map(Swept::Loads)
+            analysis::sweep(&bridge, Places::Every(step), true, watch).map(|mut found| {
+                found.assumptions.extend(other);
+                Swept::Loads(found)
+            })
         }
     };
     found.map_err(|error| Refusal::not_set_up(&error))
+}
+
+/// Whether a method moves loads over a bridge: limit analysis does, and the path of equilibrium beside it.
+pub fn sweeps(method: Method) -> bool {
+    match method {
+        Method::Limit | Method::Path => true,
+        Method::Dem | Method::Fe => false,
+    }
+}
+
+/// What a sweep says of a file that plans another method.
+fn instead_of(method: Method) -> String {
+    format!(
+        "Positions are answered by limit analysis, not by method \"{}\" of the file: it answers one position, without --sweep.",
+        method.word()
+    )
 }

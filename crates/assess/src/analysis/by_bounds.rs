@@ -8,7 +8,7 @@ use super::{AnalysisError, blank, notes, picture, pieces};
 use beside::Beside;
 use bridge::{Bridge, ContinuumPlan};
 use mechanics::blocks::Held;
-use mechanics::limit::continuum::{Bounds, BoundsStatus, Wanted, collapse_bounds};
+use mechanics::limit::continuum::{Bounds, BoundsStatus, Wanted, closer_bounds, collapse_bounds};
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::{Pace, Watch};
@@ -73,12 +73,22 @@ impl<'a> Moving<'a> {
         let plan = &ContinuumPlan { bound_ratio: ratio, ..self.earth.plan };
         let loaded = self.earth.loaded(self.d, Strength::of(plan), strips)?;
         if strips.is_empty() || loaded.left_out > 1.0 - 1e-9 {
-            return Ok(Bracket { status: Status::Locks, lower: None, upper: None });
+            return Ok(Bracket { status: Status::Locks, lower: None, upper: None, bounds: None });
         }
         let (settings, wanted) = (&self.settings, wanted(plan));
         let found = collapse_bounds(&loaded.model, &loaded.loading, settings, &loaded.continuum, &wanted, pace)?;
-        let (lower, upper) = (found.lower.as_ref().map(|l| l.factor), found.upper.as_ref().map(|u| u.factor));
-        Ok(Bracket { status: status(&found), lower, upper })
+        Ok(Bracket::of(found))
+    }
+
+    /// A bracket of the same strips on one finer mesh, or itself where nothing is left to refine.
+    pub fn closer(&self, strips: &[Strip], bracket: &Bracket, pace: &Pace) -> Result<Bracket, AnalysisError> {
+        let Some(bounds) = &bracket.bounds else { return Ok(bracket.clone()) };
+        let plan = &self.earth.plan;
+        let loaded = self.earth.loaded(self.d, Strength::of(plan), strips)?;
+        let wanted = Wanted { rounds: 1, ..wanted(plan) };
+        let (model, loading, soil) = (&loaded.model, &loaded.loading, &loaded.continuum);
+        let found = closer_bounds(model, loading, &self.settings, soil, &wanted, bounds, pace)?;
+        Ok(Bracket::of(found))
     }
 }
 
@@ -89,7 +99,7 @@ pub(super) fn bracket(bridge: &Bridge, ratio: f64, pace: &Pace) -> Result<Bracke
 }
 
 /// Bounds of a load factor, and how they ended. Without convergence either may stand alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Bracket {
     /// How they ended.
     pub status: Status,
@@ -97,6 +107,20 @@ pub(super) struct Bracket {
     pub lower: Option<f64>,
     /// What is not.
     pub upper: Option<f64>,
+    /// The fields, from which a finer mesh is made.
+    pub bounds: Option<Box<Bounds>>,
+}
+
+impl Bracket {
+    fn of(found: Bounds) -> Bracket {
+        let (lower, upper) = (found.lower.as_ref().map(|l| l.factor), found.upper.as_ref().map(|u| u.factor));
+        Bracket { status: status(&found), lower, upper, bounds: Some(Box::new(found)) }
+    }
+
+    /// Triangles of its last mesh.
+    pub fn elements(&self) -> usize {
+        self.bounds.as_ref().map_or(0, |bounds| bounds.mesh.triangles.len())
+    }
 }
 
 /// Blocks beside a continuum slide as they dilate: so much is a convex program.

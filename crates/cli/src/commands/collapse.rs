@@ -52,8 +52,9 @@ pub(super) fn kind(plan: &bridge::Plan, sweep_of_vehicles: Option<bool>) -> Stri
 
 /// What the command line says in place of the file's plan, for a bridge of this width [m].
 pub(super) fn choice(width: f64, arguments: &Arguments) -> Result<Choice, Failure> {
-    if arguments.sweep && arguments.choice.method == Some(bridge::Method::Dem) {
-        let message = "--sweep is limit analysis: --method dem cannot do it";
+    let other = arguments.choice.method.filter(|method| !extrados::sweeps(*method));
+    if let (true, Some(method)) = (arguments.sweep, other) {
+        let message = format!("--sweep is limit analysis: --method {} cannot do it", method.word());
         let way_out = "leave --method out, say --method limit, or --method path for joints that give too";
         return Err(Failure::input("F107", message, way_out));
     }

@@ -72,6 +72,7 @@ fn slips_on_the_command_line_are_one_object_too() {
         vec!["collapse", "bridge/bridge.toml", "--damping", "soft"],
         vec!["collapse", "bridge/bridge.toml", "--resolution", "1 m"],
         vec!["collapse", "bridge/bridge.toml", "--sweep", "--method", "dem"],
+        vec!["collapse", "bridge/bridge.toml", "--sweep", "--method", "fe"],
         vec!["bench", "everything"],
     ] {
         let (answer, ending) = stage.object(&words);

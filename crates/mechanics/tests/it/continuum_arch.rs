@@ -52,7 +52,7 @@ fn pushed(ring: &Ring) -> Loading {
 
 fn bounds(model: &BlockModel, loading: &Loading, earth: &Continuum, ratio: f64, elements: usize) -> Bounds {
     let settings = Settings { friction: Friction::Associated, ..Settings::default() };
-    let wanted = Wanted { ratio, elements, first: 400 };
+    let wanted = Wanted { ratio, elements, first: 400, ..Wanted::default() };
     collapse_bounds(model, loading, &settings, earth, &wanted, &Pace::default()).unwrap()
 }
 

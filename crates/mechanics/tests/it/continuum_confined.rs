@@ -38,7 +38,7 @@ fn soil_resists_what_the_smaller_pressure_beside_it_allows() {
         (vec![panel([-1.0, 5.0], 2.0, ENOUGH)], 3.0 * 0.5 + COHESIVE),
         (vec![panel([-1.0, 5.0], 0.0, ENOUGH)], COHESIVE),
     ] {
-        let bounds = pressed(panels).bounds(Wanted { ratio: 1.01, elements: 400, first: 60 });
+        let bounds = pressed(panels).bounds(Wanted { ratio: 1.01, elements: 400, first: 60, ..Wanted::default() });
         let both = [bounds.lower.as_ref().unwrap().factor, bounds.upper.as_ref().unwrap().factor];
         assert!(both.iter().all(|f| (f / exact - 1.0).abs() < 1e-6), "{both:?} {exact}");
         assert!(bounds.upper.unwrap().flow_violation < 1e-6 && bounds.lower.unwrap().yield_violation < 1e-8);
@@ -59,7 +59,7 @@ fn a_panel_that_tilts_is_pressed_at_its_foot() {
 #[test]
 fn the_weakest_panel_counts_where_all_carry_one_force() {
     let panels = vec![panel([-1.0, 2.0], 3.0, ENOUGH), panel([2.0, 3.0], 0.4, ENOUGH), panel([3.0, 5.0], 0.5, ENOUGH)];
-    let bounds = pressed(panels).bounds(Wanted { ratio: 1.02, elements: 1500, first: 200 });
+    let bounds = pressed(panels).bounds(Wanted { ratio: 1.02, elements: 1500, first: 200, ..Wanted::default() });
     // Whole triangles are counted to a panel: the edges of panels are as sharp as the mesh.
     let exact = 3.0 * 0.4 + COHESIVE;
     let (lower, upper) = (bounds.lower.unwrap().factor, bounds.upper.unwrap().factor);
@@ -75,7 +75,7 @@ fn soil_whose_weight_cannot_be_held_does_not_stand() {
     let mut earth = pressed(vec![panel([-1.0, 5.0], 0.4, ENOUGH)]).soil;
     earth.regions[0].soil.cohesion = 0.1;
     earth.sides[3] = ground(vec2(0.0, 1.0), vec2(0.0, 0.0), SMOOTH);
-    let bounds = Case::alone(earth).bounds(Wanted { ratio: 1.05, elements: 200, first: 60 });
+    let bounds = Case::alone(earth).bounds(Wanted { ratio: 1.05, elements: 200, first: 60, ..Wanted::default() });
     let carried = (3.0 * 0.1 + 0.1 * COHESIVE) / 2.0;
     assert!((bounds.share.unwrap() - carried).abs() < 1e-4, "{:?} {carried}", bounds.share);
 }

@@ -225,7 +225,7 @@ impl Laid<'_> {
 fn finite_elements_lie_between_the_bounds_of_a_filled_arch() {
     // Frictionless between soil and stone: flow there is at right angles to strength in both models.
     let arch = FilledArch::slender(0.0);
-    let bounds = arch.bounds(&Wanted { ratio: 1.04, elements: 3000, first: 400 });
+    let bounds = arch.bounds(&Wanted { ratio: 1.04, elements: 3000, first: 400, ..Wanted::default() });
     let found = [3, 6, 12].map(|fine| arch.carried(fine));
     assert!(bounds.ratio().unwrap() <= 1.04, "{:?}", bounds.rounds);
     between(found, ends(&bounds));
@@ -241,7 +241,7 @@ fn finite_elements_lie_between_the_bounds_of_a_filled_arch() {
 fn friction_that_does_not_dilate_carries_between_a_smooth_ring_and_one_that_dilates() {
     // Drucker (1954): no less than without friction, no more than where sliding dilates by the angle of friction.
     let arch = FilledArch::slender(0.4);
-    let bounds = arch.bounds(&Wanted { ratio: 1.04, elements: 3000, first: 400 });
+    let bounds = arch.bounds(&Wanted { ratio: 1.04, elements: 3000, first: 400, ..Wanted::default() });
     let [lower, upper] = ends(&bounds);
     let (model, loading) = arch.blocks();
     let earth = FilledArch::slender(0.0).earth();

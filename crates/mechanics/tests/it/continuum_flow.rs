@@ -8,7 +8,7 @@ use mechanics::watch::Pace;
 /// The associated lower bound, that of strength reduced after Davis, and the iteration, on one mesh.
 fn compared(case: &Case, dilatancy: f64) -> (f64, f64, Flow) {
     let (settings, pace) = (Settings::default(), Pace::default());
-    let wanted = Wanted { ratio: 1.01, elements: 450, first: 200 };
+    let wanted = Wanted { ratio: 1.01, elements: 450, first: 200, ..Wanted::default() };
     let found = collapse_bounds(&case.model, &case.loading, &settings, &case.soil, &wanted, &pace).unwrap();
     let mut reduced = case.soil.clone();
     reduced.regions.iter_mut().for_each(|region| region.soil = region.soil.reduced(1.0, dilatancy));

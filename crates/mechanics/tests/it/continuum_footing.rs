@@ -15,7 +15,7 @@ fn footings(degrees: f64, (width, depth): (f64, f64), cohesion: f64, ratio: f64)
     // The same ground at half the size: without weight there is no length that could matter.
     let earth = soil(1.0, degrees, 0.0);
     let case = footing(earth, rough(&earth), 0.5 * width, 0.5 * depth);
-    let bounds = case.bounds(Wanted { ratio, elements: 2500, first: 200 });
+    let bounds = case.bounds(Wanted { ratio, elements: 2500, first: 200, ..Wanted::default() });
     assert!(bounds.ratio().unwrap() <= ratio, "{:?}", bounds.rounds);
     between(found, ends(&bounds));
 }

@@ -117,7 +117,7 @@ fn a_column_is_crushed_and_torn_at_its_strengths() {
         let held = Held { x: true, y: false, rotation: true };
         // One dimension: stress and motion that is exact on any mesh, but for the plates, which hold the ends sideways.
         let case = Case::driven(vec2(0.0, 2.0), 1.0, 0.1, held, vec2(0.0, force), earth);
-        let bounds = case.bounds(Wanted { ratio: 1.01, elements: 1500, first: 200 });
+        let bounds = case.bounds(Wanted { ratio: 1.01, elements: 1500, first: 200, ..Wanted::default() });
         let (lower, upper) = (bounds.lower.unwrap().factor, bounds.upper.unwrap().factor);
         assert!(
             lower > exact * (1.0 - 1e-4) && upper < exact * 1.03 && lower <= upper * (1.0 + 1e-6),
@@ -155,7 +155,7 @@ fn soil_in_a_box_locks_and_sand_with_a_free_face_falls() {
     let falling =
         Continuum { regions: region, sides: vec![ground(a, b, rough(&sand))], water: None, confinement: None };
     let falling = Case::driven(vec2(5.0, 1.0), 2.0, 0.1, held, vec2(0.0, -1.0), falling);
-    let found = falling.bounds(Wanted { ratio: 1.05, elements: 600, first: 100 });
+    let found = falling.bounds(Wanted { ratio: 1.05, elements: 600, first: 100, ..Wanted::default() });
     assert_eq!(found.status, BoundsStatus::NoEquilibrium);
     assert!(found.share.unwrap() < 0.01 && found.lower.is_none(), "{:?}", found.share);
 }
@@ -226,7 +226,8 @@ fn masonry_pressed_beside_its_middle_is_crushed_on_one_side_and_torn_on_the_othe
         let x = 0.2 + f64::sqrt(0.04 + 0.6 * tension / (crushing + tension));
         let exact = crushing * x - tension * (1.0 - x);
         let masonry = Soil { tension, crushing, ..soil(40.0, 35.0, 0.0) };
-        let bounds = panel(masonry, contact, x).bounds(Wanted { ratio: 1.001, elements: 400, first: 200 });
+        let bounds =
+            panel(masonry, contact, x).bounds(Wanted { ratio: 1.001, elements: 400, first: 200, ..Wanted::default() });
         let [lower, upper] = ends(&bounds);
         assert!(lower > exact * (1.0 - 1e-4) && lower < exact * (1.0 + 1e-6), "{lower} {exact}");
         assert!(upper < exact * (1.0 + 1e-4) && upper > exact * (1.0 - 1e-6), "{upper} {exact}");

@@ -69,7 +69,7 @@ impl Case {
     }
     /// Both bounds, which are wanted within a ratio and hold an exact value between them on every mesh.
     pub fn brackets(&self, exact: f64, ratio: f64, elements: usize) -> Bounds {
-        let bounds = self.bounds(Wanted { ratio, elements, first: 200 });
+        let bounds = self.bounds(Wanted { ratio, elements, first: 200, ..Wanted::default() });
         assert_eq!(bounds.status, BoundsStatus::Bounded);
         for round in &bounds.rounds {
             let (lower, upper) = (round.lower.unwrap(), round.upper.unwrap());

@@ -27,11 +27,13 @@ pub struct Wanted {
     pub elements: usize,
     /// Triangles of the first mesh, about.
     pub first: usize,
+    /// Most meshes.
+    pub rounds: usize,
 }
 
 impl Default for Wanted {
     fn default() -> Wanted {
-        Wanted { ratio: 1.05, elements: 4000, first: FIRST }
+        Wanted { ratio: 1.05, elements: 4000, first: FIRST, rounds: usize::MAX }
     }
 }
 
@@ -143,8 +145,8 @@ pub fn collapse_bounds(
     pace: &Pace,
 ) -> Result<Bounds, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
-    let mut mesh = triangulate(soil, wanted.first.min(wanted.elements))?;
-    let mut bounds = Bounds {
+    let mesh = triangulate(soil, wanted.first.min(wanted.elements))?;
+    let bounds = Bounds {
         status: BoundsStatus::NotConverged,
         lower: None,
         upper: None,
@@ -157,15 +159,51 @@ pub fn collapse_bounds(
         motions: Table::default(),
         pressures: Vec::new(),
     };
+    Ok(refined(&setting, model, (bounds, mesh), wanted, pace))
+}
+
+/// Bounds that were found, closer by at most as many meshes as are wanted; as they are where they are close enough, where the mesh has as
+/// many triangles as it may, or where there is nothing to refine.
+pub fn closer_bounds(
+    model: &BlockModel,
+    loading: &Loading,
+    settings: &Settings,
+    soil: &Continuum,
+    wanted: &Wanted,
+    bounds: &Bounds,
+    pace: &Pace,
+) -> Result<Bounds, ContinuumError> {
+    let bounds = bounds.clone();
+    let met = bounds.ratio().is_some_and(|ratio| ratio <= wanted.ratio);
+    if met || bounds.status != BoundsStatus::Bounded || bounds.mesh.triangles.len() >= wanted.elements {
+        return Ok(bounds);
+    }
+    let setting = Setting::new(model, loading, settings, soil)?;
+    Ok(match finer(&bounds, soil, wanted) {
+        Some(mesh) => refined(&setting, model, (bounds, mesh), wanted, pace),
+        None => bounds,
+    })
+}
+
+/// Both bounds on a mesh, and on finer ones until they are as close as wanted.
+fn refined(
+    setting: &Setting<'_>,
+    model: &BlockModel,
+    (mut bounds, mut mesh): (Bounds, Mesh),
+    wanted: &Wanted,
+    pace: &Pace,
+) -> Bounds {
+    let soil = setting.soil;
+    let last = bounds.rounds.len().saturating_add(wanted.rounds);
     let mut most = None;
     loop {
-        let below = lower(&setting, &mesh, pace);
-        let above = upper(&setting, &mesh, pace);
+        let below = lower(setting, &mesh, pace);
+        let above = upper(setting, &mesh, pace);
         if matches!(below, Err(Ending::Cancelled)) || matches!(above, Err(Ending::Cancelled)) {
             if bounds.status != BoundsStatus::Bounded {
                 bounds.status = BoundsStatus::Cancelled;
             }
-            return Ok(bounds);
+            return bounds;
         }
         bounds.rounds.push(Round {
             elements: mesh.triangles.len(),
@@ -177,31 +215,31 @@ pub fn collapse_bounds(
             (Err(Ending::Endless), _) => {
                 // Loads that can grow without end say nothing of those that are always there.
                 bounds.status = BoundsStatus::Locks;
-                return Ok(unsolved(&setting, mesh, bounds, pace));
+                return unsolved(setting, mesh, bounds, pace);
             }
             // An earlier mesh answered.
-            _ if bounds.status == BoundsStatus::Bounded => return Ok(bounds),
+            _ if bounds.status == BoundsStatus::Bounded => return bounds,
             (below, above) => {
                 let most = *most.get_or_insert(wanted.elements.max(UNCARRIED * mesh.triangles.len()));
                 (bounds.lower, bounds.upper) = (below.ok(), above.ok());
-                bounds = unsolved(&setting, mesh, bounds, pace);
+                bounds = unsolved(setting, mesh, bounds, pace);
                 // A coarse mesh may hold no stresses that carry the weight where a finer one does, or no motion.
                 let (finer, _) = bounds.mesh.refined(&vec![true; bounds.mesh.triangles.len()], soil);
                 if bounds.status != BoundsStatus::NotConverged || finer.triangles.len() > most {
-                    return Ok(bounds);
+                    return bounds;
                 }
                 mesh = finer;
                 continue;
             }
         };
         let met = below.factor > 0.0 && above.factor <= wanted.ratio * below.factor;
-        bounds.take(&setting, model, mesh, below, above);
+        bounds.take(setting, model, mesh, below, above);
         let count = bounds.mesh.triangles.len();
         pace.reach((count as f64 / wanted.elements as f64).min(0.99));
-        if met || count >= wanted.elements {
-            return Ok(bounds);
+        if met || count >= wanted.elements || bounds.rounds.len() >= last {
+            return bounds;
         }
-        let Some(finer) = finer(&bounds, soil, wanted) else { return Ok(bounds) };
+        let Some(finer) = finer(&bounds, soil, wanted) else { return bounds };
         mesh = finer;
     }
 }

@@ -24,7 +24,8 @@ mod upper;
 mod yielding;
 
 pub use bounds::{
-    Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, Which, bound_on, collapse_bounds, flow_on,
+    Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, Which, bound_on, closer_bounds, collapse_bounds,
+    flow_on,
 };
 pub use flow::Flow;
 pub use lower::Stresses;
