@@ -21,6 +21,7 @@ pub mod quantity;
 pub mod reference;
 mod resolve;
 pub mod ring;
+pub mod road;
 pub mod schema;
 mod sensor;
 pub mod service;

@@ -6,6 +6,7 @@ use crate::diagnostic::TextRange;
 use crate::fields::FILE;
 use crate::findings::Findings;
 use crate::ring::Profile;
+use crate::road::Road;
 use crate::service::Service;
 use crate::tree::Table;
 use serde::{Deserialize, Serialize};
@@ -198,12 +199,14 @@ choice! {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cover {
     /// Depth from the crown's extrados to the road surface [m]: what loads disperse through. The highest crown
-    /// where there are several.
+    /// where there are several; where the road is not level, the crown with the least.
     pub depth: f64,
     /// Layers from the extrados up.
     pub layers: Vec<Layer>,
     /// Backing above the haunches, where there is some.
     pub backing: Option<Backing>,
+    /// The road surface where it is not level; else it lies `depth` above the highest crown.
+    pub road: Option<Road>,
 }
 
 /// A layer of the cover, from the extrados up. The lowest fills the haunches.

@@ -2,8 +2,9 @@
 
 use super::places::point;
 use bridge::{BackingBody, Bridge};
-use mechanics::plane::{Vec2, vec2};
+use mechanics::plane::Vec2;
 use outcome::picture::{Band, Point};
+use structure::discretise::cover::Surface;
 use structure::discretise::extrados::Extrados;
 use structure::discretise::{Discretised, cover};
 
@@ -12,28 +13,31 @@ use structure::discretise::{Discretised, cover};
 pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
     let line = line(&d.extrados);
     let (Some(&first), Some(&last)) = (line.first(), line.last()) else { return Vec::new() };
-    let road = cover::surface(bridge, &d.extrados);
+    let tops = cover::tops(bridge, &d.extrados);
     let mut found = Vec::new();
-    let mut bottom = d.extrados.crown();
     for (k, layer) in bridge.cover.layers.iter().enumerate() {
-        let top = bottom + layer.thickness;
-        if !layer.particles && layer.slabs.is_none() {
-            let outlines = if k == 0 {
-                below(&line, top)
-            } else {
-                let (low, high) = (bottom.min(road), top.min(road));
-                vec![vec![[first.x, low], [last.x, low], [last.x, high], [first.x, high]]]
-            };
-            let over = if k == 0 { "over the crown" } else { "thick" };
-            let size = format!("{} m {over}", decimals(layer.thickness));
-            found.push(Band { name: layer.name.word().to_string(), size, outlines });
+        if layer.particles || layer.slabs.is_some() {
+            continue;
         }
-        bottom = top;
+        let outlines = match k.checked_sub(1) {
+            None => below(&line, &tops[0]),
+            Some(under) => {
+                let [low, high] = [under, k].map(|k| tops[k].line(first.x, last.x));
+                vec![low.into_iter().chain(high.into_iter().rev()).map(point).collect()]
+            }
+        };
+        let over = match (k, &bridge.cover.road) {
+            (0, Some(_)) => "over the crown, at least",
+            (0, None) => "over the crown",
+            _ => "thick",
+        };
+        let size = format!("{} m {over}", decimals(layer.thickness));
+        found.push(Band { name: layer.name.word().to_string(), size, outlines });
     }
     let band = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
     if let Some(backing) = bridge.cover.backing.filter(|b| band(b.body)) {
         let size = format!("to {} m above the springings", decimals(backing.height));
-        found.push(Band { name: "backing".to_string(), size, outlines: below(&line, backing.height) });
+        found.push(Band { name: "backing".to_string(), size, outlines: below(&line, &Surface::level(backing.height)) });
     }
     found.retain(|band| !band.outlines.is_empty());
     found
@@ -56,37 +60,52 @@ fn line(extrados: &Extrados) -> Vec<Vec2> {
     points
 }
 
-/// Areas between the line and a level above it, from left to right.
-fn below(line: &[Vec2], level: f64) -> Vec<Vec<Point>> {
+/// Areas between the line and a face above it, from left to right.
+fn below(line: &[Vec2], face: &Surface) -> Vec<Vec<Point>> {
     let mut areas = Vec::new();
     let mut run: Vec<Vec2> = Vec::new();
     let mut finish = |run: &mut Vec<Vec2>| {
         if let [first, .., last] = run[..] {
-            let lid = [vec2(last.x, level), vec2(first.x, level)];
-            let mut outline: Vec<Point> = run.iter().chain(&lid).map(|&p| point(p)).collect();
+            let lid = face.line(first.x, last.x).into_iter().rev();
+            let mut outline: Vec<Point> = run.iter().copied().chain(lid).map(point).collect();
             outline.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-9);
             areas.push(outline);
         }
         run.clear();
     };
-    for (k, &p) in line.iter().enumerate() {
-        let before = k.checked_sub(1).map(|k| line[k]);
-        if let Some(q) = before.filter(|q| (q.y - level) * (p.y - level) < 0.0) {
-            run.push(q + (p - q) * ((level - q.y) / (p.y - q.y)));
+    let mut before: Option<Vec2> = None;
+    for p in with_kinks(line, face) {
+        let level = face.at(p.x);
+        if let Some(q) = before.filter(|q| (q.y - face.at(q.x)) * (p.y - level) < 0.0) {
+            let from = face.at(q.x);
+            run.push(q + (p - q) * ((from - q.y) / (p.y - q.y - (level - from))));
         }
         if p.y < level {
             run.push(p);
         } else {
             finish(&mut run);
         }
+        before = Some(p);
     }
     finish(&mut run);
     areas
 }
 
+/// A line with corners also where the gradient of a face changes.
+fn with_kinks(line: &[Vec2], face: &Surface) -> Vec<Vec2> {
+    let mut points: Vec<Vec2> = line.first().copied().into_iter().collect();
+    for pair in line.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        points.extend(face.kinks(a.x, b.x).map(|x| a + (b - a) * ((x - a.x) / (b.x - a.x))));
+        points.push(b);
+    }
+    points
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mechanics::plane::vec2;
 
     fn area(outline: &[Point]) -> f64 {
         let n = outline.len();
@@ -98,13 +117,13 @@ mod tests {
     #[test]
     fn a_level_cuts_the_back_in_two_parts_of_the_same_area() {
         let line = [vec2(-1.0, 0.0), vec2(0.0, 0.0), vec2(2.0, 2.0), vec2(4.0, 0.0), vec2(5.0, 0.0)];
-        let areas = below(&line, 1.0);
+        let areas = below(&line, &Surface::level(1.0));
         assert_eq!(areas.len(), 2);
         // Each: a square beside the springing and half a square over the haunch.
         areas.iter().for_each(|outline| assert!((area(outline) - 1.5).abs() < 1e-12, "{outline:?}"));
-        let over = below(&line, 3.0);
+        let over = below(&line, &Surface::level(3.0));
         assert_eq!(over.len(), 1);
         assert!((area(&over[0]) - (6.0 * 3.0 - 4.0)).abs() < 1e-12);
-        assert!(below(&line, -0.5).is_empty());
+        assert!(below(&line, &Surface::level(-0.5)).is_empty());
     }
 }

@@ -3,9 +3,10 @@
 use bridge::ring::Intrados;
 use bridge::{Bridge, Span};
 use outcome::picture::{DimensionLine, Measure, Point};
+use structure::discretise::cover::Surface;
 
-/// What an engineer measures first, on the bridge as built; `surface` is the level of the road [m].
-pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<DimensionLine> {
+/// What an engineer measures first, on the bridge as built; `surface` is the road.
+pub fn dimensions(bridge: &Bridge, surface: &Surface) -> Vec<DimensionLine> {
     let mut found = Vec::new();
     let mut add = |measure, from, to| found.push(DimensionLine { measure, from, to });
     let (mut left, mut thickness_before, mut height_before) = (0.0, None, None);
@@ -21,8 +22,8 @@ pub fn dimensions(bridge: &Bridge, surface: f64) -> Vec<DimensionLine> {
             thickness_before = Some(thickness);
         }
         let back = span.rise + thickness;
-        if index + 1 == bridge.spans.len() && surface > back + 1e-9 && !bridge.cover.layers.is_empty() {
-            add(Measure::Depth, [over, back], [over, surface]);
+        if index + 1 == bridge.spans.len() && surface.at(over) > back + 1e-9 && !bridge.cover.layers.is_empty() {
+            add(Measure::Depth, [over, back], [over, surface.at(over)]);
         }
         left += span.span;
         if let Some(pier) = bridge.piers.get(index) {

@@ -376,7 +376,7 @@ fn walled(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         wall.brick_height,
         road.line[0].x,
         road.line[1].x,
-        d.surface - d.extrados.crown()
+        d.surface.highest() - d.extrados.crown()
     ));
     let bearer = match wall.loaded_bricks {
         _ if d.counted_weight > 0.0 => {
@@ -469,6 +469,13 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     if !soil {
         c.assumptions.extend(continuum::as_weight(bridge));
+    }
+    if bridge.cover.road.is_some() {
+        c.assumptions.push(format!(
+            "The surface follows the levels of [road]; layers above the fill keep their thickness. Loads stay vertical, and rules that ask \
+             for one depth of cover take the least over a crown, {:.3} m.",
+            bridge.cover.depth
+        ));
     }
     let unloaded: Vec<_> = bridge.cover.layers.iter().filter(|l| !l.weighs).map(|l| l.name.word()).collect();
     if !unloaded.is_empty() {

@@ -28,11 +28,15 @@ pub fn built(bridge: &Bridge, d: &Discretised, title: &str) -> Picture {
         layers: layers(bridge, d),
         fill: d.fill.iter().flat_map(|fill| &fill.outline).map(|&v| point(v)).collect(),
         surface: surface.into_iter().map(point).collect(),
-        surface_loads: d.spreads.iter().map(|s| ([s.strip.middle, d.surface], s.strip.length)).collect(),
+        surface_loads: d
+            .spreads
+            .iter()
+            .map(|s| ([s.strip.middle, d.surface.at(s.strip.middle)], s.strip.length))
+            .collect(),
         loads: d.loading.variable.iter().map(|f| LoadArrow { at: point(f.at), force: point(f.force) }).collect(),
         bands: bands(bridge, d),
         defects: defects::marks(bridge),
-        dimensions: dimensions(bridge, d.surface),
+        dimensions: dimensions(bridge, &d.surface),
         ..Picture::default()
     }
 }

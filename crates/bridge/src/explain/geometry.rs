@@ -246,6 +246,17 @@ rise = "3.0 m""#,
         source: "the format of bridge files",
     },
     FileCard {
+        code: "B226",
+        title: "a road that cannot lie there",
+        meaning: "The levels of a road are points from left to right, and the surface lies above the extrados by the layers that lie on the \
+                  fill, or more.",
+        why: "Where the road would cut the ring, a level, the datum or a unit is wrong; the weight of the fill, and how far loads spread, \
+              depend on the depth.",
+        wrong: "springing_level = \"109.80 m\"",
+        right: "springing_level = \"99.80 m\"",
+        source: "the format of bridge files",
+    },
+    FileCard {
         code: "B301",
         title: "a load off the bridge",
         meaning: "A load is between the first and the last springing, on an existing span.",

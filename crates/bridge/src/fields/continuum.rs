@@ -173,7 +173,8 @@ pub(super) fn check_layers(tables: &[Table<'_>], layers: &[Layer], findings: &mu
         strength(table, layer.friction_angle, layer.cohesion, findings);
     }
     let depth: f64 = layers.iter().take(first_other).map(|layer| layer.thickness).sum();
-    if first_other > 0 && depth < LEAST_DEPTH {
+    // Under a road with levels the depth is not known yet.
+    if first_other > 0 && depth < LEAST_DEPTH && tables[0].has("thickness") {
         findings.error(
             "B222",
             tables[0].place("thickness"),

@@ -32,7 +32,8 @@ pub(super) static COVER: Section = Section {
         Field::new("layer", Kind::Word(LayerKind::WORDS), "what the layer is", "fill"),
         Field::new("thickness", Kind::Quantity(Length), "thickness above the crown of the highest extrados", "0.203 m")
             .at_least(0.0)
-            .at_most(100.0),
+            .at_most(100.0)
+            .optional("that of the lowest layer, where [road] has the levels of the surface"),
         Field::new(
             "weighs",
             Kind::Flag,
@@ -141,7 +142,9 @@ pub(super) static BACKING: Section = Section {
 
 pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> {
     let tables = file.tables("cover", findings);
-    let layers: Vec<Option<Layer>> = tables.iter().map(|table| layer(table, findings)).collect();
+    let surveyed = file.has("road");
+    let layers: Vec<Option<Layer>> =
+        tables.iter().enumerate().map(|(k, table)| layer(table, k == 0 && surveyed, findings)).collect();
     let backing = file.optional("backing", findings, backing);
     let layers = layers.into_iter().collect::<Option<Vec<Layer>>>()?;
     if !layers.iter().any(|layer| layer.particles) {
@@ -165,7 +168,7 @@ pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> 
     }
     // From zero on, for an empty sum is minus zero.
     let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
-    Some(Cover { depth, layers, backing: backing? })
+    Some(Cover { depth, layers, backing: backing?, road: None })
 }
 
 fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
@@ -207,7 +210,14 @@ fn needs(table: &Table<'_>, keys: &[&str], findings: &mut Findings) -> bool {
     missing.is_empty()
 }
 
-fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
+/// A layer. The thickness of one `under_road` is what is left below the levels of the road.
+fn layer(table: &Table<'_>, under_road: bool, findings: &mut Findings) -> Option<Layer> {
+    let thickness: Option<Option<f64>> = table.read("thickness", findings);
+    match (table.has("thickness"), under_road) {
+        (false, false) => table.need("thickness", findings),
+        (true, true) => table.exclude("thickness", "[road]", findings),
+        _ => {}
+    }
     let body = table.read("as", findings);
     let weighs: Option<bool> = table.read("weighs", findings);
     let density: Option<Option<f64>> = table.read("density", findings);
@@ -217,11 +227,11 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
         findings,
         Layer {
             name = "layer",
-            thickness,
             friction_angle,
             cohesion,
             tensile_strength,
             elastic_modulus;
+            thickness: thickness?.unwrap_or(0.0),
             density: density?.unwrap_or(0.0),
             weighs: weighs?,
             particles: false,
@@ -230,6 +240,9 @@ fn layer(table: &Table<'_>, findings: &mut Findings) -> Option<Layer> {
         }
     );
     let body = body?;
+    if !table.has("thickness") && !under_road {
+        return None;
+    }
     if body == LayerBody::Blocks && !table.has("block_length") {
         table.need("block_length", findings);
         return None;

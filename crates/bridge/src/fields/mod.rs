@@ -12,6 +12,7 @@ pub(crate) mod material;
 pub(crate) mod particles;
 pub(crate) mod passage;
 pub(crate) mod plan;
+pub(crate) mod road;
 pub(crate) mod service;
 pub(crate) mod structure;
 pub(crate) mod sweep;
@@ -305,6 +306,8 @@ pub static FILE: Section = Section {
         .optional("the defaults"),
         Field::new("cover", Kind::Tables(&cover::COVER), "Layers above the rings, from the extrados up.", "")
             .optional("nothing lies on the extrados"),
+        Field::new("road", Kind::Table(&road::ROAD), "Levels of the surface, where it is not level.", "")
+            .optional("the surface is level"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
             .optional("no backing"),
         Field::new("defect", Kind::Tables(&defect::DEFECT), "What is wrong with the rings, and where.", "")

@@ -3,6 +3,7 @@
 use crate::findings::Findings;
 use crate::model::{Cover, Joint, Masonry, Pier};
 use crate::ring::{Intrados, Station};
+use crate::road::Road;
 use crate::tree::Table;
 
 use crate::fields::structure::PlacedSpan;
@@ -18,7 +19,7 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Spans and the widths of the piers between them; a single pier stands for all.
-    pub(super) fn new(spans: &[PlacedSpan], piers: &[Pier]) -> Layout {
+    pub(crate) fn new(spans: &[PlacedSpan], piers: &[Pier]) -> Layout {
         let mut start = 0.0;
         let mut placed = Vec::new();
         for (index, span) in spans.iter().enumerate() {
@@ -229,7 +230,8 @@ fn check_backing(file: &Table<'_>, spans: &[PlacedSpan], cover: Option<&Cover>, 
     let Some(backing) = cover.backing else { return };
     let crown =
         |placed: &PlacedSpan| placed.span.rise + placed.span.rings.iter().map(|ring| ring.crown_thickness).sum::<f64>();
-    let surface = spans.iter().map(crown).fold(0.0, f64::max) + cover.depth;
+    let highest = cover.road.as_ref().map(Road::highest);
+    let surface = highest.unwrap_or_else(|| spans.iter().map(crown).fold(0.0, f64::max) + cover.depth);
     if backing.height > surface {
         let mut unheard = Findings::default();
         let range = file.table("backing", &mut unheard).map_or(file.range, |table| table.place("height"));

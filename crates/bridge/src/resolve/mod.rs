@@ -24,6 +24,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let parts = wall::Parts { width, masonry: masonry.as_ref(), joint: joint.as_ref(), abutments: abutments.as_ref() };
     let spandrel_wall = wall::spandrel_wall(file, &parts, findings);
     let cover = cover::cover(file, findings);
+    let cover = road::lay(file, cover, spans.as_deref(), piers.as_deref(), findings);
     let continuum = continuum::continuum(file, cover.as_ref(), findings);
     let service = service::service(file, cover.as_ref(), findings);
     let particles = particles::particles(file, cover.as_ref(), findings);

@@ -33,6 +33,9 @@ pub const ASSESS: &str = include_str!("files/assess.toml");
 /// Fill and backing as a continuum, and all that it may say.
 pub const CONTINUUM: &str = include_str!("files/continuum.toml");
 
+/// A road that is not level.
+pub const ROAD: &str = include_str!("files/road.toml");
+
 /// Two rings with every kind of defect.
 pub const DEFECTS: &str = include_str!("files/defects.toml");
 
@@ -40,7 +43,7 @@ pub const DEFECTS: &str = include_str!("files/defects.toml");
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 15] = [
+pub const GOOD: [&str; 16] = [
     CASE_1,
     VIADUCT,
     SHAPES,
@@ -50,6 +53,7 @@ pub const GOOD: [&str; 15] = [
     LAYERS,
     CONTINUUM,
     DEFECTS,
+    ROAD,
     CALIBRATION,
     SERVICE,
     PASSAGE,

@@ -163,7 +163,8 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
     let layers = bridge.cover.layers.len();
     if layers > 0 {
         let word = if layers == 1 { "layer" } else { "layers" };
-        let _ = writeln!(page, "  cover {:.3} m above the crown, {layers} {word}", bridge.cover.depth);
+        let least = if bridge.cover.road.is_some() { "at least " } else { "" };
+        let _ = writeln!(page, "  cover {least}{:.3} m above the crown, {layers} {word}", bridge.cover.depth);
     } else {
         page += "  no cover: loads act on the extrados\n";
     }

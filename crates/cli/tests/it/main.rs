@@ -22,6 +22,7 @@ mod pressure;
 mod records;
 mod respond;
 mod rings;
+mod roads;
 mod signals;
 mod stage;
 mod table_1;

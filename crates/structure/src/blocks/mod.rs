@@ -9,6 +9,7 @@ mod write;
 pub use bodies::{Body, Particle};
 pub use write::{Skeleton, of_bridge, skeleton, toml};
 
+use crate::discretise::cover::Surface;
 use crate::discretise::extrados::Extrados;
 use crate::discretise::{Discretised, Origin};
 use bridge::blocks::{BlockFile, Material};
@@ -166,7 +167,7 @@ impl Scene {
             extrados: Extrados::default(),
             road: None,
             fill: None,
-            surface: 0.0,
+            surface: Surface::level(0.0),
             counted_weight: 0.0,
             reference_load,
             spreads: Vec::new(),

@@ -145,6 +145,9 @@ pub fn loads(bridge: &Bridge) -> Vec<Strip> {
 /// The continuum of a bridge that was cut into blocks; none where it has none.
 pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>, DiscretiseError> {
     let Some(plan) = wanted(bridge) else { return Ok(None) };
+    if bridge.cover.road.is_some() {
+        return Err(DiscretiseError::RoadNotLevel { what: "fill as a continuum" });
+    }
     let soils: Vec<&Layer> = bridge.cover.layers.iter().take_while(|layer| layer.continuum).collect();
     let crown = discretised.extrados.crown();
     let depth: f64 = soils.iter().map(|layer| layer.thickness).sum();

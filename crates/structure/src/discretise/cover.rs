@@ -2,21 +2,61 @@
 
 use super::extrados::{Extrados, Stretch};
 use super::fill;
+use bridge::road::Road;
 use bridge::{BackingBody, Bridge, Layer};
 use mechanics::blocks::PointForce;
 use mechanics::plane::{Vec2, vec2};
 
-/// The road surface [m]: horizontal, at the stated depth above the highest crown.
-pub fn surface(bridge: &Bridge, extrados: &Extrados) -> f64 {
-    extrados.crown() + bridge.cover.depth
+/// The surface on which loads stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// Its level where it is level [m].
+    level: f64,
+    /// Its levels where it is not.
+    road: Option<Road>,
 }
 
-/// Weight of the column above a level, per metre along the bridge [N/m per metre of width].
+impl Surface {
+    /// A level surface [m].
+    pub fn level(level: f64) -> Surface {
+        Surface { level, road: None }
+    }
+    /// Level at a place [m].
+    pub fn at(&self, x: f64) -> f64 {
+        self.road.as_ref().map_or(self.level, |road| road.level(x))
+    }
+    /// Its highest level [m].
+    pub fn highest(&self) -> f64 {
+        self.road.as_ref().map_or(self.level, Road::highest)
+    }
+    /// Places between two others at which its gradient changes [m].
+    pub fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
+        let points = self.road.iter().flat_map(|road| &road.points);
+        points.map(|point| point[0]).filter(move |x| from < *x && *x < to)
+    }
+    /// The same, higher by a length [m].
+    fn raised(&self, by: f64) -> Surface {
+        let raised = |road: &Road| Road { points: road.points.iter().map(|[x, y]| [*x, y + by]).collect() };
+        Surface { level: self.level + by, road: self.road.as_ref().map(raised) }
+    }
+    /// Its corners from one place to another [m].
+    pub fn line(&self, from: f64, to: f64) -> Vec<Vec2> {
+        let places = [from].into_iter().chain(self.kinks(from, to)).chain([to]);
+        places.map(|x| vec2(x, self.at(x))).collect()
+    }
+}
+
+/// The road surface: by the levels of the file, or level at the stated depth above the highest crown.
+pub fn surface(bridge: &Bridge, extrados: &Extrados) -> Surface {
+    Surface { level: extrados.crown() + bridge.cover.depth, road: bridge.cover.road.clone() }
+}
+
+/// Weight of the column above a point, per metre along the bridge [N/m per metre of width].
 pub(super) struct Column {
     /// Top of backing [m] and its weight density [N/m^3].
     backing: Option<(f64, f64)>,
-    /// Top of the lowest layer [m] and its weight density [N/m^3].
-    fill: (f64, f64),
+    /// Top of the lowest layer, and its weight density [N/m^3].
+    fill: (Surface, f64),
     /// Weight of the layers of constant thickness [Pa].
     above: f64,
 }
@@ -30,7 +70,7 @@ impl Column {
         let weight = bridge.cover.backing.filter(|b| alone(b.body) || fill::wanted(bridge).is_some());
         Column {
             backing: weight.map(|b| (b.height, b.density * bridge.gravity)),
-            fill: lowest.map_or((f64::NEG_INFINITY, 0.0), |l| (extrados.crown() + l.thickness, unit(l))),
+            fill: (fill_top(bridge, extrados), lowest.map_or(0.0, unit)),
             above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
         }
     }
@@ -40,25 +80,56 @@ impl Column {
         self.backing = self.backing.map(|(top, weight)| (top, weight.min(fill)));
         self
     }
-    /// Level of the lowest layer's upper face [m].
-    pub fn top(&self) -> f64 {
-        self.fill.0
+    /// Level of the lowest layer's upper face at a place [m].
+    pub fn top(&self, x: f64) -> f64 {
+        self.fill.0.at(x)
+    }
+    /// Places between two others at which the gradient of that face changes [m].
+    pub fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
+        self.fill.0.kinks(from, to)
     }
     /// Level of the backing's upper face [m]; minus infinity where there is none.
     pub fn backing_top(&self) -> f64 {
         self.backing.map_or(f64::NEG_INFINITY, |b| b.0)
     }
-    /// Weight of what lies above a level [Pa].
-    pub fn pressure(&self, level: f64) -> f64 {
+    /// Weight of what lies above a point [Pa].
+    pub fn pressure(&self, at: Vec2) -> f64 {
         let (backing, floor) = match self.backing {
-            Some((top, weight)) => (weight * (top - level).max(0.0), level.max(top)),
-            None => (0.0, level),
+            Some((top, weight)) => (weight * (top - at.y).max(0.0), at.y.max(top)),
+            None => (0.0, at.y),
         };
-        backing + self.fill.1 * (self.fill.0 - floor).max(0.0) + self.above
+        backing + self.fill.1 * (self.top(at.x) - floor).max(0.0) + self.above
     }
-    fn corners(&self) -> impl Iterator<Item = f64> {
-        self.backing.iter().map(|b| b.0).chain([self.fill.0]).collect::<Vec<_>>().into_iter()
+    /// Where a straight back passes the upper faces of backing and fill.
+    fn passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = Vec2> {
+        let faces = [[self.backing_top(); 2], [a, b].map(|p| self.top(p.x))];
+        faces.into_iter().filter(|ends| ends.iter().all(|level| level.is_finite())).filter_map(move |[from, to]| {
+            let crossed = (a.y - from) * (b.y - to) < 0.0;
+            crossed.then(|| a + (b - a) * ((from - a.y) / (b.y - a.y - (to - from))))
+        })
     }
+}
+
+/// Upper face of the lowest layer: the layers above it keep their thickness.
+fn fill_top(bridge: &Bridge, extrados: &Extrados) -> Surface {
+    let cover = &bridge.cover;
+    let Some(lowest) = cover.layers.first() else { return Surface::level(f64::NEG_INFINITY) };
+    let above: f64 = cover.layers.iter().skip(1).map(|layer| layer.thickness).sum();
+    let lowered = surface(bridge, extrados).raised(-above);
+    Surface { level: extrados.crown() + lowest.thickness, ..lowered }
+}
+
+/// Upper faces of all layers, from the lowest one up.
+pub fn tops(bridge: &Bridge, extrados: &Extrados) -> Vec<Surface> {
+    let mut top = fill_top(bridge, extrados);
+    let mut tops = Vec::new();
+    for (k, layer) in bridge.cover.layers.iter().enumerate() {
+        if k > 0 {
+            top = top.raised(layer.thickness);
+        }
+        tops.push(top.clone());
+    }
+    tops
 }
 
 /// What the cover weighs on each stretch of the extrados: its resultant, at its point on the back [m].
@@ -66,18 +137,16 @@ pub fn weight(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
     let column = Column::of(bridge, extrados);
     let mut forces = Vec::new();
     for stretch in extrados.stretches.iter().filter(|s| !s.ground) {
-        // Pressure is linear in x between the ends and the places where a back passes a level.
-        let mut cuts = vec![stretch.left, stretch.right];
-        for level in column.corners().filter(|l| l.is_finite()) {
-            let (a, b) = (stretch.left, stretch.right);
-            if (a.y - level) * (b.y - level) < 0.0 {
-                cuts.push(a + (b - a) * ((level - a.y) / (b.y - a.y)));
-            }
-        }
+        // Pressure is linear in x between the ends, the kinks of the road and the places where a back passes a face.
+        let mut corners = vec![stretch.left];
+        corners.extend(column.kinks(stretch.left.x, stretch.right.x).map(|x| stretch.at(x)));
+        corners.push(stretch.right);
+        let mut cuts = corners.clone();
+        cuts.extend(corners.windows(2).flat_map(|pair| column.passed(pair[0], pair[1])));
         cuts.sort_by(|a, b| a.x.total_cmp(&b.x));
         let mut sum = Resultant::default();
         for pair in cuts.windows(2) {
-            sum.trapezoid(pair[0].x, column.pressure(pair[0].y), pair[1].x, column.pressure(pair[1].y));
+            sum.trapezoid(pair[0].x, column.pressure(pair[0]), pair[1].x, column.pressure(pair[1]));
         }
         if let Some(x) = sum.place() {
             forces.push(PointForce { block: stretch.block, at: stretch.at(x), force: vec2(0.0, -sum.force) });
@@ -129,9 +198,8 @@ impl Resultant {
 
 /// Corners of the surface line from end to end of the extrados [m].
 pub fn surface_line(bridge: &Bridge, extrados: &Extrados) -> Vec<Vec2> {
-    let y = surface(bridge, extrados);
     match (extrados.stretches.first(), extrados.stretches.last()) {
-        (Some(a), Some(b)) => vec![vec2(a.left.x, y), vec2(b.right.x, y)],
+        (Some(a), Some(b)) => surface(bridge, extrados).line(a.left.x, b.right.x),
         _ => Vec::new(),
     }
 }

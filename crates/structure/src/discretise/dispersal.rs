@@ -1,6 +1,6 @@
 //! How a load on the road reaches the extrados.
 
-use super::cover::Resultant;
+use super::cover::{Resultant, Surface};
 use super::extrados::Extrados;
 use bridge::{Dispersal, DispersalRule, LoadKind};
 use mechanics::blocks::PointForce;
@@ -60,17 +60,17 @@ pub struct Spread {
     pub shift: f64,
 }
 
-/// Spreads a strip on the road at level `surface` [m] through the cover.
-pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) -> Spread {
+/// Spreads a strip on the road through the cover.
+pub fn spread(strip: Strip, rule: Dispersal, surface: &Surface, extrados: &Extrados) -> Spread {
     let half = 0.5 * strip.length;
-    let corners = [vec2(strip.middle - half, surface), vec2(strip.middle + half, surface)];
+    let corners = [strip.middle - half, strip.middle + half].map(|x| vec2(x, surface.at(x)));
     let ends = match rule.rule {
         DispersalRule::None => corners.map(|c| vec2(c.x, extrados.level(c.x))),
         DispersalRule::Uniform | DispersalRule::InverseDepth | DispersalRule::Boussinesq => {
             [end(corners[0], -1.0, rule.slope, extrados), end(corners[1], 1.0, rule.slope, extrados)]
         }
     };
-    let depths = ends.map(|e| (surface - e.y).max(0.0));
+    let depths = [0, 1].map(|k| (corners[k].y - ends[k].y).max(0.0));
     let length = ends[1].x - ends[0].x;
     let shape = if length <= 0.0 {
         Shape::Line
@@ -88,7 +88,7 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: f64, extrados: &Extrados) 
             }
         }
     };
-    gather(strip, ends, depths, shape, surface, extrados)
+    gather(strip, ends, depths, shape, surface.at(strip.middle), extrados)
 }
 
 /// Fall of an extrados per unit of x beyond which it is a haunch: lines at the slope would run down along it.

@@ -19,6 +19,7 @@ pub mod wall;
 use bridge::defect::{Defect, DefectKind, Face};
 use bridge::ring::Misfit;
 use bridge::{Bridge, Load, Span, SpandrelWall, Strip as Width};
+use cover::Surface;
 use curve::Curve;
 use dispersal::{Spread, Strip};
 use extrados::{Extrados, Stretch};
@@ -163,8 +164,8 @@ pub struct Discretised {
     pub road: Option<Extrados>,
     /// The region that particles are to fill, where layers are modelled so.
     pub fill: Option<FillRegion>,
-    /// Level of the surface on which loads stand: the road, or the top of the wall [m].
-    pub surface: f64,
+    /// The surface on which loads stand: the road, or the top of the wall.
+    pub surface: Surface,
     /// Weight of loading blocks [N/m]: counted in every load, though it does not grow.
     pub counted_weight: f64,
     /// Sum of all loads of the file [N/m]: a load factor of one.
@@ -248,6 +249,18 @@ pub enum DiscretiseError {
         /// Its length along the bridge [m].
         length: f64,
     },
+    #[error(
+        "the road is not level, and {what} knows none but a level one: leave out [road] and give the lowest layer its least thickness, or \
+         write as = \"weight\""
+    )]
+    RoadNotLevel {
+        /// What asks for a level road.
+        what: &'static str,
+    },
+    #[error(
+        "the road is not level, and a spandrel wall has courses up to one level: give its `top` in [spandrel_wall]"
+    )]
+    WallUnderRoad,
     #[error("support {support} does not exist: the last is {last}")]
     NoSuchSupport {
         /// Support named.
@@ -497,15 +510,21 @@ impl<'a> Build<'a> {
         let mut road = None;
         if bridge.plan.strip != Width::Fill {
             let wall = bridge.spandrel_wall.as_ref().ok_or(DiscretiseError::NoWall)?;
-            let (upper, top) = self.wall(wall, surface)?;
-            (road, surface) = (Some(upper), top);
+            if bridge.cover.road.is_some() && wall.top.is_none() {
+                return Err(DiscretiseError::WallUnderRoad);
+            }
+            let (upper, top) = self.wall(wall, surface.highest())?;
+            (road, surface) = (Some(upper), Surface::level(top));
         }
         let mut region = None;
         if fill::wanted(bridge).is_some() {
-            let (filled, upper) = self.fill(surface)?;
+            if bridge.cover.road.is_some() {
+                return Err(DiscretiseError::RoadNotLevel { what: "fill as particles" });
+            }
+            let (filled, upper) = self.fill(surface.highest())?;
             (region, road) = (Some(filled), Some(upper));
         }
-        let (spreads, counted_weight) = self.spreads(road.as_ref(), region.as_ref(), surface)?;
+        let (spreads, counted_weight) = self.spreads(road.as_ref(), region.as_ref(), &surface)?;
         let mut laws = self.laws();
         if let (Some(region), Some(particles)) = (&region, &bridge.particles) {
             self.particle_laws(region, particles, &mut laws);
@@ -553,7 +572,7 @@ impl<'a> Build<'a> {
         &mut self,
         road: Option<&Extrados>,
         region: Option<&FillRegion>,
-        surface: f64,
+        surface: &Surface,
     ) -> Result<(Vec<Spread>, f64), DiscretiseError> {
         let (mut spreads, mut weight) = (Vec::new(), 0.0);
         for (index, Load { kind, position, block, .. }) in self.bridge.loads.iter().enumerate() {
@@ -624,7 +643,7 @@ impl Stands {
 }
 
 /// How a strip on the surface reaches the blocks: through the cover, or as forces on the bricks of a wall.
-fn spread(bridge: &Bridge, road: Option<&Extrados>, extrados: &Extrados, surface: f64, strip: Strip) -> Spread {
+fn spread(bridge: &Bridge, road: Option<&Extrados>, extrados: &Extrados, surface: &Surface, strip: Strip) -> Spread {
     match (road, &bridge.spandrel_wall) {
         (Some(road), Some(wall)) => wall::loads::on_bricks(strip, wall.loaded_bricks, road, surface),
         _ => dispersal::spread(strip, bridge.dispersal, surface, extrados),
@@ -638,7 +657,7 @@ impl Discretised {
     }
     /// How a strip on the surface reaches the blocks; for loads that move.
     pub fn spread(&self, bridge: &Bridge, strip: Strip) -> Spread {
-        spread(bridge, self.road.as_ref(), &self.extrados, self.surface, strip)
+        spread(bridge, self.road.as_ref(), &self.extrados, &self.surface, strip)
     }
 }
 
@@ -718,5 +737,7 @@ fn watched(bridge: &Bridge, extrados: &Extrados, spreads: &[Spread], model: &Blo
     }
 }
 
+#[cfg(test)]
+mod road_tests;
 #[cfg(test)]
 mod tests;

@@ -45,10 +45,10 @@ struct Back {
 }
 
 impl Back {
-    fn of(stretch: &Stretch, top: f64) -> Option<Back> {
+    fn of(stretch: &Stretch, column: &Column) -> Option<Back> {
         let (a, b) = (stretch.left, stretch.right);
         let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
-        let reach = high.y.min(top);
+        let reach = high.y.min(column.top(high.x));
         if reach - low.y <= 1e-9 {
             return None;
         }
@@ -76,15 +76,14 @@ impl Back {
 pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
     let Some(fill) = bridge.fill_pressure.as_ref().filter(|fill| fill.applies) else { return Vec::new() };
     let presses = Presses { k: coefficients(fill), column: Column::of(bridge, extrados).pressing() };
-    let top = presses.column.top();
-    let backs = extrados.stretches.iter().filter(|s| !s.ground).filter_map(|s| Back::of(s, top));
+    let backs = extrados.stretches.iter().filter(|s| !s.ground).filter_map(|s| Back::of(s, &presses.column));
     let backs: Vec<Back> = backs.collect();
     let mut all = Vec::new();
     let ends = extrados.faces.iter().filter_map(|face| {
-        let [low, high] = face.levels.map(|y| vec2(face.x, y.min(top)));
+        let [low, high] = face.levels.map(|y| vec2(face.x, y.min(presses.column.top(face.x))));
         (high.y - low.y > 1e-9).then_some(Back { block: face.block, ends: [low, high], way: face.inwards })
     });
-    all.extend(ends.filter_map(|back| presses.on(&back, back.levels(), true)));
+    all.extend(ends.filter_map(|back| presses.on(&back, &back, back.levels(), true)));
     let runs: Vec<&[Back]> = backs.chunk_by(|a, b| a.way == b.way).collect();
     let mut k = 0;
     while let Some(&run) = runs.get(k) {
@@ -94,7 +93,7 @@ pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
                 presses.between(run, next, &mut all);
                 k += 1;
             }
-            _ => all.extend(run.iter().filter_map(|back| presses.on(back, back.levels(), true))),
+            _ => all.extend(run.iter().filter_map(|back| presses.on(back, back, back.levels(), true))),
         }
     }
     all
@@ -107,18 +106,22 @@ struct Presses {
 }
 
 impl Presses {
-    /// The force on a part of a back, with what movement mobilises or without.
-    fn on(&self, back: &Back, [low, high]: [f64; 2], mobilised: bool) -> Option<Restraint> {
+    /// The force on a part of a back, with what movement mobilises or without, under the fill halfway to another back.
+    fn on(&self, back: &Back, other: &Back, [low, high]: [f64; 2], mobilised: bool) -> Option<Restraint> {
         if high - low <= 1e-9 {
             return None;
         }
-        // Vertical stress is linear between the levels of layers and of backing.
+        let middle = |level: f64| (back.at(level) + other.at(level)) * 0.5;
+        let pressure = |level: f64| self.column.pressure(vec2(middle(level).x, level));
+        // Vertical stress is linear between the level of backing and those under kinks of the road.
         let mut cuts = vec![low, high];
         cuts.extend(Some(self.column.backing_top()).filter(|y| *y > low && *y < high));
+        let [a, b] = [middle(low).x, middle(high).x];
+        cuts.extend(self.column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
         cuts.sort_by(f64::total_cmp);
         let (mut vertical, mut even) = (Resultant::default(), Resultant::default());
         for pair in cuts.windows(2) {
-            vertical.trapezoid(pair[0], self.column.pressure(pair[0]), pair[1], self.column.pressure(pair[1]));
+            vertical.trapezoid(pair[0], pressure(pair[0]), pair[1], pressure(pair[1]));
         }
         even.trapezoid(low, 1.0, high, 1.0);
         let least = self.k.least * vertical.force;
@@ -144,15 +147,15 @@ impl Presses {
         for a in left {
             for b in right {
                 let [[low, high], [lower, higher]] = [a.levels(), b.levels()];
-                let shared = self.on(a, [low.max(lower), high.min(higher)], true);
+                let shared = self.on(a, b, [low.max(lower), high.min(higher)], true);
                 all.extend(shared.map(|r| Restraint { against: Some((b.block, b.at(r.at.y))), ..r }));
             }
         }
         for (side, [low, high]) in [(left, range(right)), (right, range(left))] {
             for back in side {
                 let [from, to] = back.levels();
-                all.extend(self.on(back, [from, to.min(low)], false));
-                all.extend(self.on(back, [from.max(high), to], false));
+                all.extend(self.on(back, back, [from, to.min(low)], false));
+                all.extend(self.on(back, back, [from.max(high), to], false));
             }
         }
     }

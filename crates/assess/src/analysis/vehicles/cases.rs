@@ -24,7 +24,7 @@ pub fn reach(d: &Discretised, footprint: f64, slope: f64) -> [f64; 2] {
     let from = free().map(|s| s.left.x).fold(f64::INFINITY, f64::min);
     let to = free().map(|s| s.right.x).fold(f64::NEG_INFINITY, f64::max);
     let lowest = free().map(|s| s.left.y.min(s.right.y)).fold(f64::INFINITY, f64::min);
-    let margin = 0.5 * footprint + (d.surface - lowest).max(0.0) / slope.max(0.1);
+    let margin = 0.5 * footprint + (d.surface.highest() - lowest).max(0.0) / slope.max(0.1);
     [from - margin, to + margin]
 }
 

@@ -246,7 +246,7 @@ impl<'a> Moving<'a> {
         let reaches = |k: &usize| {
             let middle = case.position - sign * pattern.axles[*k].offset;
             let strip = Strip { middle, length: foot.length, force: 1.0, is_pressure: false };
-            !dispersal::spread(strip, foot.dispersal, self.built[0].surface, &self.built[0].extrados).forces.is_empty()
+            !dispersal::spread(strip, foot.dispersal, &self.built[0].surface, &self.built[0].extrados).forces.is_empty()
         };
         let axles = case.axles.and_then(|[first, last]| {
             let mut standing = (first..=last).filter(reaches);

@@ -159,7 +159,7 @@ impl Scene<'_> {
     }
 
     fn effect(&self, sweeper: &mut Sweeper, foot: &Footprint, strip: Strip) -> Option<Effect> {
-        let spread = spread(strip, foot.dispersal, self.d.surface, &self.d.extrados);
+        let spread = spread(strip, foot.dispersal, &self.d.surface, &self.d.extrados);
         (!spread.forces.is_empty()).then(|| sweeper.effect(&spread.forces))
     }
 

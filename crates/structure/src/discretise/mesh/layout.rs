@@ -98,6 +98,9 @@ pub(super) fn room_on_piers(arches: &[Arch<'_>], size: f64) -> Result<(), MeshEr
 /// Level of the surface [m], and the weight of the ballast on it [Pa]. Ballast on top spreads loads and is no part of the mesh.
 pub(super) fn surface(bridge: &Bridge, arches: &[Arch<'_>]) -> Result<(f64, f64), MeshError> {
     const TRIED: usize = 256;
+    if bridge.cover.road.is_some() {
+        return Err(MeshError::RoadNotLevel);
+    }
     let highest = |arch: &Arch<'_>| {
         (0..=TRIED).map(|k| arch.extrados(k as f64 / TRIED as f64).y).fold(f64::NEG_INFINITY, f64::max)
     };

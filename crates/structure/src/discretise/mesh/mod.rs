@@ -64,6 +64,11 @@ pub enum MeshError {
         /// Why.
         misfit: Misfit,
     },
+    /// The surface of the mesh is level.
+    #[error(
+        "the road is not level, and the mesh knows none but a level one: leave out [road] and give the lowest layer its least thickness"
+    )]
+    RoadNotLevel,
     /// There is nothing between the extrados and the surface.
     #[error(
         "there is no fill between the highest extrados and the surface: describe a layer of [[cover]] other than ballast, \

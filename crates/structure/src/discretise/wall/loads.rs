@@ -1,5 +1,6 @@
 //! Loads on the uppermost course of a wall.
 
+use crate::discretise::cover::Surface;
 use crate::discretise::dispersal::{Spread, Strip, spread};
 use crate::discretise::extrados::{Extrados, Stretch};
 use bridge::{Dispersal, DispersalRule};
@@ -9,7 +10,7 @@ use mechanics::plane::vec2;
 /// A strip as forces on the bricks of the uppermost course, whose upper faces are `road`. Without `bricks` every brick
 /// carries the part of the strip that stands on it; otherwise so many bricks nearest to the strip's middle carry it as
 /// evenly as leaves the resultant in its place.
-pub fn on_bricks(strip: Strip, bricks: Option<usize>, road: &Extrados, surface: f64) -> Spread {
+pub fn on_bricks(strip: Strip, bricks: Option<usize>, road: &Extrados, surface: &Surface) -> Spread {
     let straight = Dispersal { rule: DispersalRule::None, slope: 1.0 };
     let by_length = spread(strip, straight, surface, road);
     let Some(count) = bricks else { return by_length };
@@ -65,7 +66,7 @@ mod tests {
         for count in [None, Some(1), Some(2), Some(3), Some(5)] {
             for middle in [4.2, 4.575, 4.79, 5.1] {
                 let strip = Strip { middle, length: 0.75, force: 1e3, is_pressure: false };
-                let s = on_bricks(strip, count, &road(), 1.0);
+                let s = on_bricks(strip, count, &road(), &Surface::level(1.0));
                 let down: f64 = s.forces.iter().map(|f| -f.force.y).sum();
                 let moment: f64 = s.forces.iter().map(|f| -f.force.y * f.at.x).sum();
                 // Round-off only.
@@ -79,7 +80,12 @@ mod tests {
 
     #[test]
     fn two_bricks_beside_a_head_joint_carry_half_each() {
-        let s = on_bricks(Strip { middle: 4.8, length: 0.75, force: 1e3, is_pressure: false }, Some(2), &road(), 1.0);
+        let s = on_bricks(
+            Strip { middle: 4.8, length: 0.75, force: 1e3, is_pressure: false },
+            Some(2),
+            &road(),
+            &Surface::level(1.0),
+        );
         let forces: Vec<f64> = s.forces.iter().map(|f| -f.force.y).collect();
         assert!(forces.len() == 2 && forces.iter().all(|f| (f - 500.0).abs() < 1e-9), "{forces:?}");
     }
