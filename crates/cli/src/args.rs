@@ -324,11 +324,11 @@ pub struct Overrides {
 /// `extrados convert`.
 #[derive(Debug, Args)]
 pub struct Convert {
-    /// A bridge file or a block model file (.toml), or a drawing (.dxf)
+    /// A bridge file or a block model file (.toml), a drawing (.dxf), or a surveyed section of an intrados (.csv)
     pub from: PathBuf,
-    /// What to write: .toml, .dxf or .vtu
+    /// What to write: .toml, .dxf or .vtu; of a section .toml, .svg, .png or .csv
     pub to: PathBuf,
-    /// Unit of a drawing, in place of what its header says
+    /// Unit of a drawing or a section, in place of what its header says
     #[arg(long, value_name = "UNIT", value_parser = ["m", "cm", "mm", "ft", "in"])]
     pub unit: Option<String>,
     /// How far a chord may lie from its curve, such as "1 mm"

@@ -76,7 +76,9 @@ findings::cards! {
     "F118", "no conversion between these files",
         "`extrados convert FROM TO` chooses the conversion by the extensions: a bridge file or block model file \
                (.toml) becomes a drawing (.dxf), a ParaView file (.vtu) or a block model file with every block listed \
-               (.toml); a drawing becomes a block model file, a ParaView file, or a cleaned drawing in metres.";
+               (.toml); a drawing becomes a block model file, a ParaView file, or a cleaned drawing in metres; a surveyed section \
+               of an intrados (.csv, .txt, .xy) becomes the beginning of a bridge file (.toml), a drawing of its deviations (.svg, .png) \
+               or a table of them (.csv).";
     "F119", "the file to be written exists",
         "`extrados convert` writes new files. With --overwrite it replaces one that exists, but never the file it reads, nor the \
         drawing that this one names. `extrados respond --records FILE` replaces a record that is labelled synthetic, and never another \
@@ -118,6 +120,14 @@ findings::cards! {
         "`extrados validate FOLDER` needs a folder with priors.toml and a folder for each test. Without FOLDER it looks in validation/ of \
         the current folder. The tests come with the source and not with the program: run it in a clone, or name the folder. --only \
         names tests that the folder has.";
+    "F133", "a surveyed section cannot be used",
+        "A section is a table of two columns, distance along the bridge and height, with a heading that names their unit (x_m,y_m or \
+        x [mm],y [mm]) or with --unit: points of one intrados from springing to springing, in any order. The message names the line, or what \
+        keeps a curve from being fitted.";
+    "F134", "a fitted section that somebody should look at",
+        "The curve was fitted, and the message says what may be wrong with it: points that were left out, a stretch without points, steps or a \
+        kink that a smooth curve rounds off, ends that are not level. `extrados convert SECTION.csv SECTION.svg` draws every point with \
+        its distance from the curve.";
     "F132", "a field test cannot be read",
         "Each test is a folder with bridge.toml (geometry and load, without materials) and test.toml (what was measured, from where, how \
         certain); priors.toml beside them states density, strength and friction for all tests. The message names the file, the key and \

@@ -11,6 +11,7 @@ pub mod mesh;
 pub mod passage;
 pub mod picture;
 pub mod published;
+pub mod section;
 pub mod soil;
 pub mod study;
 pub mod sweep;

@@ -4,6 +4,7 @@
 pub mod blocks;
 pub mod discretise;
 pub mod packing_file;
+pub mod section;
 
 #[cfg(test)]
 mod samples;

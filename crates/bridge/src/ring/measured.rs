@@ -203,12 +203,18 @@ fn tangents(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
             let bend = turn(before.0, after.0);
             let alpha = (before.1 * bend.sin()).atan2(after.1 + before.1 * bend.cos());
             match index {
-                0 => rotate(before.0, -alpha),
-                _ if index == last => rotate(after.0, bend - alpha),
+                0 => upright(rotate(before.0, -alpha)),
+                _ if index == last => upright(rotate(after.0, bend - alpha)),
                 _ => rotate(before.0, alpha),
             }
         })
         .collect()
+}
+
+/// The tangent at a springing: each point lies further right than the one before, so a curve that leans beyond the vertical there was not
+/// measured, and is no more than the scatter of the points.
+fn upright(tangent: [f64; 2]) -> [f64; 2] {
+    if tangent[0] < 0.0 { [0.0, tangent[1].signum()] } else { tangent }
 }
 
 /// Unit direction and length from one point to another.

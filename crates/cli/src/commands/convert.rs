@@ -1,5 +1,7 @@
 //! `extrados convert`: bridge files, block model files, drawings and ParaView files, by extension.
 
+mod section;
+
 use super::model::Model;
 use super::{Desk, Source, read_text};
 use crate::args::Convert;
@@ -26,6 +28,9 @@ enum Content {
 /// Reads FROM and writes TO.
 pub fn run(desk: &mut Desk, arguments: &Convert) -> Result<Report, Failure> {
     let (from, to) = (ending(&arguments.from), ending(&arguments.to));
+    if matches!((from.as_str(), to.as_str()), ("csv" | "txt" | "xy", "toml" | "svg" | "png" | "csv")) {
+        return section::run(desk, arguments, &to);
+    }
     if !matches!((from.as_str(), to.as_str()), ("toml" | "dxf", "toml" | "dxf" | "vtu")) {
         return Err(no_pair(&from, &to));
     }
@@ -68,7 +73,11 @@ fn no_pair(from: &str, to: &str) -> Failure {
     let shown =
         |ending: &str| if ending.is_empty() { "a file without extension".to_owned() } else { format!(".{ending}") };
     let message = format!("there is no conversion from {} to {}", shown(from), shown(to));
-    Failure::input("F118", message, "convert .toml to .dxf, .vtu or .toml, or .dxf to .toml, .vtu or .dxf")
+    Failure::input(
+        "F118",
+        message,
+        "convert .toml to .dxf, .vtu or .toml, .dxf to .toml, .vtu or .dxf, or a section's .csv to .toml, .svg, .png or .csv",
+    )
 }
 
 type ReadIn = (Report, Option<Content>, Vec<std::path::PathBuf>);

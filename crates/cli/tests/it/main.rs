@@ -23,6 +23,7 @@ mod records;
 mod respond;
 mod rings;
 mod roads;
+mod sections;
 mod signals;
 mod stage;
 mod table_1;

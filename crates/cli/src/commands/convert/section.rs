@@ -1,0 +1,139 @@
+//! A surveyed section of an intrados becomes a bridge file to fill in, a drawing or a table of its deviations.
+
+use super::{Desk, Report, folder, guard, read_text, results};
+use crate::args::Convert;
+use crate::failure::Failure;
+use crate::status::Status;
+use outcome::section::{Section, Surveyed};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use structure::section::{self, LengthUnit};
+
+/// Points that are named in a message.
+const NAMED: usize = 5;
+
+/// Share of the curve's length without a point from which on it is told.
+const GAP: f64 = 0.05;
+
+/// Reads the section, fits its curve and writes what the extension `to` asks for.
+pub fn run(desk: &mut Desk, arguments: &Convert, to: &str) -> Result<Report, Failure> {
+    if arguments.chord_tolerance.is_some() || arguments.gap_tolerance.is_some() || arguments.cut_concave {
+        let message = "--chord-tolerance, --gap-tolerance and --cut-concave are for drawings (.dxf)";
+        return Err(Failure::input("F107", message, "leave them out"));
+    }
+    let from = arguments.from.display().to_string();
+    let refused = |error: section::SectionError| {
+        Failure::input("F133", format!("{from}: {error}"), "extrados explain F133 tells what a section is")
+    };
+    let unit = arguments.unit.as_deref().and_then(LengthUnit::named);
+    let table = read_text(&arguments.from)?;
+    let points = section::read(&String::from_utf8_lossy(&table), unit).map_err(refused)?;
+    let found = section::fit(&points).map_err(refused)?;
+    let name = arguments.from.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let drawing = || figures::section_drawing(&name, &found);
+    let bytes = match to {
+        "toml" => section::span_file(&name, &found).into_bytes(),
+        "svg" => drawing().into_bytes(),
+        "png" => {
+            figures::png(&drawing(), figures::PNG_WIDTH).map_err(|error| results::not_drawn(&arguments.to, &error))?
+        }
+        _ => section::deviations(&found).into_bytes(),
+    };
+    guard(arguments, &[&arguments.from])?;
+    folder::write_whole(&arguments.to, &bytes).map_err(|error| Failure::unwritable(&arguments.to, &error))?;
+    let mut report = Report::new(Status::Completed);
+    for doubt in doubts(&found) {
+        report.warn(&mut desk.screen, "F134", &doubt);
+    }
+    let shown = arguments.to.display().to_string();
+    let summary = summary(&from, &found, &shown, to == "toml");
+    Ok(fields(report, &found).with("written", shown).saying(summary))
+}
+
+fn fields(report: Report, found: &Section) -> Report {
+    let point = |p: &Surveyed| json!({ "x_m": p.at[0], "y_m": p.at[1], "deviation_mm": 1e3 * p.deviation });
+    let left_out: Vec<Value> = found.left_out().map(point).collect();
+    report
+        .with("points", found.points.len())
+        .with("left_out", left_out)
+        .with("span_m", found.span())
+        .with("rise_m", found.rise())
+        .with("scatter_mm", 1e3 * found.scatter)
+        .with("noise_mm", 1e3 * found.noise)
+        .with("terms", found.terms)
+        .with("tilt_mm", 1e3 * found.tilt)
+        .with("circle_radius_m", found.circle.radius)
+        .with("circle_scatter_mm", 1e3 * found.circle.scatter)
+}
+
+fn summary(from: &str, found: &Section, shown: &str, is_file: bool) -> String {
+    let mut page = format!("{from}: {} points of an intrados\n\n", found.points.len());
+    let _ = writeln!(page, "  span                  {:9.3} m", found.span());
+    let _ = writeln!(page, "  rise                  {:9.3} m", found.rise());
+    let _ = writeln!(
+        page,
+        "  scatter               {:9.1} mm   about a smooth curve of {} terms",
+        1e3 * found.scatter,
+        found.terms
+    );
+    let _ = writeln!(
+        page,
+        "  circle                {:9.3} m    radius; points scatter by {:.1} mm about it",
+        found.circle.radius,
+        1e3 * found.circle.scatter
+    );
+    let _ = writeln!(page, "  left out              {:9}", found.left_out().count());
+    let _ = writeln!(page, "\nwritten to {shown}");
+    if is_file {
+        let _ = writeln!(page, "fill in the lines marked TO FILL IN, then: extrados check {shown}");
+    }
+    page
+}
+
+/// What somebody should look at before the curve is used.
+fn doubts(found: &Section) -> Vec<String> {
+    let mut doubts = Vec::new();
+    let left_out: Vec<&Surveyed> = found.left_out().collect();
+    if !left_out.is_empty() {
+        let named: Vec<String> = left_out
+            .iter()
+            .take(NAMED)
+            .map(|p| format!("x = {:.3} m ({:+.0} mm)", p.at[0], 1e3 * p.deviation))
+            .collect();
+        let more = if left_out.len() > NAMED { format!(" and {} more", left_out.len() - NAMED) } else { String::new() };
+        let what = if left_out.len() == 1 { "point lies" } else { "points lie" };
+        doubts.push(format!(
+            "{} {what} too far from the curve and were left out: {}{more}",
+            left_out.len(),
+            named.join(", ")
+        ));
+    }
+    let ends = [found.points.first(), found.points.last()].into_iter().flatten();
+    if ends.filter(|end| end.is_left_out).count() > 0 {
+        doubts.push(
+            "an outermost point was left out: the span ends at the next one; check that it is the springing".to_owned(),
+        );
+    }
+    if found.has_steps() {
+        doubts.push(format!(
+            "points depart from the smooth curve by {:.1} mm where neighbours scatter by {:.1} mm: a kink (pointed crown), steps or slipped \
+             stones are rounded off",
+            1e3 * found.scatter,
+            1e3 * found.noise
+        ));
+    }
+    let length: f64 = found.drawn.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum();
+    if found.gap.0 > GAP * length {
+        let (gap, [from, to]) = found.gap;
+        doubts.push(format!(
+            "there is no point over {gap:.2} m between x = {from:.2} and {to:.2} m: the curve is a guess there"
+        ));
+    }
+    if found.tilt.abs() > 1e-3 {
+        doubts.push(format!(
+            "the right end lies {:+.0} mm above the left one; the section was turned to be level",
+            1e3 * found.tilt
+        ));
+    }
+    doubts
+}

@@ -1,0 +1,94 @@
+//! A surveyed section becomes a profile: fitted, told, drawn.
+
+use crate::stage::{Stage, number};
+use std::fmt::Write;
+
+/// Points of a segment of 8 m by 1.6 m in millimetres, with a scatter that looks random, and two that are wrong.
+fn scan() -> String {
+    let (radius, half) = ((16.0 + 1.6 * 1.6) / 3.2, 4.0f64);
+    let angle = (half / radius).asin();
+    let mut table = "x [mm];y [mm]\n".to_owned();
+    for k in 0..400 {
+        let at = -angle + 2.0 * angle * f64::from(k) / 399.0;
+        let scatter = 0.003 * (f64::from(k * k) * 0.7).sin()
+            + if k == 130 { -0.09 } else { 0.0 }
+            + if k == 300 { 0.05 } else { 0.0 };
+        let r = radius + scatter;
+        let (x, y) = (1e3 * (half + r * at.sin()), 1e3 * (1.6 - radius + r * at.cos()));
+        let _ = writeln!(table, "{};{}", format!("{x:.1}").replace('.', ","), format!("{y:.1}").replace('.', ","));
+    }
+    table
+}
+
+#[test]
+fn a_scan_becomes_a_bridge_file_that_carries_what_the_arch_does() {
+    let stage = Stage::new("sections-scan");
+    stage.write("scan.csv", scan());
+    let (answer, ending) = stage.object(&["convert", "scan.csv", "scan.toml"]);
+    assert_eq!(ending.code, Some(0), "{}", ending.stderr);
+    assert!(
+        (number(&answer, "span_m") - 8.0).abs() < 5e-3 && (number(&answer, "rise_m") - 1.6).abs() < 5e-3,
+        "{answer}"
+    );
+    assert!((number(&answer, "scatter_mm") - 2.1).abs() < 0.2, "{answer}");
+    let left_out = answer["left_out"].as_array().expect("points");
+    assert_eq!(left_out.len(), 2, "{left_out:?}");
+    assert!(
+        answer["warnings"][0]["message"].as_str().is_some_and(|words| words.contains("2 points lie too far")),
+        "{answer}"
+    );
+    // What a section does not say is asked for, one finding each.
+    let text = stage.read("scan.toml");
+    assert_eq!(
+        stage.run(&["check", "scan.toml"]).stderr.matches("TO FILL IN").count(),
+        2 * text.matches("\"TO FILL IN").count()
+    );
+    let filled = |text: &str| {
+        let given = [
+            ("width = \"TO FILL IN m", "width = \"4 m"),
+            ("TO FILL IN m", "0.45 m"),
+            ("TO FILL IN kg/m^3", "2100 kg/m^3"),
+        ];
+        let given = given.into_iter().chain([("TO FILL IN MPa", "8 MPa"), ("TO FILL IN deg", "31 deg")]);
+        given.fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
+    };
+    stage.write("scanned.toml", filled(&text));
+    let (head, rest) = text.split_once("profile = \"measured\"").expect("a profile");
+    let rest = rest.split_once("\n]\n").expect("the end of the points").1;
+    stage.write(
+        "drawn.toml",
+        filled(&format!("{head}profile = \"segmental\"\nspan = \"8 m\"\nrise = \"1.6 m\"\n{rest}")),
+    );
+    let load = |file: &str| number(&stage.object(&["collapse", file]).0, "last_stable_load_kn_per_m");
+    let (scanned, drawn) = (load("scanned.toml"), load("drawn.toml"));
+    assert!((scanned / drawn - 1.0).abs() < 0.02, "{scanned} {drawn}");
+    // The other two forms.
+    assert_eq!(stage.run(&["convert", "scan.csv", "deviations.csv"]).code, Some(0));
+    assert_eq!(stage.read("deviations.csv").matches("true").count(), 2);
+    assert_eq!(stage.run(&["convert", "scan.csv", "scan.svg"]).code, Some(0));
+    assert!(stage.read("scan.svg").contains("2 points (red) were left out"));
+}
+
+#[test]
+fn what_is_no_section_is_refused_with_its_line() {
+    let stage = Stage::new("sections-refused");
+    stage.write("no-unit.csv", "0,0\n1,1\n");
+    stage.write("word.csv", "x_m,y_m\n0,0\n1,one\n");
+    stage.write("cloud.csv", "x_m,y_m,z_m\n0,0,0\n");
+    stage.write("few.csv", "x_m,y_m\n0,0\n1,1\n2,0\n");
+    for (file, words) in
+        [("no-unit.csv", "--unit"), ("word.csv", "line 3"), ("cloud.csv", "3 columns"), ("few.csv", "too few")]
+    {
+        let (answer, ending) = stage.object(&["convert", file, "x.toml"]);
+        assert_eq!(
+            (ending.code, answer["errors"][0]["code"].as_str()),
+            (Some(2), Some("F133")),
+            "{file}: {}",
+            ending.stderr
+        );
+        assert!(ending.stderr.contains(words), "{file}: {}", ending.stderr);
+    }
+    stage.write("scan.csv", scan());
+    assert_eq!(stage.object(&["convert", "scan.csv", "scan.csv", "--overwrite"]).0["errors"][0]["code"], "F119");
+    assert_eq!(stage.object(&["convert", "scan.csv", "x.toml", "--cut-concave"]).0["errors"][0]["code"], "F107");
+}

@@ -1,0 +1,90 @@
+//! Tables of points as scanners and spreadsheets write them.
+
+use super::SectionError;
+
+/// Units of length that a table may have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LengthUnit {
+    /// As it is written.
+    pub symbol: &'static str,
+    /// In metres.
+    pub size: f64,
+}
+
+/// Longest first, so that "mm" is not read as "m".
+const UNITS: [LengthUnit; 5] = [
+    LengthUnit { symbol: "mm", size: 1e-3 },
+    LengthUnit { symbol: "cm", size: 1e-2 },
+    LengthUnit { symbol: "ft", size: 0.3048 },
+    LengthUnit { symbol: "in", size: 0.0254 },
+    LengthUnit { symbol: "m", size: 1.0 },
+];
+
+impl LengthUnit {
+    /// By its symbol.
+    pub fn named(symbol: &str) -> Option<LengthUnit> {
+        UNITS.into_iter().find(|unit| unit.symbol == symbol)
+    }
+
+    /// That which ends a heading: `x_mm`, `x [mm]`, `x (mm)`.
+    fn of_heading(heading: &str) -> Option<LengthUnit> {
+        let word = heading.trim().trim_end_matches([')', ']']).to_lowercase();
+        let before = |c: char| matches!(c, '_' | ' ' | '(' | '[');
+        UNITS.into_iter().find(|unit| word.strip_suffix(unit.symbol).is_some_and(|rest| rest.ends_with(before)))
+    }
+}
+
+/// Points of a table with two columns, distance along the bridge and height [m]: separated by commas, semicolons, tabs or blanks, with
+/// or without a heading; lines that begin with # are comments. The unit is that of the heading, unless another is given.
+///
+/// # Errors
+/// The first row that is no point, or no unit.
+pub fn read(text: &str, unit: Option<LengthUnit>) -> Result<Vec<[f64; 2]>, SectionError> {
+    let text = text.trim_start_matches('\u{feff}');
+    let lines = || text.lines().enumerate().map(|(k, line)| (k + 1, line.trim()));
+    let rows = || lines().filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let separator = separator(rows().nth(1).or(rows().next()).map_or("", |(_, line)| line));
+    let mut unit = unit;
+    let mut points = Vec::new();
+    for (index, (line, row)) in rows().enumerate() {
+        let cells = cells(row, separator);
+        let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number(cell, separator)).collect();
+        if index == 0 && numbers.iter().all(Option::is_none) {
+            unit = unit.or_else(|| cells.iter().find_map(|cell| LengthUnit::of_heading(cell)));
+            continue;
+        }
+        let wrong = |what: String| SectionError::Row { line, what };
+        let &[Some(x), Some(y)] = &numbers[..] else {
+            return Err(wrong(
+                match (numbers.len(), cells.iter().zip(&numbers).find(|(_, number)| number.is_none())) {
+                    (2, Some((cell, _))) => format!("\"{cell}\" is not a number"),
+                    (count, _) => format!("{count} columns, and a section has two: distance along the bridge, height"),
+                },
+            ));
+        };
+        points.push([x, y]);
+    }
+    let size = unit.ok_or(SectionError::NoUnit)?.size;
+    Ok(points.into_iter().map(|point| point.map(|value| value * size)).collect())
+}
+
+/// What stands between two cells of a row.
+fn separator(row: &str) -> char {
+    [';', '\t', ','].into_iter().find(|mark| row.contains(*mark)).unwrap_or(' ')
+}
+
+fn cells(row: &str, separator: char) -> Vec<&str> {
+    let trim = |cell: &'_ str| cell.trim_matches(['"', ' ', '\t']).len();
+    match separator {
+        ' ' => row.split_whitespace().collect(),
+        _ => {
+            row.split(separator).map(|cell| cell.trim_matches(['"', ' ', '\t'])).filter(|cell| trim(cell) > 0).collect()
+        }
+    }
+}
+
+/// A number, with a decimal comma where commas do not separate.
+fn number(cell: &str, separator: char) -> Option<f64> {
+    let text = if separator == ',' { cell.to_owned() } else { cell.replace(',', ".") };
+    text.parse::<f64>().ok().filter(|value| value.is_finite() && value.abs() < 1e7)
+}
