@@ -20,6 +20,7 @@ mod signs;
 mod status;
 mod summary;
 mod watcher;
+mod workbook;
 
 use std::process::ExitCode;
 

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::report::Report;
 use crate::status::Status;
+use crate::workbook;
 use assess::analysis::AnalysisError;
 use extrados::Refusal;
 use figures::RasterError;
@@ -42,6 +43,9 @@ pub fn publish(
     folder: &Folder,
     files: &[figures::File],
 ) -> Result<Report, Failure> {
+    let mut files = files.to_vec();
+    files.extend(in_one_workbook(&report, &files).map_err(|error| not_packed(folder.path(), &error))?);
+    let files = &files;
     folder.fill(
         |staging| write(staging, files),
         |names, place, placed| {
@@ -62,6 +66,24 @@ pub fn publish(
     Ok(report)
 }
 
+/// The tables that lie at the top of the folder, as a workbook beside them.
+fn in_one_workbook(
+    report: &Report,
+    files: &[figures::File],
+) -> Result<Option<figures::File>, rust_xlsxwriter::XlsxError> {
+    let tables: Vec<(&str, &[u8])> = files
+        .iter()
+        .filter_map(|file| Some((file.name.strip_suffix(".csv").filter(|stem| !stem.contains('/'))?, &file.bytes[..])))
+        .collect();
+    let bytes = workbook::workbook(&report.fields, &report.warnings, &tables)?;
+    Ok(bytes.map(|bytes| figures::File { name: workbook::NAME.to_owned(), bytes }))
+}
+
+/// A workbook that could not be made.
+fn not_packed(folder: &Path, error: &rust_xlsxwriter::XlsxError) -> Failure {
+    Failure::not_written(folder, &io::Error::other(error.to_string()))
+}
+
 /// What was written, in lines: only what is there is named.
 fn written(files: &[figures::File]) -> String {
     let ending = |name: &str| name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_owned());
@@ -77,7 +99,7 @@ fn written(files: &[figures::File]) -> String {
         |folder: &str, count: usize| if count > 0 { vec![format!("{count} in {folder}")] } else { Vec::new() };
     let groups = [
         ("figures", stems.into_iter().chain(animation).collect()),
-        ("tables", named(top("csv"))),
+        ("tables", named(top("csv").into_iter().chain(top("xlsx")).collect())),
         ("drawings for CAD", named(top("dxf"))),
         ("reports", named(top("html").into_iter().chain(top("pdf")).collect())),
         ("files for ParaView", counted("paraview/", below("paraview/"))),

@@ -32,7 +32,7 @@ pub fn section_drawing(name: &str, section: &Section) -> String {
         0 => "No point was left out.".to_owned(),
         1 => "One point (red) was left out: it lies further from the curve than five times the scatter.".to_owned(),
         _ => format!(
-            "{left_out} points (red) were left out: they lie further from the curve than five times the scatter."
+            "{left_out} points (red) were left out: they lie further from the curve than five times the scatter. Those beyond the axis are drawn at its edge."
         ),
     };
     let bottom = sheet.caption(below, &words);

@@ -19,7 +19,7 @@ pub struct Purpose {
 }
 
 /// Endings of files of results.
-const ENDINGS: [&str; 9] = ["json", "csv", "svg", "png", "dxf", "vtu", "pvd", "html", "pdf"];
+const ENDINGS: [&str; 10] = ["json", "csv", "xlsx", "svg", "png", "dxf", "vtu", "pvd", "html", "pdf"];
 
 /// Folders below the folder of results whose files are all results.
 pub const BELOW: [&str; 3] = ["paraview", "wall", "wall/paraview"];
@@ -73,6 +73,7 @@ impl Purpose {
         let fits = |known: &str| known.strip_suffix('*').map_or(stem == known, |start| stem.starts_with(start));
         ENDINGS.contains(&ending)
             && (stem.contains('/')
+                || name == crate::workbook::NAME
                 || self.figures.iter().any(|known| stem.strip_prefix(known).is_some_and(numbered))
                 || self.stems.iter().copied().flatten().any(|known| fits(known)))
     }

@@ -37,4 +37,5 @@ mod varying;
 mod vehicle_files;
 mod verdict;
 mod walls;
+mod workbook;
 mod wrong_files;

@@ -1,5 +1,6 @@
 //! The door as programs use it.
 
+mod random;
 mod written;
 
 use ::assess::analysis::passage::sensors::Placed;

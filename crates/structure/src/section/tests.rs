@@ -45,7 +45,6 @@ fn scatter_of_two_millimetres_changes_the_load_by_less_than_two_per_cent() {
         {
             let section = fit(&scanned(&profile, size, count, 2e-3, seed)).unwrap();
             let found = of(&section);
-            println!("{profile:?} {count}: {:.4}", found / exact);
             assert!((found / exact - 1.0).abs() < most, "{profile:?}, {count} points: {found} of {exact}");
             assert!((1.2e-3..3e-3).contains(&section.scatter) && !section.has_steps(), "{:?}", section.scatter);
             assert!((section.span() - size[0]).abs() < 0.012 && (section.rise() - size[1]).abs() < 0.006);
