@@ -39,6 +39,8 @@ pub enum Command {
     Check(Check),
     /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
     Collapse(Box<Collapse>),
+    /// Compare two bridge files: what they say differently, and what each carries
+    Compare(Box<Compare>),
     /// Convert between bridge files, block model files, drawings (DXF) and ParaView files (VTU), by extension
     Convert(Convert),
     /// Repeat an analysis over ranges of the file's quantities: table, tornado chart, curves
@@ -319,6 +321,21 @@ pub struct Overrides {
     /// Most iterations in one load step
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub step_limit: Option<u64>,
+}
+
+/// `extrados compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// The bridge file before, such as before a repair
+    pub before: PathBuf,
+    /// The bridge file after
+    pub after: PathBuf,
+    /// Folder for results [default: out/BEFORE-and-AFTER]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Which analysis, in place of the plans of both files.
+    #[command(flatten)]
+    pub choice: Choice,
 }
 
 /// `extrados convert`.

@@ -120,6 +120,10 @@ findings::cards! {
         "`extrados validate FOLDER` needs a folder with priors.toml and a folder for each test. Without FOLDER it looks in validation/ of \
         the current folder. The tests come with the source and not with the program: run it in a clone, or name the folder. --only \
         names tests that the folder has.";
+    "F132", "a field test cannot be read",
+        "Each test is a folder with bridge.toml (geometry and load, without materials) and test.toml (what was measured, from where, how \
+        certain); priors.toml beside them states density, strength and friction for all tests. The message names the file, the key and \
+        what is wrong with it; validation/README.md lists the keys.";
     "F133", "a surveyed section cannot be used",
         "A section is a table of two columns, distance along the bridge and height, with a heading that names their unit (x_m,y_m or \
         x [mm],y [mm]) or with --unit: points of one intrados from springing to springing, in any order. The message names the line, or what \
@@ -128,10 +132,6 @@ findings::cards! {
         "The curve was fitted, and the message says what may be wrong with it: points that were left out, a stretch without points, steps or a \
         kink that a smooth curve rounds off, ends that are not level. `extrados convert SECTION.csv SECTION.svg` draws every point with \
         its distance from the curve.";
-    "F132", "a field test cannot be read",
-        "Each test is a folder with bridge.toml (geometry and load, without materials) and test.toml (what was measured, from where, how \
-        certain); priors.toml beside them states density, strength and friction for all tests. The message names the file, the key and \
-        what is wrong with it; validation/README.md lists the keys.";
 }
 
 impl Failure {

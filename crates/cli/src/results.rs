@@ -104,6 +104,7 @@ fn written(files: &[figures::File]) -> String {
         ("reports", named(top("html").into_iter().chain(top("pdf")).collect())),
         ("files for ParaView", counted("paraview/", below("paraview/"))),
         ("of the other strip", counted("wall/", below("wall/"))),
+        ("figures of both", [counted("before/", below("before/")), counted("after/", below("after/"))].concat()),
     ];
     let filled = groups.iter().filter(|(_, names)| !names.is_empty());
     filled.map(|(what, names)| format!("  {what}: {}\n", names.join(", "))).collect()

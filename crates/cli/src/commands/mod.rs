@@ -5,6 +5,7 @@ mod bench;
 mod calibrate;
 mod check;
 mod collapse;
+mod compare;
 mod convert;
 mod explain;
 mod model;
@@ -112,6 +113,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::New(arguments) => new::run(arguments).map(Answer::from),
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
+        Command::Compare(arguments) => compare::run(desk, arguments).map(Answer::from),
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),
         Command::Respond(arguments) => respond::run(desk, arguments).map(Answer::from),

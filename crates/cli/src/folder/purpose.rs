@@ -22,7 +22,7 @@ pub struct Purpose {
 const ENDINGS: [&str; 10] = ["json", "csv", "xlsx", "svg", "png", "dxf", "vtu", "pvd", "html", "pdf"];
 
 /// Folders below the folder of results whose files are all results.
-pub const BELOW: [&str; 3] = ["paraview", "wall", "wall/paraview"];
+pub const BELOW: [&str; 5] = ["paraview", "wall", "wall/paraview", "before", "after"];
 
 /// What a collapse and a sweep share beside their figures.
 const SHARED: &[&str] = &["result", "animation"];
@@ -37,6 +37,7 @@ const ASSESS: &[&str] = &["result", "report", "checks"];
 const FLEET: &[&str] = &["result", "fleet"];
 const VALIDATE: &[&str] = &["result", "validation"];
 const CALIBRATE: &[&str] = &["result", "stress-strain", "moduli", "sample", "curve"];
+const COMPARE: &[&str] = &["result", "differences", "answers"];
 const CHECK: &[&str] = &["bridge", "mesh"];
 
 impl Purpose {
@@ -52,6 +53,7 @@ impl Purpose {
             "fleet" => [FLEET, &[]],
             "validate" => [VALIDATE, &[]],
             "calibrate" => [CALIBRATE, &[]],
+            "compare" => [COMPARE, &[]],
             _ => [CHECK, &[]],
         };
         let figures = match kind.split('-').next() {

@@ -7,6 +7,7 @@ mod calibration;
 mod carried;
 mod caveats;
 mod checked;
+mod compare;
 mod defects;
 mod drawings;
 mod drawn;

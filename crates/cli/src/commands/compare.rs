@@ -1,0 +1,176 @@
+//! `extrados compare`: two bridge files side by side.
+
+use super::{Desk, Source, read_text};
+use crate::args::Compare as Arguments;
+use crate::failure::Failure;
+use crate::folder::{Folder, Purpose};
+use crate::report::Report;
+use crate::results;
+use crate::status::Status;
+use crate::watcher::Spectator;
+use extrados::{Answered, Compared, Difference};
+use outcome::published;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Differences that are shown on the screen.
+const SHOWN: usize = 20;
+
+/// Reads both files, makes both analyses, writes what differs.
+pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    let files = [&arguments.before, &arguments.after];
+    for file in files {
+        if bridge::is_block_file(&read_text(file)?) {
+            let message = format!("{} is a block model file; two bridge files can be compared", file.display());
+            return Err(Failure::input("F107", message, "compare the results of two runs of extrados collapse"));
+        }
+    }
+    let sources = [Source::open(desk, files[0])?, Source::open(desk, files[1])?];
+    let mut report = sources[0].report(Status::Completed);
+    let project = &sources[1].project;
+    report.add_findings(project.name(), project.text(), project.findings());
+    let [Some(before), Some(_)] = [sources[0].bridge(), sources[1].bridge()] else {
+        report.status = Status::UnusableInput;
+        return Ok(report);
+    };
+    let choice = arguments.choice.of(before.width)?;
+    let folder = folder(arguments, &sources)?;
+    let mut spectator = Spectator::new(desk.screen.quiet);
+    let found = extrados::compare(&sources[0].project, project, choice, &mut spectator);
+    spectator.finish();
+    write(desk, arguments, &found?, report, &folder)
+}
+
+fn folder(arguments: &Arguments, sources: &[Source; 2]) -> Result<Folder, Failure> {
+    let stem = |file: &Path| file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let named = || Path::new("out").join(format!("{}-and-{}", stem(&arguments.before), stem(&arguments.after)));
+    let out = arguments.out.clone().unwrap_or_else(named);
+    let mut inputs: Vec<PathBuf> = sources.iter().flat_map(|source| source.project.inputs()).cloned().collect();
+    inputs.push(arguments.before.clone());
+    Folder::prepare(&out, Purpose::new("compare", &arguments.after, &inputs))
+}
+
+fn write(
+    desk: &mut Desk,
+    arguments: &Arguments,
+    found: &Compared,
+    mut report: Report,
+    folder: &Folder,
+) -> Result<Report, Failure> {
+    let ended = found.answers.each_ref().map(|answer| results::status(answer.status));
+    report.status = ended.into_iter().max_by_key(|status| status.exit_code()).unwrap_or(Status::Completed);
+    if report.status.exit_code() == 0 {
+        report.status = Status::Completed;
+    }
+    let [before, after] = &found.answers;
+    let named = [&arguments.before, &arguments.after].map(|file| file.display().to_string());
+    report.fields.insert("before_file".into(), json!(named[0]));
+    report.fields.insert("after_file".into(), json!(named[1]));
+    report.fields.insert("verdict".into(), json!(verdict(found)));
+    report.fields.insert("cautions".into(), json!(found.cautions));
+    report.fields.insert("differences".into(), found.differences.iter().map(difference).collect());
+    report.fields.insert("numbers".into(), found.numbers.iter().map(number).collect());
+    report.fields.insert("assumptions_before_only".into(), json!(found.assumptions[0]));
+    report.fields.insert("assumptions_after_only".into(), json!(found.assumptions[1]));
+    report.fields.insert("before".into(), Value::Object(published::collapse(before)));
+    report.fields.insert("after".into(), Value::Object(published::collapse(after)));
+    let mut files: Vec<figures::File> =
+        results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
+    for (name, answer) in [("before", before), ("after", after)] {
+        for (figure, svg) in figures::drawings(&answer.picture) {
+            let drawn = figures::both(&format!("{name}/{figure}"), &svg);
+            files.extend(drawn.map_err(|error| results::not_drawn(folder.path(), &error))?);
+        }
+    }
+    report.summary = summary(found, &named, folder.path());
+    results::publish(desk, report, folder, &files)
+}
+
+/// Which of the two carries more, in a sentence.
+fn verdict(found: &Compared) -> String {
+    let Some(headline) = found.numbers.iter().find(|number| number.name == "headline_kn_per_m") else {
+        return "no load is known to be carried by either".to_owned();
+    };
+    match (headline.before, headline.after, headline.change()) {
+        (Some(before), Some(after), Some(change)) if change.abs() < 5e-4 => {
+            format!("both carry the same: {before:.2} and {after:.2} kN/m")
+        }
+        (Some(before), Some(after), Some(change)) => {
+            let word = if change > 0.0 { "more" } else { "less" };
+            format!("the second carries {:.1} % {word}: {after:.2} against {before:.2} kN/m", 100.0 * change.abs())
+        }
+        (Some(before), None, _) => {
+            format!("the first carries {before:.2} kN/m; no load is known to be carried by the second")
+        }
+        (_, Some(after), _) => {
+            format!("the second carries {after:.2} kN/m; no load is known to be carried by the first")
+        }
+        _ => "no load is known to be carried by either".to_owned(),
+    }
+}
+
+fn difference(one: &Difference) -> Value {
+    json!({ "path": one.path, "before": one.before, "after": one.after })
+}
+
+fn number(one: &Answered) -> Value {
+    json!({ "name": one.name, "before": one.before, "after": one.after, "change_percent": one.change().map(|c| 100.0 * c) })
+}
+
+/// Text of a cell: quoted where it has what divides cells.
+fn cell(text: &str) -> String {
+    let text = text.replace(['\n', '\r'], " ");
+    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}
+
+fn differences(found: &Compared) -> String {
+    let mut table = "path,before,after\n".to_owned();
+    for one in &found.differences {
+        let said = |value: &Option<String>| cell(value.as_deref().unwrap_or_default());
+        let _ = writeln!(table, "{},{},{}", cell(&one.path), said(&one.before), said(&one.after));
+    }
+    table
+}
+
+fn answers(found: &Compared) -> String {
+    let mut table = "name,before,after,change_percent\n".to_owned();
+    let shown = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    for one in &found.numbers {
+        let change = one.change().map(|change| 100.0 * change);
+        let _ = writeln!(table, "{},{},{},{}", one.name, shown(one.before), shown(one.after), shown(change));
+    }
+    table
+}
+
+fn summary(found: &Compared, named: &[String; 2], folder: &Path) -> String {
+    let mut page = format!("{} and {}: {}\n", named[0], named[1], verdict(found));
+    for caution in &found.cautions {
+        let _ = writeln!(page, "  careful: {caution}");
+    }
+    let _ = writeln!(page, "\n  {:<30} {:>14} {:>14} {:>10}", "", "before", "after", "change");
+    for one in &found.numbers {
+        // What has no unit is a count.
+        let decimals =
+            if one.name.ends_with("_m") || one.name.contains("_kn") || one.name.ends_with("_mpa") { 3 } else { 0 };
+        let shown = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.decimals$}"));
+        let change = one.change().map_or(String::new(), |change| format!("{:+.1} %", 100.0 * change));
+        let _ = writeln!(page, "  {:<30} {:>14} {:>14} {change:>10}", one.name, shown(one.before), shown(one.after));
+    }
+    let count = found.differences.len();
+    let _ = writeln!(page, "\n  {count} {} of input", if count == 1 { "difference" } else { "differences" });
+    for one in found.differences.iter().take(SHOWN) {
+        let said = |value: &Option<String>| value.clone().unwrap_or_else(|| "(not there)".to_owned());
+        let _ = writeln!(page, "    {}: {} -> {}", one.path, said(&one.before), said(&one.after));
+    }
+    if count > SHOWN {
+        let _ = writeln!(page, "    and {} more, see differences.csv", count - SHOWN);
+    }
+    for (which, said) in ["first", "second"].into_iter().zip(&found.assumptions) {
+        for assumption in said {
+            let _ = writeln!(page, "  only the {which} assumes: {assumption}");
+        }
+    }
+    let _ = writeln!(page, "\nResults are in {}", folder.display());
+    page
+}
