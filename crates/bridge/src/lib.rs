@@ -4,10 +4,12 @@
 
 pub mod assess;
 pub mod blocks;
+pub mod case;
 pub mod choice;
 mod companions;
 pub mod defect;
 pub mod diagnostic;
+pub mod document;
 pub mod edit;
 pub mod explain;
 pub mod fields;
@@ -48,6 +50,10 @@ pub struct Read {
     pub bridge: Option<Bridge>,
     /// What the file asks to vary, as far as that can be read.
     pub vary: Vec<vary::Request>,
+    /// Its named cases.
+    pub cases: Vec<case::Case>,
+    /// What identifies the assessment and who signs for it; none where the file does not say.
+    pub document: Option<document::ReportDocument>,
     /// What the file says of model updating; none where it says nothing, or nothing that can be used.
     pub update: Option<update::Update>,
     /// The assessment that the file asks for; none where something is wrong with the file.
@@ -57,7 +63,15 @@ pub struct Read {
 }
 
 /// What a bridge file means: the bridge, what is varied, what is sought, what is asked of it.
-type Resolved = (Option<Bridge>, Vec<vary::Request>, Option<update::Update>, Option<assess::Assess>);
+#[derive(Default)]
+struct Resolved {
+    bridge: Option<Bridge>,
+    vary: Vec<vary::Request>,
+    cases: Vec<case::Case>,
+    document: Option<document::ReportDocument>,
+    update: Option<update::Update>,
+    assess: Option<assess::Assess>,
+}
 
 /// Sections that say how to update a bridge, and are no part of it.
 pub const UPDATE_SECTIONS: [&str; 4] = fields::update::SECTIONS;
@@ -92,12 +106,17 @@ pub fn as_utf8(bytes: Vec<u8>) -> Vec<u8> {
 /// Reads a bridge file from its bytes (TOML, UTF-8).
 pub fn read(text: &[u8]) -> Read {
     let mut findings = Findings::of(text);
-    let (bridge, vary, update, assess) =
-        read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
-    let bridge = if findings.any_error() { None } else { bridge };
-    let update = update.filter(|_| bridge.is_some());
-    let assess = assess.filter(|_| bridge.is_some());
-    Read { bridge, vary, update, assess, diagnostics: findings.in_order(text.len()) }
+    let found = read_text(text, &fields::FILE, resolve_bridge, &mut findings).unwrap_or_default();
+    let usable = found.bridge.is_some() && !findings.any_error();
+    Read {
+        bridge: found.bridge.filter(|_| usable),
+        vary: found.vary,
+        cases: if usable { found.cases } else { Vec::new() },
+        document: found.document,
+        update: found.update.filter(|_| usable),
+        assess: found.assess.filter(|_| usable),
+        diagnostics: findings.in_order(text.len()),
+    }
 }
 
 /// What reading a block model file gives.
@@ -159,7 +178,9 @@ fn resolve_bridge(text: &str, file: &tree::Table<'_>, findings: &mut Findings) -
     }
     let update = fields::update::update(text, file, bridge.as_ref(), findings);
     let assess = fields::assess::assess(file, bridge.as_ref().map(|bridge| bridge.spans.len()), findings);
-    (bridge, vary, update, assess)
+    let cases = fields::case::cases(text, file, bridge.as_ref().map(|bridge| &bridge.loads[..]), findings);
+    let document = fields::document::document(file, findings);
+    Resolved { bridge, vary, cases, document, update, assess }
 }
 
 /// What a file of this kind means; nothing where the text is none of ours.

@@ -73,6 +73,8 @@ pub struct Span {
     pub rings: Vec<Ring>,
     /// What is wrong with them, in the order of the file.
     pub defects: Vec<Defect>,
+    /// Angle between the road and the normal of its springings [rad]: 0 where it is square. Span and profile run along the road.
+    pub skew: f64,
 }
 
 /// One ring of voussoirs.
@@ -503,8 +505,8 @@ pub struct SweepPlan {
     pub texts: Vec<(String, String)>,
 }
 
-/// Where vehicles may stand across the bridge.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// Where vehicles may stand across the bridge, and what divides its barrel.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Carriageway {
     /// How many vehicles may stand abreast: lanes of a road, tracks of a railway.
     pub lanes: Option<usize>,
@@ -512,8 +514,22 @@ pub struct Carriageway {
     pub lane_width: Option<f64>,
     /// Distance from an edge of the barrel to the middle of the nearest wheel or rail [m].
     pub edge_distance: Option<f64>,
-    /// Angle between the bridge's axis and the normal of its springings [rad]: 0 for a square bridge.
+    /// Angle between the bridge's axis and the normal of its springings [rad], of spans that give none of their own: 0 for a square bridge.
     pub skew: Option<f64>,
+    /// Distances of longitudinal cracks through the barrel from one of its edges, from the least [m].
+    pub cracks: Vec<f64>,
+}
+
+/// The strips that longitudinal cracks leave of a barrel so wide, from one edge to the other [m].
+pub fn strips(width: f64, cracks: &[f64]) -> Vec<[f64; 2]> {
+    let inner = cracks.iter().copied().filter(|crack| *crack > 0.0 && *crack < width);
+    let borders: Vec<f64> = std::iter::once(0.0).chain(inner).chain([width]).collect();
+    borders.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
+/// Width of the widest of them [m].
+pub fn widest_strip(width: f64, cracks: &[f64]) -> f64 {
+    strips(width, cracks).iter().map(|[from, to]| to - from).fold(0.0, f64::max)
 }
 
 choice! {

@@ -15,6 +15,7 @@ mod parabola;
 mod pointed;
 mod segmental;
 mod semicircular;
+mod skew;
 mod three_centred;
 
 use std::fmt;
@@ -59,16 +60,22 @@ macro_rules! profiles {
             }
         }
 
-        /// The profile of a span's table, with its span and rise [m]; what is wrong has been reported.
+        /// The profile of a span's table along the road, with its span and rise [m]; what is wrong has been reported.
         pub(crate) fn read(table: &Table<'_>, findings: &mut Findings) -> Option<(Profile, f64, f64)> {
-            let shape = table.read("profile", findings);
-            let [span, rise] = ["span", "rise"].map(|key| table.read::<Option<f64>>(key, findings).flatten());
-            match shape? {
+            let shape: Option<Shape> = table.read("profile", findings);
+            let (span, stretch) = skew::span(table, shape, findings).unzip();
+            let span = span.flatten();
+            let rise = table.read::<Option<f64>>("rise", findings).flatten();
+            let (profile, span, rise) = match shape? {
                 $(Shape::$name => {
                     $(let mut $key: $type = table.read(stringify!($key), findings)?;)?
                     let (span, rise) = $file::size(span, rise $(, &mut $key)?)?;
-                    Some((Profile::$name $({ $key })?, span, rise))
+                    (Profile::$name $({ $key })?, span, rise)
                 })+
+            };
+            match stretch? {
+                None => Some((profile, span, rise)),
+                Some(stretch) => skew::along_the_road(table, &profile, span, rise, stretch, findings),
             }
         }
     };

@@ -160,7 +160,7 @@ mod tests {
         let library = outcome::rules::library().expect("library");
         let (rule, model) = (library.rule("cs-454").expect("rule"), library.model("cs-454").expect("model"));
         Swept {
-            across: Across { abreast: 1, at_edge: false, axles: 3.0, uniform: Vec::new() },
+            across: Across { abreast: 1, axles: 3.0, ..Across::default() },
             span_factors: vec![1.0],
             acting: rule.acting(model).expect("factors"),
             source: model.source.clone(),

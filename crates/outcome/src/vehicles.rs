@@ -433,7 +433,7 @@ impl VehicleSweep {
 }
 
 /// How vehicles stand across the bridge where that is worst.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Across {
     /// How many stand abreast.
     pub abreast: usize,
@@ -444,11 +444,23 @@ pub struct Across {
     pub axles: f64,
     /// The same for each of its uniform loads, in their order, each in the arrangement that is worst for it [m].
     pub uniform: Vec<f64>,
+    /// The strip between longitudinal cracks that is loaded most, from one edge of the barrel [m]; none where the barrel is whole, or
+    /// where its cracks make nothing worse.
+    pub strip: Option<[f64; 2]>,
+    /// Where lines of wheels or rails stand across, from the same edge [m].
+    pub wheels: Vec<f64>,
+    /// How the width of the axles was found, in words.
+    pub derivation: String,
 }
 
 impl Across {
     /// In words: "2 vehicles abreast, the outer one at the edge".
     pub fn told(&self) -> String {
+        if let Some([from, to]) = self.strip {
+            let who =
+                if self.abreast == 1 { "one vehicle".to_owned() } else { format!("{} vehicles abreast", self.abreast) };
+            return format!("{who} on the strip {from:.2} to {to:.2} m between longitudinal cracks");
+        }
         match (self.abreast, self.at_edge) {
             (1, false) => "one vehicle in the middle of the barrel".to_owned(),
             (1, true) => "one vehicle at the edge of the barrel".to_owned(),

@@ -25,6 +25,7 @@ pub fn bridgemill() -> Bridge {
             rise: 2.85,
             rings: vec![Ring { crown_thickness: 0.711, springing_thickness: 0.711, voussoirs: 62 }],
             defects: Vec::new(),
+            skew: 0.0,
         }],
         piers: vec![],
         abutments: [Abutment { top_width: 2.0, height: 1.0 }; 2],
@@ -85,6 +86,7 @@ pub fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
         rise: 0.5 * span,
         rings: vec![Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs }],
         defects: Vec::new(),
+        skew: 0.0,
     };
     b.masonry.rounding = 0.0;
     b.cover.depth = 0.0;
@@ -127,7 +129,8 @@ pub fn case_two() -> Bridge {
 /// Two spans of 6 m on a pier, with fill and ballast over them.
 pub fn railway() -> Bridge {
     let ring = Ring { crown_thickness: 0.54, springing_thickness: 0.54, voussoirs: 19 };
-    let span = Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring], defects: Vec::new() };
+    let span =
+        Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring], defects: Vec::new(), skew: 0.0 };
     let mut b = spans(vec![span; 2], 1.5, 1.5, 3.0, 6);
     b.name = "railway".into();
     b.width = 4.87;

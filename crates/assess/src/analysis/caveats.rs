@@ -29,6 +29,8 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     }
     c.assumptions.push(SUPPORTS_HOLD.into());
     c.assumptions.push(OUT_OF_PLANE.into());
+    c.assumptions.extend(cracks(bridge));
+    c.warnings.extend(skew(bridge));
     if c.limit().is_some_and(|l| l.friction == FlowRule::NonAssociated) {
         c.assumptions.push(NO_BOUND.into());
     }
@@ -43,6 +45,43 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
             format!("the load is that of one packing ({which}): others of the same recipe differ by tens of per cent");
         c.warnings.push(Warning::new(warning::ONE_PACKING, message));
     }
+}
+
+/// What a plane model leaves open of skew spans, worst first.
+pub fn skew(bridge: &Bridge) -> Option<Warning> {
+    let told: Vec<String> = bridge
+        .spans
+        .iter()
+        .enumerate()
+        .filter(|(_, span)| span.skew > 1e-6)
+        .map(|(k, span)| {
+            let degrees = span.skew.to_degrees();
+            let square = span.span * span.skew.cos();
+            format!("span {} by {degrees:.0} degrees ({:.2} m along the road, {square:.2} m square)", k + 1, span.span)
+        })
+        .collect();
+    (!told.is_empty()).then(|| {
+        let message = format!(
+            "the bridge is skew and the model is square, of its spans along the road: {}; the load of a skew barrel was not found",
+            told.join(", ")
+        );
+        Warning::new(warning::SKEW, message)
+    })
+}
+
+/// What longitudinal cracks mean for a load per metre of width.
+fn cracks(bridge: &Bridge) -> Option<String> {
+    let cracks = bridge.carriageway.as_ref().map_or(&[][..], |asked| &asked.cracks);
+    let strips: Vec<String> =
+        bridge::strips(bridge.width, cracks).iter().map(|[from, to]| format!("{:.2} m", to - from)).collect();
+    (strips.len() > 1).then(|| {
+        format!(
+            "Longitudinal cracks through the barrel leave strips of {}: each carries by itself what stands on it, and no load passes a \
+             crack. The load per metre of width is that of every strip; vehicles of a sweep stand where they load one most, and an \
+             effective width of the file holds for loads that stand on one strip alone.",
+            strips.join(", ")
+        )
+    })
 }
 
 /// Whether a span has rings that lie on one another.

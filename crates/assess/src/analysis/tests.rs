@@ -127,7 +127,8 @@ fn profiles() -> Vec<(&'static str, bridge::Span)> {
             [x, 1.5 * (1.0 - ((x - 3.0) / 3.0).powi(2)) + 0.01 * (2.0 * x).sin() * x * (6.0 - x) / 9.0]
         })
         .collect();
-    let span = |profile, rise, t| bridge::Span { profile, span: 6.0, rise, rings: ring(t), defects: Vec::new() };
+    let span =
+        |profile, rise, t| bridge::Span { profile, span: 6.0, rise, rings: ring(t), defects: Vec::new(), skew: 0.0 };
     vec![
         ("segmental", span(Segmental, 1.5, 0.45)),
         ("semicircular", span(Semicircular, 3.0, 0.55)),

@@ -55,8 +55,9 @@ fn missing(a: &Evidence, ultimate: &[&Checked]) -> Vec<String> {
 
 /// Why a skew bridge has no verdict of adequacy; none where it is square, hardly skew, or where the file names what confirms it.
 fn skew(a: &Evidence) -> Option<String> {
-    let skew = a.bridge.carriageway.and_then(|asked| asked.skew).filter(|skew| *skew > bridge::DOUBTFUL_SKEW)?;
-    a.asked.limits.skew_source.is_none().then(|| {
+    let skew = a.bridge.spans.iter().map(|span| span.skew).fold(0.0, f64::max);
+    let doubtful = skew > bridge::DOUBTFUL_SKEW && a.asked.limits.skew_source.is_none();
+    doubtful.then(|| {
         format!(
             "the bridge is skew by {:.0} degrees, and the square model is not a bound for it: name the \
              three-dimensional model or the test that confirms it as skew_source in [assess]",

@@ -257,6 +257,26 @@ rise = "3.0 m""#,
         source: "the format of bridge files",
     },
     FileCard {
+        code: "B227",
+        title: "cases or cracks that do not fit the file",
+        meaning: "Cases have names of their own and act with loads of the file, each named once; longitudinal cracks lie within the barrel, \
+                  from one edge to the other.",
+        why: "A case with a load that is not there would be a lighter case; a crack beside the barrel would divide nothing.",
+        wrong: "name = \"tandem at mid-span\"",
+        right: "name = \"tandem\"",
+        source: "the format of bridge files",
+    },
+    FileCard {
+        code: "B228",
+        title: "a square section that is not turned",
+        meaning: "The square span of a segmental, semicircular, elliptical, parabolic or three-centred profile is turned into the section \
+                  along the road; pointed and measured profiles are given along the road.",
+        why: "Which of both a survey measured changes span and shape.",
+        wrong: "profile = \"pointed\"\nsquare_span",
+        right: "profile = \"segmental\"\nsquare_span",
+        source: "geometry of skew barrels",
+    },
+    FileCard {
         code: "B301",
         title: "a load off the bridge",
         meaning: "A load is between the first and the last springing, on an existing span.",

@@ -146,22 +146,31 @@ pub(crate) fn dispersal(file: &Table<'_>, cover: Option<&Cover>, findings: &mut 
     Some(Dispersal { rule, slope: slope? })
 }
 
+/// Widths that loads are read with [m].
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Widths {
+    /// Of the barrel.
+    pub(crate) barrel: Option<f64>,
+    /// Of its widest strip between longitudinal cracks; the barrel's where it has none.
+    pub(crate) strip: Option<f64>,
+}
+
 pub(crate) fn loads(
     file: &Table<'_>,
-    width: Option<f64>,
+    widths: Widths,
     layout: Option<&Layout>,
     findings: &mut Findings,
 ) -> Option<Vec<Load>> {
-    file.all("load", findings, |table, findings| load(table, width, layout, findings))
+    file.all("load", findings, |table, findings| load(table, widths, layout, findings))
 }
 
-fn load(table: &Table<'_>, width: Option<f64>, layout: Option<&Layout>, findings: &mut Findings) -> Option<Load> {
+fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mut Findings) -> Option<Load> {
     let name: Option<Option<String>> = table.read("name", findings);
     let shape: Option<Shape> = table.read("kind", findings);
     let kind = kind(table, shape, width, findings);
     let position = position(table, layout, findings);
     let through = table.read("through", findings);
-    let block_weight = table.line_load("block_weight", width, findings);
+    let block_weight = table.line_load("block_weight", width.barrel, findings);
     let block = match through? {
         Bearer::Cover => None,
         // Its absence has been reported.
@@ -175,24 +184,25 @@ fn load(table: &Table<'_>, width: Option<f64>, layout: Option<&Layout>, findings
     Some(load)
 }
 
-fn kind(table: &Table<'_>, shape: Option<Shape>, width: Option<f64>, findings: &mut Findings) -> Option<LoadKind> {
-    let force = table.line_load("force", width, findings);
+fn kind(table: &Table<'_>, shape: Option<Shape>, width: Widths, findings: &mut Findings) -> Option<LoadKind> {
+    let force = table.line_load("force", width.barrel, findings);
     let mut quantity = |key| table.read::<Option<f64>>(key, findings);
     let (pressure, length, axle_force) = (quantity("pressure"), quantity("length"), quantity("axle_force"));
     let contact_length = quantity("contact_length");
     let axle_forces: Option<Vec<f64>> = table.read("axle_forces", findings);
     let spacings: Option<At<Vec<f64>>> = table.read("axle_spacings", findings);
     let effective_width: Option<At<f64>> = table.read("effective_width", findings);
-    if let (Some(effective), Some(width)) = (effective_width, width)
-        && effective.value > width * (1.0 + 1e-12)
+    if let (Some(effective), Some(strip)) = (effective_width, width.strip)
+        && effective.value > strip * (1.0 + 1e-12)
     {
-        findings.error(
-            "B303",
-            effective.range,
-            "the effective width of an axle is more than the width of the barrel",
-            format!("the barrel is {width} m wide"),
-            format!("write \"{width} m\" or less"),
-        );
+        let (of, label) = match width.barrel {
+            Some(barrel) if strip < barrel => {
+                ("the widest strip between longitudinal cracks", format!("the widest strip has {strip} m"))
+            }
+            _ => ("the barrel", format!("the barrel is {strip} m wide")),
+        };
+        let message = format!("the effective width of an axle is more than the width of {of}");
+        findings.error("B303", effective.range, message, label, format!("write \"{strip} m\" or less"));
     }
     Some(match shape? {
         Shape::KnifeEdge => LoadKind::KnifeEdge { force: force??, length: length?? },

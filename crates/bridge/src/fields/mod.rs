@@ -4,9 +4,11 @@
 pub(crate) mod assess;
 pub mod blocks;
 pub(crate) mod calibration;
+pub(crate) mod case;
 pub(crate) mod continuum;
 pub(crate) mod cover;
 pub(crate) mod defect;
+pub(crate) mod document;
 pub(crate) mod loading;
 pub(crate) mod material;
 pub(crate) mod particles;
@@ -349,6 +351,8 @@ pub static FILE: Section = Section {
             "",
         )
         .optional("possible only for analyses without a load"),
+        Field::new("case", Kind::Tables(&case::CASE), "Named cases that `extrados cases` compares.", "")
+            .optional("the loads of the file act together, once"),
         Field::new("support_movement", Kind::Table(&plan::SUPPORT_MOVEMENT), "A movement of one support.", "")
             .optional("supports do not move"),
         Field::new("analysis", Kind::Table(&plan::ANALYSIS), "What to analyse, and how exactly.", "")
@@ -392,6 +396,13 @@ pub static FILE: Section = Section {
             .optional("the MEXE check is not made"),
         Field::new("expected", Kind::Tables(&assess::EXPECTED), "Where identified parameters are expected.", "")
             .optional("identified parameters are listed without a verdict"),
+        Field::new(
+            "document",
+            Kind::Table(&document::DOCUMENT),
+            "Identification, revisions and signatures of the report.",
+            "",
+        )
+        .optional("the report has blank fields to fill in"),
     ],
 };
 

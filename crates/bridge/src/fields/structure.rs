@@ -1,11 +1,11 @@
 //! The structure: bridge, spans, rings, piers, abutments.
 
-use super::{Field, Kind, Section, joined, total};
+use super::{Field, Kind, Section, joined, sweep, total};
 use crate::choice::Choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Abutment, Pier, Ring, Span};
-use crate::quantity::Dimension::{Acceleration, Length};
+use crate::quantity::Dimension::{Acceleration, Angle, Length};
 use crate::ring;
 use crate::ring::{Intrados, OWN_KEYS, Shape, WITH_RISE, WITH_SPAN};
 use crate::tree::{At, Table};
@@ -39,12 +39,13 @@ const SPAN_KEYS: &[&[Field]] = &[
         Field::new(
             "span",
             Kind::Quantity(Length),
-            "horizontal distance between the springings, at the intrados",
+            "horizontal distance between the springings, at the intrados, along the road",
             "18.30 m",
         )
         .positive()
         .at_most(500.0)
-        .only("profile", &WITH_SPAN),
+        .only("profile", &WITH_SPAN)
+        .optional("given by `square_span`; the points of a measured profile have theirs"),
         Field::new(
             "rise",
             Kind::Quantity(Length),
@@ -80,6 +81,25 @@ const SPAN_KEYS: &[&[Field]] = &[
             .optional("given by [[span.ring]]"),
         Field::new("ring", Kind::Tables(&RING), "Several rings of one span, from the intrados up.", "")
             .optional("one ring, described in the span itself"),
+        Field::new(
+            "skew",
+            Kind::Quantity(Angle),
+            "angle of skew of this span: between the road and the normal of its springings",
+            "25 deg",
+        )
+        .at_least(0.0)
+        .at_most(1.31)
+        .optional("as [carriageway] says; square where it says nothing"),
+        Field::new(
+            "square_span",
+            Kind::Quantity(Length),
+            "span square to the springings, in place of `span`; with `skew` the profile is stretched to what it is along the road",
+            "7.80 m",
+        )
+        .positive()
+        .at_most(500.0)
+        .only("profile", &WITH_SPAN)
+        .optional("given by `span`"),
         Field::new("repeat", Kind::Count, "how many spans like this follow one another", "3")
             .at_least(1.0)
             .at_most(1000.0)
@@ -177,6 +197,8 @@ pub(crate) struct General {
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedSpan {
     pub(crate) span: Span,
+    /// Its own skew [rad].
+    pub(crate) skew: Option<f64>,
     /// Where the shape is described.
     pub(crate) shape: TextRange,
     /// Where each ring's thickness is described, and its voussoirs.
@@ -234,6 +256,10 @@ pub(crate) fn spans(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pla
 fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
     let profile = ring::read(table, findings);
     let rings = rings(table, findings);
+    let skew: Option<Option<At<f64>>> = table.read("skew", &mut Findings::default());
+    if let Some(At { value, range }) = skew.flatten() {
+        sweep::doubt(value, range, findings);
+    }
     let (profile, span, rise) = profile?;
     if let Err(misfit) = Intrados::new(&profile, span, rise) {
         let entries = table.entry(misfit.key).and_then(|(_, raw)| raw.get_ref().as_array());
@@ -244,7 +270,8 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
     }
     let (rings, places) = rings?.into_iter().unzip();
     Some(PlacedSpan {
-        span: Span { profile, span, rise, rings, defects: Vec::new() },
+        span: Span { profile, span, rise, rings, defects: Vec::new(), skew: 0.0 },
+        skew: skew.flatten().map(|skew| skew.value),
         shape: table.range,
         rings: places,
     })

@@ -2,10 +2,11 @@
 
 use super::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
+use crate::diagnostic::TextRange;
 use crate::findings::Findings;
 use crate::model::{Carriageway, Directions, FillPressure, LeastPressure, SweepPlan};
 use crate::quantity::Dimension::{Angle, Length, Stress};
-use crate::tree::Table;
+use crate::tree::{At, Table};
 use crate::values::read;
 
 choice! {
@@ -93,10 +94,23 @@ pub(super) static CARRIAGEWAY: Section = Section {
         )
         .at_least(0.0)
         .optional("vehicles stand in the middle of the barrel"),
-        Field::new("skew", Kind::Quantity(Angle), "angle of skew: 0 for a square bridge", "15 deg")
-            .at_least(0.0)
-            .at_most(1.31)
-            .optional("taken as square; the model is square in any case"),
+        Field::new(
+            "skew",
+            Kind::Quantity(Angle),
+            "angle of skew of spans without their own: 0 for a square bridge",
+            "15 deg",
+        )
+        .at_least(0.0)
+        .at_most(1.31)
+        .optional("taken as square; the model is square in any case"),
+        Field::new(
+            "cracks",
+            Kind::Quantities(Length),
+            "longitudinal cracks through the barrel: their distances from one of its edges",
+            "[\"0.75 m\"]",
+        )
+        .positive()
+        .optional("the barrel carries as a whole"),
     ],
 };
 
@@ -178,7 +192,22 @@ pub(crate) const DOUBTFUL_SKEW: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 /// Where vehicles may stand across a barrel so wide [m].
 pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Carriageway> {
-    let found = read!(table, findings, Carriageway { lanes, lane_width, edge_distance, skew })?;
+    let cracks: Option<Option<At<Vec<f64>>>> = table.read("cracks", findings);
+    let skew: Option<Option<At<f64>>> = table.read("skew", findings);
+    if let Some(At { value, range }) = skew.flatten() {
+        doubt(value, range, findings);
+    }
+    let found = read!(
+        table,
+        findings,
+        Carriageway {
+            lanes,
+            lane_width,
+            edge_distance;
+            skew: skew?.map(|skew| skew.value),
+            cracks: cracks?.map_or_else(Vec::new, |cracks| cracks.value),
+        }
+    )?;
     if let (Some(width), Some(edge)) = (width, found.edge_distance)
         && edge > 0.5 * width
     {
@@ -201,16 +230,33 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
             "write fewer lanes, or the distance that they have",
         );
     }
-    if found.skew.is_some_and(|skew| skew > DOUBTFUL_SKEW) {
+    let beyond = width.is_some_and(|width| found.cracks.iter().any(|crack| *crack >= width));
+    if beyond || found.cracks.windows(2).any(|pair| pair[0] >= pair[1]) {
+        findings.error(
+            "B227",
+            table.place("cracks"),
+            "longitudinal cracks do not lie in this barrel in this order",
+            width.map_or_else(
+                || "cracks from one edge to the other".to_owned(),
+                |width| format!("the barrel is {width} m wide"),
+            ),
+            "give their distances from one edge of the barrel, the least first",
+        );
+    }
+    Some(found)
+}
+
+/// Says what a plane model leaves open of a skew span [rad].
+pub(crate) fn doubt(skew: f64, place: TextRange, findings: &mut Findings) {
+    if skew > DOUBTFUL_SKEW {
         findings.warning(
             "P060",
-            table.place("skew"),
+            place,
             "the bridge is skew, and the model is square",
             "skew barrels carry from obtuse corner to obtuse corner",
             "give the spans along the road, which are the longer ones, and confirm the load by a model in three dimensions or by test",
         );
     }
-    Some(found)
 }
 
 /// The pressure of fill that helps.

@@ -31,11 +31,13 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     let calibration = calibration::calibration(file, findings);
     let dispersal = loading::dispersal(file, cover.as_ref(), findings);
     let lengths = spans.as_ref().zip(piers.as_ref()).map(|(spans, piers)| Layout::new(spans, piers));
-    let loads = loading::loads(file, width, lengths.as_ref(), findings);
-    let passage = passage::passage(file, width, spans.as_deref(), lengths.as_ref(), findings);
-    let fill_pressure = file.optional("fill_pressure", findings, sweep::fill_pressure);
     let carriageway =
         file.optional("carriageway", findings, |table, findings| sweep::carriageway(table, width, findings));
+    let cracks = carriageway.as_ref().and_then(Option::as_ref).map_or(&[][..], |asked| &asked.cracks);
+    let strip = width.map(|width| crate::model::widest_strip(width, cracks));
+    let loads = loading::loads(file, loading::Widths { barrel: width, strip }, lengths.as_ref(), findings);
+    let passage = passage::passage(file, strip, spans.as_deref(), lengths.as_ref(), findings);
+    let fill_pressure = file.optional("fill_pressure", findings, sweep::fill_pressure);
     let sweep = file.optional("sweep", findings, sweep::sweep);
     let plan = plan::plan(file, width, spans.as_ref().map(Vec::len), findings);
 
@@ -50,6 +52,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
     plausible::check(file, spans.as_deref(), masonry.as_ref(), joint.as_ref(), findings);
 
     let general = general?;
+    let general_skew = carriageway.as_ref().and_then(|asked| asked.as_ref()?.skew).unwrap_or(0.0);
     let spans = spans?;
     defects??;
     let mut piers = piers?;
@@ -60,7 +63,7 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         name: general.name,
         width: general.width,
         gravity: general.gravity,
-        spans: spans.into_iter().map(|placed| placed.span).collect(),
+        spans: spans.into_iter().map(|placed| skewed(placed, general_skew)).collect(),
         piers,
         abutments: abutments?,
         masonry: masonry?,
@@ -80,4 +83,9 @@ pub(crate) fn resolve(file: &Table<'_>, findings: &mut Findings) -> Option<Bridg
         service: service?,
         passage: passage?,
     })
+}
+
+/// A span with its own skew, or with that of the bridge.
+fn skewed(placed: structure::PlacedSpan, general: f64) -> crate::model::Span {
+    crate::model::Span { skew: placed.skew.unwrap_or(general), ..placed.span }
 }

@@ -33,8 +33,20 @@ pub struct Known {
 }
 
 /// Sections that say how to vary, seek, sweep or judge, and are not varied themselves.
-const NOT_VARIED: [&str; 10] =
-    ["vary", "records", "channel", "parameter", "update", "sweep", "assess", "service_load", "mexe", "expected"];
+const NOT_VARIED: [&str; 12] = [
+    "vary",
+    "case",
+    "document",
+    "records",
+    "channel",
+    "parameter",
+    "update",
+    "sweep",
+    "assess",
+    "service_load",
+    "mexe",
+    "expected",
+];
 
 /// Paths shown at most in a message.
 const MOST_SHOWN: usize = 12;

@@ -34,6 +34,7 @@ pub const ASSESS: &str = include_str!("files/assess.toml");
 pub const CONTINUUM: &str = include_str!("files/continuum.toml");
 
 /// A road that is not level.
+pub const CASES: &str = include_str!("files/cases.toml");
 pub const ROAD: &str = include_str!("files/road.toml");
 
 /// Two rings with every kind of defect.
@@ -43,8 +44,9 @@ pub const DEFECTS: &str = include_str!("files/defects.toml");
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 16] = [
+pub const GOOD: [&str; 17] = [
     CASE_1,
+    CASES,
     VIADUCT,
     SHAPES,
     TINY,

@@ -1,6 +1,6 @@
 //! Good files give the bridges they describe, without a word.
 
-use crate::files::{CALIBRATION, CASE_1, GOOD, SHAPES, TINY, VIADUCT, WALLS, show_all};
+use crate::files::{CALIBRATION, CASE_1, CASES, GOOD, SHAPES, TINY, VIADUCT, WALLS, show_all};
 use bridge::ring::Profile;
 use bridge::*;
 
@@ -152,6 +152,68 @@ fn sweeps_and_fill_pressure_are_read_as_written() {
     );
     let alone = CASE_1.split("[[load]]").next().unwrap().to_owned() + "[sweep]\n";
     assert!(good(&alone).loads.is_empty());
+}
+
+/// A square span with its skew is the longer span along the road: half a circle becomes half an ellipse.
+#[test]
+fn a_square_span_is_turned_into_the_one_along_the_road() {
+    let written = |profile: &str| {
+        let text = CASES.replacen("profile = \"segmental\"", profile, 1);
+        good(&if profile.contains("segmental") { text } else { text.replacen("rise = \"2.0 m\"\n", "", 1) })
+    };
+    let stretch = 1.0 / 8f64.to_radians().cos();
+    let bridge = written("profile = \"segmental\"");
+    let span = &bridge.spans[0];
+    assert!((span.span - 8.0 * stretch).abs() < 1e-12 && (span.rise - 2.0).abs() < 1e-12, "{span:?}");
+    assert!(
+        (span.skew.to_degrees() - 8.0).abs() < 1e-12 && matches!(span.profile, bridge::ring::Profile::Measured { .. })
+    );
+    let half = &written("profile = \"semicircular\"").spans[0];
+    assert!(matches!(half.profile, bridge::ring::Profile::Elliptical) && (half.rise - 4.0).abs() < 1e-12);
+    assert_eq!(bridge.carriageway.as_ref().unwrap().cracks, [0.9, 7.1]);
+    // Skew of the bridge where a span has none; a square span needs its own.
+    let general = CASES.replacen("skew = \"8 deg\"\n", "", 1).replacen("cracks", "skew = \"5 deg\"\ncracks", 1);
+    assert!(show_all(&general).contains("`skew` is missing"), "{}", show_all(&general));
+    let along = good(&general.replacen("square_span", "span", 1));
+    assert!((along.spans[0].skew.to_degrees() - 5.0).abs() < 1e-9 && along.spans[0].span == 8.0);
+    assert!(
+        show_all(&CASES.replacen("square_span = \"8.0 m\"", "square_span = \"8.0 m\"\nspan = \"8.1 m\"", 1))
+            .contains("B016")
+    );
+}
+
+/// Cases name loads of the file and quantities that it has.
+#[test]
+fn cases_are_read_as_written() {
+    let read = bridge::read(CASES.as_bytes());
+    let [first, second] = &read.cases[..] else { panic!("{:?}", read.cases) };
+    assert_eq!(
+        (first.name.as_str(), &first.loads[..], first.fill_weight),
+        ("tandem alone, light fill", &[(0, 1.35)][..], 0.9)
+    );
+    assert_eq!(
+        (&second.loads[..], second.masonry_weight, second.surfacing_weight),
+        (&[(0, 1.0), (1, 1.0)][..], 1.15, 1.5)
+    );
+    assert_eq!(second.changes[0].quantity, "joint.friction_angle");
+    let bridge = read.bridge.unwrap();
+    let put = first.put(&bridge);
+    assert_eq!((put.loads.len(), put.cover.layers[0].density), (1, 0.9 * 1800.0));
+    let bridge::LoadKind::Axles { axles, .. } = &put.loads[0].kind else { panic!() };
+    assert_eq!(axles, &[(135e3, 0.0), (135e3, 1.2)]);
+    let document = read.document.unwrap();
+    assert_eq!((document.revisions.len(), document.confirm.len()), (1, 1));
+    assert_eq!(document.inspections[0].photograph.as_deref(), Some("photo-12.jpg"));
+    for (wrong, code) in
+        [("name = \"tandem\"\nfactor", "B227"), ("joint.friction_angel", "B501"), ("value = \"30 kg\"", "(B104)")]
+    {
+        let text = match code {
+            "B227" => CASES.replacen(wrong, "name = \"tandems\"\nfactor", 1),
+            "B501" => CASES.replacen("joint.friction_angle", wrong, 1),
+            _ => CASES.replacen("value = \"30 deg\"", wrong, 1),
+        };
+        assert!(show_all(&text).contains(code), "{code}: {}", show_all(&text));
+    }
 }
 
 /// Without particles slabs would carry nothing and not even weigh.

@@ -235,7 +235,7 @@ mod tests {
         let mut b = filled();
         b.masonry.rounding = 0.0;
         let ring = Ring { crown_thickness: 0.45, springing_thickness: 0.45, voussoirs };
-        b.spans[0] = Span { profile, span: 6.0, rise, rings: vec![ring], defects: Vec::new() };
+        b.spans[0] = Span { profile, span: 6.0, rise, rings: vec![ring], defects: Vec::new(), skew: 0.0 };
         b.cover.layers = vec![samples::fill(0.4, 1900.0)];
         b.loads[0].position = 1.5;
         b

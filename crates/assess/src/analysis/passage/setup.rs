@@ -44,7 +44,7 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
     }
     let meshed = mesh(bridge).map_err(PassageError::from)?;
     let surface: Vec<[f64; 2]> = meshed.sets.surface.iter().map(|node| at(&meshed.mesh, *node)).collect();
-    let effective_width = asked.track.effective_width.unwrap_or(bridge.width);
+    let effective_width = asked.track.effective_width.unwrap_or_else(|| whole_strip(bridge));
     let axles = asked.train.axles(bridge.gravity);
     let middle = 0.5 * structure::discretise::bridge_length(bridge);
     let loads = TrackLoads::new(&asked.track, &axles, effective_width, &surface, middle);
@@ -58,6 +58,12 @@ pub fn setup(bridge: &Bridge) -> Result<Setup, AnalysisError> {
     let assumptions = assumptions(bridge, asked, &loads, effective_width, pressure);
     let (train, plan) = (asked.train.name.clone(), asked.plan.clone());
     Ok(Setup { meshed, train, plan, loads, dead_load, sensors, times, positions, effective_width, assumptions })
+}
+
+/// The widest part of the barrel that carries as a whole [m].
+fn whole_strip(bridge: &Bridge) -> f64 {
+    let cracks = bridge.carriageway.as_ref().map_or(&[][..], |asked| &asked.cracks);
+    bridge::widest_strip(bridge.width, cracks)
 }
 
 fn at(mesh: &Mesh, node: NodeId) -> [f64; 2] {

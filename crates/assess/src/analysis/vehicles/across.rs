@@ -4,10 +4,11 @@
 //! between them; one at the edge lacks what would lie beyond it. Every number of vehicles up to that of the lanes is tried,
 //! in the middle and at the edge, and the arrangement with the largest force per metre of width counts.
 
+use super::cracked::{Lines, most_loaded};
 use crate::vehicles::Chosen;
 use bridge::{Bridge, Carriageway};
 use outcome::vehicles::Across;
-use rules::{Rule, Ways};
+use rules::{EffectiveWidth, Rule, Ways};
 
 /// Width of the narrowest lane of a road [m]: that of two vehicles abreast (BD 21, notional lanes).
 const ROAD_LANE: f64 = 2.5;
@@ -16,49 +17,209 @@ const TRACKS: f64 = 3.4;
 
 /// How many vehicles may stand abreast, and how far their middles are apart [m].
 pub fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
-    let asked = bridge.carriageway.unwrap_or_default();
+    let asked = bridge.carriageway.clone().unwrap_or_default();
     let usual = if ways == Ways::Road { ROAD_LANE } else { TRACKS };
     let apart = asked.lane_width.unwrap_or(usual);
     let fit = if ways == Ways::Road && bridge.width >= 2.0 * apart { 2 } else { 1 };
     (asked.lanes.unwrap_or(fit).max(1), apart)
 }
 
+/// Half the width of a tyre, or of a rail with what it stands on [m].
+const TYRE: f64 = 0.15;
+
+/// A vehicle and what stands beside it, as the rule spreads it.
+struct Arrangement<'a> {
+    rule: &'a Rule,
+    chosen: &'a Chosen,
+    barrel: f64,
+    depth: f64,
+    apart: f64,
+    edge: Option<f64>,
+}
+
+impl Arrangement<'_> {
+    /// Width that carries a vehicle alone [m].
+    fn alone(&self) -> f64 {
+        self.rule.effective_width(self.chosen.vehicle.wheel_track_m, self.depth, f64::INFINITY).min(self.barrel)
+    }
+
+    /// Share of a vehicle abreast in what the first one has, multiple presence aside.
+    fn share(&self, lane: usize) -> f64 {
+        match self.chosen.abreast.is_empty() {
+            true => 1.0,
+            false => self.chosen.abreast.get(lane).copied().unwrap_or(0.0),
+        }
+    }
+
+    /// Width beyond the edge of the barrel that is missing [m].
+    fn lost(&self) -> f64 {
+        self.edge.map_or(0.0, |edge| (self.rule.dispersal.overhang_at(self.depth) - edge).max(0.0))
+    }
+
+    /// Most width that vehicles of this width each carry together [m].
+    fn together(&self, width: f64, count: usize) -> f64 {
+        (width + (count as f64 - 1.0) * self.apart).min(count as f64 * width)
+    }
+
+    /// What all bear in place of the first one.
+    fn factor(&self, count: usize) -> f64 {
+        (0..count).map(|lane| self.share(lane)).sum::<f64>() * self.chosen.acting.presence(count)
+    }
+
+    /// The width that carries the first vehicle when loads of a width each stand so far apart.
+    fn carried(&self, width: f64, count: usize, at_edge: bool) -> f64 {
+        let lost = if at_edge { self.lost() } else { 0.0 };
+        (self.together(width, count) - lost).min(self.barrel).max(1e-3) / self.factor(count)
+    }
+
+    /// Width over which a uniform load stands at the surface, where it has its own, and over which it has spread [m].
+    fn of_uniform(&self, uniform: &rules::Uniform) -> (Option<f64>, f64) {
+        match uniform.width_m {
+            Some(own) => (Some(own), (own + self.rule.dispersal.width_per_depth * self.depth).min(self.barrel)),
+            None => (None, self.alone()),
+        }
+    }
+
+    /// The lines of so many vehicles, of wheels or of a load with a width of its own.
+    fn lines(&self, count: usize, own: Option<f64>, width: f64) -> Lines {
+        let presence = self.chosen.acting.presence(count);
+        let half = 0.5 * self.chosen.vehicle.wheel_track_m;
+        let of_one = |lane: usize| {
+            let (at, share) = (lane as f64 * self.apart, presence * self.share(lane));
+            match own {
+                Some(_) => vec![(at, share)],
+                None => vec![(at - half, 0.5 * share), (at + half, 0.5 * share)],
+            }
+        };
+        let overhang = match own {
+            Some(_) => 0.5 * width,
+            None => self.rule.dispersal.overhang_at(self.depth),
+        };
+        let contact = own.map_or(TYRE, |own| 0.5 * own);
+        Lines {
+            lines: (0..count).flat_map(of_one).collect(),
+            contact,
+            overhang: overhang.max(contact),
+            most: self.together(width, count),
+            from_edge: self.edge.map_or(overhang, |edge| edge + contact - TYRE),
+        }
+    }
+
+    /// The middles of wheel lines of an arrangement on the whole barrel, from one edge [m].
+    fn wheels(&self, count: usize, at_edge: bool) -> Vec<f64> {
+        let half = 0.5 * self.chosen.vehicle.wheel_track_m;
+        let first = match self.edge.filter(|_| at_edge) {
+            Some(edge) => edge + half,
+            None => 0.5 * (self.barrel - (count as f64 - 1.0) * self.apart),
+        };
+        (0..count).flat_map(|lane| [-half, half].map(|side| first + lane as f64 * self.apart + side)).collect()
+    }
+
+    /// How the width of the axles was found, in words.
+    fn derived(&self, count: usize, at_edge: bool) -> String {
+        let alone = self.alone();
+        let track = self.chosen.vehicle.wheel_track_m;
+        let spread = &self.rule.dispersal;
+        let base = match &self.rule.effective_width {
+            EffectiveWidth::Barrel { .. } => format!("the whole barrel, {:.2} m, by the rule", self.barrel),
+            EffectiveWidth::Fixed { width_m, .. } => format!("{width_m:.2} m by the rule, at most the barrel"),
+            EffectiveWidth::Dispersed { .. } if spread.strip_at_most_m.is_some() => format!(
+                "{alone:.2} m below two lines of wheels {track:.2} m apart, each spread over {:.2} m at {:.2} m depth",
+                2.0 * spread.overhang_at(self.depth),
+                self.depth
+            ),
+            EffectiveWidth::Dispersed { .. } => format!(
+                "{track:.2} m between wheels + {:.2} m + {:.2} x {:.2} m depth = {:.2} m{}",
+                spread.width_base_m,
+                spread.width_per_depth,
+                self.depth,
+                spread.width_at(self.depth, track),
+                if alone < spread.width_at(self.depth, track) {
+                    format!(", the barrel has {alone:.2} m")
+                } else {
+                    String::new()
+                }
+            ),
+        };
+        let mut told = base;
+        if count > 1 {
+            let width = self.together(alone, count);
+            told += &format!("; {count} abreast, {:.2} m apart: {width:.2} m together", self.apart);
+        }
+        if at_edge && self.lost() > 0.0 {
+            told += &format!("; {:.2} m of it lie beyond the edge", self.lost());
+        }
+        let factor = self.factor(count);
+        let left = self.carried(alone, count, at_edge) * factor;
+        if (factor - 1.0).abs() > 1e-12 {
+            told += &format!("; {left:.2} m carry {factor:.3} times the first vehicle: {:.2} m for it", left / factor);
+        }
+        told
+    }
+}
+
 /// The worst arrangement of a vehicle.
 pub fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
     let (most, apart) = lanes(bridge, chosen.ways);
-    let edge = bridge.carriageway.and_then(|asked: Carriageway| asked.edge_distance);
-    let depth = bridge.cover.depth;
-    let alone = rule.effective_width(chosen.vehicle.wheel_track_m, depth, f64::INFINITY).min(bridge.width);
-    let overhang = rule.dispersal.overhang_at(depth);
-    let share = |lane: usize| match chosen.abreast.is_empty() {
-        true => 1.0,
-        false => chosen.abreast.get(lane).copied().unwrap_or(0.0),
-    };
-    // The width that carries the first vehicle when loads of a width each stand so far apart.
-    let carried = |width: f64, count: usize, at_edge: bool| {
-        let lost = edge.filter(|_| at_edge).map_or(0.0, |edge| (overhang - edge).max(0.0));
-        let together = (width + (count as f64 - 1.0) * apart).min(count as f64 * width) - lost;
-        let shares: f64 = (0..count).map(share).sum();
-        let factor = shares * chosen.acting.presence(count);
-        together.min(bridge.width).max(1e-3) / factor
-    };
-    let counts = (1..=most).filter(|count| *count == 1 || share(count - 1) > 0.0);
+    let edge = bridge.carriageway.as_ref().and_then(|asked: &Carriageway| asked.edge_distance);
+    let one = Arrangement { rule, chosen, barrel: bridge.width, depth: bridge.cover.depth, apart, edge };
+    let counts: Vec<usize> = (1..=most).filter(|count| *count == 1 || one.share(count - 1) > 0.0).collect();
     let uniform = vec![f64::INFINITY; chosen.vehicle.uniform.len()];
-    let mut found = Across { abreast: 1, at_edge: false, axles: f64::INFINITY, uniform };
-    for count in counts {
+    let mut found = Across { axles: f64::INFINITY, uniform, ..Across::default() };
+    for &count in &counts {
         for at_edge in [false, true] {
-            let axles = carried(alone, count, at_edge);
+            let axles = one.carried(one.alone(), count, at_edge);
             if axles < found.axles - 1e-12 {
                 (found.abreast, found.at_edge, found.axles) = (count, at_edge, axles);
             }
             for (k, uniform) in chosen.vehicle.uniform.iter().enumerate() {
-                let width = match uniform.width_m {
-                    Some(own) => (own + rule.dispersal.width_per_depth * depth).min(bridge.width),
-                    None => alone,
-                };
-                found.uniform[k] = found.uniform[k].min(carried(width, count, at_edge));
+                found.uniform[k] = found.uniform[k].min(one.carried(one.of_uniform(uniform).1, count, at_edge));
             }
         }
     }
+    found.wheels = one.wheels(found.abreast, found.at_edge);
+    found.derivation = one.derived(found.abreast, found.at_edge);
+    between_cracks(bridge, &one, &counts, &mut found);
     found
+}
+
+/// What is narrower still where longitudinal cracks divide the barrel.
+fn between_cracks(bridge: &Bridge, one: &Arrangement<'_>, counts: &[usize], found: &mut Across) {
+    let cracks = bridge.carriageway.as_ref().map_or(&[][..], |asked| &asked.cracks);
+    let strips = bridge::strips(bridge.width, cracks);
+    if strips.len() < 2 {
+        return;
+    }
+    for &count in counts {
+        let lines = one.lines(count, None, one.alone());
+        let loaded = most_loaded(one.rule, one.barrel, &strips, &lines);
+        if let Some(loaded) = loaded.filter(|loaded| loaded.width < found.axles - 1e-12) {
+            let side = if loaded.mirrored { -1.0 } else { 1.0 };
+            let mut wheels: Vec<f64> = lines.lines.iter().map(|(at, _)| loaded.middle + side * at).collect();
+            wheels.sort_by(f64::total_cmp);
+            let [from, to] = loaded.strip;
+            let derivation = format!(
+                "{}; on the strip from {from:.2} to {to:.2} m between longitudinal cracks, with a line of wheels at {} m, as much per \
+                 metre as one vehicle on {:.2} m",
+                one.derived(count, false),
+                wheels.iter().map(|at| format!("{at:.2}")).collect::<Vec<_>>().join(", "),
+                loaded.width
+            );
+            let uniform = std::mem::take(&mut found.uniform);
+            *found = Across {
+                abreast: count,
+                at_edge: false,
+                axles: loaded.width,
+                uniform,
+                strip: Some(loaded.strip),
+                wheels,
+                derivation,
+            };
+        }
+        for (k, uniform) in one.chosen.vehicle.uniform.iter().enumerate() {
+            let (own, width) = one.of_uniform(uniform);
+            let loaded = most_loaded(one.rule, one.barrel, &strips, &one.lines(count, own, width));
+            found.uniform[k] = loaded.map_or(found.uniform[k], |loaded| loaded.width.min(found.uniform[k]));
+        }
+    }
 }

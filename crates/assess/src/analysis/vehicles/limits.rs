@@ -33,7 +33,7 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
         let message = format!("spans of this bridge are too long for load models of the rule: {}", beyond.join("; "));
         list.push(Warning::new(warning::SPAN_TOO_LONG, message));
     }
-    if bridge.carriageway.is_none_or(|asked| asked.lanes.is_none() || asked.edge_distance.is_none()) {
+    if bridge.carriageway.as_ref().is_none_or(|asked| asked.lanes.is_none() || asked.edge_distance.is_none()) {
         let mut ways: Vec<Ways> = Vec::new();
         vehicles.iter().filter(|v| found.vehicles.iter().any(|s| s.code == v.vehicle.code)).for_each(|v| {
             if !ways.contains(&v.ways) {
@@ -44,13 +44,7 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
         let message = format!("the file does not say where vehicles may stand across the bridge: {}", told.join("; "));
         list.push(Warning::new(warning::ACROSS_ASSUMED, message));
     }
-    if let Some(skew) = bridge.carriageway.and_then(|asked| asked.skew).filter(|skew| *skew > 1e-6) {
-        let message = format!(
-            "the bridge is skew by {:.0} degrees and the model is square: the load of a skew barrel was not found",
-            skew.to_degrees()
-        );
-        list.push(Warning::new(warning::SKEW, message));
-    }
+    list.extend(crate::analysis::caveats::skew(bridge));
     let rail = vehicles.iter().any(|v| v.ways == Ways::Rail);
     let words = if rail { "braking and traction of trains" } else { "braking" };
     list.push(Warning::new(
@@ -63,7 +57,7 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
 /// What was assumed of lanes and edges.
 fn assumed(bridge: &Bridge, ways: Ways) -> String {
     let (lanes, apart) = across::lanes(bridge, ways);
-    let given = bridge.carriageway.unwrap_or_default();
+    let given = bridge.carriageway.clone().unwrap_or_default();
     let (what, abreast) = match ways {
         Ways::Road => ("vehicles on a road", "abreast"),
         Ways::Rail => ("trains", "on tracks"),

@@ -9,6 +9,7 @@
 mod across;
 mod cases;
 mod continuum;
+mod cracked;
 mod deformable;
 mod discrete;
 mod factored;

@@ -656,9 +656,57 @@ fn vehicles_abreast_and_at_the_edge_have_less_width() {
     assert_eq!(width(&b).abreast, 1);
     // A skew bridge says that it was taken as square.
     let mut skew = bridgemill(&["cs454-single"]);
-    skew.carriageway = Some(bridge::Carriageway { skew: Some(0.3), ..Default::default() });
+    skew.spans[0].skew = 0.3;
     let said: Vec<&str> = swept(&skew).warnings.iter().map(|w| w.code).collect();
     assert!(said.contains(&warning::SKEW) && said.contains(&warning::ACROSS_ASSUMED), "{said:?}");
+}
+
+/// A longitudinal crack never helps, follows its place without jumps, and leaves an edge strip what a closed form says.
+#[test]
+fn longitudinal_cracks_leave_strips() {
+    for code in ["cs454-single", "cs454-double", "hl-93-tandem"] {
+        let mut b = bridgemill(&[code]);
+        b.sweep.as_mut().unwrap().rule = "cs-454".into();
+        let width = |cracks: &[f64], lanes: Option<usize>, edge: Option<f64>| {
+            let mut b = b.clone();
+            let asked =
+                bridge::Carriageway { lanes, edge_distance: edge, cracks: cracks.to_vec(), ..Default::default() };
+            b.carriageway = Some(asked);
+            let Ok((rule, vehicles)) = chosen(&b, b.sweep.as_ref().unwrap()) else { return None };
+            Some(across::worst(&b, &rule, &vehicles[0]))
+        };
+        let Some(sound) = width(&[], Some(1), Some(0.4)) else { continue };
+        let mut last: Option<f64> = None;
+        for step in 1..830 {
+            let at = 0.01 * f64::from(step);
+            let one = width(&[at], Some(1), Some(0.4)).unwrap();
+            assert!(one.axles <= sound.axles + 1e-12, "{code}: a crack at {at} m helps");
+            assert_eq!(one.strip.is_some(), one.axles < sound.axles - 1e-12);
+            let mirrored = width(&[b.width - at], Some(1), Some(0.4)).unwrap();
+            assert!((one.axles - mirrored.axles).abs() < 1e-9, "{code}, {at} m: {} {}", one.axles, mirrored.axles);
+            let two = width(&[at.min(4.0), 4.1], Some(1), Some(0.4)).unwrap();
+            assert!(
+                two.axles <= width(&[4.1], Some(1), Some(0.4)).unwrap().axles + 1e-9,
+                "{code}: a second crack helps"
+            );
+            // A tyre is 0.3 m wide: over 10 mm its share changes by a thirtieth, and what it stands on by no more than that.
+            if let Some(last) = last {
+                assert!((one.axles / last - 1.0).abs() < 0.15, "{code}: from {last} to {} at {at} m", one.axles);
+            }
+            last = Some(one.axles);
+        }
+        // A crack at the very edge changes nothing.
+        assert!((width(&[1e-6], Some(1), Some(0.4)).unwrap().axles - sound.axles).abs() < 1e-5);
+    }
+    // One wheel on an edge strip 0.8 m wide, 0.4 m from the edge: half the axle on 0.8 m, as the whole axle on 1.6 m.
+    let mut b = bridgemill(&["cs454-single"]);
+    b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    b.carriageway =
+        Some(bridge::Carriageway { lanes: Some(1), edge_distance: Some(0.4), cracks: vec![0.8], ..Default::default() });
+    let (rule, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    let found = across::worst(&b, &rule, &vehicles[0]);
+    assert!((found.axles - 1.6).abs() < 1e-9 && found.strip == Some([0.0, 0.8]), "{found:?}");
+    assert!(found.derivation.contains("1.60 m"), "{}", found.derivation);
 }
 
 /// Cohesion and tension of joints are divided as friction and strength are.

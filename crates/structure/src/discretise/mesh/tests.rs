@@ -13,8 +13,14 @@ fn ring(thickness: f64, voussoirs: usize) -> Ring {
 
 /// Four spans of 6 m like those of the railway paper.
 fn railway() -> Bridge {
-    let span =
-        Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring(0.54, 25)], defects: Vec::new() };
+    let span = Span {
+        profile: Profile::Segmental,
+        span: 6.0,
+        rise: 1.5,
+        rings: vec![ring(0.54, 25)],
+        defects: Vec::new(),
+        skew: 0.0,
+    };
     let mut b = spans(vec![span; 4], 1.5, 1.8, 3.0, 6);
     b.cover.depth = 0.48;
     b.abutments = [Abutment { top_width: 1.5, height: 3.0 }; 2];
@@ -210,7 +216,7 @@ fn random_span(dice: &mut Dice) -> Span {
         springing_thickness: springing / rings as f64,
         voussoirs: voussoirs + k,
     });
-    Span { profile, span, rise, rings: rings.collect(), defects: Vec::new() }
+    Span { profile, span, rise, rings: rings.collect(), defects: Vec::new(), skew: 0.0 }
 }
 
 fn random_bridge(dice: &mut Dice) -> Bridge {

@@ -1,0 +1,96 @@
+//! The report's own data: identification, revisions, signatures, inspection.
+
+use super::{Field, Kind, Section};
+use crate::document::{Inspection, ReportDocument, Revision};
+use crate::findings::Findings;
+use crate::tree::Table;
+use crate::values::read;
+
+pub(super) static DOCUMENT: Section = Section {
+    path: "document",
+    doc: "Identification, revisions and signatures of the report of `extrados assess`. No analysis reads it.",
+    fields: &[
+        Field::new("structure_number", Kind::Text, "number of the structure in the owner's list", "ABC1/0123")
+            .optional("left blank"),
+        Field::new("route", Kind::Text, "line or road that the bridge carries", "Settle to Carlisle, up and down main")
+            .optional("left blank"),
+        Field::new("location", Kind::Text, "mileage, chainage, grid reference", "12 m 34 ch, SD 765 795")
+            .optional("left blank"),
+        Field::new("owner", Kind::Text, "who owns the bridge", "County Council").optional("left blank"),
+        Field::new("purpose", Kind::Text, "what the assessment is for", "quantitative assessment, level 1")
+            .optional("left blank"),
+        Field::new("number", Kind::Text, "number of the document", "ABC1-0123-CAL-001").optional("left blank"),
+        Field::new("prepared_by", Kind::Text, "who prepared the assessment", "A. Engineer")
+            .optional("left blank to sign"),
+        Field::new("checked_by", Kind::Text, "who checks it", "B. Checker").optional("left blank to sign"),
+        Field::new("approved_by", Kind::Text, "who approves it", "C. Approver").optional("left blank to sign"),
+        Field::new("check_category", Kind::Text, "category of the check, as the owner's procedure names it", "II")
+            .optional("left blank"),
+        Field::new("revision", Kind::Tables(&REVISION), "Versions of the document, the newest last.", "")
+            .optional("the document has no revisions"),
+        Field::new(
+            "confirm",
+            Kind::Values,
+            "what the assessor wants confirmed on site, beside what the results themselves ask",
+            "[\"depth of backing over the pier\"]",
+        )
+        .optional("only what the results ask"),
+        Field::new("inspection", Kind::Tables(&INSPECTION), "What inspections found.", "").optional("none is reported"),
+    ],
+};
+
+static REVISION: Section = Section {
+    path: "document.revision",
+    doc: "A version of the document.",
+    fields: &[
+        Field::new("revision", Kind::Text, "letter or number", "P02"),
+        Field::new("date", Kind::Text, "its day", "2026-03-14"),
+        Field::new("change", Kind::Text, "what changed", "ring thickness measured by coring"),
+    ],
+};
+
+static INSPECTION: Section = Section {
+    path: "document.inspection",
+    doc: "What an inspection found.",
+    fields: &[
+        Field::new("date", Kind::Text, "its day", "2025-09-02").optional("left blank"),
+        Field::new("part", Kind::Text, "which part of the bridge", "span 1, barrel, east edge"),
+        Field::new("finding", Kind::Text, "what was found", "mortar lost to 60 mm over 2 m"),
+        Field::new("photograph", Kind::Text, "a photograph (.jpg, .png), relative to the bridge file", "photo-12.jpg")
+            .optional("none"),
+    ],
+};
+
+/// The document that the file describes; none where it says nothing.
+pub(crate) fn document(file: &Table<'_>, findings: &mut Findings) -> Option<ReportDocument> {
+    if !file.has("document") {
+        return None;
+    }
+    let table = file.table("document", findings)?;
+    let bare = |word: String| word.trim_matches(['"', '\'']).to_owned();
+    let confirm: Option<Option<Vec<String>>> = table.read("confirm", findings);
+    let revisions =
+        table.all("revision", findings, |table, findings| read!(table, findings, Revision { revision, date, change }));
+    let inspections = table.all("inspection", findings, |table, findings| {
+        read!(table, findings, Inspection { date, part, finding, photograph })
+    });
+    read!(
+        &table,
+        findings,
+        ReportDocument {
+            structure_number,
+            route,
+            location,
+            owner,
+            purpose,
+            number,
+            prepared_by,
+            checked_by,
+            approved_by,
+            check_category;
+            revisions: revisions?,
+            confirm: confirm?.unwrap_or_default().into_iter().map(bare).collect(),
+            inspections: inspections?,
+        }
+    )
+}
