@@ -28,6 +28,7 @@ impl Evidence {
             limits_source: self.asked.limits.source,
             facts: self.facts,
             checked,
+            statics: None,
         }
     }
 }

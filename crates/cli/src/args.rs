@@ -39,6 +39,8 @@ pub enum Command {
     Check(Check),
     /// Find the load, the thickness or the support movement that makes a mechanism of the bridge
     Collapse(Box<Collapse>),
+    /// Find what each named case of a bridge file carries, side by side
+    Cases(Box<Cases>),
     /// Compare two bridge files: what they say differently, and what each carries
     Compare(Box<Compare>),
     /// Convert between bridge files, block model files, drawings (DXF) and ParaView files (VTU), by extension
@@ -323,6 +325,19 @@ pub struct Overrides {
     pub step_limit: Option<u64>,
 }
 
+/// `extrados cases`.
+#[derive(Debug, Args)]
+pub struct Cases {
+    /// The bridge file (.toml), with named cases
+    pub file: PathBuf,
+    /// Folder for results [default: out/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Which analysis, in place of the file's plan.
+    #[command(flatten)]
+    pub choice: Choice,
+}
+
 /// `extrados compare`.
 #[derive(Debug, Args)]
 pub struct Compare {
@@ -478,6 +493,7 @@ pub const STAGES: &[Word<StageName>] = &[
     ("service", "The train that crosses", StageName::Service),
     ("collapse", "The loads of the file at collapse", StageName::Collapse),
     ("vehicles", "The vehicles of [sweep]", StageName::Vehicles),
+    ("cases", "The named cases of the file", StageName::Cases),
     ("support-movement", "The support that moves", StageName::SupportMovement),
     ("sensitivity", "What would change the verdict", StageName::Sensitivity),
 ];

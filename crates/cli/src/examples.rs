@@ -29,11 +29,15 @@ impl File {
 }
 
 impl Example {
-    /// The command to start with: a bridge that a train crosses responds, every other one is brought to collapse.
+    /// The command to start with: a bridge that a train crosses responds, cases are compared, every other one is brought to collapse.
     pub fn command(&self) -> &'static str {
         let main = self.files.iter().find(|file| file.name == self.main);
-        let crossed = main.is_some_and(|file| file.text.lines().any(|line| line.starts_with("[passage]")));
-        if crossed { "respond" } else { "collapse" }
+        let has = |section: &str| main.is_some_and(|file| file.text.lines().any(|line| line.starts_with(section)));
+        match (has("[passage]"), has("[[case]]")) {
+            (true, _) => "respond",
+            (false, true) => "cases",
+            (false, false) => "collapse",
+        }
     }
 }
 
@@ -92,6 +96,18 @@ pub const ALL: &[Example] = &[
         about: "a ring of two half-brick rings that may separate",
         main: "bridge.toml",
         files: files!("two-ring": "bridge.toml"),
+    },
+    Example {
+        name: "skew-railway",
+        about: "a skew railway bridge of two spans and four rings, cracked, with what a report is signed with",
+        main: "bridge.toml",
+        files: files!("skew-railway": "bridge.toml"),
+    },
+    Example {
+        name: "packhorse",
+        about: "a rubble packhorse bridge with a humped road, and named cases of its loads",
+        main: "cases.toml",
+        files: files!("packhorse": "cases.toml", "bridge.toml"),
     },
     Example {
         name: "defects",

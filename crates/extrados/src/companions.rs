@@ -4,6 +4,7 @@ use crate::files::Files;
 use crate::refusal::Refusal;
 use assess::analysis::update::RecordFile;
 use bridge::{Particles, Read, Severity, SweepPlan, train};
+use report::Photograph;
 use std::path::{Path, PathBuf};
 use structure::packing_file;
 
@@ -38,6 +39,22 @@ pub fn inputs(read: &Read, path: &Path, files: &dyn Files) -> Vec<PathBuf> {
         all.push(place);
     }
     all
+}
+
+/// Largest photograph that a report takes in [bytes].
+const LARGEST_PHOTOGRAPH: usize = 8 << 20;
+
+/// Photographs of inspections. One that is missing does not keep a bridge from being assessed: the report names it.
+pub fn photographs(read: &Read, path: &Path, files: &dyn Files) -> Vec<Photograph> {
+    let inspections = read.document.iter().flat_map(|document| &document.inspections);
+    let named =
+        inspections.filter_map(|one| Some((one.photograph.as_ref()?, format!("{}: {}", one.part, one.finding))));
+    let photograph = |(name, caption): (&String, String)| match files.read(&beside(path, name)) {
+        Ok(bytes) if bytes.len() <= LARGEST_PHOTOGRAPH => Photograph::new(name, &caption, &bytes),
+        Ok(_) => Photograph { file: name.clone(), caption, source: Err("it is larger than 8 MiB".to_owned()) },
+        Err(error) => Photograph { file: name.clone(), caption, source: Err(error.to_string()) },
+    };
+    named.map(photograph).collect()
 }
 
 /// The tables of measurements that the file names: one, or all of a folder in the order of their names.

@@ -22,6 +22,7 @@
 //! |---|---|
 //! | [`collapse`] | the load, the thickness or the support movement that makes a mechanism |
 //! | [`collapse_of_blocks`] | the same for blocks that are listed or drawn |
+//! | [`cases`] | the same for every named case of the file |
 //! | [`sweep`] | the same for loads or vehicles at every position |
 //! | [`respond`] | displacements, strains and stresses as a train passes |
 //! | [`update`], [`judge`] | parameters from records of a passage; the records alone |
@@ -34,6 +35,7 @@
 mod assess;
 mod blocks;
 mod calibrate_fill;
+mod cases;
 mod choice;
 mod collapse;
 mod companions;
@@ -55,6 +57,7 @@ mod watch;
 pub use crate::assess::{AssessOptions, Assessed, StageName, assess};
 pub use crate::blocks::{Blocks, collapse_of_blocks};
 pub use crate::calibrate_fill::{CalibrateFillOptions, calibrate_fill};
+pub use crate::cases::{CaseAnswer, Cases, cases};
 pub use crate::choice::Choice;
 pub use crate::collapse::{CollapseOptions, collapse, planned};
 pub use crate::compare::{Answered, Compared, Difference, compare};

@@ -4,10 +4,12 @@ use crate::files::Files;
 use crate::refusal::Refusal;
 use crate::{companions, names};
 use assess::analysis::update::RecordFile;
+use bridge::case::Case;
 use bridge::edit::Document;
 use bridge::path::Path as QuantityPath;
 use bridge::vary::{Setting, find, parse_setting, settle};
 use bridge::{Bridge, Diagnostic, Read, Severity};
+use report::Photograph;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -20,6 +22,7 @@ pub struct Project {
     read: Read,
     inputs: Arc<[PathBuf]>,
     records: Arc<Result<Vec<RecordFile>, Refusal>>,
+    photographs: Arc<[Photograph]>,
 }
 
 impl Project {
@@ -40,7 +43,8 @@ impl Project {
             Some(asked) => companions::records(path, &asked.records.place, files),
             None => Ok(Vec::new()),
         };
-        Ok(Project { name: path.display().to_string(), text, read, inputs, records: Arc::new(records) })
+        let photographs = companions::photographs(&read, path, files).into();
+        Ok(Project { name: path.display().to_string(), text, read, inputs, records: Arc::new(records), photographs })
     }
 
     /// The path of the file, as it was given.
@@ -94,6 +98,11 @@ impl Project {
         self.records.as_ref().as_ref().map(Vec::as_slice).map_err(Clone::clone)
     }
 
+    /// Photographs that its document names, those that cannot be read among them.
+    pub fn photographs(&self) -> &[Photograph] {
+        &self.photographs
+    }
+
     /// The file's text as a tree that can be edited, without the named sections.
     pub(crate) fn document(&self, without: &[&str]) -> Result<Document, Refusal> {
         let mut document = Document::parse(std::str::from_utf8(&self.text).unwrap_or_default()).ok_or_else(|| {
@@ -127,6 +136,40 @@ impl Project {
         }
         names::look_up(&mut read, text);
         read
+    }
+
+    /// The same project with an edited text.
+    pub(crate) fn reworded(&self, text: Vec<u8>) -> Project {
+        let read = self.read_again(&text);
+        Project { text, read, ..self.clone() }
+    }
+
+    /// The bridge as one of the file's cases has it: its loads with their factors, its weights, its changed values.
+    ///
+    /// # Errors
+    /// Changed values with which the file cannot be used (B501 to B503, F108).
+    pub fn in_case(&self, case: &Case) -> Result<Project, Refusal> {
+        let mut document = self.document(&["case"])?;
+        for change in &case.changes {
+            let slip = |slip: bridge::vary::Slip| Refusal::new(slip.code, slip.message, slip.help);
+            let quantity = find(&document, &change.quantity).map_err(slip)?;
+            let settled = settle(&quantity, &change.spread).map_err(slip)?;
+            for value in &settled.values {
+                document.set(&settled.path, &value.literal).map_err(|_| {
+                    Refusal::new(
+                        "F114",
+                        format!("{}: the file has no place for it", settled.path),
+                        "extrados vary FILE --list",
+                    )
+                })?;
+            }
+        }
+        let text = document.text().into_bytes();
+        let mut read = self.read_again(&text);
+        read.bridge = read.bridge.map(|bridge| case.put(&bridge));
+        let own = Project { text, read, ..self.clone() };
+        own.bridge()?;
+        Ok(own)
     }
 
     /// The same file with other values, each as on the command line: `joint.friction_angle=30deg`, `masonry.density=2300 kg/m^3`.

@@ -1,14 +1,8 @@
 //! Adequacy factors of vehicles, worst first, and the factor of the governing one over its position.
 
-use crate::chart::Axis;
-use crate::elevation::INK;
 use crate::envelope::{Ordinate, Sweep, envelope};
-use crate::sheet::{Anchor, Area, HAIR, MARGIN, MEDIUM, Pen, SMALL, Sheet, Style, WIDTH, font};
+use crate::factor_bars::{Bar, Bars, factor_bars};
 use outcome::vehicles::{Direction, EnvelopePoint, Swept, VehicleSweep};
-
-const ENOUGH: &str = "#1f5fa8";
-const SHORT: &str = "#a02020";
-const ROW: f64 = 20.0;
 
 /// Names and drawings of a sweep of vehicles.
 pub fn vehicles(found: &VehicleSweep) -> Vec<(&'static str, String)> {
@@ -78,68 +72,34 @@ fn curves(v: &Swept) -> Vec<Sweep> {
 
 /// A bar for every vehicle, worst on top, with a line where the factor is one.
 fn adequacy(found: &VehicleSweep) -> Option<String> {
-    let mut bars: Vec<(&Swept, f64)> = found.vehicles.iter().filter_map(|v| Some((v, v.adequacy?))).collect();
-    bars.sort_by(|a, b| a.1.total_cmp(&b.1).then_with(|| a.0.code.cmp(&b.0.code)));
-    let least = bars.first()?.1;
-    let most = bars.iter().map(|b| b.0.rigid.unwrap_or(b.1).max(b.1)).fold(1.0, f64::max);
-    let mut sheet = Sheet::new("adequacy");
+    let mut bars: Vec<Bar<'_>> = found
+        .vehicles
+        .iter()
+        .filter_map(|v| Some(Bar { label: &v.code, factor: v.adequacy?, beyond: v.rigid }))
+        .collect();
+    bars.sort_by(|a, b| a.factor.total_cmp(&b.factor).then_with(|| a.label.cmp(b.label)));
+    let least = bars.first()?.factor;
     let both = found.vehicles.iter().any(|v| v.deformable.is_some());
     let method = if both { ", the smaller of rigid blocks and joints that give" } else { " by limit analysis" };
-    let title = format!("Adequacy factor of vehicles{method}, rule \u{201c}{}\u{201d}", found.rule.code);
-    let top = sheet.title(&found.bridge, &title);
-    let small = Style { size: SMALL, ..Style::default() };
-    let wide = |text: &str| font::width(text, SMALL, font::Weight::Regular);
-    let names = bars.iter().map(|b| wide(&b.0.code)).fold(60.0, f64::max);
-    let area = Area {
-        left: MARGIN + names + 10.0,
-        right: WIDTH - MARGIN - 46.0,
-        top: top + 8.0,
-        bottom: top + 8.0 + ROW * bars.len() as f64 + 8.0,
-    };
-    let axis = Axis::exact("adequacy factor [–]", 0.0, 1.05 * most, 7);
-    let x = |value: f64| area.left + (area.right - area.left) * value / axis.range[1];
-    sheet.open("axes");
-    for &value in &axis.ticks.values {
-        sheet.line([x(value), area.top], [x(value), area.bottom], Pen::line("#d8d8d8", HAIR));
-        sheet.text([x(value), area.bottom + 16.0], &axis.words(value), small.anchored(Anchor::Middle));
-    }
-    sheet.close();
-    for (k, (v, factor)) in bars.iter().enumerate() {
-        let middle = area.top + 4.0 + ROW * (k as f64 + 0.5);
-        let colour = if *factor < 1.0 { SHORT } else { ENOUGH };
-        if let Some(rigid) = v.rigid.filter(|rigid| rigid > factor) {
-            let beyond = Area { left: x(*factor), right: x(rigid), top: middle - 6.0, bottom: middle + 6.0 };
-            sheet.rectangle(beyond, Pen::shape("none", colour, HAIR).class("rigid"));
-        }
-        let bar = Area { left: area.left, right: x(*factor), top: middle - 6.0, bottom: middle + 6.0 };
-        sheet.rectangle(bar, Pen::shape(colour, "none", 0.0).class("vehicle"));
-        sheet.text([area.left - 8.0, middle + 4.4], &v.code, small.anchored(Anchor::End));
-    }
-    sheet.line([x(1.0), area.top - 4.0], [x(1.0), area.bottom], Pen::line(INK, MEDIUM).dashed("5 4").class("one"));
-    // Numbers stand on the line where they meet it.
-    for (k, (_, factor)) in bars.iter().enumerate() {
-        let foot = area.top + 4.0 + ROW * (k as f64 + 0.5) + 4.4;
-        sheet.text([x(*factor) + 6.0, foot], &format!("{factor:.3}"), Style { halo: true, ..small });
-    }
-    sheet.line([area.left, area.top], [area.left, area.bottom], Pen::line(INK, 0.9));
-    sheet.text(
-        [0.5 * (area.left + area.right), area.bottom + 36.0],
-        axis.name,
-        Style::default().anchored(Anchor::Middle),
-    );
     let words = match least < 1.0 {
         true => "left of the dashed line the bridge does not carry the vehicle with the rule's factors",
         false => "right of the dashed line the bridge carries the vehicle with the rule's factors",
     };
     let outlined = if both { "; outlined: what rigid blocks would carry" } else { "" };
-    let words = format!("{words}{outlined}");
-    let bottom = sheet.paragraph(MARGIN, area.bottom + 56.0, WIDTH - 2.0 * MARGIN, &words, small);
-    Some(sheet.finish(bottom + 4.0))
+    factor_bars(&Bars {
+        name: "adequacy",
+        title: &found.bridge,
+        second: &format!("Adequacy factor of vehicles{method}, rule \u{201c}{}\u{201d}", found.rule.code),
+        axis: "adequacy factor [–]",
+        bars: &bars,
+        words: &format!("{words}{outlined}"),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::factor_bars::{ENOUGH, SHORT};
     use outcome::collapse::Status;
     use outcome::vehicles::Across;
 

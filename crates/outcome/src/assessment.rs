@@ -2,7 +2,10 @@
 
 use crate::checked::{Checked, Verdict};
 use crate::condition::Condition;
-use crate::facts::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
+use crate::facts::{
+    CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
+};
+use crate::statics::Statics;
 use crate::warning::Warning;
 use serde::{Deserialize, Serialize};
 
@@ -51,20 +54,29 @@ pub struct Facts {
     pub ultimate: Stage<UltimateFacts>,
     /// Vehicles moved over the bridge.
     pub vehicles: Stage<VehicleFacts>,
+    /// Named cases of the file.
+    #[serde(default = "no_cases")]
+    pub cases: Stage<CasesFacts>,
     /// A support that moves.
     pub movement: Stage<MovementFacts>,
     /// What changes the governing utilisation; it can only be made once there is one.
     pub sensitivity: Stage<SensitivityFacts>,
 }
 
+/// An assessment that was kept before there were cases.
+fn no_cases() -> Stage<CasesFacts> {
+    Stage::NotAsked("the file has no [[case]]".to_owned())
+}
+
 impl Facts {
     /// Warnings of every stage, each with the stage's name.
     pub fn warnings(&self) -> impl Iterator<Item = (&'static str, &Warning)> {
-        let lists: [(&str, &[Warning]); 5] = [
+        let lists: [(&str, &[Warning]); 6] = [
             ("update", self.update.made().map_or(&[], |facts| &facts.warnings)),
             ("service", self.service.made().map_or(&[], |facts| &facts.warnings)),
             ("collapse", self.ultimate.made().map_or(&[], |facts| &facts.warnings)),
             ("vehicles", self.vehicles.made().map_or(&[], |facts| &facts.warnings)),
+            ("cases", self.cases.made().map_or(&[], |facts| &facts.warnings)),
             ("support movement", self.movement.made().map_or(&[], |facts| &facts.warnings)),
         ];
         lists.into_iter().flat_map(|(stage, list)| list.iter().map(move |warning| (stage, warning)))
@@ -86,4 +98,7 @@ pub struct Assessment {
     pub verdict: Verdict,
     /// Its condition.
     pub condition: Vec<Condition>,
+    /// What it weighs, and what it hands to the ground at rest; none where it cannot be cut into blocks.
+    #[serde(default)]
+    pub statics: Option<Statics>,
 }

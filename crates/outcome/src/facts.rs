@@ -319,6 +319,15 @@ pub struct SweptFacts {
     pub case: String,
     /// Width of the barrel that carries an axle [m].
     pub effective_width_m: f64,
+    /// How that width was found, in words.
+    #[serde(default)]
+    pub effective_width_derivation: String,
+    /// How it stands across the bridge, in words.
+    #[serde(default)]
+    pub stands: String,
+    /// Largest thrusts at springings and feet of piers, over all its cases.
+    #[serde(default)]
+    pub thrusts: Vec<ThrustFacts>,
     /// Factor on every axle.
     pub load_factor: f64,
     /// Cases that the interior-point method answered one by one.
@@ -336,6 +345,49 @@ pub struct SweptFacts {
     /// Factors at which states are first reached that a bridge should not come to in service.
     #[serde(default)]
     pub permissible: Vec<PermissibleFactor>,
+}
+
+/// The largest thrust at a joint, with what goes with it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ThrustFacts {
+    /// Which joint.
+    pub place: String,
+    /// Compression [kN/m].
+    pub thrust_kn_per_m: f64,
+    /// Shear [kN/m].
+    pub shear_kn_per_m: f64,
+    /// Distance of the resultant from the middle of the joint [m].
+    pub eccentricity_m: f64,
+    /// Length of the joint [m].
+    pub depth_m: f64,
+    /// Whether the resultant lies outside it.
+    pub outside: bool,
+}
+
+/// What the file's named cases carry.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct CasesFacts {
+    /// In the order of the file.
+    pub cases: Vec<CaseFacts>,
+    /// Assumptions, each once.
+    pub assumptions: Vec<String>,
+    /// Warnings, each once.
+    pub warnings: Vec<Warning>,
+}
+
+/// What a named case carries.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct CaseFacts {
+    /// Its name.
+    pub name: String,
+    /// What acts, in words.
+    pub acts: String,
+    /// How its analysis ended.
+    pub status: Status,
+    /// The method that its factor is from.
+    pub method: String,
+    /// What all its loads may be multiplied by; 1 is just enough. None where it is not known, or unbounded.
+    pub load_factor: Option<f64>,
 }
 
 /// The movement of a support that makes a mechanism.

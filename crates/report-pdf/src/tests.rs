@@ -16,6 +16,24 @@ fn check(met: bool, governs: bool) -> Value {
     })
 }
 
+/// A section of words and a table with as many columns as heads, two where it has none.
+fn part(opens: bool, heads: Value) -> Value {
+    let columns = heads.as_array().map_or(2, |heads| heads.len().max(2));
+    let row: Vec<&str> = (0..columns)
+        .map(|k| {
+            if k == 1 {
+                HOSTILE
+            } else if k == 2 {
+                ""
+            } else {
+                "row"
+            }
+        })
+        .collect();
+    let numbers: Vec<bool> = (0..columns).map(|k| k == 1).collect();
+    json!({ "title": "A section", "words": [HOSTILE], "heads": heads, "numbers": numbers, "rows": [row, row], "opens": opens })
+}
+
 fn data() -> Value {
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"160mm\" height=\"40mm\" viewBox=\"0 0 160 40\" font-family=\"DejaVu Sans\">\
                <path d=\"M0 40 A80 80 0 0 1 160 40\" fill=\"none\" stroke=\"black\"/><text x=\"60\" y=\"30\">crown</text></svg>";
@@ -43,8 +61,12 @@ fn data() -> Value {
         "warnings": [["collapse", "A101", HOSTILE]], "assumptions": [["collapse", HOSTILE]], "inputs": vec![input; 40],
         "appendix": { "version": "0.1.0", "program": "cd".repeat(32), "file": "bridge.toml", "input": "ef".repeat(32),
             "command": "extrados assess bridge.toml --skip update", "day": "2026-11-21", "stages": [stage] },
-        "figures": { "built": drawing, "update": drawing, "service": drawing, "ultimate": drawing, "vehicles": drawing, "movement": drawing }
+        "figures": { "built": drawing, "update": drawing, "service": drawing, "ultimate": drawing, "vehicles": drawing, "movement": drawing, "cases": drawing }
     });
+    data["front"] = json!([part(true, json!([])), part(false, json!(["", "name", "signature"]))]);
+    data["cases"] = json!([part(true, json!(["case", "factor"]))]);
+    data["numbers"] = json!([part(true, json!(["part", "force [kN]"]))]);
+    data["back"] = json!([part(true, json!(["no.", "item", "independent value"]))]);
     for why in ["no_update", "no_service", "no_collapse", "no_changes"] {
         data[why] = json!(HOSTILE);
     }

@@ -2,6 +2,7 @@
 
 use crate::figure::Figure;
 use crate::page::{Material, Page, page};
+use crate::parts::Part;
 use serde_json::{Value, json};
 
 /// Some fields of a row as an object.
@@ -36,6 +37,10 @@ pub fn data(material: &Material<'_>) -> Value {
         ("vehicles", objects!(page.vehicles => code title adequacy class width factor position case)),
         ("changes", objects!(page.changes => path value less more turns)),
         ("inputs", objects!(page.inputs => section key value remark)),
+        ("front", parts(&page.front)),
+        ("cases", parts(&page.cases)),
+        ("numbers", parts(&page.numbers)),
+        ("back", parts(&page.back)),
         ("appendix", appendix(&page)),
         ("figures", drawings(&page)),
     ];
@@ -43,6 +48,16 @@ pub fn data(material: &Material<'_>) -> Value {
         data[name] = value;
     }
     data
+}
+
+/// Sections of words and tables; `opens` tells whether one begins a section of its own.
+fn parts(list: &[Part]) -> Value {
+    let part = |part: &Part| {
+        let mut object = object!(part: title words heads numbers rows);
+        object["opens"] = json!(part.id.is_some());
+        object
+    };
+    Value::Array(list.iter().map(part).collect())
 }
 
 fn appendix(page: &Page<'_>) -> Value {
@@ -62,5 +77,6 @@ fn drawings(page: &Page<'_>) -> Value {
         "ultimate": list(&all.ultimate),
         "vehicles": list(&all.vehicles),
         "movement": list(&all.movement),
+        "cases": list(&all.cases),
     })
 }

@@ -6,9 +6,10 @@ mod figure;
 mod fleet;
 mod numbers;
 mod page;
+mod parts;
 mod rows;
 
 pub use data::data;
 pub use figure::Figure;
 pub use fleet::{FleetRow, fleet_csv, fleet_html};
-pub use page::{Appendix, Material, StageLine, html};
+pub use page::{Appendix, Material, Photograph, StageLine, html};

@@ -2,8 +2,12 @@
 
 use crate::figure::Figure;
 use crate::numbers::{digits, maybe};
+use crate::parts::{self, Part};
 use crate::rows::{self, ChangeRow, ChannelRow, CheckRow, ColumnRow, ConditionRow, FitRow, OpenRow, VehicleRow};
 use askama::Template;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::checked::governing;
@@ -21,6 +25,34 @@ pub struct Material<'a> {
     pub findings: &'a [[String; 3]],
     /// How to make it again.
     pub appendix: &'a Appendix,
+    /// What identifies it, and who signs for it.
+    pub document: &'a ReportDocument,
+    /// Photographs that the file names.
+    pub photographs: &'a [Photograph],
+}
+
+/// A photograph of an inspection.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Photograph {
+    /// Its file, as the bridge file names it.
+    pub file: String,
+    /// What it shows.
+    pub caption: String,
+    /// The picture as a data address; or why it cannot be shown.
+    pub source: Result<String, String>,
+}
+
+impl Photograph {
+    /// A photograph from its bytes: JPEG or PNG.
+    pub fn new(file: &str, caption: &str, bytes: &[u8]) -> Photograph {
+        let media = match bytes {
+            [0xff, 0xd8, 0xff, ..] => Ok("image/jpeg"),
+            [0x89, b'P', b'N', b'G', ..] => Ok("image/png"),
+            _ => Err("neither JPEG nor PNG".to_owned()),
+        };
+        let source = media.map(|media| format!("data:{media};base64,{}", STANDARD.encode(bytes)));
+        Photograph { file: file.to_owned(), caption: caption.to_owned(), source }
+    }
 }
 
 /// How every number can be made again.
@@ -97,6 +129,11 @@ pub struct Page<'a> {
     pub assumptions: Vec<[String; 2]>,
     pub inputs: &'a [Input],
     pub appendix: &'a Appendix,
+    pub front: Vec<Part>,
+    pub cases: Vec<Part>,
+    pub numbers: Vec<Part>,
+    pub back: Vec<Part>,
+    pub photographs: &'a [Photograph],
     pub figures: Figures<'a>,
 }
 
@@ -109,6 +146,7 @@ pub struct Figures<'a> {
     pub ultimate: Vec<&'a Figure>,
     pub vehicles: Vec<&'a Figure>,
     pub movement: Vec<&'a Figure>,
+    pub cases: Vec<&'a Figure>,
 }
 
 fn figures(list: &[Figure]) -> Figures<'_> {
@@ -119,6 +157,7 @@ fn figures(list: &[Figure]) -> Figures<'_> {
             "update" => &mut all.update,
             "service" => &mut all.service,
             "vehicles" => &mut all.vehicles,
+            "cases" => &mut all.cases,
             "movement" => &mut all.movement,
             _ => &mut all.ultimate,
         };
@@ -205,6 +244,15 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         assumptions,
         inputs: material.inputs,
         appendix: material.appendix,
+        front: parts::control(material.document, &a.bridge, material.appendix)
+            .into_iter()
+            .chain([parts::to_confirm(material.document, material.inputs, a)])
+            .chain(parts::inspections(&material.document.inspections, material.photographs))
+            .collect(),
+        cases: parts::cases(a).into_iter().collect(),
+        numbers: a.statics.iter().flat_map(parts::statics).chain(parts::vehicles(a)).collect(),
+        back: vec![parts::check_sheet(material.document, a, a.statics.as_ref())],
+        photographs: material.photographs,
         figures: figures(material.figures),
     }
 }
@@ -276,6 +324,7 @@ fn notes(a: &Assessment) -> Vec<[String; 2]> {
         ("service", a.facts.service.why_not()),
         ("collapse", a.facts.ultimate.why_not()),
         ("vehicles", a.facts.vehicles.why_not()),
+        ("cases", a.facts.cases.why_not()),
         ("support movement", a.facts.movement.why_not()),
         ("sensitivities", a.facts.sensitivity.why_not()),
     ];

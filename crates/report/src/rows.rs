@@ -240,11 +240,12 @@ pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
     let warning = |(stage, one): (&str, &Warning)| [stage.to_owned(), one.code.to_owned(), one.message.clone()];
     let warnings = a.facts.warnings().map(warning).collect();
     let facts = &a.facts;
-    let said: [(&str, &[String]); 4] = [
+    let said: [(&str, &[String]); 5] = [
         ("update", facts.update.made().map_or(&[], |facts| &facts.assumptions)),
         ("service", facts.service.made().map_or(&[], |facts| &facts.assumptions)),
         ("collapse", facts.ultimate.made().map_or(&[], |facts| &facts.assumptions)),
         ("vehicles", facts.vehicles.made().map_or(&[], |facts| &facts.assumptions)),
+        ("cases", facts.cases.made().map_or(&[], |facts| &facts.assumptions)),
     ];
     let assumptions =
         said.iter().flat_map(|(stage, list)| list.iter().map(|words| [(*stage).to_owned(), words.clone()]));

@@ -136,6 +136,7 @@ fn assessed(file: &File) -> Result<Json, String> {
             service,
             ultimate,
             vehicles,
+            cases: Stage::NotAsked(String::new()),
             movement: Stage::NotAsked(not_asked("a case of its own moves supports")),
             sensitivity: Stage::NotAsked(not_asked("cases look at values")),
         },

@@ -2,8 +2,8 @@
 //! matter, by the cheapest analysis that shows it.
 
 use super::service::Scope;
-use super::ultimate::by_weight_alone;
 use super::{at_position, service, window};
+use crate::analysis::by_weight_alone;
 use crate::analysis::pieces;
 use crate::analysis::vehicles::vehicle_sweep;
 use crate::checks::{CHECKS, Check, Probe};

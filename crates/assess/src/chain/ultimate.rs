@@ -1,7 +1,7 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
-use crate::analysis::{self, AnalysisError, Places};
-use bridge::{Analysis, BackingBody, Bridge, LoadKind, Method, Strip};
+use crate::analysis::{self, AnalysisError, Places, by_weight_alone};
+use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{MovementFacts, UltimateFacts};
@@ -61,20 +61,6 @@ pub fn at_position(bridge: &Bridge, position: f64, watch: &mut dyn Watch) -> Res
         position_m: Some(position),
         ..UltimateFacts::default()
     })
-}
-
-/// The bridge with its fill as weight alone, where it presses or yields as a continuum.
-pub fn by_weight_alone(bridge: &Bridge) -> Option<Bridge> {
-    let mut own = bridge.clone();
-    let yields = own.continuum.take().is_some();
-    if yields {
-        own.cover.layers.iter_mut().for_each(|layer| layer.continuum = false);
-        let backing = own.cover.backing.as_mut().filter(|backing| backing.body == BackingBody::Continuum);
-        backing.into_iter().for_each(|backing| backing.body = BackingBody::Weight);
-    }
-    let presses = own.fill_pressure.as_mut().filter(|fill| fill.applies);
-    let presses = presses.map(|fill| fill.applies = false).is_some();
-    (yields || presses).then_some(own)
 }
 
 /// Moves the loads of the file over the bridge by limit analysis, and draws the collapse where they are worst. With fill that

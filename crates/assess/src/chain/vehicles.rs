@@ -1,13 +1,14 @@
 //! Vehicles of the file's [sweep], as facts.
 
-use super::ultimate::by_weight_alone;
 use crate::analysis::AnalysisError;
+use crate::analysis::by_weight_alone;
 use crate::analysis::vehicles::{by_acting, vehicle_sweep};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
-use outcome::facts::{SafetyFacts, SweptFacts, VehicleFacts};
+use outcome::facts::{SafetyFacts, SweptFacts, ThrustFacts, VehicleFacts};
 use outcome::vehicles::{ByDiscreteElements, Swept, VehicleSweep};
+use outcome::vehicles::{Of, SectionEnvelope};
 use outcome::warning::{self, Warning};
 use rules::{Confidence, Rule};
 
@@ -180,6 +181,9 @@ fn swept(one: &Swept) -> SweptFacts {
         position_m: one.case.as_ref().map(|case| case.position),
         case,
         effective_width_m: one.effective_width,
+        effective_width_derivation: one.across.derivation.clone(),
+        stands: one.across.told(),
+        thrusts: one.sections.iter().filter_map(thrust).collect(),
         load_factor: one.load_factors[0],
         slow_cases: one.by_interior_point,
         loads_confidence: one.source.confidence,
@@ -187,4 +191,18 @@ fn swept(one: &Swept) -> SweptFacts {
         deformable: one.deformable.as_ref().and_then(|own| own.adequacy),
         permissible: one.deformable.as_ref().map_or_else(Vec::new, |own| own.permissible.clone()),
     }
+}
+
+/// The largest thrust at a springing or a foot of a pier.
+fn thrust(section: &SectionEnvelope) -> Option<ThrustFacts> {
+    let watched = ["springing", "foot"].iter().any(|word| section.name.contains(word));
+    let largest = section.extremes.iter().find(|one| one.of == Of::LargestThrust).filter(|_| watched)?;
+    Some(ThrustFacts {
+        place: section.name.clone(),
+        thrust_kn_per_m: 1e-3 * largest.thrust,
+        shear_kn_per_m: 1e-3 * largest.shear,
+        eccentricity_m: largest.eccentricity,
+        depth_m: section.depth,
+        outside: largest.outside,
+    })
 }

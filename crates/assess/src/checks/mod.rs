@@ -2,6 +2,7 @@
 //! or says why it cannot.
 
 mod adequacy;
+mod cases;
 mod crown_deflection;
 mod fatigue;
 mod joint_shear;
@@ -82,6 +83,7 @@ pub const CHECKS: &[&dyn Check] = &[
     &fatigue::StressRange,
     &vehicles::Vehicles,
     &onset::Onset,
+    &cases::NamedCases,
     &mexe_check::MexeAxle,
     &movement::SupportMovement,
 ];

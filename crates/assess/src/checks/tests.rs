@@ -78,6 +78,7 @@ fn assessment() -> Evidence {
             service: Stage::Made(service),
             ultimate: Stage::Made(ultimate),
             vehicles: Stage::NotAsked("no sweep".into()),
+            cases: Stage::NotAsked(String::new()),
             movement: Stage::NotAsked("no support moves".into()),
             sensitivity: Stage::NotAsked("later".into()),
         },
@@ -291,8 +292,7 @@ fn skew_and_assumed_loads_give_no_verdict_of_adequacy() {
             safety: sourced.clone(),
             ..VehicleFacts::default()
         });
-        a.bridge.carriageway =
-            Some(bridge::Carriageway { skew: Some(skew.to_radians()), ..bridge::Carriageway::default() });
+        a.bridge.spans[0].skew = skew.to_radians();
         a.asked.limits.skew_source = source.map(str::to_owned);
         let found = verdict(&a, &run(&a));
         (found.status, found.strength.missing.join(" "))

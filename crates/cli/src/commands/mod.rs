@@ -3,6 +3,7 @@
 mod assess;
 mod bench;
 mod calibrate;
+mod cases;
 mod check;
 mod collapse;
 mod compare;
@@ -113,6 +114,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::New(arguments) => new::run(arguments).map(Answer::from),
         Command::Check(arguments) => check::run(desk, arguments).map(Answer::from),
         Command::Collapse(arguments) => collapse::run(desk, arguments).map(Answer::from),
+        Command::Cases(arguments) => cases::run(desk, arguments).map(Answer::from),
         Command::Compare(arguments) => compare::run(desk, arguments).map(Answer::from),
         Command::Convert(arguments) => convert::run(desk, arguments).map(Answer::from),
         Command::Vary(arguments) => vary::run(desk, arguments).map(Answer::from),

@@ -37,6 +37,7 @@ const ASSESS: &[&str] = &["result", "report", "checks"];
 const FLEET: &[&str] = &["result", "fleet"];
 const VALIDATE: &[&str] = &["result", "validation"];
 const CALIBRATE: &[&str] = &["result", "stress-strain", "moduli", "sample", "curve"];
+const CASES: &[&str] = &["result", "cases"];
 const COMPARE: &[&str] = &["result", "differences", "answers"];
 const CHECK: &[&str] = &["bridge", "mesh"];
 
@@ -53,6 +54,7 @@ impl Purpose {
             "fleet" => [FLEET, &[]],
             "validate" => [VALIDATE, &[]],
             "calibrate" => [CALIBRATE, &[]],
+            "cases" => [CASES, &[]],
             "compare" => [COMPARE, &[]],
             _ => [CHECK, &[]],
         };

@@ -49,6 +49,8 @@ const SLOW: &[(&str, &str)] = &[
     ("railway-arch", "second-twin.toml"),
     ("railway-arch", "update-second-twin.toml"),
     ("railway-arch", "assess.toml"),
+    // Four rings that slide on one another: half a minute of iteration.
+    ("skew-railway", "bridge.toml"),
 ];
 
 #[test]

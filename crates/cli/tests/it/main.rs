@@ -5,6 +5,7 @@ mod assess;
 mod axles;
 mod calibration;
 mod carried;
+mod cases;
 mod caveats;
 mod checked;
 mod compare;

@@ -8,11 +8,12 @@ use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::watch::{Remembering, Watch};
+use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::published;
 use outcome::warning::Warning;
-use report::{Appendix, Figure, Material};
+use report::{Appendix, Figure, Material, Photograph};
 use stages::{Halt, Stages};
 
 /// A stage that can be left out.
@@ -26,6 +27,8 @@ pub enum StageName {
     Collapse,
     /// Vehicles moved over the bridge.
     Vehicles,
+    /// Named cases of the file.
+    Cases,
     /// Supports that move.
     SupportMovement,
     /// What the governing check depends on.
@@ -56,6 +59,10 @@ pub struct Assessed {
     pub findings: Vec<[String; 3]>,
     /// How it was made.
     pub appendix: Appendix,
+    /// What identifies it, and who signs for it.
+    pub document: ReportDocument,
+    /// Photographs that the file names.
+    pub photographs: Vec<Photograph>,
 }
 
 /// Makes every stage that the file asks for and judges the bridge. Stages are kept on the shelf as they are finished; none is given
@@ -92,7 +99,9 @@ pub fn assess(
     });
     let inputs = bridge::inputs::inputs(&String::from_utf8_lossy(project.text()));
     let findings = findings.collect();
-    Ok(Some(Assessed { assessment, figures, inputs, findings, appendix }))
+    let document = project.meaning().document.clone().unwrap_or_default();
+    let photographs = project.photographs().to_vec();
+    Ok(Some(Assessed { assessment, figures, inputs, findings, appendix, document, photographs }))
 }
 
 impl Assessed {
@@ -104,6 +113,8 @@ impl Assessed {
             inputs: &self.inputs,
             findings: &self.findings,
             appendix: &self.appendix,
+            document: &self.document,
+            photographs: &self.photographs,
         }
     }
 

@@ -1,8 +1,10 @@
 //! Which drawings of a stage stand in the report, and what is said under them.
 
+use crate::cases::Cases;
 use assess::chain::Ultimate;
 use figures::UPDATE_FIGURES;
 use outcome::collapse::Collapse;
+use outcome::ground::GroundPlan;
 use outcome::passage::Passage;
 use outcome::picture::Picture;
 use outcome::update::Update;
@@ -16,10 +18,15 @@ fn figure(stage: &str, name: &str, caption: impl Into<String>, svg: Option<Strin
     Some(Figure { stage: stage.to_owned(), name: name.to_owned(), caption: caption.into(), svg: svg? })
 }
 
-/// The bridge as its file describes it.
-pub fn built(picture: &Picture) -> Vec<Figure> {
+/// The bridge as its file describes it: elevation, plan, cross-section.
+pub fn built(picture: &Picture, ground: &GroundPlan) -> Vec<Figure> {
     let svg = figures::bridge_as_drawn(picture);
-    figure("built", "bridge", "The bridge as its file describes it.", Some(svg)).into_iter().collect()
+    let all = [
+        figure("built", "bridge", "The bridge as its file describes it.", Some(svg)),
+        figure("built", "plan", "Plan at the springings.", figures::plan(ground)),
+        figure("built", "cross-section", "Cross-section at the crown.", figures::cross_section(ground)),
+    ];
+    all.into_iter().flatten().collect()
 }
 
 /// Mechanism, line of thrust, envelope.
@@ -42,7 +49,7 @@ pub fn ultimate(found: &Ultimate, bridge: &str) -> Vec<Figure> {
 }
 
 /// Adequacy of every vehicle, that of the governing one over its position, and its mechanism.
-pub fn vehicles(found: &VehicleSweep) -> Vec<Figure> {
+pub fn vehicles(found: &VehicleSweep, ground: &GroundPlan) -> Vec<Figure> {
     let caption = |name: &str| match name {
         "adequacy" => "Adequacy factor of every vehicle, worst first; 1 is just enough.",
         _ => "Adequacy factor of the governing vehicle over the position of its first axle.",
@@ -54,6 +61,26 @@ pub fn vehicles(found: &VehicleSweep) -> Vec<Figure> {
     let mechanism = found.collapse.as_ref().and_then(|collapse| figures::mechanism(&collapse.picture));
     let caption = "Mechanism under the governing vehicle, loads and weights with their factors.";
     list.extend(figure("vehicles", "mechanism", caption, mechanism));
+    if ground.vehicle.is_some() {
+        let caption = "Where the governing vehicle stands across the barrel, and the width that carries it.";
+        list.extend(figure("vehicles", "across", caption, figures::cross_section(ground)));
+        let divided = figures::plan(ground).filter(|_| !ground.cracks.is_empty());
+        list.extend(figure("vehicles", "strips", "The strips that cracks leave, and the governing vehicle.", divided));
+    }
+    list
+}
+
+/// Factors of named cases, and the mechanism of the least.
+pub fn cases(bridge: &str, found: &Cases) -> Vec<Figure> {
+    let factors: Vec<(String, f64)> =
+        found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
+    let bars = figures::case_factors(bridge, &factors);
+    let mut list: Vec<Figure> =
+        figure("cases", "factors", "Factor on the loads of each named case.", bars).into_iter().collect();
+    if let Some(least) = found.least() {
+        let caption = format!("Mechanism of the case with the least factor, {}.", least.name);
+        list.extend(figure("cases", "mechanism", caption, figures::mechanism(&least.collapse.picture)));
+    }
     list
 }
 

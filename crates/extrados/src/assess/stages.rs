@@ -3,6 +3,7 @@
 
 use super::kept::{self, Finished};
 use super::{StageName, pictures};
+use crate::choice::Choice;
 use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
@@ -17,8 +18,12 @@ use bridge::Bridge;
 use bridge::edit::Document;
 use outcome::assessment::{Assessment, Facts, Stage};
 use outcome::checked::{Checked, governing};
-use outcome::facts::{MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts};
+use outcome::collapse::Status;
+use outcome::facts::{
+    CasesFacts, MovementFacts, SensitivityFacts, ServiceFacts, UltimateFacts, UpdateFacts, VehicleFacts,
+};
 use outcome::passage::PassageStatus;
+use outcome::statics::Statics;
 use outcome::update::UpdateStatus;
 use report::{Figure, StageLine};
 use serde::Serialize;
@@ -71,20 +76,25 @@ impl Stages<'_> {
         let own = self.project.bridge()?.clone();
         let asked = self.project.meaning().assess.clone().unwrap_or_default();
         let (update, bridge, document) = self.updated(&own)?;
-        let _: Stage<()> = self.stage("built", &bridge, |_| match analysis::as_built(&bridge) {
-            Ok(picture) => Ran::Made((), pictures::built(&picture)),
-            Err(error) => Ran::Failed(error.to_string()),
+        let built: Stage<Statics> = self.stage("built", &bridge, |_| {
+            match analysis::as_built(&bridge).and_then(|picture| Ok((picture, analysis::statics(&bridge)?))) {
+                Ok((picture, statics)) => {
+                    Ran::Made(statics, pictures::built(&picture, &analysis::ground_plan(&bridge, None)))
+                }
+                Err(error) => Ran::Failed(error.to_string()),
+            }
         })?;
         let service = self.service(&bridge, &asked)?;
         let ultimate = self.ultimate(&bridge)?;
         let vehicles = self.vehicles(&bridge)?;
+        let cases = self.cases(&document)?;
         let movement = self.movement(&bridge)?;
         let sensitivity = Stage::NotAsked("made last".to_owned());
-        let facts = Facts { update, service, ultimate, vehicles, movement, sensitivity };
+        let facts = Facts { update, service, ultimate, vehicles, cases, movement, sensitivity };
         let mut evidence = Evidence { bridge, asked, facts };
         let checked = checks::run(&evidence);
         evidence.facts.sensitivity = self.sensitivity(&document, &evidence, &checked)?;
-        Ok(evidence.judged(checked))
+        Ok(Assessment { statics: built.made().cloned(), ..evidence.judged(checked) })
     }
 
     /// Takes a finished stage up, or runs it and keeps what it gave.
@@ -228,7 +238,29 @@ impl Stages<'_> {
         }
         self.stage("vehicles", bridge, |watch| match chain::vehicles(bridge, &mut Looking(watch)) {
             Err(error) => Ran::Failed(error.to_string()),
-            Ok((facts, found)) => Ran::Made(facts, pictures::vehicles(&found)),
+            Ok((facts, found)) => {
+                let figures = pictures::vehicles(&found, &analysis::ground_plan(bridge, Some(&found)));
+                Ran::Made(facts, figures)
+            }
+        })
+    }
+
+    /// The file's named cases, with what an update found.
+    fn cases(&mut self, document: &Document) -> Result<Stage<CasesFacts>, Halt> {
+        if self.skipped(StageName::Cases) {
+            return Ok(self.not_asked("cases", "left out by --skip cases"));
+        }
+        if self.project.meaning().cases.is_empty() {
+            return Ok(self.not_asked("cases", "the file has no [[case]]"));
+        }
+        let project = self.project.reworded(document.text().into_bytes());
+        self.stage("cases", &document.text(), |watch| match crate::cases(&project, Choice::default(), watch) {
+            Err(refusal) => Ran::Failed(refusal.message),
+            Ok(found) if found.answers.iter().any(|one| one.collapse.status == Status::Cancelled) => Ran::Cancelled,
+            Ok(found) => {
+                let name = project.meaning().bridge.as_ref().map_or("", |bridge| &bridge.name);
+                Ran::Made(found.facts(), pictures::cases(name, &found))
+            }
         })
     }
 

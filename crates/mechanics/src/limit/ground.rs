@@ -195,9 +195,18 @@ impl<'a> Ground<'a> {
     /// What a joint carries under the permanent loads and so many times a load, if blocks were elastic, all of one modulus, and
     /// joints opened nowhere: compression varies in a straight line along each. None for joints of one point and where nothing is compressed.
     pub fn section(&self, effect: &Effect, factor: f64, joint: usize) -> Option<Section> {
+        self.section_under(joint, |k| factor * effect.elastic[k])
+    }
+
+    /// The same under the permanent loads alone.
+    pub fn resting_section(&self, joint: usize) -> Option<Section> {
+        self.section_under(joint, |_| 0.0)
+    }
+
+    fn section_under(&self, joint: usize, more: impl Fn(usize) -> f64) -> Option<Section> {
         let (resting, c) = (self.resting.as_ref()?, *self.equilibrium.first_column.get(joint)?);
         let of = &self.joints[joint];
-        let force = |k: usize| (resting[c + k] + factor * effect.elastic[c + k]) * self.equilibrium.force;
+        let force = |k: usize| (resting[c + k] + more(c + k)) * self.equilibrium.force;
         let [a, b] = [force(0), force(1)];
         let compression = a + b;
         (of.points.len() == 2 && compression > 0.0).then(|| Section {

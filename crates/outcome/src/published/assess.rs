@@ -5,6 +5,7 @@ use crate::assessment::Assessment;
 use crate::checked::{Checked, Comparison, governing};
 use crate::collapse::Collapse;
 use crate::condition::Condition;
+use crate::statics::Statics;
 
 /// The result of an assessment; its status is that of the command.
 pub fn assessment(a: &Assessment) -> Object {
@@ -38,12 +39,32 @@ pub fn assessment(a: &Assessment) -> Object {
             met: finding.met(),
         }),
         condition: list(&a.condition, judged),
+        statics?: a.statics.as_ref().map(statics),
         sensitivity?: facts.sensitivity.made(),
         service?: facts.service.made(),
         collapse?: facts.ultimate.made().and_then(|facts| of(&facts.collapse)),
         vehicles?: facts.vehicles.made(),
+        cases?: facts.cases.made(),
         support_movement?: facts.movement.made().and_then(|facts| of(&facts.collapse)),
         update?: facts.update.made().and_then(|facts| facts.update.as_deref()).map(update),
+    }
+}
+
+/// Weights and reactions at rest, per metre of width.
+fn statics(found: &Statics) -> Object {
+    object! {
+        dead_load_kn_per_m: 1e-3 * found.total(),
+        width_m: found.width,
+        weights: list(&found.weights, |one| object! { part: one.part, kn_per_m: 1e-3 * one.force, }),
+        reactions: list(&found.reactions, |one| object! {
+            place: one.place,
+            vertical_kn_per_m: 1e-3 * one.vertical,
+            thrust_kn_per_m: 1e-3 * one.horizontal,
+            eccentricity_m: one.eccentricity,
+            depth_m: one.depth,
+            pressure_mpa: one.pressure.map(|pressure| 1e-6 * pressure),
+        }),
+        assumptions: found.assumptions,
     }
 }
 

@@ -38,9 +38,9 @@ struct Arrangement<'a> {
 }
 
 impl Arrangement<'_> {
-    /// Width that carries a vehicle alone [m].
+    /// Width that carries a vehicle alone where the barrel is wide enough [m].
     fn alone(&self) -> f64 {
-        self.rule.effective_width(self.chosen.vehicle.wheel_track_m, self.depth, f64::INFINITY).min(self.barrel)
+        self.rule.effective_width(self.chosen.vehicle.wheel_track_m, self.depth, f64::INFINITY)
     }
 
     /// Share of a vehicle abreast in what the first one has, multiple presence aside.
@@ -75,7 +75,7 @@ impl Arrangement<'_> {
     /// Width over which a uniform load stands at the surface, where it has its own, and over which it has spread [m].
     fn of_uniform(&self, uniform: &rules::Uniform) -> (Option<f64>, f64) {
         match uniform.width_m {
-            Some(own) => (Some(own), (own + self.rule.dispersal.width_per_depth * self.depth).min(self.barrel)),
+            Some(own) => (Some(own), own + self.rule.dispersal.width_per_depth * self.depth),
             None => (None, self.alone()),
         }
     }
@@ -151,6 +151,9 @@ impl Arrangement<'_> {
         }
         let factor = self.factor(count);
         let left = self.carried(alone, count, at_edge) * factor;
+        if self.together(alone, count) - if at_edge { self.lost() } else { 0.0 } > self.barrel * (1.0 + 1e-9) {
+            told += &format!("; the barrel has {:.2} m", self.barrel);
+        }
         if (factor - 1.0).abs() > 1e-12 {
             told += &format!("; {left:.2} m carry {factor:.3} times the first vehicle: {:.2} m for it", left / factor);
         }

@@ -1,0 +1,196 @@
+//! What a bridge weighs, part by part, and what it hands to the ground at rest.
+
+use super::{AnalysisError, by_limit};
+use bridge::{Bridge, Method, Strip};
+use mechanics::ids::{BlockId, Table};
+use mechanics::limit::{Ground, Section};
+use outcome::statics::{Reaction, Statics, Weight};
+use structure::discretise::{Discretised, Origin};
+
+/// Weights and reactions of the strip between the walls, without its loads.
+///
+/// # Errors
+/// A bridge that cannot be cut into blocks.
+pub fn statics(bridge: &Bridge) -> Result<Statics, AnalysisError> {
+    let own = super::by_weight_alone(bridge).unwrap_or_else(|| bridge.clone());
+    let mut own = Bridge { loads: Vec::new(), particles: None, ..own };
+    (own.plan.method, own.plan.strip) = (Method::Limit, Strip::Fill);
+    own.cover.layers.iter_mut().for_each(|layer| layer.particles = false);
+    let d = by_limit::prepared(&own)?;
+    let ground = Ground::new(&d.model, &d.loading, &by_limit::settings(&own))?;
+    Ok(Statics {
+        width: bridge.width,
+        weights: weights(&own, &d),
+        reactions: reactions(&own, &d, &ground),
+        assumptions: assumptions(&own),
+    })
+}
+
+/// The parts in which weights are told.
+fn part(bridge: &Bridge, origin: Origin) -> String {
+    match origin {
+        Origin::Voussoir { span, .. } if bridge.spans.len() == 1 && span == 0 => "rings".to_owned(),
+        Origin::Voussoir { span, .. } => format!("span {}, rings", span + 1),
+        Origin::Pier { support, .. } => format!("pier {support}"),
+        Origin::Backing { .. } => "backing".to_owned(),
+        Origin::Abutment { support: 0 } => "left abutment".to_owned(),
+        Origin::Abutment { .. } => "right abutment".to_owned(),
+        other => other.name(),
+    }
+}
+
+/// Masonry by its parts, then what lies on each of them. What lies on the fixed blocks does not load the bridge.
+fn weights(bridge: &Bridge, d: &Discretised) -> Vec<Weight> {
+    let mut masonry: Vec<Weight> = Vec::new();
+    let mut cover: Vec<Weight> = Vec::new();
+    let add = |list: &mut Vec<Weight>, part: String, force: f64| match list.iter_mut().find(|one| one.part == part) {
+        Some(one) => one.force += force,
+        None => list.push(Weight { part, force }),
+    };
+    let fixed = fixed(d);
+    for (id, block) in d.model.blocks.pairs().filter(|(id, _)| !fixed[*id]) {
+        add(&mut masonry, format!("{}: masonry", part(bridge, d.origins[id])), -block.mass() * d.model.gravity.y);
+    }
+    for force in d.loading.permanent.iter().filter(|force| !fixed[force.block]) {
+        add(&mut cover, format!("{}: cover above", part(bridge, d.origins[force.block])), -force.force.y);
+    }
+    masonry.extend(cover);
+    masonry
+}
+
+fn fixed(d: &Discretised) -> Table<BlockId, bool> {
+    d.model.blocks.iter().map(|block| block.held.is_fixed()).collect()
+}
+
+/// Springings of every span, all rings together, and feet of piers.
+fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<Reaction> {
+    struct Sum {
+        reaction: Reaction,
+        joints: usize,
+        compression: f64,
+    }
+    let mut found: Vec<Sum> = Vec::new();
+    for (joint, i) in ground.interfaces().iter().enumerate() {
+        let (below, above) = (d.origins[i.first], d.origins[i.second]);
+        let rests = |origin: Origin| {
+            matches!(origin, Origin::Abutment { .. } | Origin::Foundation { .. } | Origin::Pier { .. })
+        };
+        let (place, side, flip) = match (below, above) {
+            (carrier, Origin::Voussoir { span, voussoir, .. }) if rests(carrier) => {
+                (springing(bridge, span, voussoir), voussoir, false)
+            }
+            (Origin::Voussoir { span, voussoir, .. }, carrier) if rests(carrier) => {
+                (springing(bridge, span, voussoir), voussoir, true)
+            }
+            (Origin::Foundation { support }, Origin::Pier { .. }) => (format!("foot of pier {support}"), 1, false),
+            (Origin::Pier { .. }, Origin::Foundation { support }) => (format!("foot of pier {support}"), 1, true),
+            _ => continue,
+        };
+        let Some(Section { compression, shear, eccentricity }) = ground.resting_section(joint) else { continue };
+        let on_second = i.normal * compression + i.normal.left() * shear;
+        // Force on what stands on the joint.
+        let force = if flip { on_second * -1.0 } else { on_second };
+        // Outwards from the span: at its left springing what carries it is pushed to the left.
+        let outwards = if side == 0 { force.x } else { -force.x };
+        let depth = match (i.points.first(), i.points.last()) {
+            (Some(a), Some(b)) => (*b - *a).norm(),
+            _ => 0.0,
+        };
+        let wanted = depth - 2.0 * eccentricity.abs();
+        let reaction = Reaction {
+            place,
+            vertical: force.y,
+            horizontal: outwards,
+            eccentricity: Some(eccentricity),
+            depth: Some(depth),
+            pressure: (wanted > 0.0).then(|| compression / wanted),
+        };
+        match found.iter_mut().find(|sum| sum.reaction.place == reaction.place) {
+            Some(sum) => {
+                sum.reaction.vertical += reaction.vertical;
+                sum.reaction.horizontal += reaction.horizontal;
+                (sum.joints, sum.compression) = (sum.joints + 1, sum.compression + compression);
+            }
+            None => found.push(Sum { reaction, joints: 1, compression }),
+        }
+    }
+    let told = found.into_iter().map(|sum| match sum.joints {
+        1 => sum.reaction,
+        _ => Reaction { eccentricity: None, depth: None, pressure: None, ..sum.reaction },
+    });
+    told.collect()
+}
+
+fn springing(bridge: &Bridge, span: usize, voussoir: usize) -> String {
+    let side = if voussoir == 0 { "left springing" } else { "right springing" };
+    if bridge.spans.len() == 1 { side.to_owned() } else { format!("span {}, {side}", span + 1) }
+}
+
+fn assumptions(bridge: &Bridge) -> Vec<String> {
+    let mut list = vec![
+        "Weights and reactions are those of one metre of the barrel between its spandrel walls, without factors and without loads; totals are \
+         these times the width of the barrel."
+            .to_owned(),
+        "Reactions at rest are those of elastic blocks on rigid supports whose joints open nowhere: one of many states in which the bridge \
+         stands. A support that gives, or a centring that was struck late, changes thrust and eccentricity, the vertical sum stays."
+            .to_owned(),
+    ];
+    if bridge.spandrel_wall.is_some() {
+        list.push("Spandrel walls stand on the edges of the barrel and are not among these weights.".to_owned());
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    /// What the ground carries is what the bridge weighs, and nothing pushes it sideways.
+    #[test]
+    fn reactions_carry_the_weights() {
+        let one = samples::bridgemill().spans[0].clone();
+        let mut twin = samples::spans(vec![one.clone(), one], 2.5, 3.0, 4.0, 5);
+        twin.cover.layers = vec![samples::fill(0.4, 1800.0)];
+        for bridge in [samples::bridgemill(), samples::case_two(), twin] {
+            let found = statics(&bridge).unwrap();
+            let on_ground: Vec<&Reaction> = found
+                .reactions
+                .iter()
+                .filter(|one| one.place.contains("foot") || !is_on_pier(&bridge, &one.place))
+                .collect();
+            let carried: f64 = on_ground.iter().map(|one| one.vertical).sum();
+            assert!((carried / found.total() - 1.0).abs() < 1e-6, "{carried} {}", found.total());
+            let sideways: f64 = on_ground
+                .iter()
+                .map(|one| if one.place.contains("left") { -one.horizontal } else { one.horizontal })
+                .sum();
+            assert!(sideways.abs() < 1e-6 * carried, "{sideways}");
+            assert!(found.reactions.iter().all(|one| one.vertical > 0.0), "{found:?}");
+            let springing = &found.reactions[0];
+            assert!(springing.horizontal > 0.0, "an arch pushes outwards: {springing:?}");
+        }
+    }
+
+    fn is_on_pier(bridge: &Bridge, place: &str) -> bool {
+        let last = format!("span {}, right springing", bridge.spans.len());
+        bridge.spans.len() > 1 && place != "span 1, left springing" && place != last
+    }
+
+    /// Half a circle of one ring without cover: weight of a ring is pi (r + t/2) t per metre and unit weight.
+    #[test]
+    fn a_ring_weighs_what_its_area_weighs() {
+        let mut b = samples::bridgemill();
+        b.cover.layers.clear();
+        b.spans[0].defects.clear();
+        let found = statics(&b).unwrap();
+        let (half, rise) = (0.5 * b.spans[0].span, b.spans[0].rise);
+        let radius = (half * half + rise * rise) / (2.0 * rise);
+        let angle = 2.0 * (half / radius).asin();
+        let t = b.spans[0].rings[0].crown_thickness;
+        let area = angle * (radius + 0.5 * t) * t;
+        let wanted = area * b.masonry.density * b.gravity;
+        // Voussoirs have straight faces: chords cut off a little of both circles alike.
+        assert!((found.total() / wanted - 1.0).abs() < 1e-3, "{} {wanted}", found.total());
+    }
+}

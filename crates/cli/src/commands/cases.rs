@@ -1,0 +1,147 @@
+//! `extrados cases`: the named cases of a bridge file, side by side.
+
+use super::{Desk, Source};
+use crate::args::Cases as Arguments;
+use crate::failure::Failure;
+use crate::folder;
+use crate::report::Report;
+use crate::results;
+use crate::status::Status;
+use crate::watcher::Spectator;
+use extrados::{CaseAnswer, Cases};
+use outcome::published;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Reads the file, makes every case, writes them side by side.
+pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
+    let source = Source::open(desk, &arguments.file)?;
+    let Some(bridge) = source.bridge() else { return Ok(source.report(Status::UnusableInput)) };
+    let choice = arguments.choice.of(bridge.width)?;
+    let out = arguments.out.clone().unwrap_or_else(|| folder::default_for(&arguments.file));
+    let folder = source.folder(&out, "cases")?;
+    let mut spectator = Spectator::new(desk.screen.quiet);
+    let found = extrados::cases(&source.project, choice, &mut spectator);
+    spectator.finish();
+    let found = found?;
+    let mut report = source.report(status(&found));
+    fields(&mut report, &found);
+    for warning in warnings(&found) {
+        report.warn(&mut desk.screen, warning.0, &warning.1);
+    }
+    let mut files: Vec<figures::File> = results::tables([("cases", table(&found))]).collect();
+    let mut draw = |name: &str, svg: &str| {
+        files.extend(figures::both(name, svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
+        Ok::<(), Failure>(())
+    };
+    let factors: Vec<(String, f64)> =
+        found.answers.iter().filter_map(|one| Some((one.name.clone(), one.factor()?))).collect();
+    if let Some(svg) = figures::case_factors(&bridge.name, &factors) {
+        draw("cases", &svg)?;
+    }
+    for (k, one) in found.answers.iter().enumerate() {
+        for (figure, svg) in figures::drawings(&one.collapse.picture) {
+            draw(&format!("case-{}/{figure}", k + 1), &svg)?;
+        }
+    }
+    report.summary = summary(&bridge.name, &found, folder.path());
+    results::publish(desk, report, &folder, &files)
+}
+
+/// That of the case that ended worst.
+fn status(found: &Cases) -> Status {
+    let ended = found.answers.iter().map(|one| results::status(one.collapse.status));
+    let worst = ended.max_by_key(|status| status.exit_code()).unwrap_or(Status::Completed);
+    if worst.exit_code() == 0 { Status::Completed } else { worst }
+}
+
+fn fields(report: &mut Report, found: &Cases) {
+    report.fields.insert("governing_case".into(), json!(found.governing().map(|one| &one.name)));
+    report.fields.insert("load_factor".into(), json!(found.governing().and_then(CaseAnswer::factor)));
+    report.fields.insert("load_factor_at_most".into(), json!(found.least().and_then(CaseAnswer::factor)));
+    let case = |one: &CaseAnswer| {
+        json!({
+            "name": one.name,
+            "acts": one.told,
+            "load_factor": one.factor(),
+            "result": Value::Object(published::collapse(&one.collapse)),
+        })
+    };
+    report.fields.insert("cases".into(), found.answers.iter().map(case).collect());
+}
+
+/// Warnings of all cases, each once, with the cases that it concerns.
+fn warnings(found: &Cases) -> Vec<(&'static str, String)> {
+    let mut all: Vec<(&'static str, String, Vec<&str>)> = Vec::new();
+    for one in &found.answers {
+        for warning in &one.collapse.warnings {
+            match all.iter_mut().find(|known| known.0 == warning.code && known.1 == warning.message) {
+                Some(known) => known.2.push(&one.name),
+                None => all.push((warning.code, warning.message.clone(), vec![&one.name])),
+            }
+        }
+    }
+    let every = found.answers.len();
+    all.into_iter()
+        .map(|(code, message, names)| match names.len() == every {
+            true => (code, message),
+            false => (code, format!("{}: {message}", names.join(", "))),
+        })
+        .collect()
+}
+
+/// Text of a cell: quoted where it has what divides cells.
+fn cell(text: &str) -> String {
+    let text = text.replace(['\n', '\r'], " ");
+    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}
+
+fn table(found: &Cases) -> String {
+    let mut table = "case,acts,status,load_factor,load_kn_per_m,reference_load_kn_per_m\n".to_owned();
+    let shown = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    for one in &found.answers {
+        let _ = writeln!(
+            table,
+            "{},{},{},{},{},{}",
+            cell(&one.name),
+            cell(&one.told),
+            one.collapse.status,
+            shown(one.factor()),
+            shown(one.collapse.carried().map(|load| 1e-3 * load)),
+            1e-3 * one.collapse.reference_load
+        );
+    }
+    table
+}
+
+fn summary(bridge: &str, found: &Cases, folder: &Path) -> String {
+    let mut page = match (found.governing().map(|one| (&one.name, one.factor())), found.least()) {
+        (Some((name, Some(factor))), _) => {
+            let word = if factor < 1.0 { "is not carried" } else { "is carried" };
+            format!("{bridge}: case \"{name}\" governs and {word}, load factor {factor:.3}\n")
+        }
+        (_, Some(least)) => {
+            let factor = least.factor().unwrap_or(0.0);
+            format!(
+                "{bridge}: not every case has an answer; the least factor is at most {factor:.3}, case \"{}\"\n",
+                least.name
+            )
+        }
+        _ => format!("{bridge}: no case has a load factor\n"),
+    };
+    let wide = found.answers.iter().map(|one| one.name.chars().count()).max().unwrap_or(0).clamp(4, 48);
+    let _ = writeln!(page, "\n  {:<wide$} {:>11} {:>12}  {:<22} acts", "case", "load factor", "load [kN/m]", "ended");
+    for one in &found.answers {
+        let factor = one.factor().map_or("-".to_owned(), |factor| format!("{factor:.3}"));
+        let load = one.collapse.carried().map_or("-".to_owned(), |load| format!("{:.2}", 1e-3 * load));
+        let ended = one.collapse.status.to_string();
+        let _ = writeln!(page, "  {:<wide$} {factor:>11} {load:>12}  {ended:<22} {}", one.name, one.told);
+    }
+    let _ = writeln!(
+        page,
+        "\nResults are in {}: a table, and the drawings of each case in a folder of its own",
+        folder.display()
+    );
+    page
+}

@@ -1,0 +1,139 @@
+//! Named cases of a bridge file, side by side.
+
+use crate::choice::Choice;
+use crate::collapse::{CollapseOptions, collapse};
+use crate::project::Project;
+use crate::refusal::Refusal;
+use crate::watch::Watch;
+use bridge::case::Case;
+use outcome::collapse::{Collapse, Status};
+use outcome::facts::{CaseFacts, CasesFacts};
+
+/// A case with its answer.
+#[derive(Debug, Clone)]
+pub struct CaseAnswer {
+    /// Its name.
+    pub name: String,
+    /// What acts, with which factors: "1.35 tandem, 1 crowd; fill 0.9".
+    pub told: String,
+    /// The analysis.
+    pub collapse: Collapse,
+}
+
+impl CaseAnswer {
+    /// What all loads of the case may be multiplied by, their own factors included; zero where the bridge does not stand. None where it
+    /// is not known, or no load makes a mechanism.
+    pub fn factor(&self) -> Option<f64> {
+        match self.collapse.status {
+            Status::UnstableUnderSelfWeight => Some(0.0),
+            _ => self.collapse.load_factor(),
+        }
+    }
+
+    /// Whether the analysis came to an end that says what is carried.
+    pub fn is_known(&self) -> bool {
+        self.factor().is_some() || self.collapse.status == Status::Locks
+    }
+}
+
+/// All cases of a file.
+#[derive(Debug, Clone)]
+pub struct Cases {
+    /// In the order of the file.
+    pub answers: Vec<CaseAnswer>,
+}
+
+impl Cases {
+    /// The case with the least factor; none where a case has no answer, which may be the least.
+    pub fn governing(&self) -> Option<&CaseAnswer> {
+        if self.answers.iter().any(|one| !one.is_known()) {
+            return None;
+        }
+        self.least()
+    }
+
+    /// For checks and reports.
+    pub(crate) fn facts(&self) -> CasesFacts {
+        let mut facts = CasesFacts::default();
+        for one in &self.answers {
+            facts.cases.push(CaseFacts {
+                name: one.name.clone(),
+                acts: one.told.clone(),
+                status: one.collapse.status,
+                method: one.collapse.method().word().to_owned(),
+                load_factor: one.factor(),
+            });
+            for warning in one
+                .collapse
+                .warnings
+                .iter()
+                .filter(|warning| !facts.warnings.contains(warning))
+                .cloned()
+                .collect::<Vec<_>>()
+            {
+                facts.warnings.push(warning);
+            }
+            for said in one
+                .collapse
+                .assumptions
+                .iter()
+                .filter(|said| !facts.assumptions.contains(said))
+                .cloned()
+                .collect::<Vec<_>>()
+            {
+                facts.assumptions.push(said);
+            }
+        }
+        facts
+    }
+
+    /// The least factor of those that are known.
+    pub fn least(&self) -> Option<&CaseAnswer> {
+        let known = self.answers.iter().filter_map(|one| Some((one, one.factor()?)));
+        known.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(one, _)| one)
+    }
+}
+
+/// Makes the analysis that the file plans for each of its cases.
+///
+/// # Errors
+/// A file that cannot be used or has no case (F108), or an analysis that cannot be set up, with the name of its case.
+pub fn cases(project: &Project, choice: Choice, watch: &mut dyn Watch) -> Result<Cases, Refusal> {
+    let all = &project.meaning().cases;
+    project.bridge()?;
+    if all.is_empty() {
+        let message = format!("{} has no [[case]]", project.name());
+        let help = "name the loads that act together with [[case]] and [[case.load]]: extrados schema, docs/input/reference.md";
+        return Err(Refusal::new("F108", message, help));
+    }
+    let projects = all.iter().map(|case| project.in_case(case)).collect::<Result<Vec<Project>, Refusal>>()?;
+    let mut answers = Vec::with_capacity(all.len());
+    for (case, own) in all.iter().zip(&projects) {
+        watch.begin(&format!("case {}", case.name));
+        let found = collapse(own, &CollapseOptions { choice, resume: None }, watch)
+            .map_err(|refusal| Refusal { message: format!("case {}: {}", case.name, refusal.message), ..refusal })?;
+        let stopped = found.status == Status::Cancelled;
+        answers.push(CaseAnswer { name: case.name.clone(), told: told(case, project), collapse: found });
+        if stopped {
+            break;
+        }
+    }
+    Ok(Cases { answers })
+}
+
+/// What acts in a case, in words.
+fn told(case: &Case, project: &Project) -> String {
+    let loads = project.meaning().bridge.as_ref().map_or(&[][..], |bridge| &bridge.loads);
+    let acting = case.loads.iter().filter_map(|(k, factor)| Some(format!("{factor} {}", loads.get(*k)?.name)));
+    let weights = [("masonry", case.masonry_weight), ("fill", case.fill_weight), ("surfacing", case.surfacing_weight)];
+    let weights =
+        weights.iter().filter(|(_, factor)| *factor != 1.0).map(|(name, factor)| format!("weight of {name} {factor}"));
+    let changes = case.changes.iter().map(|change| {
+        let value = match &change.spread {
+            bridge::vary::Spread::List(list) => list.join(", "),
+            bridge::vary::Spread::Range { .. } => String::new(),
+        };
+        format!("{} {}", change.quantity, value.trim_matches('"'))
+    });
+    acting.chain(weights).chain(changes).collect::<Vec<_>>().join("; ")
+}

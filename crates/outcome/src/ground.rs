@@ -1,0 +1,48 @@
+//! A bridge from above and cut across its crown: what its drawings in plan and in cross-section are made of.
+
+use serde::{Deserialize, Serialize};
+
+/// Plan and cross-section.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct GroundPlan {
+    /// Name of the bridge.
+    pub bridge: String,
+    /// Width of the barrel [m].
+    pub width: f64,
+    /// Spans from left to right.
+    pub spans: Vec<SpanInPlan>,
+    /// Longitudinal cracks, from one edge [m].
+    pub cracks: Vec<f64>,
+    /// Thickness of each ring at the crown of the first span, from the intrados [m].
+    pub rings: Vec<f64>,
+    /// Layers above that crown, from the extrados up: name and thickness [m].
+    pub layers: Vec<(String, f64)>,
+    /// Thickness of one of two spandrel walls [m]; none where the file has none.
+    pub wall: Option<f64>,
+    /// The governing vehicle and how it stands across, where vehicles were moved.
+    pub vehicle: Option<VehicleAcross>,
+}
+
+/// A span from above.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SpanInPlan {
+    /// Its springings along the road's axis [m].
+    pub from_to: [f64; 2],
+    /// Its skew [rad].
+    pub skew: f64,
+}
+
+/// A vehicle across the bridge.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct VehicleAcross {
+    /// Its code.
+    pub code: String,
+    /// Lines of wheels or rails, from the edge from which cracks are measured [m].
+    pub wheels: Vec<f64>,
+    /// The strip that carries it, where cracks divide the barrel [m].
+    pub strip: Option<[f64; 2]>,
+    /// Width of the barrel that carries an axle [m].
+    pub width: f64,
+    /// How that width was found.
+    pub derivation: String,
+}

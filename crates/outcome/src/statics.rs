@@ -1,0 +1,50 @@
+//! What a bridge weighs, and what its springings and piers hand to the ground under its own weight.
+
+use serde::{Deserialize, Serialize};
+
+/// Weights and reactions, per metre of the strip between the walls.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Statics {
+    /// Width of the barrel [m], for totals.
+    pub width: f64,
+    /// Weight of every part, in the order of the bridge.
+    pub weights: Vec<Weight>,
+    /// What springings and feet of piers carry at rest; empty where the blocks have no elastic state.
+    pub reactions: Vec<Reaction>,
+    /// What was assumed, in words.
+    pub assumptions: Vec<String>,
+}
+
+/// Weight of a part.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Weight {
+    /// What it is: "span 1, masonry of the rings".
+    pub part: String,
+    /// Per metre of width [N/m].
+    pub force: f64,
+}
+
+/// What a joint on the ground or on a pier carries.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Reaction {
+    /// Where: "span 1 left springing", "foot of pier 1".
+    pub place: String,
+    /// Upward force on what stands there, per metre of width [N/m].
+    pub vertical: f64,
+    /// Thrust on what carries it, outwards from the span at springings, to the right at feet of piers [N/m].
+    pub horizontal: f64,
+    /// Distance of the resultant from the middle of the joint [m]; none where several rings spring there.
+    pub eccentricity: Option<f64>,
+    /// Length of the joint [m]; none where several rings spring there.
+    pub depth: Option<f64>,
+    /// Pressure over the part of the joint that is centred on the resultant [Pa]: force over depth less twice the eccentricity
+    /// (Meyerhof 1953); none where several rings spring there, or the resultant lies outside.
+    pub pressure: Option<f64>,
+}
+
+impl Statics {
+    /// Weight of all parts per metre of width [N/m].
+    pub fn total(&self) -> f64 {
+        self.weights.iter().map(|weight| weight.force).sum()
+    }
+}

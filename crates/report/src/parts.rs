@@ -1,0 +1,372 @@
+//! Sections of a report that are words and tables alone: what identifies it, what is to be confirmed, what the bridge weighs, how widths
+//! were found, and the sheets to check and sign. Every typesetter sets them in one loop.
+
+use crate::numbers::{digits, percent};
+use crate::page::{Appendix, Photograph};
+use bridge::document::{Inspection, ReportDocument};
+use bridge::inputs::Input;
+use outcome::assessment::Assessment;
+use outcome::statics::{Reaction, Statics};
+
+/// A section: a title, words, and a table.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Part {
+    /// Name of its place on the page; none for a table that goes on with the section before it.
+    pub id: Option<&'static str>,
+    /// Its title.
+    pub title: &'static str,
+    /// What is said above the table.
+    pub words: Vec<String>,
+    /// Heads of its columns; a table without heads names its rows in the first column.
+    pub heads: Vec<&'static str>,
+    /// Which columns are numbers.
+    pub numbers: Vec<bool>,
+    /// Its rows.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Part {
+    fn new(id: Option<&'static str>, title: &'static str) -> Part {
+        Part { id, title, ..Part::default() }
+    }
+
+    /// Cells of a row with the heads of their columns, and whether they are numbers.
+    pub fn cells<'a>(&'a self, row: &'a [String]) -> Vec<(&'static str, bool, &'a str)> {
+        let head = |k: usize| self.heads.get(k).copied().unwrap_or("");
+        let cell =
+            |(k, cell): (usize, &'a String)| (head(k), self.numbers.get(k).copied().unwrap_or(false), cell.as_str());
+        row.iter().enumerate().map(cell).collect()
+    }
+
+    /// Heads with whether their columns are numbers.
+    pub fn columns(&self) -> Vec<(&'static str, bool)> {
+        self.heads.iter().enumerate().map(|(k, head)| (*head, self.numbers.get(k).copied().unwrap_or(false))).collect()
+    }
+}
+
+fn row<const N: usize>(cells: [&str; N]) -> Vec<String> {
+    cells.map(str::to_owned).to_vec()
+}
+
+/// What an empty field shows: room to write on.
+const BLANK: &str = "";
+
+/// Identification and revisions.
+pub fn control(document: &ReportDocument, bridge: &str, appendix: &Appendix) -> Vec<Part> {
+    let text = |value: &Option<String>| value.clone().unwrap_or_default();
+    let mut table = Part::new(Some("document"), "Document control");
+    table.rows = vec![
+        row(["structure", bridge]),
+        vec!["structure number".into(), text(&document.structure_number)],
+        vec!["route".into(), text(&document.route)],
+        vec!["location".into(), text(&document.location)],
+        vec!["owner".into(), text(&document.owner)],
+        vec!["purpose".into(), text(&document.purpose)],
+        vec!["document number".into(), text(&document.number)],
+        vec!["category of check".into(), text(&document.check_category)],
+        row(["computed", &appendix.day]),
+    ];
+    let mut signatures = Part::new(None, "Signatures");
+    signatures.heads = vec!["", "name", "signature", "date"];
+    signatures.rows =
+        [("prepared", &document.prepared_by), ("checked", &document.checked_by), ("approved", &document.approved_by)]
+            .map(|(what, name)| vec![what.to_owned(), text(name), BLANK.to_owned(), BLANK.to_owned()])
+            .to_vec();
+    let mut parts = vec![table, signatures];
+    if !document.revisions.is_empty() {
+        let mut revisions = Part::new(None, "Revisions");
+        revisions.heads = vec!["revision", "date", "what changed"];
+        revisions.rows = document
+            .revisions
+            .iter()
+            .map(|one| vec![one.revision.clone(), one.date.clone(), one.change.clone()])
+            .collect();
+        parts.push(revisions);
+    }
+    parts
+}
+
+/// Words by which remarks of a file say that a value was not measured.
+const UNSURE: [&str; 8] =
+    ["assum", "estimat", "typical", "unknown", "guess", "to be confirmed", "not measured", "as drawn"];
+
+/// What is to be confirmed on site: what the file asks, and every value whose remark says that it was not measured.
+pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -> Part {
+    let mut part = Part::new(Some("confirm"), "To be confirmed on site");
+    part.heads = vec!["what", "as assessed", "why", "found on site", "initials, date"];
+    let blank = || BLANK.to_owned();
+    for words in &document.confirm {
+        part.rows.push(vec![words.clone(), blank(), "asked for by the assessor".into(), blank(), blank()]);
+    }
+    for input in inputs {
+        let remark = input.remark.to_lowercase();
+        if UNSURE.iter().any(|word| remark.contains(word)) {
+            let name =
+                if input.section.is_empty() { input.key.clone() } else { format!("{}.{}", input.section, input.key) };
+            part.rows.push(vec![name, input.value.clone(), input.remark.clone(), blank(), blank()]);
+        }
+    }
+    for (stage, warning) in a.facts.warnings() {
+        if SITE.contains(&warning.code) {
+            part.rows.push(vec![
+                warning.message.clone(),
+                blank(),
+                format!("{}, {stage}", warning.code),
+                blank(),
+                blank(),
+            ]);
+        }
+    }
+    if part.rows.is_empty() {
+        part.heads.clear();
+        part.words.push("The file asks for nothing, and no remark of it calls a value assumed or estimated.".into());
+    } else {
+        part.words.push(
+            "What the assessor asks for, and every value whose remark in the file calls it assumed, estimated, typical or as drawn.".into(),
+        );
+    }
+    part
+}
+
+/// Warnings that a visit can settle.
+const SITE: [&str; 1] = [outcome::warning::ACROSS_ASSUMED];
+
+/// Findings of inspections; a photograph that was not read is named.
+pub fn inspections(list: &[Inspection], photographs: &[Photograph]) -> Option<Part> {
+    if list.is_empty() {
+        return None;
+    }
+    let mut part = Part::new(Some("inspection"), "Inspection findings");
+    part.heads = vec!["date", "part", "finding", "photograph"];
+    part.rows = list
+        .iter()
+        .map(|one| {
+            let shown = match &one.photograph {
+                None => "–".to_owned(),
+                Some(name) => match photographs.iter().find(|photo| photo.file == *name) {
+                    Some(Photograph { source: Ok(_), .. }) => name.clone(),
+                    Some(Photograph { source: Err(why), .. }) => format!("{name}: {why}"),
+                    None => format!("{name}: not read"),
+                },
+            };
+            vec![one.date.clone().unwrap_or_else(|| "–".into()), one.part.clone(), one.finding.clone(), shown]
+        })
+        .collect();
+    Some(part)
+}
+
+fn kilonewtons(value: f64) -> String {
+    digits(1e-3 * value)
+}
+
+/// Dead-load totals, and reactions at rest.
+pub fn statics(statics: &Statics) -> Vec<Part> {
+    let mut weights = Part::new(Some("statics"), "Dead loads and reactions at rest");
+    weights.words.clone_from(&statics.assumptions);
+    weights.heads = vec!["part", "per metre of width [kN/m]", "whole width [kN]"];
+    weights.numbers = vec![false, true, true];
+    let weight = |name: &str, force: f64| vec![name.to_owned(), kilonewtons(force), kilonewtons(force * statics.width)];
+    weights.rows = statics.weights.iter().map(|one| weight(&one.part, one.force)).collect();
+    weights.rows.push(weight("total", statics.total()));
+    let mut reactions = Part::new(None, "Springings and feet of piers at rest");
+    reactions.heads = vec![
+        "place",
+        "vertical [kN/m]",
+        "thrust [kN/m]",
+        "vertical, whole width [kN]",
+        "thrust, whole width [kN]",
+        "eccentricity [mm]",
+        "of the joint's depth [m]",
+        "pressure [MPa]",
+    ];
+    reactions.numbers = vec![false, true, true, true, true, true, true, true];
+    reactions.words.push(
+        "Thrust is positive outwards from the span, at feet of piers to the right. Pressure is that of the part of the joint that is centred \
+         on the resultant (depth less twice the eccentricity)."
+            .into(),
+    );
+    reactions.rows = statics.reactions.iter().map(|one| reaction(one, statics.width)).collect();
+    if reactions.rows.is_empty() { vec![weights] } else { vec![weights, reactions] }
+}
+
+fn reaction(one: &Reaction, width: f64) -> Vec<String> {
+    let maybe = |value: Option<f64>, scale: f64| value.map_or_else(|| "–".to_owned(), |value| digits(scale * value));
+    vec![
+        one.place.clone(),
+        kilonewtons(one.vertical),
+        kilonewtons(one.horizontal),
+        kilonewtons(one.vertical * width),
+        kilonewtons(one.horizontal * width),
+        maybe(one.eccentricity, 1e3),
+        maybe(one.depth, 1.0),
+        maybe(one.pressure, 1e-6),
+    ]
+}
+
+/// Named cases side by side.
+pub fn cases(a: &Assessment) -> Option<Part> {
+    let facts = a.facts.cases.made()?;
+    let mut part = Part::new(Some("cases"), "Named cases");
+    part.words.push(
+        "What all loads of a case may be multiplied by, where they stand, with its own factors on loads and weights."
+            .into(),
+    );
+    part.heads = vec!["case", "factor", "ended", "method", "acts"];
+    part.numbers = vec![false, true, false, false, false];
+    part.rows = facts
+        .cases
+        .iter()
+        .map(|one| {
+            let factor = one.load_factor.map_or_else(|| "–".to_owned(), digits);
+            vec![one.name.clone(), factor, one.status.to_string(), one.method.clone(), one.acts.clone()]
+        })
+        .collect();
+    Some(part)
+}
+
+/// How the width that carries each vehicle was found, and what springings and feet of piers carry under the governing one.
+pub fn vehicles(a: &Assessment) -> Vec<Part> {
+    let Some(facts) = a.facts.vehicles.made() else { return Vec::new() };
+    let mut widths = Part::new(Some("widths"), "Effective widths");
+    widths.heads = vec!["vehicles", "stand", "width that carries an axle [m]", "found as"];
+    widths.numbers = vec![false, false, true, false];
+    for one in &facts.vehicles {
+        let told = [one.stands.clone(), digits(one.effective_width_m), one.effective_width_derivation.clone()];
+        match widths.rows.iter_mut().find(|row| row[1..] == told) {
+            Some(row) => row[0] += &format!(", {}", one.code),
+            None => widths.rows.push([vec![one.code.clone()], told.to_vec()].concat()),
+        }
+    }
+    let mut thrusts = Part::new(None, "Largest thrusts under the governing vehicle");
+    thrusts.words.push(
+        "Of elastic blocks whose joints open nowhere, with the rule's factors on loads and weights, each with the values that go with it. A \
+         resultant outside its joint means that joints open there before."
+            .into(),
+    );
+    thrusts.heads = vec!["joint", "thrust [kN/m]", "shear [kN/m]", "eccentricity [mm]", "depth [m]", "resultant"];
+    thrusts.numbers = vec![false, true, true, true, true, false];
+    let governing = facts.governing.as_ref().and_then(|code| facts.vehicles.iter().find(|one| one.code == *code));
+    thrusts.rows = governing
+        .into_iter()
+        .flat_map(|one| &one.thrusts)
+        .map(|one| {
+            let place = if one.outside { "outside the joint" } else { "in the joint" };
+            let numbers = [one.thrust_kn_per_m, one.shear_kn_per_m, 1e3 * one.eccentricity_m, one.depth_m].map(digits);
+            [vec![one.place.clone()], numbers.to_vec(), vec![place.to_owned()]].concat()
+        })
+        .collect();
+    [widths, thrusts].into_iter().filter(|part| !part.rows.is_empty()).collect()
+}
+
+/// Items for whoever checks this assessment, each with what it says and room for another number.
+pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&Statics>) -> Part {
+    let mut part = Part::new(Some("check-sheet"), "Check sheet");
+    let category =
+        document.check_category.as_deref().map_or(String::new(), |category| format!(" Category of check: {category}."));
+    part.words.push(format!(
+        "For the checker: what this assessment says, and room for the number found independently, by hand or by another method.{category}"
+    ));
+    part.heads = vec!["no.", "item", "this assessment", "independent value", "method", "initials, date"];
+    let mut items: Vec<(String, String)> = vec![
+        ("dimensions and materials against survey and tests (Inputs)".into(), "all values of the file".into()),
+        ("drawing against the site (The bridge as drawn)".into(), "figures".into()),
+    ];
+    if let Some(statics) = statics {
+        items.push((
+            "dead load, by hand from areas and densities".into(),
+            format!("{} kN/m", kilonewtons(statics.total())),
+        ));
+        let up: f64 = statics.reactions.iter().filter(|one| on_ground(one, statics)).map(|one| one.vertical).sum();
+        if up > 0.0 {
+            items.push((
+                "sum of vertical reactions on the ground = dead load".into(),
+                format!("{} kN/m", kilonewtons(up)),
+            ));
+        }
+    }
+    if let Some(facts) = a.facts.vehicles.made() {
+        items.push(("rule, factors and their sources".into(), facts.rule.clone()));
+        let governing = facts.governing.as_ref().and_then(|code| facts.vehicles.iter().find(|one| one.code == *code));
+        if let Some(one) = governing {
+            items.push((format!("axle loads and distances of {}", one.code), one.title.clone()));
+            items.push((
+                format!("effective width of {}", one.code),
+                format!("{} m: {}", digits(one.effective_width_m), one.effective_width_derivation),
+            ));
+            let factor = one.adequacy.map_or_else(|| "not known".to_owned(), digits);
+            items.push((
+                format!("least adequacy factor, {}", one.code),
+                format!("{factor}, first axle at {} m", crate::numbers::maybe(one.position_m)),
+            ));
+        }
+    }
+    if let Some(facts) = a.facts.ultimate.made() {
+        let factor = facts.load_factor.map_or_else(|| "not known".to_owned(), digits);
+        items.push(("factor on the loads of the file at collapse".into(), factor));
+    }
+    for check in &a.checked {
+        let worst = check.outcome.iter().flatten().map(|one| one.utilisation).fold(f64::NEG_INFINITY, f64::max);
+        if worst.is_finite() {
+            items.push((format!("{} {}", check.code, check.title), format!("{} of the limit", percent(worst))));
+        }
+    }
+    let warnings: Vec<&str> = a.facts.warnings().map(|(_, warning)| warning.code).collect();
+    let mut codes: Vec<&str> = Vec::new();
+    warnings.into_iter().for_each(|code| {
+        if !codes.contains(&code) {
+            codes.push(code)
+        }
+    });
+    items.push((
+        "each warning considered, and answered in writing".into(),
+        if codes.is_empty() { "none".into() } else { codes.join(", ") },
+    ));
+    items.push(("assumptions agreed with the owner (Assumptions)".into(), "list".into()));
+    items.push(("verdict".into(), a.verdict.headline.word().to_owned()));
+    part.rows = items
+        .into_iter()
+        .enumerate()
+        .map(|(k, (item, value))| vec![(k + 1).to_string(), item, value, BLANK.into(), BLANK.into(), BLANK.into()])
+        .collect();
+    part
+}
+
+/// Whether a reaction is one of the ground: outer springings and feet of piers.
+fn on_ground(one: &Reaction, statics: &Statics) -> bool {
+    let spans = statics.reactions.iter().filter(|one| one.place.contains("springing")).count() / 2;
+    let last = format!("span {spans}, right springing");
+    one.place.starts_with("foot") || spans <= 1 || one.place == "span 1, left springing" || one.place == last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blank_fields_are_there_to_write_on() {
+        let parts = control(&ReportDocument::default(), "Bridge", &Appendix::default());
+        assert_eq!(parts.len(), 2, "no revisions");
+        assert_eq!(parts[0].rows[1], ["structure number", ""]);
+        assert_eq!(parts[1].rows[2], ["approved", "", "", ""]);
+    }
+
+    #[test]
+    fn a_photograph_is_shown_or_named() {
+        let one = |file: &str| Inspection {
+            date: None,
+            part: "barrel".into(),
+            finding: "crack".into(),
+            photograph: Some(file.into()),
+        };
+        let list = [one("a.png"), one("b.gif"), one("c.jpg")];
+        let photographs = [
+            Photograph::new("a.png", "barrel: crack", b"\x89PNG\r\n"),
+            Photograph::new("b.gif", "barrel: crack", b"GIF89a"),
+        ];
+        assert_eq!(photographs[0].source.as_deref(), Ok("data:image/png;base64,iVBORw0K"));
+        let rows = inspections(&list, &photographs).unwrap().rows;
+        let shown: Vec<&str> = rows.iter().map(|row| row[3].as_str()).collect();
+        assert_eq!(shown, ["a.png", "b.gif: neither JPEG nor PNG", "c.jpg: not read"]);
+        assert!(inspections(&[], &photographs).is_none());
+    }
+}
