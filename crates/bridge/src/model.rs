@@ -499,6 +499,8 @@ pub struct SweepPlan {
     pub subsets: bool,
     /// Whether loads spread by the file's [dispersal] in place of the rule's.
     pub own_dispersal: bool,
+    /// Force along the bridge as a share of each axle and uniform load, to the right and to the left: braking and traction.
+    pub braking: f64,
     /// Whether the governing case is made by discrete elements too.
     pub discrete_elements: bool,
     /// Names and texts of the files, the rule's first; empty until somebody reads them.
@@ -556,6 +558,8 @@ pub struct Load {
     pub position: f64,
     /// The block that brings it onto the surface, where there is one.
     pub block: Option<LoadingBlock>,
+    /// Force along the bridge as a share of the load, to the right positive: braking, traction, wind along the road.
+    pub horizontal: f64,
 }
 
 /// A rigid block of the load's length that stands on the surface, held against rotation and sideways movement.

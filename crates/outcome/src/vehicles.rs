@@ -36,6 +36,9 @@ pub struct Case {
     pub weights: Weights,
     /// From where to where uniform loads stand [m].
     pub uniform: Option<[f64; 2]>,
+    /// Force along the bridge as a share of all loads, to the right positive: braking or traction.
+    #[serde(default)]
+    pub horizontal: f64,
     /// Sum of the loads with their factors on the effective width [N/m].
     pub load: f64,
 }

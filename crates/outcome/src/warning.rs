@@ -293,9 +293,9 @@ findings::cards! {
     /// Horizontal forces of vehicles.
     NO_LONGITUDINAL = "A184", "braking and traction are left out",
         "Braking and traction apply horizontal forces: on railways up to a quarter of the axle loads. Track and fill \
-         carry much of this to the ground; the rest acts on piers and slender rings. No analysis here applies \
-         horizontal forces of vehicles, and a file cannot describe a horizontal load. Check tall piers and short spans \
-         by hand.";
+         carry much of this to the ground; the rest acts on piers and slender rings. This result applies none. Write \
+         braking in [sweep], a share of all loads that is tried to the right and to the left, or horizontal in a [[load]]; \
+         what rule of yours asks for it, and how much, is for the assessor.";
     /// No ultimate check under sourced factors.
     STRENGTH_OPEN = "A190", "strength was not assessed",
         "The ladder of verdicts, from its lowest rung: inadequate, a limit is not met (exit code 1); undetermined, an \

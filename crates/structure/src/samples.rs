@@ -47,6 +47,7 @@ pub fn bridgemill() -> Bridge {
             kind: LoadKind::KnifeEdge { force: 1e3, length: 0.750 },
             position: 4.575,
             block: None,
+            horizontal: 0.0,
         }],
         dispersal: Dispersal { rule: DispersalRule::InverseDepth, slope: 2.0 },
         plan: Plan {

@@ -20,6 +20,10 @@ pub const NO_BOUND: &str = "Where joints slide without dilation the load is the 
 pub const OUT_OF_PLANE: &str = "A plane model does not include spandrel walls that lean or slide outwards, cracks \
                                 along the barrel, or edges that separate from it.";
 
+/// Where forces along the bridge act.
+pub const ALONG: &str = "Forces along the bridge act at the surface and are shared out as the vertical load disperses; all of them reach the \
+                         rings or the ground right below, none the ground before and behind.";
+
 /// Adds what concerns this analysis of a bridge.
 pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     let soil = c.limit().is_some_and(|l| l.continuum.is_some());
@@ -30,6 +34,9 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.push(SUPPORTS_HOLD.into());
     c.assumptions.push(OUT_OF_PLANE.into());
     c.assumptions.extend(cracks(bridge));
+    if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
+        c.assumptions.push(ALONG.into());
+    }
     c.warnings.extend(skew(bridge));
     if c.limit().is_some_and(|l| l.friction == FlowRule::NonAssociated) {
         c.assumptions.push(NO_BOUND.into());

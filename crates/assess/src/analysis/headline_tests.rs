@@ -149,6 +149,7 @@ fn two_rings(vehicles: &[&str]) -> Bridge {
         directions: Directions::Right,
         subsets: false,
         own_dispersal: false,
+        braking: 0.0,
         discrete_elements: false,
         texts: Vec::new(),
     });
@@ -214,7 +215,7 @@ fn the_worst_position_is_sought_between_the_positions_until_every_axle_has_cross
     assert!((coarse_least / fine_least - 1.0).abs() < 2e-3, "{coarse_least} {fine_least}");
     // Both quarters are reached by the heavy axle, whichever side of the first load it stands.
     let places: Vec<f64> = coarse.points.iter().map(|p| p.position).collect();
-    let offset = structure::discretise::dispersal::strips(&b.loads[0].kind, 0.0)[1].middle;
+    let offset = structure::discretise::dispersal::strips(&b.loads[0], -b.loads[0].position)[1].middle;
     let reached = |x: f64| places.iter().any(|p| p + offset <= x) && places.iter().any(|p| p + offset >= x);
     assert!(reached(0.01) && reached(18.29), "{places:?} {offset}");
     assert!(places.windows(2).all(|pair| pair[0] <= pair[1]));

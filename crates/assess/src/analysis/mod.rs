@@ -196,6 +196,8 @@ mod defect_tests;
 #[cfg(test)]
 mod headline_tests;
 #[cfg(test)]
+mod horizontal_tests;
+#[cfg(test)]
 mod path_many_tests;
 #[cfg(test)]
 mod path_tests;

@@ -39,7 +39,7 @@ impl Places {
                 (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect()
             }
             Places::Every(step) => {
-                let all = bridge.loads.iter().flat_map(|load| dispersal::strips(&load.kind, load.position));
+                let all = bridge.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
                 let ahead: Vec<f64> = all.map(|strip| strip.middle - first).collect();
                 let most = ahead.iter().copied().fold(0.0, f64::max);
                 let least = ahead.iter().copied().fold(0.0, f64::min);
@@ -169,7 +169,7 @@ impl Scene<'_> {
     fn row(&self, position: f64) -> Row {
         let offset = position - self.first;
         let spreads: Vec<_> = (self.bridge.loads.iter())
-            .flat_map(|load| dispersal::strips(&load.kind, load.position + offset))
+            .flat_map(|load| dispersal::strips(load, offset))
             .map(|strip| self.d.spread(self.bridge, strip))
             .collect();
         let n = spreads.len();

@@ -163,7 +163,15 @@ fn swept(one: &Swept) -> SweptFacts {
         let beside = uniform.map_or(String::new(), |[from, to]| {
             format!(", uniform load from {from:.2} to {to:.2}\u{a0}m").replace('-', "\u{2212}")
         });
-        let which = format!("travelling to the {}{arrangement}{critical}{beside}", case.direction.word());
+        let along = match case.horizontal {
+            0.0 => String::new(),
+            share => format!(
+                ", {:.0}\u{a0}% of the loads along the bridge to the {}",
+                100.0 * share.abs(),
+                if share > 0.0 { "right" } else { "left" }
+            ),
+        };
+        let which = format!("travelling to the {}{arrangement}{critical}{beside}{along}", case.direction.word());
         format!("{axles}, {which}; {}", case.weights.told())
     });
     let fallen =

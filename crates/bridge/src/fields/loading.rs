@@ -79,6 +79,15 @@ pub(super) static LOAD: Section = Section {
         .optional("given by `at`"),
         Field::new("at", Kind::Share, "middle of the strip or first axle, as a share of a span", "1/4 of span 1")
             .optional("given by `position`"),
+        Field::new(
+            "horizontal",
+            Kind::Number,
+            "force along the bridge as a share of the load, to the right positive: braking, traction",
+            "0.25",
+        )
+        .at_least(-2.0)
+        .at_most(2.0)
+        .default("0"),
         Field::new("through", Kind::Word(Bearer::WORDS), "how a knife edge reaches the bridge", "block")
             .only("kind", &["knife-edge"])
             .default(Bearer::Cover.word()),
@@ -176,8 +185,15 @@ fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mu
         // Its absence has been reported.
         Bearer::Block => Some(LoadingBlock { weight: block_weight?? }),
     };
+    let horizontal: Option<At<f64>> = table.read("horizontal", findings);
+    if let Some(At { value, .. }) = horizontal
+        && value != 0.0
+        && block.is_some()
+    {
+        table.exclude("horizontal", "`through = \"block\"`, a block that is held sideways", findings);
+    }
     let name = name?.unwrap_or_else(|| shape.map_or("", Shape::word).to_owned());
-    let load = Load { name, kind: kind?, position: position?, block };
+    let load = Load { name, kind: kind?, position: position?, block, horizontal: horizontal?.value };
     if let Some(layout) = layout {
         check_place(table, &load, layout, findings);
     }

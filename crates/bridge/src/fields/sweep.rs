@@ -25,6 +25,15 @@ pub(super) static SWEEP: Section = Section {
           directions, every group of neighbouring axles, with the factors of a rule on loads and weights. Vehicles and \
           rules of the library are listed in docs/theory/load-rules.md.",
     fields: &[
+        Field::new(
+            "braking",
+            Kind::Number,
+            "braking and traction: force along the bridge as a share of every axle and uniform load, tried to the right, to the left and not at all",
+            "0.25",
+        )
+        .at_least(0.0)
+        .at_most(1.0)
+        .default("0"),
         Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454").optional(
             "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
         ),
@@ -173,7 +182,8 @@ pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepP
             rule_file,
             step,
             directions,
-            subsets;
+            subsets,
+            braking;
             rule: rule?.unwrap_or_else(|| USUAL_RULE.to_owned()),
             vehicles: vehicles?,
             vehicle_files: vehicle_files?,

@@ -136,7 +136,7 @@ fn sweeps_and_fill_pressure_are_read_as_written() {
     let bridge = good(VIADUCT);
     let (sweep, fill) = (bridge.sweep.unwrap(), bridge.fill_pressure.unwrap());
     assert_eq!((sweep.rule.as_str(), &sweep.vehicles[..]), ("cs-454", &["hb-45".to_owned(), "crane".to_owned()][..]));
-    assert_eq!((sweep.step, sweep.directions), (Some(0.25), bridge::Directions::Left));
+    assert_eq!((sweep.step, sweep.directions, sweep.braking), (Some(0.25), bridge::Directions::Left, 0.25));
     assert!(!sweep.subsets && sweep.own_dispersal && sweep.discrete_elements);
     assert!(fill.applies && fill.least == bridge::LeastPressure::Active);
     assert!((fill.friction_angle.to_degrees() - 32.0).abs() < 1e-9 && fill.cohesion == 2e3 && fill.mobilisation == 0.4);
@@ -197,6 +197,7 @@ fn cases_are_read_as_written() {
     );
     assert_eq!(second.changes[0].quantity, "joint.friction_angle");
     let bridge = read.bridge.unwrap();
+    assert_eq!((bridge.loads[0].horizontal, bridge.loads[1].horizontal), (0.0, -0.1));
     let put = first.put(&bridge);
     assert_eq!((put.loads.len(), put.cover.layers[0].density), (1, 0.9 * 1800.0));
     let bridge::LoadKind::Axles { axles, .. } = &put.loads[0].kind else { panic!() };

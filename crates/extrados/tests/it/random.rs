@@ -2,12 +2,13 @@
 
 use extrados::bridge::fields::{FILE, Field, Kind, Section};
 use extrados::{
-    Choice, CollapseOptions, Memory, Progress, Project, RespondOptions, SweepOptions, Watch, Wish, collapse, respond,
-    sweep,
+    Choice, CollapseOptions, Memory, Progress, Project, RespondOptions, SweepOptions, Watch, Wish, cases, collapse,
+    respond, sweep,
 };
 
 /// Files that can be used, with the keys that describe an old bridge.
-const BASES: [&str; 6] = [
+const BASES: [&str; 7] = [
+    include_str!("../../../bridge/tests/it/files/cases.toml"),
     include_str!("../../../bridge/tests/it/files/tiny.toml"),
     include_str!("../../../bridge/tests/it/files/road.toml"),
     include_str!("../../../bridge/tests/it/files/defects.toml"),
@@ -86,7 +87,11 @@ fn changed(text: &str, dice: &mut Dice) -> String {
 }
 
 /// Tables that say something of an old bridge.
-const TABLES: [&str; 10] = [
+const TABLES: [&str; 14] = [
+    "case",
+    "span",
+    "sweep",
+    "document",
     "defect",
     "road",
     "backing",
@@ -169,6 +174,7 @@ fn files_changed_at_random_are_analysed_or_refused_with_place_and_remedy() {
         }
         let options = SweepOptions { step: Some(1.0), ..SweepOptions::default() };
         told(sweep(&project, &options, &mut Short(60)).map(drop));
+        told(cases(&project, Choice::default(), &mut Short(40)).map(drop));
         told(respond(&project, &RespondOptions::default(), &mut Short(20)).map(drop));
     }
     assert!(analysed > count() / 4 && refused > count() / 10, "{analysed} {not_set_up} {refused}");

@@ -124,6 +124,7 @@ fn case(c: &Case) -> Object {
         last_axle: c.axles.map(|a| a[1] + 1),
         critical_axle?: c.critical_axle.map(|a| a + 1),
         uniform_load_m?: c.uniform,
+        horizontal_share: c.horizontal,
         load_kn_per_m: kilo(c.load),
         weight_factors: weights(&c.weights),
     }

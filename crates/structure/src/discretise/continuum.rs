@@ -139,7 +139,7 @@ pub fn wanted(bridge: &Bridge) -> Option<&ContinuumPlan> {
 
 /// The loads of the file as strips on the surface.
 pub fn loads(bridge: &Bridge) -> Vec<Strip> {
-    bridge.loads.iter().flat_map(|load| strips(&load.kind, load.position)).collect()
+    bridge.loads.iter().flat_map(|load| strips(load, 0.0)).collect()
 }
 
 /// The continuum of a bridge that was cut into blocks; none where it has none.
@@ -147,6 +147,9 @@ pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>
     let Some(plan) = wanted(bridge) else { return Ok(None) };
     if bridge.cover.road.is_some() {
         return Err(DiscretiseError::RoadNotLevel { what: "fill as a continuum" });
+    }
+    if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
+        return Err(DiscretiseError::Horizontal { what: "fill as a continuum" });
     }
     let soils: Vec<&Layer> = bridge.cover.layers.iter().take_while(|layer| layer.continuum).collect();
     let crown = discretised.extrados.crown();

@@ -2,7 +2,7 @@
 
 use super::cover::{Resultant, Surface};
 use super::extrados::Extrados;
-use bridge::{Dispersal, DispersalRule, LoadKind};
+use bridge::{Dispersal, DispersalRule, Load, LoadKind};
 use mechanics::blocks::PointForce;
 use mechanics::plane::{Vec2, vec2};
 use std::f64::consts::PI;
@@ -16,18 +16,21 @@ pub struct Strip {
     pub length: f64,
     /// Force per metre of width [N/m], downwards positive.
     pub force: f64,
+    /// Force along the bridge as a share of it, to the right positive; it acts at the surface.
+    pub horizontal: f64,
     /// Whether it is a pressure that follows the ground; else a body stands on it, as stiff as a wheel or a beam.
     pub is_pressure: bool,
 }
 
-/// The strips of a load; axles in the order of the file.
-pub fn strips(kind: &LoadKind, position: f64) -> Vec<Strip> {
-    match kind {
+/// The strips of a load so far from its own place [m]; axles in the order of the file.
+pub fn strips(load: &Load, offset: f64) -> Vec<Strip> {
+    let (position, horizontal) = (load.position + offset, load.horizontal);
+    match &load.kind {
         LoadKind::KnifeEdge { force, length } => {
-            vec![Strip { middle: position, length: *length, force: *force, is_pressure: false }]
+            vec![Strip { middle: position, length: *length, force: *force, horizontal, is_pressure: false }]
         }
         LoadKind::Patch { pressure, length } => {
-            vec![Strip { middle: position, length: *length, force: pressure * length, is_pressure: true }]
+            vec![Strip { middle: position, length: *length, force: pressure * length, horizontal, is_pressure: true }]
         }
         LoadKind::Axles { axles, contact_length, effective_width } => axles
             .iter()
@@ -35,9 +38,22 @@ pub fn strips(kind: &LoadKind, position: f64) -> Vec<Strip> {
                 middle: position - behind,
                 length: *contact_length,
                 force: force / effective_width,
+                horizontal,
                 is_pressure: false,
             })
             .collect(),
+    }
+}
+
+impl Strip {
+    /// Adds what acts along the bridge to the vertical forces of its parts: at the surface, with its lever.
+    pub(super) fn pull(&self, forces: &mut [PointForce], surface: &Surface) {
+        if self.horizontal != 0.0 {
+            for one in forces {
+                one.at.y = surface.at(one.at.x);
+                one.force.x -= self.horizontal * one.force.y;
+            }
+        }
     }
 }
 
@@ -88,7 +104,9 @@ pub fn spread(strip: Strip, rule: Dispersal, surface: &Surface, extrados: &Extra
             }
         }
     };
-    gather(strip, ends, depths, shape, surface.at(strip.middle), extrados)
+    let mut found = gather(strip, ends, depths, shape, surface.at(strip.middle), extrados);
+    strip.pull(&mut found.forces, surface);
+    found
 }
 
 /// Fall of an extrados per unit of x beyond which it is a haunch: lines at the slope would run down along it.

@@ -18,7 +18,7 @@ pub mod wall;
 
 use bridge::defect::{Defect, DefectKind, Face};
 use bridge::ring::Misfit;
-use bridge::{Bridge, Load, Span, SpandrelWall, Strip as Width};
+use bridge::{Bridge, Span, SpandrelWall, Strip as Width};
 use cover::Surface;
 use curve::Curve;
 use dispersal::{Spread, Strip};
@@ -248,6 +248,11 @@ pub enum DiscretiseError {
         x: f64,
         /// Its length along the bridge [m].
         length: f64,
+    },
+    #[error("a load acts along the bridge, and {what} knows vertical loads only: leave out `horizontal` and `braking`")]
+    Horizontal {
+        /// What knows vertical loads only.
+        what: &'static str,
     },
     #[error(
         "the road is not level, and {what} knows none but a level one: leave out [road] and give the lowest layer its least thickness, or \
@@ -575,8 +580,9 @@ impl<'a> Build<'a> {
         surface: &Surface,
     ) -> Result<(Vec<Spread>, f64), DiscretiseError> {
         let (mut spreads, mut weight) = (Vec::new(), 0.0);
-        for (index, Load { kind, position, block, .. }) in self.bridge.loads.iter().enumerate() {
-            for strip in dispersal::strips(kind, *position) {
+        for (index, load) in self.bridge.loads.iter().enumerate() {
+            let block = &load.block;
+            for strip in dispersal::strips(load, 0.0) {
                 let stands = Stands::of(self.bridge, region);
                 spreads.push(match (block, road, stands) {
                     (Some(block), Some(road), Some(stands)) => {

@@ -121,6 +121,7 @@ fn axles_that_share_a_voussoir_add() {
         kind: LoadKind::Axles { axles: vec![(100e3, 0.0), (100e3, 0.2)], contact_length: 0.3, effective_width: 4.0 },
         position: 6.0,
         block: None,
+        horizontal: 0.0,
     }];
     let d = discretise(&b).unwrap();
     assert_eq!(d.spreads.len(), 2);

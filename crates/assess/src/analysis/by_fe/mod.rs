@@ -37,6 +37,9 @@ const SOFT: f64 = 10.0;
 /// Raises the loads of the file in steps until the ring finds no balance.
 pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     require_stiffness(bridge)?;
+    if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
+        return Err(structure::discretise::DiscretiseError::Horizontal { what: "a ring of finite elements" }.into());
+    }
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
     if d.loading.variable.is_empty() {

@@ -184,7 +184,7 @@ fn point(weight: SweepPoint, runs: &[Run]) -> SweepPoint {
 /// The loads of the file at a position.
 fn strips(scene: &Scene<'_>, position: f64) -> Vec<Strip> {
     let offset = position - scene.first;
-    scene.bridge.loads.iter().flat_map(|load| dispersal::strips(&load.kind, load.position + offset)).collect()
+    scene.bridge.loads.iter().flat_map(|load| dispersal::strips(load, offset)).collect()
 }
 
 #[cfg(test)]

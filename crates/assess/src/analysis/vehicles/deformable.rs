@@ -218,6 +218,7 @@ impl<'a> Moving<'a> {
     /// What governs for rigid blocks at a point, and all that may stand there.
     fn likely(&self, vehicle: usize, point: &EnvelopePoint) -> Vec<Case> {
         let governs = Case {
+            horizontal: self.plan.braking,
             position: point.position,
             direction: point.direction,
             arrangement: point.arrangement.clone(),
@@ -245,7 +246,7 @@ impl<'a> Moving<'a> {
         let sign = if case.direction == Direction::Right { 1.0 } else { -1.0 };
         let reaches = |k: &usize| {
             let middle = case.position - sign * pattern.axles[*k].offset;
-            let strip = Strip { middle, length: foot.length, force: 1.0, is_pressure: false };
+            let strip = Strip { middle, length: foot.length, force: 1.0, horizontal: 0.0, is_pressure: false };
             !dispersal::spread(strip, foot.dispersal, &self.built[0].surface, &self.built[0].extrados).forces.is_empty()
         };
         let axles = case.axles.and_then(|[first, last]| {
@@ -281,7 +282,7 @@ impl<'a> Moving<'a> {
     fn forces(&self, vehicle: usize, weights: usize, case: &Case) -> (Vec<PointForce>, f64) {
         let own = &self.bridges[weights];
         let loaded = factored::with_case(own, self.plan, self.rule, &self.vehicles[vehicle], case);
-        let strips = loaded.loads.iter().flat_map(|load| dispersal::strips(&load.kind, load.position));
+        let strips = loaded.loads.iter().flat_map(|load| dispersal::strips(load, 0.0));
         let (mut forces, mut total) = (Vec::new(), 0.0);
         for strip in strips {
             total += strip.force;

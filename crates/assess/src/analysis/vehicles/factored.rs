@@ -64,6 +64,8 @@ pub struct Footprint {
     pub spans: Vec<OfSpan>,
     /// Further factor on the critical axle.
     pub critical: f64,
+    /// Force along the bridge as a share of every load, to the right positive.
+    pub horizontal: f64,
 }
 
 impl Footprint {
@@ -136,6 +138,7 @@ pub fn footprint(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
         across: across::worst(bridge, rule, chosen),
         spans,
         critical,
+        horizontal: plan.braking,
     }
 }
 
@@ -160,6 +163,7 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
                 },
                 position,
                 block: None,
+                horizontal: case.horizontal,
             });
         }
     }
@@ -170,6 +174,7 @@ pub fn with_case(bridge: &Bridge, plan: &SweepPlan, rule: &Rule, chosen: &Chosen
                 kind: LoadKind::Patch { pressure, length: b_ - a },
                 position: 0.5 * (a + b_),
                 block: None,
+                horizontal: case.horizontal,
             });
         }
     }

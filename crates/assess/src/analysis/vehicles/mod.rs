@@ -7,6 +7,7 @@
 //! discrete elements.
 
 mod across;
+mod braking;
 mod cases;
 mod continuum;
 mod cracked;
@@ -42,9 +43,36 @@ use outcome::sweep::Ended;
 use outcome::vehicles::{Swept, VehicleSweep};
 use outcome::warning::{self, Warning};
 use rules::{Acting, Confidence, Rule, Source};
+use structure::discretise::DiscretiseError;
 
-/// Moves the vehicles of the bridge's plan over it. Where the onlooker wishes to stop, what is done by then is returned.
+/// Moves the vehicles of the bridge's plan over it: as they stand, and where the plan has braking also with that share of their loads
+/// along the bridge, to the right and to the left. The least factor of each vehicle counts. Where the onlooker wishes to stop, what is done
+/// by then is returned.
 pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
+    let share = bridge.sweep.as_ref().map_or(0.0, |plan| plan.braking);
+    if share == 0.0 {
+        return moved(bridge, watch);
+    }
+    if bridge.plan.method != Method::Path && continuum::is_wanted(bridge) {
+        return Err(DiscretiseError::Horizontal { what: "fill as a continuum" }.into());
+    }
+    let mut own = bridge.clone();
+    let mut runs = Vec::new();
+    for (k, sign) in [0.0, 1.0, -1.0].into_iter().enumerate() {
+        own.sweep.iter_mut().for_each(|plan| plan.braking = sign * share);
+        let part = &mut Portion::new(watch, [k as f64 / 3.0, (k + 1) as f64 / 3.0]);
+        let run = moved(&own, part)?;
+        let stopped = run.status() == Ended::Cancelled;
+        runs.push(run);
+        if stopped {
+            break;
+        }
+    }
+    Ok(braking::worst(share, runs))
+}
+
+/// Moves vehicles with one share of their loads along the bridge.
+fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, AnalysisError> {
     let plan = bridge.sweep.as_ref().ok_or(AnalysisError::Missing {
         what: "[sweep]",
         why: "it says which vehicles are moved, and by which rule",

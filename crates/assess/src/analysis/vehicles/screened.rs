@@ -44,6 +44,7 @@ fn drawn(seed: u64) -> Bridge {
         directions: Directions::Right,
         subsets: true,
         own_dispersal: false,
+        braking: 0.0,
         discrete_elements: false,
         texts: Vec::new(),
     });

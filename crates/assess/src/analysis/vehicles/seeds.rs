@@ -18,7 +18,8 @@ pub fn seeds(bridge: &Bridge, d: &Discretised, ground: &Ground, foot: &Footprint
     for (k, span) in bridge.spans.iter().enumerate() {
         for place in 0..=SEEDS {
             let middle = left + span.span * place as f64 / SEEDS as f64;
-            let strip = Strip { middle, length: foot.length, force: 1e3, is_pressure: false };
+            let strip =
+                Strip { middle, length: foot.length, force: 1e3, horizontal: foot.horizontal, is_pressure: false };
             let spread = spread(strip, foot.dispersal, &d.surface, &d.extrados);
             if !spread.forces.is_empty() && pace.goes_on() {
                 let effect = sweeper.effect(&spread.forces);

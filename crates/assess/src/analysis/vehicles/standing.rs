@@ -65,6 +65,7 @@ impl Scene<'_> {
                 middle,
                 length: foot.length,
                 force: axle.force * foot.axle_at(middle) / foot.across.axles,
+                horizontal: foot.horizontal,
                 is_pressure: false,
             };
             if let Some(effect) = self.effect(sweeper, foot, strip) {
@@ -146,6 +147,7 @@ impl Scene<'_> {
                 middle: 0.5 * (from + to),
                 length: to - from,
                 force: pressure * (to - from),
+                horizontal: foot.horizontal,
                 is_pressure: true,
             };
             if let Some(effect) = self.effect(sweeper, foot, strip) {
@@ -173,6 +175,7 @@ impl Scene<'_> {
             critical_axle: None,
             uniform: None,
             weights: self.weights[0],
+            horizontal: self.feet[drive.vehicle].horizontal,
             load: 0.0,
         }
     }

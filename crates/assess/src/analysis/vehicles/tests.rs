@@ -18,6 +18,7 @@ pub(crate) fn plan(vehicles: &[&str]) -> SweepPlan {
         directions: Directions::Both,
         subsets: true,
         own_dispersal: false,
+        braking: 0.0,
         discrete_elements: false,
         texts: Vec::new(),
     }

@@ -15,7 +15,15 @@ pub fn case(swept: &Swept, case: &Case, loaded: &Bridge) -> String {
     let mut parts = vec![format!("{}{factor}, {way}", swept.title)];
     parts.extend(case.axles.map(|[first, last]| axles(first, last, &loaded.loads)));
     parts.extend(case.uniform.map(|[from, to]| format!("uniform load from {from:.2} m to {to:.2} m")));
+    parts.extend(along(case.horizontal));
     format!("{}. Positions are measured from the left springing of the first span.", parts.join("; "))
+}
+
+/// Braking or traction of a case, in words.
+pub fn along(horizontal: f64) -> Option<String> {
+    let way = if horizontal > 0.0 { "right" } else { "left" };
+    (horizontal != 0.0)
+        .then(|| format!("{:.0} % of the loads act along the bridge, to the {way}", 100.0 * horizontal.abs()))
 }
 
 /// "axles 2 to 5 of it on the bridge, at 8.39, 6.87, 5.34 and 3.82 m".

@@ -346,7 +346,8 @@ fn strength_is_reduced_and_the_interface_with_it() {
 fn strips_add_up_and_what_stands_beside_the_fill_is_counted() {
     let b = semicircle();
     let (d, e, _) = made(&b);
-    let strip = |middle: f64, length: f64, force: f64| Strip { middle, length, force, is_pressure: false };
+    let strip =
+        |middle: f64, length: f64, force: f64| Strip { middle, length, force, horizontal: 0.0, is_pressure: false };
     let strength = Strength::of(&e.plan);
     let force = |loaded: &LoadedEarth| down(&loaded.loading.variable);
     let over = [strip(1.0, 0.5, 10e3), strip(1.2, 0.5, 20e3), strip(1.45 + 3e-4, 0.5, 30e3)];
@@ -492,6 +493,7 @@ fn a_pressure_follows_the_ground_and_presses_on_plates() {
     b.loads = samples::bridgemill().loads;
     let (d, e, _) = made(&b);
     let strip = |from: f64, to: f64, force: f64, is_pressure: bool| Strip {
+        horizontal: 0.0,
         middle: 0.5 * (from + to),
         length: to - from,
         force,

@@ -19,7 +19,8 @@ pub fn on_bricks(strip: Strip, bricks: Option<usize>, road: &Extrados, surface: 
     nearest.sort_by(|a, b| (middle(a) - strip.middle).abs().total_cmp(&(middle(b) - strip.middle).abs()));
     nearest.truncate(count);
     nearest.sort_by(|a, b| a.left.x.total_cmp(&b.left.x));
-    let Some(forces) = shares(strip, &nearest) else { return by_length };
+    let Some(mut forces) = shares(strip, &nearest) else { return by_length };
+    strip.pull(&mut forces, surface);
     Spread { forces, ..by_length }
 }
 
@@ -65,7 +66,7 @@ mod tests {
     fn bricks_carry_the_whole_load_where_it_stands() {
         for count in [None, Some(1), Some(2), Some(3), Some(5)] {
             for middle in [4.2, 4.575, 4.79, 5.1] {
-                let strip = Strip { middle, length: 0.75, force: 1e3, is_pressure: false };
+                let strip = Strip { middle, length: 0.75, force: 1e3, horizontal: 0.0, is_pressure: false };
                 let s = on_bricks(strip, count, &road(), &Surface::level(1.0));
                 let down: f64 = s.forces.iter().map(|f| -f.force.y).sum();
                 let moment: f64 = s.forces.iter().map(|f| -f.force.y * f.at.x).sum();
@@ -81,7 +82,7 @@ mod tests {
     #[test]
     fn two_bricks_beside_a_head_joint_carry_half_each() {
         let s = on_bricks(
-            Strip { middle: 4.8, length: 0.75, force: 1e3, is_pressure: false },
+            Strip { middle: 4.8, length: 0.75, force: 1e3, horizontal: 0.0, is_pressure: false },
             Some(2),
             &road(),
             &Surface::level(1.0),
