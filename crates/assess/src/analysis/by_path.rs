@@ -26,7 +26,11 @@ const BEYOND: f64 = 1.5;
 const MOST_PICTURES: usize = 24;
 
 /// Follows the balanced states of the bridge from its own weight to its largest load.
-pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+pub fn collapse_by_path(
+    bridge: &Bridge,
+    resume: Option<&[u64]>,
+    watch: &mut dyn Watch,
+) -> Result<Collapse, AnalysisError> {
     let taken = stiffened::note(bridge);
     let bridge = &stiffened::stiffened(bridge);
     if bridge.particles.is_some() && structure::discretise::fill::wanted(bridge).is_some() {
@@ -47,7 +51,7 @@ pub fn collapse_by_path(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collap
     };
     let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
     let settings = path::Settings::new(contact_length(&bridge.plan, contact));
-    let outcome = path::collapse(&d.model, &d.loading, (&settings, &program), watch)?;
+    let outcome = path::collapse(&d.model, &d.loading, (&settings, &program), resume, watch)?;
     let mut c = report(bridge, &d, (&settings, contact), &outcome);
     c.load_step = Some(d.load(program.increment));
     c.limit_load = rigid.factor.map(|factor| d.load(factor));

@@ -181,7 +181,7 @@ fn methods_that_know_no_continuum_say_so() {
     b.joint.normal_stiffness = Some(bridge::JointStiffness::Contact(1e10));
     b.joint.shear_stiffness = Some(bridge::JointStiffness::Contact(5e9));
     let says = |c: &Collapse| c.assumptions.iter().any(|a| a.contains("takes it as weight"));
-    assert!(says(&collapse_by_path(&b, &mut Unwatched).unwrap()));
+    assert!(says(&collapse_by_path(&b, None, &mut Unwatched).unwrap()));
     assert!(says(&thickness(&b, &mut Unwatched).unwrap()));
     assert!(!says(&collapse(&b, None, &mut Unwatched).unwrap()));
 }

@@ -176,7 +176,7 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         (Analysis::Load, Method::Fe) | (Analysis::Thickness, _) if has_defects => Err(AnalysisError::KnowsNoDefects),
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge, watch),
         (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),
-        (Analysis::Load, Method::Path) => collapse_by_path(bridge, watch),
+        (Analysis::Load, Method::Path) => collapse_by_path(bridge, resume, watch),
         (Analysis::Load, Method::Dem) => match fill::wanted(bridge) {
             Some(particles) => filled::collapse_filled(bridge, particles, resume, watch),
             None => collapse_by_dem(bridge, resume, watch),

@@ -78,7 +78,7 @@ fn followed(bridge: &Bridge, points: bool) -> (Discretised, Outcome) {
     };
     let weight = d.model.free_weight() / d.reference_load;
     let program = Program { increment: 0.01 * weight, limit: 20.0 * weight, watched: d.watched };
-    let found = collapse(&d.model, &d.loading, (&Settings::new(contact), &program), &mut Unwatched).unwrap();
+    let found = collapse(&d.model, &d.loading, (&Settings::new(contact), &program), None, &mut Unwatched).unwrap();
     (d, found)
 }
 

@@ -45,7 +45,7 @@ fn gives(bridge: &Bridge) -> bool {
 
 /// The loads where they stand, by the method that gives less.
 fn alone(own: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    if gives(own) { analysis::collapse_by_path(own, watch) } else { analysis::collapse_by_limit(own, watch) }
+    if gives(own) { analysis::collapse_by_path(own, None, watch) } else { analysis::collapse_by_limit(own, watch) }
 }
 
 /// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.

@@ -120,7 +120,7 @@ fn path(bridge: &Bridge) -> Result<Found, AnalysisError> {
     let settings = path::Settings::new(ContactLength::Distributed);
     let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
     let program = path::Program { increment: step, limit: 100.0 * step, watched: d.watched };
-    let found = path::collapse(&d.model, &d.loading, (&settings, &program), &mut Unwatched)?;
+    let found = path::collapse(&d.model, &d.loading, (&settings, &program), None, &mut Unwatched)?;
     Ok(Found {
         blocks: d.model.blocks.len(),
         iterations: u64::from(found.iterations),

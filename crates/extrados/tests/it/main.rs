@@ -260,6 +260,42 @@ fn who_looks_on_can_stop_a_run_and_take_it_up() {
     assert_eq!(resumed.last_stable_load.map(f64::to_bits), whole.last_stable_load.map(f64::to_bits));
 }
 
+/// Stops at a look of its number, counted from the first state that was offered.
+struct Later {
+    looks: u32,
+    state: Option<Vec<u64>>,
+}
+
+impl Watch for Later {
+    fn look(&mut self, _: &Progress) -> Wish {
+        if self.state.is_none() {
+            return Wish::GoOn;
+        }
+        self.looks = self.looks.saturating_sub(1);
+        if self.looks == 0 { Wish::Stop } else { Wish::GoOn }
+    }
+
+    fn keep(&mut self, state: &dyn Fn() -> Vec<u64>) {
+        self.state = Some(state());
+    }
+}
+
+#[test]
+fn a_path_is_stopped_and_taken_up_at_any_of_its_states() {
+    let project = project("case-1.toml");
+    let choice = Choice { method: Some(extrados::bridge::Method::Path), ..Choice::default() };
+    let run = |resume, watch: &mut dyn Watch| {
+        collapse(&project, &CollapseOptions { choice, resume }, watch).expect("an analysis")
+    };
+    let whole = format!("{:?}", run(None, &mut Unwatched));
+    for looks in [1, 5, 20, 45] {
+        let mut later = Later { looks, state: None };
+        assert_eq!(run(None, &mut later).status, Status::Cancelled, "{looks} looks");
+        let resumed = run(later.state, &mut Unwatched);
+        assert!(format!("{resumed:?}") == whole, "stopped after {looks} looks");
+    }
+}
+
 #[test]
 fn finished_runs_of_a_study_are_taken_from_the_shelf() {
     let project = project("tiny.toml");

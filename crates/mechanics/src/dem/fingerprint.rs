@@ -5,25 +5,11 @@ use super::settings::{Damping, Program, Settings};
 use crate::acting::Resultant;
 use crate::blocks::Stiffness;
 use crate::contact::ContactLength;
+use crate::digest::Digest;
 use crate::ids::{GroupId, Id};
 use crate::plane::Vec2;
 
-/// A 64-bit digest of words, sensitive to every bit and to their order. No protection against intent.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Digest(u64);
-
 impl Digest {
-    pub fn new() -> Digest {
-        Digest(0xCBF2_9CE4_8422_2325)
-    }
-    pub fn word(&mut self, word: u64) {
-        // Each round is invertible, so that one changed word always changes the digest.
-        let mixed = (self.0 ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        self.0 = (mixed ^ (mixed >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    }
-    pub fn value(self) -> u64 {
-        self.0 ^ (self.0 >> 32)
-    }
     fn number(&mut self, x: f64) {
         self.word(x.to_bits());
     }
@@ -45,13 +31,6 @@ impl Digest {
         self.number(a);
         self.number(b);
     }
-}
-
-/// Digest of `words`.
-pub(super) fn checksum(words: &[u64]) -> u64 {
-    let mut digest = Digest::new();
-    words.iter().for_each(|&w| digest.word(w));
-    digest.value()
 }
 
 /// Digest of all that a run depends on besides its state.

@@ -15,12 +15,12 @@ pub(super) struct Joint {
     pub first: usize,
     pub second: usize,
     /// Ends of the face relative to the centres of the two blocks, as built [m].
-    on_first: [Vec2; 2],
-    on_second: [Vec2; 2],
+    pub(super) on_first: [Vec2; 2],
+    pub(super) on_second: [Vec2; 2],
     /// Unit normal from the first to the second block, as built.
     pub normal: Vec2,
     /// Whether the blocks touch in one point alone.
-    pin: bool,
+    pub(super) pin: bool,
     pub resistance: Resistance,
 }
 

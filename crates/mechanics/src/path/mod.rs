@@ -22,6 +22,7 @@ mod stand;
 mod sweep;
 mod system;
 mod trace;
+mod words;
 
 pub use outcome::{Cause, EndState, Frame, JointState, Outcome, PathPoint, Status};
 pub use settings::{Program, Settings};

@@ -10,7 +10,6 @@ use super::correct::{Balanced, norm};
 use super::model::Model;
 use super::settings::Settings;
 use super::system::{State, Workspace, advance, assemble, commit, scale};
-use crate::watch::{Progress, Watch, Wish};
 
 /// Most corrections of a fall that another one may stand for, and of one that nothing else does: rings that begin to slide do so
 /// slowly. The most of one step.
@@ -50,8 +49,6 @@ pub(super) enum Fall {
     Falls(State),
     /// Unknown: no step was found, or they were too many.
     Lost,
-    /// The onlooker stopped it.
-    Stopped,
 }
 
 /// Joints that are closed, as built: what dashpots are in proportion to.
@@ -62,50 +59,61 @@ pub(super) fn dashpots(model: &Model, settings: &Settings) -> Banded {
     work.tangent
 }
 
-/// Lets the blocks of a state go, for as many corrections as are granted; with those that it took.
-pub(super) fn fall(
-    model: &Model,
-    settings: &Settings,
-    dashpots: &Banded,
-    (from, granted): (&State, u32),
-    (work, watch): (&mut Workspace, &mut dyn Watch),
-) -> (Fall, u32) {
-    let mut state = from.clone();
-    let (mut drag, mut corrections) = (FIRST, 0);
-    while corrections < granted {
-        let stage = format!("balance lost at load factor {:.4}", state.factor);
-        if watch.look(&Progress { stage, fraction: None, steps: u64::from(corrections) }) == Wish::Stop {
-            return (Fall::Stopped, corrections);
+/// Blocks that were let go: where from, where they are, and what their next step is resisted by.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Falling {
+    pub from: State,
+    pub state: State,
+    pub drag: f64,
+    /// Corrections so far, and the most of them.
+    pub corrections: u32,
+    pub granted: u32,
+}
+
+impl Falling {
+    /// Lets the blocks of a state go, for as many corrections as are granted.
+    pub fn new(from: State, granted: u32) -> Falling {
+        Falling { state: from.clone(), from, drag: FIRST, corrections: 0, granted }
+    }
+
+    /// One step; how the fall ends, where it does.
+    pub fn go_on(
+        &mut self,
+        model: &Model,
+        settings: &Settings,
+        dashpots: &Banded,
+        work: &mut Workspace,
+    ) -> Option<Fall> {
+        if self.corrections >= self.granted {
+            return Some(Fall::Lost);
         }
-        assemble(model, settings, &state, work);
-        let acting = scale(model, state.factor);
+        assemble(model, settings, &self.state, work);
+        let acting = scale(model, self.state.factor);
         let largest = work.largest();
         let balanced = largest <= model.rounding.max(settings.tolerance * acting);
         // A balanced state that needs a drag is left again.
         if balanced && work.tangent.factorise() && work.tangent.sign > 0 {
-            let found = Balanced { iterations: corrections, residual: largest / acting };
-            return (Fall::Rests(state, found), corrections);
+            let found = Balanced { iterations: self.corrections, residual: largest / acting };
+            return Some(Fall::Rests(self.state.clone(), found));
         }
         loop {
-            let (next, took) = dragged(model, settings, (dashpots, drag), &state, work);
-            corrections += took;
+            let (next, took) = dragged(model, settings, (dashpots, self.drag), &self.state, work);
+            self.corrections += took;
             if let Some(next) = next {
-                state = next;
+                self.state = next;
                 // The least drag that keeps the motion from running away within a step.
-                drag = (drag * if took <= QUICK { 0.1 } else { 0.5 }).max(LEAST);
+                self.drag = (self.drag * if took <= QUICK { 0.1 } else { 0.5 }).max(LEAST);
                 break;
             }
-            if drag > MOST || corrections >= granted {
-                return (Fall::Lost, corrections);
+            if self.drag > MOST || self.corrections >= self.granted {
+                return Some(Fall::Lost);
             }
-            drag = (4.0 * drag).max(1e-6);
+            self.drag = (4.0 * self.drag).max(1e-6);
         }
         // A comparison that a number which is not one fails.
-        if !(farthest(&state, from) <= settings.fallen * model.size) {
-            return (Fall::Falls(state), corrections);
-        }
+        let stays = farthest(&self.state, &self.from) <= settings.fallen * model.size;
+        (!stays).then(|| Fall::Falls(self.state.clone()))
     }
-    (Fall::Lost, corrections)
 }
 
 /// How far the block has moved that moved farthest [m].

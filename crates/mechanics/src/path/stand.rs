@@ -1,88 +1,103 @@
 //! The first state of a path: the blocks under their own weight.
+//!
+//! Joints without tension are alike at every load, so no small load would make it easier to find: instead they are pressed
+//! together until they are as good as glued, and are let go by degrees. Where that loses its way, or finds a state that does
+//! not stay, the blocks are let fall from there, and from where they were built: what comes to rest stands.
 
-use super::correct::{Balanced, Constraint, balance};
-use super::relax::{Fall, PATIENT};
+use super::correct::{Constraint, balance};
+use super::relax::{Fall, Falling, PATIENT};
 use super::system::{State, advance, assemble, commit, respond};
-use super::trace::Path;
-use crate::watch::{Progress, Watch, Wish};
-
-/// Whether the blocks stand under their own weight.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Standing {
-    Balanced(Balanced),
-    Falls,
-    Lost,
-    Stopped,
-}
+use super::trace::{End, Next, Path, Stage};
 
 /// Overlap by which joints are as good as glued, and overlap that is as good as none, as shares of the largest one of glued
 /// joints.
 const GLUED: f64 = 10.0;
 const LET_GO: f64 = 1e-3;
 
-impl Path<'_> {
-    /// The first state under self-weight. Joints without tension are alike at every load, so no small load would make it
-    /// easier to find: instead they are pressed together until they are as good as glued, and are let go by degrees. Where
-    /// that loses its way, or finds a state that does not stay, the blocks are let fall from there, and from where they were
-    /// built: what comes to rest stands.
-    pub fn stand(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
-        let built = state.clone();
-        match self.let_go(state, watch) {
-            Standing::Falls => {}
-            end => return end,
-        }
-        state.pressed = 0.0;
-        let mut ends = Vec::new();
-        for start in [state.clone(), built] {
-            match self.fall(&start, PATIENT, watch) {
-                Fall::Rests(found, balanced) => {
-                    *state = found;
-                    return Standing::Balanced(balanced);
-                }
-                Fall::Stopped => return Standing::Stopped,
-                end => ends.push(end),
-            }
-        }
-        if ends.iter().all(|end| matches!(end, Fall::Falls(_))) { Standing::Falls } else { Standing::Lost }
-    }
+/// Joints that are let go by degrees.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct LetGo {
+    /// Overlap by which they are pressed together in the present state [m], and the share of it that the next one keeps.
+    pub pressed: f64,
+    pub share: f64,
+    /// Largest overlap of glued joints [m].
+    pub widest: f64,
+}
 
-    /// From joints that are as good as glued to those that are; falls where no next state is found.
-    fn let_go(&mut self, state: &mut State, watch: &mut dyn Watch) -> Standing {
-        let mut glued = state.clone();
+/// Blocks that fall under their own weight.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Settle {
+    /// Whether the blocks fell for good from where their joints had been let go; none while they are on their way from there.
+    pub fell_before: Option<bool>,
+    pub falling: Falling,
+}
+
+impl Path<'_> {
+    /// Glues the joints of the blocks as built.
+    pub fn glue(&mut self) -> Stage {
+        let mut glued = self.state.clone();
         // As built, sides neither overlap nor gape but for rounding: any overlap makes them closed.
-        state.pressed = self.model.size;
-        assemble(self.model, self.settings, state, &mut self.work);
+        self.state.pressed = self.model.size;
+        assemble(self.model, self.settings, &self.state, &mut self.work);
         if !self.work.tangent.factorise() {
-            return Standing::Falls;
+            return self.settle();
         }
         let mut change = self.work.unbalanced.clone();
         self.work.tangent.solve(&mut change);
         advance(self.model, &mut glued, &change, 0.0);
         let overlap = |k| respond(self.model, self.settings, &glued.memory[k], k, &glued).overlap;
         let widest = (0..self.model.joints.len()).flat_map(overlap).fold(0.0, |most: f64, o| most.max(o.abs()));
-        let (mut pressed, mut share) = (GLUED * widest, 0.5);
-        *state = glued;
-        while pressed > 0.0 {
-            if watch.look(&Progress { stage: "self-weight".to_owned(), fraction: None, steps: 0 }) == Wish::Stop {
-                return Standing::Stopped;
-            }
-            let next = if pressed < widest * LET_GO { 0.0 } else { pressed * share };
-            let mut guess = State { pressed: next, ..state.clone() };
-            match balance(self.model, self.settings, Constraint::Load, &mut guess, &mut self.work) {
-                Some(balanced) => {
-                    self.iterations += balanced.iterations;
-                    (*state, pressed) = (guess, next);
-                    share = (share * share).max(0.1);
-                    if next == 0.0 {
-                        commit(self.model, self.settings, state);
-                        let stays = self.heading(state, None).is_some_and(|heading| heading.sign > 0);
-                        return if stays { Standing::Balanced(balanced) } else { Standing::Falls };
-                    }
-                }
-                None if share > 0.98 => return Standing::Falls,
-                None => share = share.sqrt(),
-            }
+        self.state = glued;
+        Stage::LetGo(LetGo { pressed: GLUED * widest, share: 0.5, widest })
+    }
+
+    /// Lets joints go by one degree more.
+    pub fn let_go(&mut self, mut joints: LetGo) -> Next {
+        if joints.pressed <= 0.0 {
+            return Next::On(self.settle());
         }
-        Standing::Falls
+        let next = if joints.pressed < joints.widest * LET_GO { 0.0 } else { joints.pressed * joints.share };
+        let mut guess = State { pressed: next, ..self.state.clone() };
+        match balance(self.model, self.settings, Constraint::Load, &mut guess, &mut self.work) {
+            Some(balanced) => {
+                self.iterations += balanced.iterations;
+                (self.state, joints.pressed) = (guess, next);
+                joints.share = (joints.share * joints.share).max(0.1);
+                if next == 0.0 {
+                    commit(self.model, self.settings, &mut self.state);
+                    let state = self.state.clone();
+                    let stays = self.heading(&state, None).is_some_and(|heading| heading.sign > 0);
+                    return Next::On(if stays { Stage::Stood(balanced) } else { self.settle() });
+                }
+            }
+            None if joints.share > 0.98 => return Next::On(self.settle()),
+            None => joints.share = joints.share.sqrt(),
+        }
+        Next::On(Stage::LetGo(joints))
+    }
+
+    /// Lets the blocks fall from where they are.
+    fn settle(&mut self) -> Stage {
+        self.state.pressed = 0.0;
+        Stage::Settle(Settle { fell_before: None, falling: Falling::new(self.state.clone(), PATIENT) })
+    }
+
+    /// One step of blocks that fall under their own weight.
+    pub fn fall_at_first(&mut self, mut settle: Settle) -> Next {
+        let Some(end) = self.fall(&mut settle.falling) else { return Next::On(Stage::Settle(settle)) };
+        let falls = match end {
+            Fall::Rests(found, balanced) => {
+                self.state = found;
+                return Next::On(Stage::Stood(balanced));
+            }
+            end => matches!(end, Fall::Falls(_)),
+        };
+        match settle.fell_before {
+            None => {
+                let falling = Falling::new(State::as_built(self.model), PATIENT);
+                Next::On(Stage::Settle(Settle { fell_before: Some(falls), falling }))
+            }
+            Some(before) => Next::End(if before && falls { End::Falls } else { End::Lost }),
+        }
     }
 }

@@ -5,7 +5,6 @@ use super::correct::Balanced;
 use super::model::Model;
 use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
-use super::stand::Standing;
 use super::system::State;
 use super::trace::{End, Path};
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
@@ -50,14 +49,9 @@ impl Ground {
     ) -> Result<Ground, ModelError> {
         let bare = Loading { variable: Vec::new(), ..loading.clone() };
         let model = Model::new(blocks, &bare, settings)?;
-        let mut state = State::as_built(&model);
         let program = Program { increment: 1.0, limit: 0.0, watched: (BlockId(0), Vec2::ZERO) };
-        let stood = match Path::new(&model, settings, &program).stand(&mut state, watch) {
-            Standing::Balanced(balanced) => Ok((state, balanced)),
-            Standing::Falls => Err(Status::UnstableUnderSelfWeight),
-            Standing::Lost => Err(Status::NotConverged),
-            Standing::Stopped => Err(Status::Cancelled),
-        };
+        let mut path = Path::new(&model, settings, &program);
+        let stood = path.stand(watch).map(|balanced| (path.state, balanced)).map_err(End::status);
         Ok(Ground { model, settings: settings.clone(), stood })
     }
 
@@ -89,7 +83,7 @@ impl Sweeper<'_> {
     /// another state, is not sought. Where the joints press at points they leave such states at every hinge that moves to the next
     /// joint, and the path goes on from there.
     pub fn carried(&mut self, forces: &[PointForce], program: &Program, watch: &mut dyn Watch) -> Carried {
-        let (mut state, balanced) = match &self.ground.stood {
+        let (state, balanced) = match &self.ground.stood {
             Ok(stood) => stood.clone(),
             Err(status) => {
                 return Carried { status: *status, cause: None, factor: None, path: Vec::new(), iterations: 0 };
@@ -98,11 +92,12 @@ impl Sweeper<'_> {
         self.model.load(forces);
         let settings = &self.ground.settings;
         let mut path = Path::new(&self.model, settings, program);
-        path.keep(&state, balanced);
+        path.state = state;
+        path.keep(balanced);
         let goes_on = |end: End| end == End::Lost || settings.contact_length != ContactLength::Distributed;
-        let mut end = path.rise((program.increment, program.limit), &mut None, &mut state, watch);
+        let mut end = path.follow_up(watch);
         if matches!(end, End::Limit | End::Lost) && goes_on(end) {
-            end = path.follow(program.increment, program.limit, &mut state, watch);
+            end = path.follow(watch);
         }
         let best = path.points.iter().max_by(|a, b| a.factor.total_cmp(&b.factor));
         let (factor, gives_way) = (best.map(|p| p.factor), best.map(|p| path.cause(p)));

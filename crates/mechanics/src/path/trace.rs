@@ -1,41 +1,39 @@
-//! The path from self-weight to the largest load and past it.
+//! The path from self-weight to the largest load and past it, a step at a time: between two steps a run can be kept.
 
 use super::banded::Banded;
 use super::correct::{Balanced, Constraint, balance, dot, norm};
 use super::frame::{frame, point};
 use super::model::Model;
-use super::outcome::{Frame, Outcome, PathPoint, Status};
-use super::relax::{BRIEF, Fall, PATIENT, dashpots, fall};
+use super::outcome::{Outcome, PathPoint, Status};
+use super::relax::{BRIEF, Fall, Falling, PATIENT, dashpots};
 use super::settings::{Program, Settings};
-use super::stand::Standing;
+use super::stand::{LetGo, Settle};
 use super::system::{State, Workspace, advance, assemble, commit};
+use super::words;
 use crate::blocks::{BlockModel, Loading, ModelError};
 use crate::watch::{Progress, Watch, Wish};
 
 /// The load at which equilibrium ends, with joints that give: the path of balanced states from the blocks' own weight through
-/// the largest load.
+/// the largest load. `resume` takes up a run that [`Watch::keep`] was offered, for the same blocks, loads, settings and program;
+/// the numbers are those of an undisturbed run.
 ///
 /// # Errors
-/// A model that cannot be analysed.
+/// A model that cannot be analysed, and words that were kept for another one.
 pub fn collapse(
     blocks: &BlockModel,
     loading: &Loading,
     (settings, program): (&Settings, &Program),
+    resume: Option<&[u64]>,
     watch: &mut dyn Watch,
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(blocks, loading, settings)?;
     let mut path = Path::new(&model, settings, program);
     path.drawn = true;
-    let mut state = State::as_built(&model);
-    let status = match path.stand(&mut state, watch) {
-        Standing::Balanced(balanced) => {
-            path.keep(&state, balanced);
-            path.follow(program.increment, program.limit, &mut state, watch).status()
-        }
-        Standing::Falls => Status::UnstableUnderSelfWeight,
-        Standing::Lost => Status::NotConverged,
-        Standing::Stopped => Status::Cancelled,
-    };
+    let belongs = words::fingerprint(&path);
+    if let Some(kept) = resume {
+        words::decode(&mut path, kept, belongs).ok_or(ModelError::ForeignState)?;
+    }
+    let status = path.run(Some(belongs), watch).status();
     Ok(path.outcome(blocks, status))
 }
 
@@ -46,6 +44,8 @@ pub(super) enum End {
     Limit,
     Bifurcation,
     Lost,
+    /// The blocks fall under their own weight.
+    Falls,
     Stopped,
 }
 
@@ -56,15 +56,80 @@ impl End {
             End::Limit => Status::LimitPoint,
             End::Bifurcation => Status::Bifurcation,
             End::Lost => Status::NotConverged,
+            End::Falls => Status::UnstableUnderSelfWeight,
             End::Stopped => Status::Cancelled,
         }
     }
 }
 
+/// What a run does next.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Stage {
+    /// Begins.
+    Built,
+    /// Lets joints go that are pressed together.
+    LetGo(LetGo),
+    /// Lets the blocks fall under their own weight.
+    Settle(Settle),
+    /// The blocks stand under their own weight.
+    Stood(Balanced),
+    /// Follows the path up.
+    Rise(Rise),
+    /// Lets the blocks fall under a little more load.
+    Push(Push),
+    /// Follows the path past its peak.
+    Descend(Descend),
+}
+
+/// What follows a step.
+pub(super) enum Next {
+    On(Stage),
+    End(End),
+}
+
+/// The path followed up.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Rise {
+    pub heading: Heading,
+    /// Length of the next step, and of the longest first one.
+    pub share: f64,
+    pub first: f64,
+    pub past: Option<Past>,
+    pub step: u32,
+    /// Load factor where it began.
+    pub before: f64,
+}
+
+/// Blocks let fall under more load than the path was followed to.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Push {
+    /// How the path ended.
+    pub end: End,
+    /// Unit of the load that is added.
+    pub unit: f64,
+    /// Whether no end was found closer by.
+    pub coarse: bool,
+    pub falling: Falling,
+}
+
+/// The path followed past its peak.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Descend {
+    /// How the path ended.
+    pub end: End,
+    /// Largest load factor.
+    pub peak: f64,
+    pub heading: Heading,
+    /// Length of the next step.
+    pub length: f64,
+    pub step: u32,
+}
+
 /// Where the path goes at a balanced state, per unit of its length.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Heading {
-    direction: Vec<f64>,
-    factor: f64,
+    pub direction: Vec<f64>,
+    pub factor: f64,
     /// Sign of the determinant of the tangent.
     pub sign: i8,
 }
@@ -79,9 +144,10 @@ impl Heading {
 }
 
 /// A state past the largest load, seen from the last one before it: its distance along the path, and how the factor changes there.
-struct Past {
-    distance: f64,
-    rate: f64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Past {
+    pub distance: f64,
+    pub rate: f64,
 }
 
 impl Past {
@@ -95,21 +161,28 @@ impl Past {
 pub(super) struct Path<'m> {
     pub model: &'m Model,
     pub settings: &'m Settings,
-    program: &'m Program,
+    pub program: &'m Program,
     pub work: Workspace,
     /// Whether the tangent of the state that the last step led to stands in the workspace.
     assembled: bool,
     /// What falls are resisted by, once there was one.
     dashpots: Option<Banded>,
-    pub points: Vec<PathPoint>,
     /// Whether states are kept to be drawn.
     drawn: bool,
-    frames: Vec<Frame>,
-    last: Balanced,
+    /// The last balanced state, and what comes next.
+    pub state: State,
+    pub stage: Stage,
+    /// Length of the last step on the way up.
+    pub length: Option<f64>,
+    /// The load that is added where balance is lost, in units of the resolution.
+    pub push: f64,
+    /// The balanced states in their order: their numbers, and all of them where they are to be drawn.
+    pub points: Vec<PathPoint>,
+    pub states: Vec<State>,
     pub iterations: u32,
     pub mechanism: Vec<f64>,
     /// How often balance was lost and found again.
-    snaps: u32,
+    pub snaps: u32,
 }
 
 /// Iterations that a step of the right length takes.
@@ -145,164 +218,277 @@ impl<'m> Path<'m> {
             work: Workspace::new(model),
             assembled: false,
             dashpots: None,
-            points: Vec::new(),
             drawn: false,
-            frames: Vec::new(),
-            last: Balanced { iterations: 0, residual: 0.0 },
+            state: State::as_built(model),
+            stage: Stage::Built,
+            length: None,
+            push: 1.0,
+            points: Vec::new(),
+            states: Vec::new(),
             iterations: 0,
             mechanism: Vec::new(),
             snaps: 0,
         }
     }
 
-    /// Follows the path until the factor is at its target or can grow no more. Where balance is lost and found again close by,
-    /// as when a hinge moves to the next joint, the path goes on from there.
-    pub fn follow(&mut self, increment: f64, target: f64, state: &mut State, watch: &mut dyn Watch) -> End {
-        let (mut length, mut push) = (None, 1.0);
+    /// Brings the blocks to stand under their own weight; or how that ends.
+    pub fn stand(&mut self, watch: &mut dyn Watch) -> Result<Balanced, End> {
         loop {
-            let before = state.factor;
-            // A path of very many states is left to loads that are pushed on alone: these come to an end.
-            let long = self.points.len() as u32 >= self.settings.most_steps;
-            let end = if long { End::Lost } else { self.rise((increment, target), &mut length, state, watch) };
-            if matches!(end, End::Target | End::Bifurcation | End::Stopped) {
-                return end;
+            if let Stage::Stood(balanced) = self.stage {
+                return Ok(balanced);
             }
-            let unit = self.settings.resolution * state.factor.abs().max(self.settings.resolution * increment);
-            // Where the path is lost again and again, a load further on is tried.
-            let gained = state.factor - before;
-            push = if gained > FAR * push * unit { 1.0 } else { (2.0 * push).min(LARGEST_PUSH) };
-            let (next, balanced) = match self.pushed(end, (&mut push, unit), target, state, watch) {
-                Ok(found) => found,
-                Err(end) => {
-                    if end != End::Stopped && !long {
-                        self.descend(state, watch);
-                    }
-                    return end;
-                }
-            };
-            self.snaps += 1;
-            self.accept(next, balanced, state);
-            if state.factor >= target {
-                return End::Target;
-            }
-            if self.points.len() as u32 > self.settings.most_steps + MOST_PUSHES {
-                return End::Lost;
+            if let Some(end) = self.go_on(None, watch) {
+                return Err(end);
             }
         }
     }
 
-    /// Where the blocks come to rest under a load a little further on; or how the path ends, if they do not. `push` is that load
-    /// beyond the present one in units of the resolution, and is lowered until they come to rest.
-    fn pushed(
-        &mut self,
-        end: End,
-        (push, unit): (&mut f64, f64),
-        target: f64,
-        state: &State,
-        watch: &mut dyn Watch,
-    ) -> Result<(State, Balanced), End> {
-        let mut coarse = false;
-        loop {
-            let mut pushed = state.clone();
-            advance(self.model, &mut pushed, &[], (*push * unit).min(target - state.factor));
-            match self.fall(&pushed, if *push > 1.0 { BRIEF } else { PATIENT }, watch) {
-                Fall::Rests(found, balanced) => return Ok((found, balanced)),
-                Fall::Stopped => return Err(End::Stopped),
-                Fall::Falls(_) | Fall::Lost if *push > 1.0 && !coarse => *push = (0.25 * *push).max(1.0),
-                // That they fall for good proves that the load was the largest.
-                Fall::Falls(fallen) if end == End::Lost => {
-                    self.mechanism = self.way(state, &fallen);
-                    return Err(End::Limit);
-                }
-                // Under a little more load they fall faster, and that shows the largest load less closely.
-                Fall::Lost if end == End::Lost && !coarse => (coarse, *push) = (true, COARSE_PUSH),
-                Fall::Falls(_) | Fall::Lost => return Err(end),
+    /// Follows the path from the last balanced state to its end.
+    pub fn follow(&mut self, watch: &mut dyn Watch) -> End {
+        (self.length, self.push) = (None, 1.0);
+        match self.begin_rise() {
+            Next::End(end) => end,
+            Next::On(stage) => {
+                self.stage = stage;
+                self.run(None, watch)
             }
         }
     }
 
-    pub fn fall(&mut self, from: &State, granted: u32, watch: &mut dyn Watch) -> Fall {
-        let (model, settings) = (self.model, self.settings);
-        let dashpots = self.dashpots.get_or_insert_with(|| dashpots(model, settings));
-        let (end, corrections) = fall(model, settings, dashpots, (from, granted), (&mut self.work, watch));
-        self.iterations += corrections;
-        end
-    }
-
-    /// Follows the path up to where the load grows no more, a stiffness turns negative or no next state is found; that is found
-    /// to the resolution, and the state is left just before it.
-    pub fn rise(
-        &mut self,
-        (increment, target): (f64, f64),
-        length: &mut Option<f64>,
-        state: &mut State,
-        watch: &mut dyn Watch,
-    ) -> End {
-        let Some(mut heading) = self.heading(state, None) else { return End::Lost };
-        let first = increment.min(target) / heading.factor;
-        let mut share = length.unwrap_or(first).min(first);
-        let mut past: Option<Past> = None;
-        for step in self.points.len() as u32..self.settings.most_steps {
-            let progress = Progress {
-                stage: format!("load factor {:.4}", state.factor),
-                fraction: target.is_finite().then(|| (state.factor / target).clamp(0.0, 1.0)),
-                steps: u64::from(step),
-            };
-            if watch.look(&progress) == Wish::Stop {
+    /// Follows the path from the last balanced state to where it no longer rises.
+    pub fn follow_up(&mut self, watch: &mut dyn Watch) -> End {
+        let Some(mut rise) = self.rising() else { return End::Lost };
+        loop {
+            if watch.look(&self.progress()) == Wish::Stop {
                 return End::Stopped;
             }
-            let reaches = state.factor + heading.factor * share >= target;
-            if reaches {
-                share = (target - state.factor) / heading.factor;
+            if let Some(end) = self.climb(&mut rise) {
+                return end;
             }
-            let unseen = self.settings.resolution * state.factor.abs().max(self.settings.resolution * increment);
-            // The load grows ever slower towards its largest value.
-            if past.as_ref().is_some_and(|past| heading.factor * past.distance <= unseen) {
-                self.mechanism.clone_from(&heading.direction);
-                return End::Limit;
-            }
-            let close = heading.factor * share <= unseen;
-            let constraint = if reaches { Constraint::Load } else { Constraint::Plane(&heading.direction) };
-            let Some((next, balanced)) = self.step(constraint, state, (&heading, share)) else {
-                if close {
-                    return End::Lost;
-                }
-                share *= 0.5;
-                continue;
-            };
-            let on = self.heading(&next, Some(&heading));
-            let falls = next.factor <= state.factor || on.as_ref().is_some_and(|on| on.factor <= 0.0);
-            let turns = on.as_ref().is_none_or(|on| on.sign <= 0);
-            // Where a joint opens or closes the path has a corner; where it forks it has none.
-            let smooth = on.as_ref().is_some_and(|on| heading.goes_on_as(on));
-            let on = match on {
-                Some(on) if !falls && !turns => on,
-                on => {
-                    if close {
-                        self.mechanism.clone_from(&heading.direction);
-                        return match (falls, smooth) {
-                            (true, _) => End::Limit,
-                            (false, true) => End::Bifurcation,
-                            (false, false) => End::Lost,
-                        };
-                    }
-                    past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: share, rate: on.factor });
-                    share *= past.as_ref().map_or(0.5, |past| past.short_of_peak(&heading));
-                    continue;
-                }
-            };
-            self.accept(next, balanced, state);
-            if reaches {
-                return End::Target;
-            }
-            *length = Some(share);
-            heading = on;
-            let short = share < first || heading.factor * share < SHORT * state.factor;
-            let grown = share * (self.wanted(short) / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
-            past = past.map(|past| Past { distance: past.distance - share, ..past }).filter(|past| past.distance > 0.0);
-            share = past.as_ref().map_or(grown, |past| grown.min(past.distance * past.short_of_peak(&heading)));
         }
-        End::Lost
+    }
+
+    /// Goes on to the end. Where the words of a run may be kept, they begin with what they belong to.
+    fn run(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> End {
+        loop {
+            if let Some(end) = self.go_on(belongs, watch) {
+                return end;
+            }
+        }
+    }
+
+    /// One step; how the path ends, where it does.
+    fn go_on(&mut self, belongs: Option<u64>, watch: &mut dyn Watch) -> Option<End> {
+        let keep = |path: &Path, watch: &mut dyn Watch| {
+            if let Some(belongs) = belongs {
+                watch.keep(&|| words::encode(path, belongs));
+            }
+        };
+        keep(self, watch);
+        if watch.look(&self.progress()) == Wish::Stop {
+            keep(self, watch);
+            return Some(End::Stopped);
+        }
+        let next = match std::mem::replace(&mut self.stage, Stage::Built) {
+            Stage::Built => Next::On(self.glue()),
+            Stage::LetGo(joints) => self.let_go(joints),
+            Stage::Settle(settle) => self.fall_at_first(settle),
+            Stage::Stood(balanced) => {
+                self.keep(balanced);
+                self.begin_rise()
+            }
+            Stage::Rise(rise) => self.rise(rise),
+            Stage::Push(push) => self.pushed(push),
+            Stage::Descend(descend) => self.descend(descend),
+        };
+        match next {
+            Next::On(stage) => {
+                self.stage = stage;
+                None
+            }
+            Next::End(end) => Some(end),
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        let (limit, factor) = (self.program.limit, self.state.factor);
+        let share = (limit.is_finite() && limit > 0.0).then(|| (factor / limit).clamp(0.0, 1.0));
+        let (stage, fraction, steps) = match &self.stage {
+            Stage::Rise(rise) => (format!("load factor {factor:.4}"), share, rise.step),
+            Stage::Push(push) => {
+                let stage = format!("balance lost at load factor {:.4}", push.falling.state.factor);
+                (stage, None, push.falling.corrections)
+            }
+            Stage::Descend(descend) => ("past the peak".to_owned(), None, descend.step),
+            Stage::Settle(settle) => ("self-weight, let fall".to_owned(), None, settle.falling.corrections),
+            Stage::Built | Stage::LetGo(_) | Stage::Stood(_) => ("self-weight".to_owned(), None, 0),
+        };
+        Progress { stage, fraction, steps: u64::from(steps) }
+    }
+
+    /// Begins to follow the path up from the last balanced state.
+    fn begin_rise(&mut self) -> Next {
+        // A path of very many states is left to loads that are pushed on alone: these come to an end.
+        let before = self.state.factor;
+        if self.is_long() {
+            return self.risen(End::Lost, before);
+        }
+        match self.rising() {
+            Some(rise) => Next::On(Stage::Rise(rise)),
+            None => self.risen(End::Lost, before),
+        }
+    }
+
+    /// The path up from the last balanced state; none where the tangent is singular.
+    fn rising(&mut self) -> Option<Rise> {
+        let state = self.state.clone();
+        let heading = self.heading(&state, None)?;
+        let first = self.program.increment.min(self.program.limit) / heading.factor;
+        let share = self.length.unwrap_or(first).min(first);
+        let step = self.points.len() as u32;
+        Some(Rise { heading, share, first, past: None, step, before: state.factor })
+    }
+
+    fn is_long(&self) -> bool {
+        self.points.len() as u32 >= self.settings.most_steps
+    }
+
+    /// The load factor that counts as nothing here.
+    fn unseen(&self) -> f64 {
+        let increment = self.program.increment;
+        self.settings.resolution * self.state.factor.abs().max(self.settings.resolution * increment)
+    }
+
+    /// One step up.
+    fn rise(&mut self, mut rise: Rise) -> Next {
+        let before = rise.before;
+        match self.climb(&mut rise) {
+            None => Next::On(Stage::Rise(rise)),
+            Some(end) => self.risen(end, before),
+        }
+    }
+
+    /// What follows the end of a way up. Where balance is lost and found again close by, as when a hinge moves to the next joint, the
+    /// path goes on from there.
+    fn risen(&mut self, end: End, before: f64) -> Next {
+        if matches!(end, End::Target | End::Bifurcation) {
+            return Next::End(end);
+        }
+        let unit = self.unseen();
+        // Where the path is lost again and again, a load further on is tried.
+        let gained = self.state.factor - before;
+        self.push = if gained > FAR * self.push * unit { 1.0 } else { (2.0 * self.push).min(LARGEST_PUSH) };
+        Next::On(Stage::Push(Push { end, unit, coarse: false, falling: self.let_fall(unit) }))
+    }
+
+    /// Blocks under a load a little further on.
+    fn let_fall(&self, unit: f64) -> Falling {
+        let mut pushed = self.state.clone();
+        advance(self.model, &mut pushed, &[], (self.push * unit).min(self.program.limit - self.state.factor));
+        Falling::new(pushed, if self.push > 1.0 { BRIEF } else { PATIENT })
+    }
+
+    /// One step of the way to where the blocks come to rest under a load a little further on; or how the path ends, if they do not.
+    /// The load is lowered until they come to rest.
+    fn pushed(&mut self, mut push: Push) -> Next {
+        let Some(fall) = self.fall(&mut push.falling) else { return Next::On(Stage::Push(push)) };
+        match fall {
+            Fall::Rests(found, balanced) => {
+                self.snaps += 1;
+                self.accept(found, balanced);
+                if self.state.factor >= self.program.limit {
+                    return Next::End(End::Target);
+                }
+                if self.points.len() as u32 > self.settings.most_steps + MOST_PUSHES {
+                    return Next::End(End::Lost);
+                }
+                return self.begin_rise();
+            }
+            Fall::Falls(_) | Fall::Lost if self.push > 1.0 && !push.coarse => self.push = (0.25 * self.push).max(1.0),
+            // That they fall for good proves that the load was the largest.
+            Fall::Falls(fallen) if push.end == End::Lost => {
+                self.mechanism = self.way(&self.state, &fallen);
+                return self.peaked(End::Limit);
+            }
+            // Under a little more load they fall faster, and that shows the largest load less closely.
+            Fall::Lost if push.end == End::Lost && !push.coarse => (push.coarse, self.push) = (true, COARSE_PUSH),
+            Fall::Falls(_) | Fall::Lost => return self.peaked(push.end),
+        }
+        push.falling = self.let_fall(push.unit);
+        Next::On(Stage::Push(push))
+    }
+
+    /// One step of a fall; how it ends, where it does.
+    pub fn fall(&mut self, falling: &mut Falling) -> Option<Fall> {
+        let (model, settings) = (self.model, self.settings);
+        let dashpots = self.dashpots.get_or_insert_with(|| dashpots(model, settings));
+        let end = falling.go_on(model, settings, dashpots, &mut self.work)?;
+        self.iterations += falling.corrections;
+        Some(end)
+    }
+
+    /// Follows the path by a step up to where the load grows no more, a stiffness turns negative or no next state is found; that is
+    /// found to the resolution, and the state is left just before it.
+    fn climb(&mut self, rise: &mut Rise) -> Option<End> {
+        if rise.step >= self.settings.most_steps {
+            return Some(End::Lost);
+        }
+        rise.step += 1;
+        let target = self.program.limit;
+        let factor = self.state.factor;
+        let reaches = factor + rise.heading.factor * rise.share >= target;
+        if reaches {
+            rise.share = (target - factor) / rise.heading.factor;
+        }
+        let unseen = self.unseen();
+        // The load grows ever slower towards its largest value.
+        if rise.past.as_ref().is_some_and(|past| rise.heading.factor * past.distance <= unseen) {
+            self.mechanism.clone_from(&rise.heading.direction);
+            return Some(End::Limit);
+        }
+        let close = rise.heading.factor * rise.share <= unseen;
+        let constraint = if reaches { Constraint::Load } else { Constraint::Plane(&rise.heading.direction) };
+        let Some((next, balanced)) = self.step(constraint, (&rise.heading, rise.share)) else {
+            if close {
+                return Some(End::Lost);
+            }
+            rise.share *= 0.5;
+            return None;
+        };
+        let on = self.heading(&next, Some(&rise.heading));
+        let falls = next.factor <= factor || on.as_ref().is_some_and(|on| on.factor <= 0.0);
+        let turns = on.as_ref().is_none_or(|on| on.sign <= 0);
+        // Where a joint opens or closes the path has a corner; where it forks it has none.
+        let smooth = on.as_ref().is_some_and(|on| rise.heading.goes_on_as(on));
+        let on = match on {
+            Some(on) if !falls && !turns => on,
+            on => {
+                if close {
+                    self.mechanism.clone_from(&rise.heading.direction);
+                    return Some(match (falls, smooth) {
+                        (true, _) => End::Limit,
+                        (false, true) => End::Bifurcation,
+                        (false, false) => End::Lost,
+                    });
+                }
+                rise.past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: rise.share, rate: on.factor });
+                rise.share *= rise.past.as_ref().map_or(0.5, |past| past.short_of_peak(&rise.heading));
+                return None;
+            }
+        };
+        self.accept(next, balanced);
+        if reaches {
+            return Some(End::Target);
+        }
+        self.length = Some(rise.share);
+        rise.heading = on;
+        let short = rise.share < rise.first || rise.heading.factor * rise.share < SHORT * self.state.factor;
+        let grown = rise.share * (self.wanted(short) / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
+        let nearer = |past: Past| Past { distance: past.distance - rise.share, ..past };
+        rise.past = rise.past.map(nearer).filter(|past| past.distance > 0.0);
+        let most = |past: &Past| grown.min(past.distance * past.short_of_peak(&rise.heading));
+        rise.share = rise.past.as_ref().map_or(grown, most);
+        None
     }
 
     /// Iterations that the next step should take.
@@ -312,14 +498,9 @@ impl<'m> Path<'m> {
     }
 
     /// A balanced state a step along the heading.
-    fn step(
-        &mut self,
-        constraint: Constraint,
-        from: &State,
-        (heading, length): (&Heading, f64),
-    ) -> Option<(State, Balanced)> {
+    fn step(&mut self, constraint: Constraint, (heading, length): (&Heading, f64)) -> Option<(State, Balanced)> {
         self.assembled = false;
-        let mut next = from.clone();
+        let mut next = self.state.clone();
         let change: Vec<f64> = heading.direction.iter().map(|d| d * length).collect();
         advance(self.model, &mut next, &change, heading.factor * length);
         let balanced = balance(self.model, self.settings, constraint, &mut next, &mut self.work)?;
@@ -330,33 +511,42 @@ impl<'m> Path<'m> {
         Some((next, balanced))
     }
 
-    /// Follows the path past its peak, as far as that goes, until it has lost a share of its load.
-    fn descend(&mut self, state: &mut State, watch: &mut dyn Watch) {
-        let peak = state.factor;
-        let Some(mut heading) = self.heading(state, None) else { return };
-        let mut length = PAST_PEAK * self.model.size;
-        let least = length * 1e-6;
-        for _ in 0..self.settings.most_steps {
-            if watch.look(&Progress { stage: "past the peak".to_owned(), fraction: None, steps: 0 }) == Wish::Stop {
-                return;
-            }
-            let Some((next, balanced)) = self.step(Constraint::Plane(&heading.direction), state, (&heading, length))
-            else {
-                length *= 0.5;
-                if length < least {
-                    return;
-                }
-                continue;
-            };
-            let Some(on) = self.heading(&next, Some(&heading)) else { return };
-            self.accept(next, balanced, state);
-            let moved = self.points.last().map_or(0.0, |p| p.displacement.norm());
-            if state.factor < peak * (1.0 - self.settings.past) || moved > self.settings.farthest {
-                return;
-            }
-            heading = on;
-            length *= (self.wanted(true) / f64::from(balanced.iterations.max(1))).clamp(0.5, 1.5);
+    /// What follows the largest load: the path past it, but for a very long one.
+    fn peaked(&mut self, end: End) -> Next {
+        if self.is_long() {
+            return Next::End(end);
         }
+        let state = self.state.clone();
+        let Some(heading) = self.heading(&state, None) else { return Next::End(end) };
+        let length = PAST_PEAK * self.model.size;
+        Next::On(Stage::Descend(Descend { end, peak: state.factor, heading, length, step: 0 }))
+    }
+
+    /// Follows the path by a step past its peak, as far as that goes, until it has lost a share of its load.
+    fn descend(&mut self, mut descend: Descend) -> Next {
+        let end = Next::End(descend.end);
+        if descend.step >= self.settings.most_steps {
+            return end;
+        }
+        descend.step += 1;
+        let constraint = Constraint::Plane(&descend.heading.direction);
+        let Some((next, balanced)) = self.step(constraint, (&descend.heading, descend.length)) else {
+            descend.length *= 0.5;
+            return if descend.length < PAST_PEAK * self.model.size * 1e-6 {
+                end
+            } else {
+                Next::On(Stage::Descend(descend))
+            };
+        };
+        let Some(on) = self.heading(&next, Some(&descend.heading)) else { return end };
+        self.accept(next, balanced);
+        let moved = self.points.last().map_or(0.0, |p| p.displacement.norm());
+        if self.state.factor < descend.peak * (1.0 - self.settings.past) || moved > self.settings.farthest {
+            return end;
+        }
+        descend.heading = on;
+        descend.length *= (self.wanted(true) / f64::from(balanced.iterations.max(1))).clamp(0.5, 1.5);
+        Next::On(Stage::Descend(descend))
     }
 
     /// Where the path goes at a balanced state, on from where it came; none where the tangent is singular.
@@ -379,17 +569,17 @@ impl<'m> Path<'m> {
         Some(Heading { direction, factor, sign: self.work.tangent.sign })
     }
 
-    fn accept(&mut self, next: State, balanced: Balanced, state: &mut State) {
-        *state = next;
-        self.last = balanced;
-        self.keep(state, balanced);
+    fn accept(&mut self, next: State, balanced: Balanced) {
+        self.state = next;
+        self.keep(balanced);
     }
 
-    pub fn keep(&mut self, state: &State, balanced: Balanced) {
+    /// The last balanced state becomes part of the path.
+    pub fn keep(&mut self, balanced: Balanced) {
         let numbers = (balanced.iterations, balanced.residual);
-        self.points.push(point(self.model, (self.settings, self.program), state, numbers));
+        self.points.push(point(self.model, (self.settings, self.program), &self.state, numbers));
         if self.drawn {
-            self.frames.push(frame(self.model, self.settings, state, self.points.len() - 1));
+            self.states.push(self.state.clone());
         }
     }
 
@@ -397,8 +587,9 @@ impl<'m> Path<'m> {
         let stands = !matches!(status, Status::UnstableUnderSelfWeight);
         let most = self.points.iter().map(|p| p.factor).fold(f64::NEG_INFINITY, f64::max);
         let collapse_factor = matches!(status, Status::LimitPoint | Status::Bifurcation).then_some(most);
-        let peak = (0..self.frames.len()).rev().find(|&k| self.frames[k].factor == most);
-        let cause = collapse_factor.and(peak).map(|k| self.cause(&self.points[self.frames[k].step]));
+        let peak = (0..self.states.len()).rev().find(|&k| self.states[k].factor == most);
+        let cause = collapse_factor.and(peak).map(|k| self.cause(&self.points[k]));
+        let drawn = |(k, state): (usize, &State)| frame(self.model, self.settings, state, k);
         Outcome {
             status,
             cause,
@@ -406,8 +597,8 @@ impl<'m> Path<'m> {
             last_stable_factor: (stands && most.is_finite()).then_some(most),
             peak,
             mechanism: self.motions(blocks),
+            frames: self.states.iter().enumerate().map(drawn).collect(),
             path: self.points,
-            frames: self.frames,
             interfaces: self.model.interfaces.clone(),
             iterations: self.iterations,
             snaps: self.snaps,

@@ -64,3 +64,4 @@ mod particle_threads;
 mod path_arch;
 mod path_closed_forms;
 mod path_known;
+mod path_resume;

@@ -16,7 +16,7 @@ fn program() -> Program {
 }
 
 fn run((model, loading): &(BlockModel, Loading), contact_length: ContactLength) -> Outcome {
-    collapse(model, loading, (&Settings::new(contact_length), &program()), &mut Unwatched).unwrap()
+    collapse(model, loading, (&Settings::new(contact_length), &program()), None, &mut Unwatched).unwrap()
 }
 
 fn load(outcome: &Outcome) -> f64 {
@@ -85,7 +85,7 @@ fn a_mirrored_arch_carries_the_same() {
         let mut program = program();
         program.watched.1 = turned(program.watched.1);
         let settings = Settings::new(contact_length);
-        let other = collapse(&model, &loading, (&settings, &program), &mut Unwatched).unwrap();
+        let other = collapse(&model, &loading, (&settings, &program), None, &mut Unwatched).unwrap();
         within(load(&other), one, 2e-5);
     }
 }
@@ -170,13 +170,13 @@ fn a_path_has_a_name_for_its_end() {
     let arch = bridgemill(false, 1.0);
     let settings = Settings::new(ContactLength::Distributed);
     let short = Program { limit: 50.0, ..program() };
-    let found = collapse(&arch.0, &arch.1, (&settings, &short), &mut Unwatched).unwrap();
+    let found = collapse(&arch.0, &arch.1, (&settings, &short), None, &mut Unwatched).unwrap();
     assert_eq!((found.status, found.collapse_factor), (Status::StableToLastLoad, None));
     within(found.last_stable_factor.unwrap(), 50.0, 1e-12);
     let mut heavy = arch;
     heavy.0.gravity = heavy.0.gravity * 100.0;
     heavy.0.laws.iter_mut().for_each(|law| law.crushing = 1e6);
-    let found = collapse(&heavy.0, &heavy.1, (&settings, &program()), &mut Unwatched).unwrap();
+    let found = collapse(&heavy.0, &heavy.1, (&settings, &program()), None, &mut Unwatched).unwrap();
     assert_eq!(found.status, Status::UnstableUnderSelfWeight);
 }
 

@@ -45,7 +45,7 @@ const NEARLY_WEIGHTLESS: f64 = 1e-6;
 
 fn run(model: &BlockModel, loading: &Loading, program: &Program) -> Outcome {
     let settings = Settings { resolution: 1e-7, ..Settings::new(ContactLength::Distributed) };
-    collapse(model, loading, (&settings, program), &mut Unwatched).unwrap()
+    collapse(model, loading, (&settings, program), None, &mut Unwatched).unwrap()
 }
 
 fn peak(outcome: &Outcome) -> f64 {
@@ -467,7 +467,7 @@ fn an_arch_numbered_from_the_other_end_carries_the_same() {
         let blocks = blocks_program(None);
         let program = Program { increment: blocks.increment, limit: 1000.0, watched: blocks.watched };
         let carries = |model: &BlockModel, loading: &Loading, program: &Program| {
-            peak(&collapse(model, loading, (settings, program), &mut Unwatched).unwrap())
+            peak(&collapse(model, loading, (settings, program), None, &mut Unwatched).unwrap())
         };
         let one = carries(&model, &loading, &program);
         for mirrored in [false, true] {

@@ -39,7 +39,7 @@ fn run(model: &BlockModel, at: Vec2, force: Vec2, increment: f64) -> Outcome {
     let loading = Loading { variable: vec![PointForce { block: top, at, force }], ..Loading::default() };
     let program = Program { increment, limit: 1e12, watched: (top, at) };
     let settings = Settings { resolution: 1e-7, ..Settings::new(ContactLength::Distributed) };
-    collapse(model, &loading, (&settings, &program), &mut Unwatched).unwrap()
+    collapse(model, &loading, (&settings, &program), None, &mut Unwatched).unwrap()
 }
 
 fn within(value: f64, reference: f64, share: f64) {

@@ -155,7 +155,7 @@ fn alone(bridge: &Bridge, case: &Bridge, gives: bool, watch: &mut dyn Watch) -> 
     (case.plan.method, case.plan.contact) = (Method::Path, bridge.plan.contact);
     // The file's steps and largest load are of its own loads.
     (case.plan.load_step, case.plan.load_limit) = (None, None);
-    super::collapse_by_path(&case, watch)
+    super::collapse_by_path(&case, None, watch)
 }
 
 fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
