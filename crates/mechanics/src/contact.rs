@@ -36,6 +36,34 @@ impl Number for f64 {
     }
 }
 
+/// How far the bond of a joint is lost: a crack runs from each end, as a share of the joint's length. What is lost stays so.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Bond<T = f64> {
+    /// Length of the crack from the first and from the second end.
+    pub lost: [T; 2],
+}
+
+impl Bond {
+    /// Nothing is left of it.
+    pub const GONE: Bond = Bond { lost: [1.0; 2] };
+}
+
+impl<T: Number> Ends<T> {
+    /// The largest shear that an end resists [N/m]: friction on what presses and cohesion, less friction on what pulls.
+    #[inline(always)]
+    pub fn shear_strength(&self, end: usize, law: &Resistance) -> T {
+        let strength = T::of(law.friction) * self.compression[end] + T::of(law.cohesion) * self.length[end];
+        if strength.value() < 0.0 { T::of(0.0) } else { strength }
+    }
+}
+
+impl<T: Number> Bond<T> {
+    /// Whether any of it is left.
+    pub fn holds(&self) -> bool {
+        self.lost[0].value() + self.lost[1].value() < 1.0
+    }
+}
+
 /// The law of one joint with its numbers: stiffness is that for the distance between its two blocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resistance {
@@ -49,6 +77,8 @@ pub struct Resistance {
     pub cohesion: f64,
     /// Compressive strength [Pa]; infinite for none.
     pub crushing: f64,
+    /// Tensile strength of the bond [Pa], in the distributed formulation.
+    pub tension: f64,
     /// Length that a point of the force formulation stands for [m], where it is given.
     pub fixed_length: Option<f64>,
     /// Least length of a point of the stress formulation [m].
@@ -64,14 +94,15 @@ impl Resistance {
             friction: law.friction,
             cohesion: law.cohesion,
             crushing: law.crushing,
+            tension: law.tension,
             fixed_length: law.fixed_length,
             least_length: law.least_length,
         }
     }
 
     /// Compression [N/m] at the two ends of a face of `length` [m] that overlap by `overlap` [m], and the length [m] for
-    /// which each end resists shear. An open end has neither.
-    pub fn ends<T: Number>(&self, contact_length: ContactLength, overlap: [T; 2], length: T) -> Ends<T> {
+    /// which each end resists shear. An open end has neither. `bond` is what was left of the bond before; points have none.
+    pub fn ends<T: Number>(&self, contact_length: ContactLength, overlap: [T; 2], length: T, bond: &Bond) -> Ends<T> {
         match contact_length {
             ContactLength::Fixed => {
                 let half = self.fixed_length.map_or(length * T::of(0.5), T::of);
@@ -81,15 +112,58 @@ impl Resistance {
                 let half = length * T::of(0.5);
                 self.points(overlap, [0, 1].map(|k| self.updated(overlap[k], overlap[1 - k], half)))
             }
-            ContactLength::Distributed => self.distributed(overlap, length),
+            ContactLength::Distributed => self.distributed(overlap, length, bond),
         }
     }
 
-    /// Work that closed the compressed part of a face in the distributed formulation [J/m], which opening gives back.
-    pub fn energy(&self, overlap: [f64; 2], length: f64) -> f64 {
+    /// Work that closed the compressed part of a face in the distributed formulation and opened the bonded one [J/m], which the
+    /// way back returns.
+    pub fn energy(&self, overlap: [f64; 2], length: f64, bond: &Bond) -> f64 {
         let most = self.crushing / self.normal;
         let beyond = if most.is_finite() { squares(overlap.map(|o| o - most)) } else { 0.0 };
-        0.5 * self.normal * length * (squares(overlap) - beyond)
+        let pulled = match self.pulled(overlap, bond) {
+            Some(part) => part.points().iter().map(|at| at.share * at.of(overlap) * at.of(overlap)).sum(),
+            None => 0.0,
+        };
+        0.5 * self.normal * length * (squares(overlap) - beyond + pulled)
+    }
+
+    /// What is left of a bond: it breaks for good where the tension would be beyond its strength.
+    pub fn left<T: Number>(&self, overlap: [T; 2], bond: &Bond) -> Bond<T> {
+        if !(self.tension > 0.0 && bond.holds()) {
+            return Bond { lost: [T::of(1.0); 2] };
+        }
+        let [a, b] = each(overlap, |o| o + T::of(self.tension / self.normal));
+        let before = each(bond.lost, T::of);
+        let longer = |crack: T, before: T| if crack.value() > before.value() { crack } else { before };
+        match (a.value() >= 0.0, b.value() >= 0.0) {
+            (true, true) => Bond { lost: before },
+            (false, false) => Bond { lost: [T::of(1.0); 2] },
+            (false, true) => Bond { lost: [longer(a / (a - b), before[0]), before[1]] },
+            (true, false) => Bond { lost: [before[0], longer(b / (b - a), before[1])] },
+        }
+    }
+
+    /// Share of a face that its bond pulls together.
+    pub fn pulled_share(&self, overlap: [f64; 2], bond: &Bond) -> f64 {
+        self.pulled(overlap, bond).map_or(0.0, |part| 1.0 - (part.from[0] + part.from[1]))
+    }
+
+    /// The part of a face that its bond pulls together.
+    fn pulled<T: Number>(&self, overlap: [T; 2], bond: &Bond) -> Option<Part<T>> {
+        if !(self.tension > 0.0 && bond.holds()) {
+            return None;
+        }
+        let Bond { lost } = self.left(overlap, bond);
+        let [a, b] = overlap;
+        let later = |one: T, two: T| if two.value() > one.value() { two } else { one };
+        let from = match (a.value() >= 0.0, b.value() >= 0.0) {
+            (true, true) => return None,
+            (false, false) => lost,
+            (true, false) => [later(lost[0], a / (a - b)), lost[1]],
+            (false, true) => [lost[0], later(lost[1], b / (b - a))],
+        };
+        (from[0].value() + from[1].value() < 1.0).then_some(Part { from })
     }
 
     /// Each end by itself.
@@ -113,16 +187,59 @@ impl Resistance {
         if length.value() < self.least_length { T::of(self.least_length) } else { length }
     }
 
-    /// The pressure `normal * overlap`, nowhere less than nothing and nowhere more than the crushing strength.
-    pub fn distributed<T: Number>(&self, overlap: [T; 2], length: T) -> Ends<T> {
-        let (mut pressed, share) = compressed(overlap);
+    /// The pressure `normal * overlap`, nowhere more than the crushing strength, and nowhere less than nothing but where the bond
+    /// holds: it pulls there, up to its strength.
+    pub fn distributed<T: Number>(&self, overlap: [T; 2], length: T, bond: &Bond) -> Ends<T> {
+        let (mut pressed, mut share) = compressed(overlap);
         let most = self.crushing / self.normal;
         if overlap.iter().any(|o| o.value() > most) {
             let (beyond, _) = compressed(each(overlap, |o| o - T::of(most)));
             pressed = [pressed[0] - beyond[0], pressed[1] - beyond[1]];
         }
+        if let Some(part) = self.pulled(overlap, bond) {
+            let [one, two] = part.points();
+            for k in 0..2 {
+                // Both together first, so that a joint seen from its other side answers to the same bits.
+                let weights = [one.share * one.weights[k], two.share * two.weights[k]];
+                pressed[k] = pressed[k] + (weights[0] * one.of(overlap) + weights[1] * two.of(overlap));
+                share[k] = share[k] + (weights[0] + weights[1]);
+            }
+        }
         let scale = T::of(self.normal) * length;
         Ends { compression: each(pressed, |p| scale * p), length: each(share, |s| length * s) }
+    }
+}
+
+/// A part of a face: its distances from the two ends, as shares of the face's length.
+struct Part<T> {
+    from: [T; 2],
+}
+
+/// A place on a face for sums over a part of it.
+#[derive(Clone, Copy)]
+struct Point<T> {
+    /// Share of the face's length that it stands for.
+    share: T,
+    /// Shares of the two ends in what is linear along the face.
+    weights: [T; 2],
+}
+
+impl<T: Number> Part<T> {
+    /// Gauss's two points: exact for polynomials of the third degree, and the same from either end.
+    fn points(&self) -> [Point<T>; 2] {
+        const NEAR: f64 = 0.211_324_865_405_187_13;
+        let [a, b] = self.from;
+        let length = T::of(1.0) - (a + b);
+        let share = T::of(0.5) * length;
+        let (near, far) = (T::of(NEAR) * length, T::of(1.0 - NEAR) * length);
+        [Point { share, weights: [b + far, a + near] }, Point { share, weights: [b + near, a + far] }]
+    }
+}
+
+impl<T: Number> Point<T> {
+    /// The value there of what is linear along the face.
+    fn of(&self, ends: [T; 2]) -> T {
+        self.weights[0] * ends[0] + self.weights[1] * ends[1]
     }
 }
 
@@ -135,7 +252,7 @@ pub(crate) fn each<T, U>([first, second]: [T; 2], of: impl Fn(T) -> U) -> [U; 2]
 /// What the two ends of a joint carry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ends<T> {
-    /// Compression [N/m], positive.
+    /// Compression [N/m], positive; negative where the bond pulls.
     pub compression: [T; 2],
     /// Length that resists shear [m].
     pub length: [T; 2],
@@ -192,19 +309,21 @@ mod tests {
             friction: 0.6,
             cohesion: 0.0,
             crushing,
+            tension: 0.0,
             fixed_length: None,
             least_length: 0.05,
         }
     }
 
     /// The same integrals by many strips.
-    fn by_strips(law: &Resistance, overlap: [f64; 2], length: f64) -> Ends<f64> {
+    fn by_strips(law: &Resistance, overlap: [f64; 2], length: f64, bond: &Bond) -> Ends<f64> {
         let strips = 20_000;
         let mut ends = Ends { compression: [0.0; 2], length: [0.0; 2] };
         for k in 0..strips {
             let x = (k as f64 + 0.5) / strips as f64;
             let here = overlap[0] * (1.0 - x) + overlap[1] * x;
-            if here < 0.0 {
+            let bonded = x >= bond.lost[0] && 1.0 - x >= bond.lost[1] && law.normal * here >= -law.tension;
+            if here < 0.0 && !bonded {
                 continue;
             }
             let pressure = (law.normal * here).min(law.crushing);
@@ -218,21 +337,26 @@ mod tests {
 
     #[test]
     fn closed_forms_are_the_sums_over_strips() {
-        for crushing in [f64::INFINITY, 1e6] {
-            let law = resistance(crushing);
+        let bonds = [(0.0, Bond::GONE), (1e6, Bond::default()), (1e6, Bond { lost: [0.2, 0.1] }), (1e6, Bond::GONE)];
+        for (crushing, (tension, bond)) in [f64::INFINITY, 1e6].into_iter().flat_map(|c| bonds.map(|bond| (c, bond))) {
+            let law = Resistance { tension, ..resistance(crushing) };
             for overlap in [[1e-3, 2e-3], [1e-3, -2e-3], [-4e-4, 1e-3], [3e-4, 1e-4], [-1e-3, -1e-4], [2e-3, -1e-5]] {
-                let energy = |o: [f64; 2]| law.energy(o, 0.7);
+                // What the law leaves of the bond here: from there on the way is one of no loss.
+                let bond = law.left(overlap, &bond);
+                let held = Resistance { tension: if tension > 0.0 { f64::INFINITY } else { 0.0 }, ..law };
+                let energy = |o: [f64; 2]| held.energy(o, 0.7, &bond);
                 let step = 1e-9;
                 // The work of a small motion is what its forces do.
                 for k in 0..2 {
                     let (mut more, mut less) = (overlap, overlap);
                     more[k] += step;
                     less[k] -= step;
-                    let force = law.ends(ContactLength::Distributed, overlap, 0.7).compression[k];
+                    let force = law.ends(ContactLength::Distributed, overlap, 0.7, &bond).compression[k];
                     let slope = (energy(more) - energy(less)) / (2.0 * step);
                     assert!((slope - force).abs() < 1e-4 * 1e6, "{overlap:?}: {slope} {force}");
                 }
-                let (exact, sum) = (law.ends(ContactLength::Distributed, overlap, 0.7), by_strips(&law, overlap, 0.7));
+                let (exact, sum) =
+                    (law.ends(ContactLength::Distributed, overlap, 0.7, &bond), by_strips(&law, overlap, 0.7, &bond));
                 for k in 0..2 {
                     let (force, length) = (exact.compression[k] - sum.compression[k], exact.length[k] - sum.length[k]);
                     assert!(force.abs() < 1e-4 * 1e6 && length.abs() < 1e-4, "{overlap:?}: {exact:?} {sum:?}");
@@ -245,12 +369,42 @@ mod tests {
     fn a_bedded_face_presses_alike_whichever_way_it_is_taken() {
         let law = resistance(f64::INFINITY);
         for contact_length in [ContactLength::Fixed, ContactLength::Updated, ContactLength::Distributed] {
-            let even = law.ends(contact_length, [1e-3; 2], 0.7);
+            let even = law.ends(contact_length, [1e-3; 2], 0.7, &Bond::default());
             let total: f64 = even.compression.iter().sum();
             assert!((total - 2e9 * 1e-3 * 0.7).abs() < 1e-6, "{contact_length:?}: {total}");
-            let turned = law.ends(contact_length, [1e-3, -5e-4], 0.7);
-            let back = law.ends(contact_length, [-5e-4, 1e-3], 0.7);
+            let turned = law.ends(contact_length, [1e-3, -5e-4], 0.7, &Bond::default());
+            let back = law.ends(contact_length, [-5e-4, 1e-3], 0.7, &Bond::default());
             assert_eq!([turned.compression[1], turned.compression[0]], back.compression, "{contact_length:?}");
         }
+    }
+
+    /// A crack never heals, no tension is beyond the strength, and a joint that is seen from its other side answers the same to the bit.
+    #[test]
+    fn a_bond_breaks_for_good_and_alike_from_either_side() {
+        let law = Resistance { tension: 1e6, ..resistance(f64::INFINITY) };
+        let mut bond = Bond::default();
+        let mut lost = 0.0;
+        for [a, b] in [[1e-4, -4e-4], [1e-4, -8e-4], [3e-4, -2e-4], [-6e-4, 3e-4], [-2e-4, -1e-4], [-6e-4, -6e-4]] {
+            let left = law.left([a, b], &bond);
+            let turned = law.left([b, a], &Bond { lost: [bond.lost[1], bond.lost[0]] });
+            assert_eq!(left.lost, [turned.lost[1], turned.lost[0]]);
+            let (one, two) = (
+                law.ends(ContactLength::Distributed, [a, b], 0.7, &left),
+                law.ends(ContactLength::Distributed, [b, a], 0.7, &turned),
+            );
+            assert_eq!(one.compression, [two.compression[1], two.compression[0]]);
+            assert_eq!(one.length, [two.length[1], two.length[0]]);
+            assert!(left.lost[0] >= bond.lost[0] && left.lost[1] >= bond.lost[1], "{left:?} {bond:?}");
+            // At the ends of what is left the opening is at most what the strength allows.
+            if left.holds() {
+                for (k, x) in [left.lost[0], 1.0 - left.lost[1]].into_iter().enumerate() {
+                    let opening = -(a * (1.0 - x) + b * x);
+                    assert!(law.normal * opening <= law.tension * (1.0 + 1e-12), "end {k}: {opening}");
+                }
+            }
+            bond = left;
+            lost = f64::max(lost, bond.lost[0] + bond.lost[1]);
+        }
+        assert!(!bond.holds() && lost >= 1.0, "{bond:?}");
     }
 }

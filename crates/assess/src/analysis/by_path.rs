@@ -59,7 +59,13 @@ pub fn collapse_by_path(
         let own = (own, outcome.iterations);
         c.picture.over_stiffness = softened::over_stiffness(&d, (&settings, &program), own, rigid)?;
     }
-    notes::path(bridge, &d, settings.contact_length == ContactLength::Distributed, &mut c);
+    let distributed = settings.contact_length == ContactLength::Distributed;
+    notes::path(bridge, &d, distributed, &mut c);
+    if distributed && bonded(&d) {
+        let unit = rigid.factor.or(rigid.associated_factor).unwrap_or(program.increment / FIRST_STEP);
+        let without = softened::without_bond(&d, (&settings, &program), unit)?;
+        c.assumptions.push(notes::without_bond(without.map(|factor| d.load(factor))));
+    }
     notes::apart(rigid.status, &mut c);
     c.warnings.extend(taken);
     c.warnings.extend(broken_off(&c));
@@ -90,6 +96,11 @@ fn broken_off(c: &Collapse) -> Option<Warning> {
         None => return None,
     };
     Some(Warning::new(warning::PATHS_BROKEN_OFF, format!("{words}; try --method dem")))
+}
+
+/// Whether joints have a bond.
+fn bonded(d: &Discretised) -> bool {
+    d.model.laws.clone().iter_mut().any(|law| law.tension > 0.0)
 }
 
 /// Whether joints have cohesion.
@@ -228,7 +239,7 @@ fn shown(outcome: &path::Outcome) -> Vec<usize> {
 fn snapshot(d: &Discretised, joints: &[Interface], frame: &Frame) -> Snapshot {
     let mut contacts = Vec::new();
     for (joint, state) in joints.iter().zip(&frame.joints) {
-        for end in state.ends.iter().filter(|end| end.compression > 0.0) {
+        for end in state.ends.iter().filter(|end| end.compression != 0.0) {
             contacts.push(ContactForce {
                 blocks: [joint.first.index(), joint.second.index()],
                 point: point(end.at),

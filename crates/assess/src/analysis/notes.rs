@@ -239,16 +239,21 @@ pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collaps
         );
     }
     c.assumptions.push(match distributed {
-        true => "Rigid blocks on joints that give: the pressure grows with the overlap over the compressed part of a joint, \
-                 without tension; displacements are large."
-            .into(),
+        true => format!(
+            "Rigid blocks on joints that give: the pressure grows with the overlap over the compressed part of a joint, {}; \
+             displacements are large.",
+            match strongest(bridge) > 0.0 {
+                true => "and so does the tension up to the strength of the bond, which breaks there for good",
+                false => "without tension",
+            }
+        ),
         false => "Rigid blocks on joints that give at two points, without tension; displacements are large.".to_owned(),
     });
     c.assumptions.push(
         "The blocks that touch as built are those that press: a contact that only forms during the motion is left out."
             .into(),
     );
-    if bridge.joint.tensile_strength > 0.0 {
+    if strongest(bridge) > 0.0 && !distributed {
         c.assumptions.push("The tensile strength of the joints is left out.".into());
     }
     if bridge.masonry.compressive_strength.is_some() && distributed {
@@ -257,6 +262,28 @@ pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collaps
     }
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
+    }
+}
+
+/// Largest tensile strength of a kind of joint that the file has [Pa].
+fn strongest(bridge: &Bridge) -> f64 {
+    let rings = bridge.spans.iter().any(|span| span.rings.len() > 1).then_some(&bridge.ring_joint);
+    let walls = bridge.spandrel_wall.as_ref().map(|wall| &wall.joint);
+    let joints = [Some(&bridge.joint), rings, walls];
+    joints.into_iter().flatten().map(|joint| joint.tensile_strength).fold(0.0, f64::max)
+}
+
+/// What is carried where the bond of joints has gone [N/m].
+pub fn without_bond(load: Option<f64>) -> String {
+    match load {
+        Some(load) => format!(
+            "The load rests on the tensile strength of the joints, which is lost where a joint has once been open: without it \
+             {:.2} kN/m are carried.",
+            load / 1e3
+        ),
+        None => "The load rests on the tensile strength of the joints, which is lost where a joint has once been open: what is \
+                 carried without it was not found."
+            .into(),
     }
 }
 

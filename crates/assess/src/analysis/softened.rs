@@ -1,7 +1,7 @@
-//! What a ring would carry on joints of other stiffness: nobody knows that of an old bridge well.
+//! What a ring would carry on joints of other stiffness, or without their bond: nobody knows these of an old bridge well.
 
 use super::AnalysisError;
-use mechanics::blocks::Stiffness;
+use mechanics::blocks::{BlockModel, Stiffness};
 use mechanics::path::{Ground, Program, Settings, Status};
 use mechanics::watch::{Pace, Watch};
 use outcome::picture::OverStiffness;
@@ -43,6 +43,18 @@ pub(super) fn over_stiffness(
     Ok(Some(OverStiffness { points, rigid: d.load(rigid) }))
 }
 
+/// The largest factor that was found with joints whose bond has gone, where it was found within some steps; `rigid` is the factor of
+/// rigid blocks.
+pub(super) fn without_bond(
+    d: &Discretised,
+    (settings, program): (&Settings, &Program),
+    rigid: f64,
+) -> Result<Option<f64>, AnalysisError> {
+    let mut model = d.model.clone();
+    model.laws.iter_mut().for_each(|law| law.tension = 0.0);
+    followed(&model, d, (settings, program), rigid, &mut Pace::of(MOST_STEPS))
+}
+
 /// Largest factor with joints so many times as stiff.
 fn scaled(
     d: &Discretised,
@@ -60,7 +72,18 @@ fn scaled(
             };
         }
     }
-    let ground = Ground::new(&model, &d.loading, settings, watch)?;
+    followed(&model, d, (settings, program), rigid, watch)
+}
+
+/// Largest factor of these blocks, whose loads are those of `d`.
+fn followed(
+    model: &BlockModel,
+    d: &Discretised,
+    (settings, program): (&Settings, &Program),
+    rigid: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<f64>, AnalysisError> {
+    let ground = Ground::new(model, &d.loading, settings, watch)?;
     let program = Program { increment: FIRST_STEP * rigid, ..program.clone() };
     let found = ground.sweeper().carried(&d.loading.variable, &program, watch);
     Ok(found.factor.filter(|_| matches!(found.status, Status::LimitPoint | Status::Bifurcation)))

@@ -3,7 +3,7 @@
 use super::model::Model;
 use super::state::State;
 use super::touch::{Memory, Touch};
-use crate::contact::ContactLength;
+use crate::contact::{Bond, ContactLength};
 use crate::ids::{BlockId, Id};
 use crate::plane::{Pose, Vec2, meet};
 
@@ -193,16 +193,22 @@ fn renew(model: &Model, poses: &[Pose], touch: &mut Touch, ids: (u32, u32), cont
     let reach = SAME_POINT * model.least_reach;
     let distance = |old: usize, new: usize| (before.at(old, centres.0) - after.at(new, centres.1)).norm();
     let mut taken = [false; 2];
+    // Cracks go with their ends; a bond whose ends are not found again is lost.
+    let mut cracks = [None; 2];
     for k in 0..next.count as usize {
         let nearest =
             (0..touch.count as usize).filter(|&j| !taken[j]).min_by(|&i, &j| distance(i, k).total_cmp(&distance(j, k)));
         next.memory[k] = match nearest {
             Some(j) if distance(j, k) <= reach => {
                 taken[j] = true;
+                cracks[k] = Some(touch.bond.lost[j]);
                 touch.memory[j]
             }
             _ => Memory { length: lengths[k], ..Memory::default() },
         };
+    }
+    if let [Some(first), Some(second)] = cracks {
+        next.bond = Bond { lost: [first, second] };
     }
     let lost = (0..2).filter(|&j| !taken[j]).map(|j| touch.open(j)).sum();
     *touch = next;

@@ -9,7 +9,7 @@ use super::state::State;
 use super::stiffness;
 use super::touch::{Reaction, Touch, Velocities};
 use crate::acting::Resultant;
-use crate::contact::ContactLength;
+use crate::contact::{Bond, ContactLength};
 use crate::plane::Pose;
 
 /// Scratch, disposable.
@@ -72,6 +72,7 @@ pub fn begin(model: &Model, settings: &Settings) -> State {
         for memory in &mut touch.memory {
             memory.bonded = true;
         }
+        touch.bond = Bond::default();
     }
     state.time_step = settings.time_step_factor * critical_time_step(model, &state, settings);
     if !state.particles.discs.is_empty() {

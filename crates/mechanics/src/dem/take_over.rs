@@ -44,6 +44,7 @@ fn touch(model: &Model, blocks: usize, old: &Touch) -> Option<Touch> {
     let law = model.laws.between(model.groups[a as usize], model.groups[b as usize]);
     let mut touch = Touch::new((a, b), old.meeting, cores, law, 0.0);
     touch.memory = old.memory;
+    touch.bond = old.bond;
     touch.normal_stiffness = old.normal_stiffness;
     touch.shear_stiffness = old.shear_stiffness;
     touch.half_joint = old.half_joint;

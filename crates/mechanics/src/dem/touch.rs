@@ -2,7 +2,7 @@
 
 use super::end::end;
 use crate::blocks::ContactLaw;
-use crate::contact::{ContactLength, Resistance};
+use crate::contact::{Bond, ContactLength, Resistance};
 use crate::plane::{Core, Meeting, Pose, Vec2, vec2};
 
 /// What a contact point remembers.
@@ -57,6 +57,8 @@ pub(super) struct Touch {
     pub half_joint: f64,
     /// Elastic energy of a distributed pressure [J/m]; none where points press.
     pub stored: Option<f64>,
+    /// What is left of the bond under a distributed pressure; points remember their own.
+    pub bond: Bond,
     /// Unit vector of the reference edge, in the frame of `one`.
     direction: Vec2,
     /// Start of the reference edge (or the corner) of `one`: along the edge, and outwards across it.
@@ -148,6 +150,7 @@ impl Touch {
             memory: [Memory::default(); 2],
             half_joint: law.least_length,
             stored: None,
+            bond: Bond::GONE,
             along: start.dot(direction),
             across: start.dot(direction.right()),
             direction,
@@ -312,15 +315,25 @@ impl Touch {
         let points = self.points(bodies.0, bodies.1);
         let law = self.resistance();
         let length = points.stretch().max(0.0);
-        let ends = law.ends(ContactLength::Distributed, points.overlap, length);
-        self.stored = Some(law.energy(points.overlap, length));
+        let mut reaction = Reaction::default();
+        if law.tension > 0.0 && self.bond.holds() {
+            // What breaks loses the energy that it holds at its strength.
+            let left = law.left(points.overlap, &self.bond);
+            let unbroken = Resistance { tension: f64::INFINITY, ..law };
+            let energy = |bond: &Bond| unbroken.energy(points.overlap, length, bond);
+            reaction.dissipated += energy(&self.bond) - energy(&left);
+            self.bond = left;
+        }
+        let ends = law.ends(ContactLength::Distributed, points.overlap, length, &self.bond);
+        self.stored = Some(law.energy(points.overlap, length, &self.bond));
         let (v1, v2) = velocities;
         let glide = vec2(v2[0] - v1[0], v2[1] - v1[1]).dot(points.direction);
-        let mut reaction = Reaction::default();
         let (mut compression, mut shear) = (0.0, 0.0);
         for k in 0..2 {
             let (n, now) = (ends.compression[k], ends.length[k]);
             if now <= 0.0 {
+                // What a bond held is in the account already.
+                self.memory[k].compression = self.memory[k].compression.max(0.0);
                 reaction.dissipated += self.open(k);
                 continue;
             }
@@ -334,7 +347,7 @@ impl Touch {
             let released =
                 if memory.closed { 0.5 * law.shear * sheared * sheared * (memory.length - now) } else { 0.0 };
             let trial = stiffness * (sheared - slip_rate * dt);
-            let cap = law.cohesion * now + law.friction * n;
+            let cap = ends.shear_strength(k, &law);
             let force = trial.clamp(-cap, cap);
             reaction.dissipated += released - 0.5 * (stiffness * sheared + force) * (force - trial) / stiffness;
             *memory = Memory {
@@ -362,6 +375,7 @@ impl Touch {
             friction: self.friction,
             cohesion: self.cohesion,
             crushing: self.crushing,
+            tension: self.tension,
             fixed_length: None,
             least_length: self.least_length,
         }

@@ -16,7 +16,7 @@ use crate::plane::{Meeting, Pose};
 use crate::words::{Words, fields};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_4144_0004;
+const LAYOUT: u64 = 0x4558_5452_4144_0005;
 
 fields! {
     Memory { shear, crushed, length, compression, bonded, closed, sliding }
@@ -72,12 +72,22 @@ impl Words for Meeting {
 }
 
 /// A touch without what follows from the model.
-type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], [f64; 4]));
+type StoredTouch = (((u32, u32), Meeting), ([Memory; 2], [f64; 6]));
 
 fn store_touch(t: &Touch) -> StoredTouch {
     (
         (t.ids(), t.meeting),
-        (t.memory, [t.normal_stiffness, t.shear_stiffness, t.half_joint, t.stored.unwrap_or(f64::NAN)]),
+        (
+            t.memory,
+            [
+                t.normal_stiffness,
+                t.shear_stiffness,
+                t.half_joint,
+                t.stored.unwrap_or(f64::NAN),
+                t.bond.lost[0],
+                t.bond.lost[1],
+            ],
+        ),
     )
 }
 
@@ -99,7 +109,8 @@ fn rebuild_touch(model: &Model, ((ids, meeting), (memory, stiffness)): StoredTou
     let mut touch = Touch::new(ids, meeting, cores, law, 0.0);
     touch.memory = memory;
     let stored;
-    [touch.normal_stiffness, touch.shear_stiffness, touch.half_joint, stored] = stiffness;
+    [touch.normal_stiffness, touch.shear_stiffness, touch.half_joint, stored, touch.bond.lost[0], touch.bond.lost[1]] =
+        stiffness;
     touch.stored = (!stored.is_nan()).then_some(stored);
     Some(touch)
 }

@@ -1,6 +1,6 @@
 //! A balanced state as it is reported.
 
-use super::joint::{Joint, Response};
+use super::joint::{Joint, Memory, Response};
 use super::model::Model;
 use super::outcome::{EndState, Frame, JointState, PathPoint};
 use super::settings::{Program, Settings};
@@ -39,20 +39,21 @@ fn joint(model: &Model, settings: &Settings, state: &State, k: usize) -> JointSt
         normal: half.turn(joint.normal),
         ends: [end(0), end(1)],
         stress: stress(settings, joint, &response),
-        opened: opened(&response.overlap),
+        opened: opened(settings, (joint, &state.memory[k]), &response.overlap),
         crushed: crushed(settings, joint, &response.overlap),
     }
 }
 
 /// Whether the shear of an end is as large as its strength.
 fn slides(joint: &Joint, response: &Response<f64>, end: usize) -> bool {
-    response.ends.compression[end] > 0.0 && response.shear[end].abs() >= strength(joint, response, end) * (1.0 - 1e-6)
+    let strength = strength(joint, response, end);
+    let resists = response.ends.compression[end] > 0.0 || strength > 0.0;
+    resists && response.shear[end].abs() >= strength * (1.0 - 1e-6)
 }
 
 /// Largest shear that an end carries [N/m].
 fn strength(joint: &Joint, response: &Response<f64>, end: usize) -> f64 {
-    let law = &joint.resistance;
-    law.friction * response.ends.compression[end] + law.cohesion * response.ends.length[end]
+    response.ends.shear_strength(end, &joint.resistance)
 }
 
 /// Greatest compressive stress [Pa].
@@ -66,9 +67,10 @@ fn stress(settings: &Settings, joint: &Joint, response: &Response<f64>) -> f64 {
     at_end(0).max(at_end(1))
 }
 
-/// Share of the face where its sides are apart.
-fn opened(overlap: &[f64; 2]) -> f64 {
-    beyond([-overlap[0], -overlap[1]])
+/// Share of the face where its sides are apart and no bond holds them.
+fn opened(settings: &Settings, (joint, memory): (&Joint, &Memory), overlap: &[f64; 2]) -> f64 {
+    let apart = beyond([-overlap[0], -overlap[1]]);
+    (apart - joint.pulled(settings.contact_length, *overlap, &memory.bond)).max(0.0)
 }
 
 /// Share of the face whose stress is at the strength.
@@ -112,7 +114,7 @@ pub(super) fn point(
     };
     for (k, joint) in model.joints.iter().enumerate() {
         let response = respond(model, settings, &state.memory[k], k, state);
-        let open = opened(&response.overlap);
+        let open = opened(settings, (joint, &state.memory[k]), &response.overlap);
         // A joint that is open throughout carries nothing: it is no hinge.
         if open < 1.0 {
             point.opened = point.opened.max(open);

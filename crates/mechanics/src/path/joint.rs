@@ -5,7 +5,7 @@
 
 use super::dual::{Angle, Dual, Half, whole};
 use crate::blocks::{BlockModel, Interface, ModelError};
-use crate::contact::{ContactLength, Ends, Number, Resistance, each};
+use crate::contact::{Bond, ContactLength, Ends, Number, Resistance, each};
 use crate::ids::{Id, Table};
 use crate::plane::{Vec2, vec2};
 
@@ -31,6 +31,8 @@ pub(super) struct Memory {
     pub sheared: [f64; 2],
     /// How far the second block had slid along the tangent [m].
     pub glide: f64,
+    /// What was left of the bond.
+    pub bond: Bond,
 }
 
 /// How joints answer: where they press, and by how much they are pressed together before anything acts [m], which their ends
@@ -54,6 +56,8 @@ pub(super) struct Response<T> {
     pub shear: [T; 2],
     /// Whether an end slides.
     pub sliding: [bool; 2],
+    /// Whether more of the bond breaks.
+    pub cracking: bool,
     /// Overlap at the two ends of the common face [m].
     pub overlap: [T; 2],
     /// Length of the common face [m].
@@ -193,13 +197,14 @@ impl Joint {
         (pose, turn): (Relative<T>, Half),
     ) -> Response<T> {
         let Meeting { tangent, normal, apart, overlap, length, glide, at } = self.meet(pose, turn);
-        let (ends, back) = self.pressed(bedding, overlap, length);
+        let (ends, back) = self.pressed(bedding, overlap, length, &memory.bond);
         let law = &self.resistance;
+        let cracking = self.cracks(bedding, each(overlap, |o| o.value()), &memory.bond).is_some();
         let moved = glide - T::of(memory.glide);
         let (mut shear, mut sliding, mut force) = ([T::of(0.0); 2], [false; 2], [T::of(0.0); 3]);
         for k in 0..2 {
             let trial = T::of(law.shear) * ends.length[k] * (T::of(memory.sheared[k]) - moved);
-            let strength = T::of(law.friction) * ends.compression[k] + T::of(law.cohesion) * ends.length[k];
+            let strength = ends.shear_strength(k, law);
             sliding[k] = trial.value().abs() > strength.value();
             shear[k] = match (sliding[k], trial.value() < 0.0) {
                 (false, _) => trial,
@@ -211,33 +216,59 @@ impl Joint {
             let arm = [at[k][0] - apart[0], at[k][1] - apart[1]];
             force = [force[0] + on[0], force[1] + on[1], force[2] + arm[0] * on[1] - arm[1] * on[0]];
         }
-        Response { force, ends, shear, sliding, overlap, length, glide, at }
+        Response { force, ends, shear, sliding, cracking, overlap, length, glide, at }
     }
 
     /// What the two ends carry, and what is pushed back where the joint is pressed together beforehand, so that one that nothing
     /// loads stays at rest. Nothing crushes then.
-    fn pressed<T: Number>(&self, bedding: Bedding, overlap: [T; 2], length: T) -> (Ends<T>, [T; 2]) {
+    fn pressed<T: Number>(&self, bedding: Bedding, overlap: [T; 2], length: T, bond: &Bond) -> (Ends<T>, [T; 2]) {
         let Bedding { contact_length, pressed } = bedding;
         if pressed <= 0.0 {
-            return (self.ends(&self.resistance, contact_length, overlap, length), [T::of(0.0); 2]);
+            return (self.ends(&self.resistance, contact_length, overlap, length, bond), [T::of(0.0); 2]);
         }
         let law = Resistance { crushing: f64::INFINITY, ..self.resistance };
-        let ends = self.ends(&law, contact_length, overlap.map(|o| o + T::of(pressed)), length);
-        (ends, self.ends(&law, contact_length, [T::of(pressed); 2], length).compression)
+        let ends = self.ends(&law, contact_length, overlap.map(|o| o + T::of(pressed)), length, bond);
+        (ends, self.ends(&law, contact_length, [T::of(pressed); 2], length, bond).compression)
     }
 
     /// A pin presses in its one point.
-    fn ends<T: Number>(&self, law: &Resistance, contact_length: ContactLength, overlap: [T; 2], length: T) -> Ends<T> {
+    fn ends<T: Number>(
+        &self,
+        law: &Resistance,
+        contact_length: ContactLength,
+        overlap: [T; 2],
+        length: T,
+        bond: &Bond,
+    ) -> Ends<T> {
         let nothing = Ends { compression: [T::of(0.0); 2], length: [T::of(0.0); 2] };
         if self.pin {
             let pin = Resistance { fixed_length: Some(self.bearing_length()), ..*law };
-            let both = pin.ends(ContactLength::Fixed, overlap, length);
+            let both = pin.ends(ContactLength::Fixed, overlap, length, bond);
             return Ends {
                 compression: [both.compression[0], nothing.compression[1]],
                 length: [both.length[0], nothing.length[1]],
             };
         }
-        if length.value() > 0.0 { law.ends(contact_length, overlap, length) } else { nothing }
+        if length.value() > 0.0 { law.ends(contact_length, overlap, length, bond) } else { nothing }
+    }
+
+    /// Whether the joint has a bond that counts.
+    fn bonds(&self, contact_length: ContactLength) -> bool {
+        !self.pin && self.resistance.tension > 0.0 && contact_length == ContactLength::Distributed
+    }
+
+    /// What is left of a bond of which some breaks at this overlap; nothing where none does, or while joints are pressed together.
+    pub fn cracks(&self, bedding: Bedding, overlap: [f64; 2], bond: &Bond) -> Option<Bond> {
+        if bedding.pressed > 0.0 || !self.bonds(bedding.contact_length) || !bond.holds() {
+            return None;
+        }
+        let left = self.resistance.left(overlap, bond);
+        (0..2).any(|k| left.lost[k] > bond.lost[k]).then_some(left)
+    }
+
+    /// Share of the face that the bond pulls together.
+    pub fn pulled(&self, contact_length: ContactLength, overlap: [f64; 2], bond: &Bond) -> f64 {
+        if self.bonds(contact_length) { self.resistance.pulled_share(overlap, bond) } else { 0.0 }
     }
 
     /// Stiffness that an open joint is lent in tangents, and there alone, so that a block that nothing touches does not make

@@ -40,7 +40,7 @@ pub struct PathPoint {
     pub factor: f64,
     /// Displacement of the watched point since it was built [m].
     pub displacement: Vec2,
-    /// Largest distance of a joint's thrust from its middle, as a share of the joint's length, 0 to 0.5.
+    /// Largest distance of a joint's thrust from its middle, as a share of the joint's length: 0 to 0.5, and more where a bond pulls.
     pub eccentricity: f64,
     /// Largest share of a joint's length that is open, 0 to 1.
     pub opened: f64,
@@ -65,7 +65,7 @@ pub struct PathPoint {
 pub struct EndState {
     /// Where [m].
     pub at: Vec2,
-    /// Compression [N/m], positive.
+    /// Compression [N/m], positive; negative where a bond pulls.
     pub compression: f64,
     /// Shear [N/m], positive when the force on the second block acts along the tangent.
     pub shear: f64,
@@ -86,7 +86,7 @@ pub struct JointState {
     pub ends: [EndState; 2],
     /// Greatest compressive stress [Pa].
     pub stress: f64,
-    /// Share of its length that is open, 0 to 1.
+    /// Share of its length that is open and without bond, 0 to 1.
     pub opened: f64,
     /// Share of its length that is at the crushing strength, 0 to 1.
     pub crushed: f64,

@@ -6,6 +6,7 @@ use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::{HELD, Model};
 use super::settings::Settings;
 use crate::acting::Resultant;
+use crate::contact::Bond;
 
 /// A state of the blocks: what a checkpoint must contain.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +51,8 @@ pub(super) struct Workspace {
     pub growing: Vec<f64>,
     /// Whether an end of a joint slides.
     pub slides: bool,
+    /// Whether some of a bond breaks.
+    pub cracks: bool,
     /// Half of the turn of each block.
     turns: Vec<Half>,
 }
@@ -61,6 +64,7 @@ impl Workspace {
             unbalanced: vec![0.0; model.equations],
             growing: vec![0.0; model.equations],
             slides: false,
+            cracks: false,
             turns: Vec::new(),
         }
     }
@@ -92,7 +96,7 @@ pub(super) fn assemble(model: &Model, settings: &Settings, state: &State, work: 
     work.tangent.clear();
     work.unbalanced.fill(0.0);
     work.growing.fill(0.0);
-    work.slides = false;
+    (work.slides, work.cracks) = (false, false);
     work.turns.clear();
     work.turns.extend(state.motions.iter().map(|motion| half_of(motion[2])));
     for block in 0..model.built.len() {
@@ -136,6 +140,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     let turned = (pose, between(turns[0], turns[1]));
     let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], turned);
     work.slides |= response.sliding[0] || response.sliding[1];
+    work.cracks |= response.cracking;
     let [x, y, turn] = response.force;
     let (f, mut slope) = ([x.value, y.value, turn.value], [x.slope, y.slope, turn.slope]);
     let [lent_normal, lent_shear, lent_turn] = joint.lent();
@@ -212,13 +217,23 @@ pub(super) fn advance(model: &Model, state: &mut State, change: &[f64], factor: 
 /// Share of its shear that a joint keeps.
 const HOLDS: f64 = 1.0 - 1e-9;
 
+/// Share of a joint's length by which a crack is remembered as shorter than it is.
+const HAIR: f64 = 1e-9;
+
 /// Lets the joints remember the state: it is balanced. What slides is left a hair below its strength, so that the tangent there
-/// is that of joints that hold: whether they slide on is for the next state to show.
+/// is that of joints that hold: whether they slide on is for the next state to show. A crack is left a hair shorter, so that the tangent there is
+/// that of a crack that grows: one that takes load away does so at once.
 pub(super) fn commit(model: &Model, settings: &Settings, state: &mut State) {
     for k in 0..model.joints.len() {
         let response = respond(model, settings, &state.memory[k], k, state);
         let stiffness = response.ends.length.map(|length| length * model.joints[k].resistance.shear);
         let sheared = [0, 1].map(|e| if stiffness[e] > 0.0 { HOLDS * response.shear[e] / stiffness[e] } else { 0.0 });
-        state.memory[k] = Memory { sheared, glide: response.glide };
+        let before = state.memory[k].bond;
+        let broken = model.joints[k].cracks(bedding(settings, state), response.overlap, &before);
+        let lost = |left: Bond, e: usize| {
+            if left.lost[e] > before.lost[e] { (left.lost[e] - HAIR).max(before.lost[e]) } else { left.lost[e] }
+        };
+        let hair = |left: Bond| Bond { lost: [0, 1].map(|e| lost(left, e)) };
+        state.memory[k] = Memory { sheared, glide: response.glide, bond: broken.map_or(before, hair) };
     }
 }

@@ -458,8 +458,8 @@ impl<'m> Path<'m> {
         let on = self.heading(&next, Some(&rise.heading));
         let falls = next.factor <= factor || on.as_ref().is_some_and(|on| on.factor <= 0.0);
         let turns = on.as_ref().is_none_or(|on| on.sign <= 0);
-        // Where a joint opens or closes the path has a corner; where it forks it has none.
-        let smooth = on.as_ref().is_some_and(|on| rise.heading.goes_on_as(on));
+        // Where a joint opens or closes the path has a corner; where it forks it has none. Whether a crack grows is not known beforehand.
+        let smooth = !self.work.cracks && on.as_ref().is_some_and(|on| rise.heading.goes_on_as(on));
         let on = match on {
             Some(on) if !falls && !turns => on,
             on => {
@@ -507,7 +507,7 @@ impl<'m> Path<'m> {
         self.iterations += balanced.iterations;
         commit(self.model, self.settings, &mut next);
         // Joints that hold have the same tangent before and after they remember the state.
-        self.assembled = !self.work.slides;
+        self.assembled = !(self.work.slides || self.work.cracks);
         Some((next, balanced))
     }
 

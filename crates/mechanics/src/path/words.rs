@@ -9,7 +9,7 @@ use super::stand::{LetGo, Settle};
 use super::system::State;
 use super::trace::{Descend, End, Heading, Past, Path, Push, Rise, Stage};
 use crate::acting::Resultant;
-use crate::contact::{ContactLength, Resistance};
+use crate::contact::{Bond, ContactLength, Resistance};
 use crate::digest::checksum;
 use crate::words::{Words, fields};
 
@@ -17,7 +17,8 @@ use crate::words::{Words, fields};
 const LAYOUT: u64 = 0x4558_5452_5041_0001;
 
 fields! {
-    Memory { sheared, glide }
+    Bond { lost }
+    Memory { sheared, glide, bond }
     State { motions, factor, memory, pressed }
     Balanced { iterations, residual }
     Heading { direction, factor, sign }
@@ -30,7 +31,7 @@ fields! {
     Descend { end, peak, heading, length, step }
     PathPoint { factor, displacement, eccentricity, opened, hinges, sliding, stress, crushed, excess, iterations, residual }
     Resultant { force, cross, dot }
-    Resistance { normal, shear, friction, cohesion, crushing, fixed_length, least_length }
+    Resistance { normal, shear, friction, cohesion, crushing, tension, fixed_length, least_length }
     Joint { first, second, on_first, on_second, normal, pin, resistance }
 }
 

@@ -62,6 +62,7 @@ mod particle_support;
 mod particle_take_over;
 mod particle_threads;
 mod path_arch;
+mod path_bond;
 mod path_closed_forms;
 mod path_known;
 mod path_resume;

@@ -53,6 +53,13 @@ fn heavy() -> (BlockModel, Loading) {
     arch
 }
 
+/// Stiff joints of a bond that breaks on the way, now here, now there.
+fn bonded() -> (BlockModel, Loading) {
+    let mut arch = bridgemill(false, 10.0);
+    arch.0.laws.iter_mut().for_each(|law| law.tension = 1e6);
+    arch
+}
+
 /// Under its own weight, on the way up, where balance is lost and found again, and past the peak: the outcome is that of an
 /// undisturbed run to the last bit; also where it is stopped again right after it was taken up.
 #[test]
@@ -63,6 +70,7 @@ fn a_resumed_path_ends_in_the_same_bits() {
         (ContactLength::Fixed, bridgemill(false, 1.0)),
         (ContactLength::Distributed, bridgemill(true, 1.0)),
         (ContactLength::Distributed, heavy()),
+        (ContactLength::Distributed, bonded()),
     ];
     for (contact_length, arch) in cases {
         let settings = Settings::new(contact_length);
