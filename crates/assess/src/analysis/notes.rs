@@ -205,8 +205,12 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
     common(bridge, d, c);
     let springs = c.finite().map_or(0, |finite| finite.springs_per_joint);
     c.assumptions.push(format!(
-        "Each joint has {springs} springs from edge to edge, without tension, which shear elastically and do not \
-         slide; displacements are large. {parts}"
+        "Each joint has {springs} springs from edge to edge, without tension{}, which shear elastically and do not \
+         slide; displacements are large. {parts}",
+        match bridge.plan.contact {
+            Some(bridge::JointContact::Distributed) => " and each for a strip of its own",
+            _ => "",
+        }
     ));
     c.assumptions.push(
         "collapse_load is the smallest load tried without equilibrium; last_stable_load is the largest with \

@@ -54,7 +54,7 @@ fn load(bridge: &Bridge) -> Result<(), AnalysisError> {
         return Err(AnalysisError::NoLoad);
     }
     if bridge.plan.method == Method::Fe {
-        return ring_mesh(&d, bridge.service.mesh.ring_nodes).map(|_| ()).ok_or(AnalysisError::NotOneRing);
+        return ring_mesh(&d, bridge.service.mesh.ring_nodes, false).map(|_| ()).ok_or(AnalysisError::NotOneRing);
     }
     let Some(particles) = fill::wanted(bridge) else { return Ok(()) };
     if bridge.plan.method == Method::Path {

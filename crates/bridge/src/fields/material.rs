@@ -115,7 +115,7 @@ pub(super) static JOINT: Section = Section {
             "where all joints of the bridge carry what presses them",
             "distributed",
         )
-        .optional("\"points\" with method \"dem\", \"distributed\" with method \"path\"")],
+        .optional("\"points\" with methods \"dem\" and \"fe\", \"distributed\" with method \"path\"")],
     ]),
 };
 

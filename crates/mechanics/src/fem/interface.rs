@@ -52,6 +52,11 @@ impl Spring {
         self.nodes.iter().filter(|(_, weight, _)| *weight > 0.0).map(|&(node, weight, _)| (node, weight)).collect()
     }
 
+    /// Nodes of both sides and their shares in the place midway between the two.
+    pub fn place(&self) -> impl Iterator<Item = (NodeId, f64)> + '_ {
+        self.nodes.iter().map(|&(node, weight, _)| (node, 0.5 * weight.abs()))
+    }
+
     /// Normal and tangential opening at small displacements: components and weights.
     pub(super) fn openings(&self) -> [Vec<(usize, f64)>; 2] {
         let (x, y) = (self.direction.x, self.direction.y);
@@ -121,7 +126,14 @@ pub(super) fn springs(mesh: &Mesh, kinematics: Kinematics) -> Result<Vec<Spring>
     for (id, interface) in mesh.interfaces.pairs() {
         let face = Face::of(mesh, id, interface)?;
         match interface.quadrature {
-            Quadrature::Gauss => face.gauss(&mut all),
+            Quadrature::Gauss => {
+                let half = 0.5 / 3.0_f64.sqrt();
+                face.within(&[0.5 - half, 0.5 + half], &mut all);
+            }
+            Quadrature::Strips(count) => {
+                let middles: Vec<f64> = (0..count).map(|k| (f64::from(k) + 0.5) / f64::from(count)).collect();
+                face.within(&middles, &mut all);
+            }
             Quadrature::EqualSprings | Quadrature::Nodal => face.pairs(kinematics, &mut all),
         }
     }
@@ -182,20 +194,20 @@ impl<'a> Face<'a> {
         }
     }
 
-    /// Two springs a segment, at its Gauss points.
-    fn gauss(&self, all: &mut Vec<Spring>) {
+    /// Springs at these shares of each segment, of the same area.
+    fn within(&self, shares: &[f64], all: &mut Vec<Spring>) {
         for a in 0..self.middle.len() - 1 {
             let b = a + 1;
             let way = self.middle[b] - self.middle[a];
             let length = self.along[b] - self.along[a];
-            for share in [0.5 - 0.5 / 3.0_f64.sqrt(), 0.5 + 0.5 / 3.0_f64.sqrt()] {
+            for &share in shares {
                 let nodes = vec![
                     (self.interface.one[a], share - 1.0, -0.5),
                     (self.interface.one[b], -share, 0.5),
                     (self.interface.two[a], 1.0 - share, -0.5),
                     (self.interface.two[b], share, 0.5),
                 ];
-                all.push(self.spring(self.along[a] + share * length, 0.5 * length, way.unit(), nodes));
+                all.push(self.spring(self.along[a] + share * length, length / shares.len() as f64, way.unit(), nodes));
             }
         }
     }

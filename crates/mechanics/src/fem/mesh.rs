@@ -53,4 +53,7 @@ pub enum Quadrature {
     Nodal,
     /// Two Gauss points a segment.
     Gauss,
+    /// So many strips of equal width a segment, each with a spring in its middle: a joint that opens has its stress over nearly all of
+    /// what is closed, and not at nodes alone.
+    Strips(u32),
 }

@@ -78,18 +78,12 @@ fn contacts(ring: &RingMesh, model: &Model, state: &State) -> Vec<ContactForce> 
         let joint = spring.interface.index();
         let blocks = blocks(ring, joint);
         let nodes = &model.mesh.interfaces[spring.interface];
-        let pair = nodes.two.iter().zip(&nodes.one).min_by(|a, b| {
-            let off =
-                |node: NodeId| ((model.mesh.nodes[node] - model.mesh.nodes[nodes.two[0]]).norm() - spring.along).abs();
-            off(*a.0).total_cmp(&off(*b.0))
-        });
-        let Some((two, one)) = pair else { continue };
         let (first, last) = (nodes.two[0], nodes.two[nodes.two.len() - 1]);
         let middle = |k: usize| (place(nodes.one[k]) + place(nodes.two[k])) * 0.5;
         let way = if first == last { spring.direction } else { (middle(nodes.two.len() - 1) - middle(0)).unit() };
         all.push(ContactForce {
             blocks: blocks.map(BlockId::index),
-            point: point((place(*one) + place(*two)) * 0.5),
+            point: point(spring.place().fold(Vec2::ZERO, |sum, (node, share)| sum + place(node) * share)),
             normal: point(way.left()),
             compression: -bond.traction[0] * spring.area,
             // A positive shear works on side two moving along the way, so that it pulls side two back; along the normal turned left.

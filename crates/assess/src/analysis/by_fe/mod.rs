@@ -8,7 +8,7 @@ mod model;
 use super::by_dem::{program, require_stiffness};
 use super::{AnalysisError, by_limit, notes, picture};
 use crate::analysis::blank;
-use bridge::Bridge;
+use bridge::{Bridge, JointContact};
 use draw::Shown;
 use mechanics::blocks::PointForce;
 use mechanics::dem::Program;
@@ -45,7 +45,8 @@ pub fn collapse_by_fe(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
-    let ring = ring_mesh(&d, bridge.service.mesh.ring_nodes).ok_or(AnalysisError::NotOneRing)?;
+    let spread = bridge.plan.contact == Some(JointContact::Distributed);
+    let ring = ring_mesh(&d, bridge.service.mesh.ring_nodes, spread).ok_or(AnalysisError::NotOneRing)?;
     // The same joints, anywhere in the full ring: the outermost springs stand at its edges.
     let rigid = limit::Settings {
         crushing: false,
@@ -223,7 +224,7 @@ impl<'a> Run<'a> {
         picture.path = self.path;
         let report = FiniteReport {
             equations: self.model.equations(),
-            springs_per_joint: self.ring.mesh.interfaces.iter().map(|joint| joint.one.len()).max().unwrap_or(0),
+            springs_per_joint: self.ring.springs,
             iterations_total: self.iterations,
             softening: match self.flexibility {
                 [Some(start), Some(end)] if start > 0.0 => Some(end / start),
