@@ -14,6 +14,8 @@ pub(super) struct Banded {
     /// Multiples of row `k` that were taken off the `below` rows after it, from `k * below` on.
     taken: Vec<f64>,
     exchanged: Vec<u32>,
+    /// Last column of each row that the factorisation has filled.
+    reach: Vec<u32>,
     /// Sign of the determinant; 0 where a pivot vanished.
     pub sign: i8,
 }
@@ -29,6 +31,7 @@ impl Banded {
             entries: vec![0.0; size * width],
             taken: vec![0.0; size * below],
             exchanged: vec![0; size],
+            reach: vec![0; size],
             sign: 0,
         }
     }
@@ -70,6 +73,7 @@ impl Banded {
     pub fn factorise(&mut self) -> bool {
         let (size, below) = (self.size, self.below);
         self.sign = 1;
+        let mut right = 0;
         for k in 0..size {
             let last = (k + below).min(size - 1);
             let mut pivot = k;
@@ -79,7 +83,9 @@ impl Banded {
                 }
             }
             self.exchanged[k] = pivot as u32;
-            let right = (k + 2 * below).min(size - 1);
+            // Rows that were exchanged reach further; all others have nothing there.
+            right = right.max(pivot + below).min(size - 1);
+            self.reach[k] = right as u32;
             if pivot != k {
                 self.sign = -self.sign;
                 for column in k..=right {
@@ -116,22 +122,36 @@ impl Banded {
 
     /// Solves in place with what [`factorise`](Self::factorise) left.
     pub fn solve(&self, right: &mut [f64]) {
+        self.solve_together([right]);
+    }
+
+    /// The same for several right-hand sides at once, each to the bits that it has alone.
+    pub fn solve_together<const N: usize>(&self, mut right: [&mut [f64]; N]) {
         for k in 0..self.size {
-            right.swap(k, self.exchanged[k] as usize);
-            let value = right[k];
             let count = self.below.min(self.size - 1 - k);
             let taken = &self.taken[k * self.below..k * self.below + count];
-            for (other, share) in right[k + 1..=k + count].iter_mut().zip(taken) {
-                *other -= share * value;
+            for side in &mut right {
+                side.swap(k, self.exchanged[k] as usize);
+                let value = side[k];
+                for (other, share) in side[k + 1..=k + count].iter_mut().zip(taken) {
+                    *other -= share * value;
+                }
             }
         }
         for k in (0..self.size).rev() {
-            let count = (2 * self.below).min(self.size - 1 - k);
+            let count = self.reach[k] as usize - k;
             let start = self.at(k, k);
             let row = &self.entries[start + 1..=start + count];
-            let known = &right[k + 1..=k + count];
-            let sum: f64 = row.iter().zip(known).map(|(entry, value)| entry * value).sum();
-            right[k] = (right[k] - sum) / self.entries[start];
+            let mut sums = [0.0; N];
+            let known = right.each_ref().map(|side| &side[k + 1..=k + count]);
+            for (i, entry) in row.iter().enumerate() {
+                for (sum, known) in sums.iter_mut().zip(&known) {
+                    *sum += entry * known[i];
+                }
+            }
+            for (side, sum) in right.iter_mut().zip(sums) {
+                side[k] = (side[k] - sum) / self.entries[start];
+            }
         }
     }
 }
@@ -156,7 +176,11 @@ mod tests {
             }
         }
         assert!(matrix.factorise());
+        let (mut one, mut other) = (right.clone(), right.iter().map(|r| -2.0 * r).collect::<Vec<f64>>());
+        matrix.solve_together([&mut one, &mut other]);
         matrix.solve(&mut right);
+        assert_eq!(one, right);
+        assert!(other.iter().zip(&right).all(|(other, right)| *other == -2.0 * right));
         for (found, exact) in right.iter().zip(&exact) {
             assert!((found - exact).abs() < 1e-10, "{right:?}");
         }

@@ -48,15 +48,16 @@ pub(super) fn balance(
             return None;
         }
         let mut change = work.unbalanced.clone();
-        work.tangent.solve(&mut change);
         let mut factor = 0.0;
         if let Constraint::Plane(direction) = constraint {
             let mut growing = work.growing.clone();
-            work.tangent.solve(&mut growing);
+            work.tangent.solve_together([&mut change, &mut growing]);
             factor = -dot(direction, &change) / dot(direction, &growing);
             for (c, g) in change.iter_mut().zip(&growing) {
                 *c += factor * g;
             }
+        } else {
+            work.tangent.solve(&mut change);
         }
         // A joint that opens or closes on the way changes the tangent: a correction that makes things much worse is cut.
         let start = state.clone();

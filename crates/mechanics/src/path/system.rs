@@ -163,7 +163,8 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     let moment_on_first = -f[2] - (d.x * f[1] - d.y * f[0]);
     let forces = [-on_second[0], -on_second[1], moment_on_first, on_second[0], on_second[1], f[2]];
     let mut tangent = [[0.0; 6]; 6];
-    for motion in 0..6 {
+    // The first block's translations do the opposite of the second's.
+    for motion in 2..6 {
         let row = |r: usize| {
             slope[r][0] * change[0][motion] + slope[r][1] * change[1][motion] + slope[r][2] * change[2][motion]
         };
@@ -177,6 +178,9 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
         for row in 0..6 {
             tangent[row][motion] = column[row];
         }
+    }
+    for row in &mut tangent {
+        (row[0], row[1]) = (-row[3], -row[4]);
     }
     let scale = [1.0, 1.0, 1.0 / model.size];
     let equation = |i: usize| model.equation[if i < 3 { joint.first } else { joint.second }][i % 3];

@@ -74,7 +74,14 @@ impl Extrados {
             let steep = near.y - far.y > fall * (far.x - near.x).abs();
             (steep && ahead(&far) > 0.0).then_some(ahead(&near).max(0.0))
         };
-        let first = self.line.windows(2).filter_map(falls).min_by(f64::total_cmp)?;
+        // The points are in order of x: the first one found on the way outwards is the nearest.
+        let first = if direction > 0.0 {
+            let next = self.line.partition_point(|p| p.x <= from);
+            self.line[next.saturating_sub(1)..].windows(2).find_map(falls)
+        } else {
+            let next = self.line.partition_point(|p| p.x < from);
+            self.line[..self.line.len().min(next + 1)].windows(2).rev().find_map(falls)
+        }?;
         Some(from + direction * first)
     }
     /// Where a ray from `from`, falling by `fall` per unit of x outwards in `direction` (-1 or +1), first meets the
