@@ -451,7 +451,7 @@ choice! {
     }
 }
 
-/// Horizontal pressure of the fill on backs that move against it, for limit analysis.
+/// Horizontal pressure of the fill on backs that move against it, for limit analysis and for the path of equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FillPressure {
     /// Whether it acts.
@@ -466,6 +466,8 @@ pub struct FillPressure {
     pub cohesion_mobilisation: f64,
     /// Pressure that is there whatever moves.
     pub least: LeastPressure,
+    /// Movement at which half of what movement mobilises is there, as a share of the depth below the top of the fill.
+    pub half_movement: f64,
 }
 
 choice! {

@@ -184,6 +184,9 @@ pub struct Restraint {
     pub least: f64,
     /// Force against a movement [N/m].
     pub most: f64,
+    /// Movement against it at which half of what lies between the two is there [m]. Where movement itself is not known, as in
+    /// limit analysis, all of it is there at once.
+    pub half_movement: f64,
     /// Another block and the point on it that bears the opposite force; none where something outside of the model does.
     pub against: Option<(BlockId, Vec2)>,
 }

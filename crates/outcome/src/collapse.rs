@@ -300,6 +300,17 @@ pub struct PathReport {
     pub yield_violation: f64,
     /// Iterations of Newton's method in all.
     pub iterations_total: u32,
+    /// What fill that presses against movement does; none where the file has none.
+    pub fill_pressure: Option<PathPressure>,
+}
+
+/// What fill that presses against movement does to a path.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PathPressure {
+    /// Largest load of the path with the fill as weight alone [N/m]; none where it has none.
+    pub without: Option<f64>,
+    /// What movement has mobilised at the largest load, as a share of what it could mobilise where backs move against the fill.
+    pub mobilised: f64,
 }
 
 /// What only finite elements report.

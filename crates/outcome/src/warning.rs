@@ -337,7 +337,8 @@ findings::cards! {
         "The effect of fill depends on how far its pressure is mobilised, which is not known for any bridge: with half \
          of the passive pressure the prediction is 1.33 times the load of one test and 0.53 times that of another. A \
          result with [fill_pressure] also gives the load by weight alone and the load with all of the passive \
-         pressure, and ultimate checks use the lower end.";
+         pressure, and ultimate checks use the lower end. Along the path of equilibrium the movement of the ring decides what is \
+         mobilised; its result gives the load by weight alone and that of rigid blocks beside it.";
     /// Paths of equilibrium that broke off.
     PATHS_BROKEN_OFF = "A196", "a path of equilibrium broke off",
         "On joints that give, the path of balanced states could not be followed to its largest load, in a sweep at some positions, or \

@@ -81,14 +81,23 @@ pub(super) fn increased(
     require_stiffness(bridge)?;
     let mut d = discretise(bridge)?;
     d.loading.movements.clear();
+    let rigid = uncrushed(bridge, &d, watch)?;
+    Ok((d, rigid))
+}
+
+/// What rigid blocks carry whose joints do not crush.
+pub(super) fn uncrushed(
+    bridge: &Bridge,
+    d: &Discretised,
+    watch: &mut dyn Watch,
+) -> Result<limit::Outcome, AnalysisError> {
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
     // Joints that do not crush are the ones to compare with: a contact point spreads its force over a length, where
     // limit analysis lets a joint crush under its edge.
-    let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, &d) };
-    let rigid = by_limit::watched(&d, &uncrushed, watch)?;
-    Ok((d, rigid))
+    let uncrushed = limit::Settings { crushing: false, ..by_limit::single(bridge, d) };
+    Ok(by_limit::watched(d, &uncrushed, watch)?)
 }
 
 /// Raises the loads of the file in steps until the blocks collapse.

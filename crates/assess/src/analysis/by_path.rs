@@ -1,6 +1,6 @@
 //! Collapse along the path of equilibrium: joints that give, up to the largest load and past it.
 
-use super::by_dem::{contact_length, increased};
+use super::by_dem::{contact_length, require_stiffness, uncrushed};
 use super::places::{lines, moving, point, scaled};
 use super::{AnalysisError, blank, by_limit, notes, picture, softened, stiffened};
 use bridge::{Bridge, JointContact};
@@ -10,7 +10,7 @@ use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::path::{self, Cause, Frame, PathPoint};
 use mechanics::watch::Watch;
-use outcome::collapse::{By, Collapse, Criterion, Ended, PathReport, Permissible, Status};
+use outcome::collapse::{By, Collapse, Criterion, Ended, PathPressure, PathReport, Permissible, Status};
 use outcome::picture::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
 use outcome::warning::{self, Warning};
 use structure::discretise::Discretised;
@@ -36,7 +36,9 @@ pub fn collapse_by_path(
     if bridge.particles.is_some() && structure::discretise::fill::wanted(bridge).is_some() {
         return Err(AnalysisError::NotByPath("particles"));
     }
-    let (d, rigid) = increased(bridge, watch)?;
+    require_stiffness(bridge)?;
+    let d = by_limit::prepared(bridge)?;
+    let rigid = uncrushed(bridge, &d, watch)?;
     if rigid.status == limit::Status::Cancelled {
         return Ok(by_limit::cancelled(bridge, &d));
     }
@@ -55,6 +57,12 @@ pub fn collapse_by_path(
     let mut c = report(bridge, &d, (&settings, contact), &outcome);
     c.load_step = Some(d.load(program.increment));
     c.limit_load = rigid.factor.map(|factor| d.load(factor));
+    if !d.loading.restraints.is_empty() {
+        let mut weight = d.clone();
+        weight.loading.restraints.clear();
+        let without = path::collapse(&weight.model, &weight.loading, (&settings, &program), None, watch)?;
+        pressed(&d, &outcome, &without, &mut c);
+    }
     if let (Some(own), Some(rigid)) = (outcome.collapse_factor, rigid.factor) {
         let own = (own, outcome.iterations);
         c.picture.over_stiffness = softened::over_stiffness(&d, (&settings, &program), own, rigid)?;
@@ -81,6 +89,16 @@ pub fn collapse_by_path(
         c.crushing_limit_load = crushed.map(|factor| d.load(factor));
     }
     Ok(c)
+}
+
+/// What fill that presses against movement does to the path.
+fn pressed(d: &Discretised, outcome: &path::Outcome, without: &path::Outcome, c: &mut Collapse) {
+    let By::Path(report) = &mut c.by else { return };
+    let at_peak = outcome.peak.and_then(|k| outcome.path.get(outcome.frames[k].step));
+    report.fill_pressure = Some(PathPressure {
+        without: without.last_stable_factor.map(|factor| d.load(factor)),
+        mobilised: at_peak.map_or(0.0, |point| point.mobilised),
+    });
 }
 
 /// What is to be said of a path that broke off, or never began.
@@ -125,6 +143,7 @@ fn report(
         equilibrium_residual: outcome.path.iter().map(|p| p.residual).fold(0.0, f64::max),
         yield_violation: outcome.path.iter().map(|p| p.excess).fold(0.0, f64::max) / weight,
         iterations_total: outcome.iterations,
+        fill_pressure: None,
     };
     let mut picture = picture::built(bridge, d, "path of equilibrium");
     draw(d, outcome, &mut picture);

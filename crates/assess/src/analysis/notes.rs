@@ -123,6 +123,35 @@ pub fn pressed(bridge: &Bridge, without: Option<f64>, full: Option<f64>, c: &mut
     }
 }
 
+/// Notes on fill that presses the more the further backs move against it.
+fn moved_against(bridge: &Bridge, c: &mut Collapse) {
+    let (Some(fill), Some(found)) = (&bridge.fill_pressure, c.along().and_then(|path| path.fill_pressure)) else {
+        return;
+    };
+    let k = pressure::coefficients(fill);
+    let told = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.2} kN/m", load / 1e3));
+    let (without, rigid) = (told(found.without), told(c.limit_load));
+    c.warnings.push(Warning::new(
+        warning::PRESSURE_RANGE,
+        format!(
+            "{without} by weight alone, {} with the pressure that the ring's own movement mobilises, {rigid} on rigid \
+             blocks, where all of the file's share acts at once",
+            told(c.last_stable_load),
+        ),
+    ));
+    c.assumptions.push(format!(
+        "Fill presses sideways on the backs with {:.2} of its vertical stress, and the more the further a back moves against it: \
+         half of the way to {:.2} of it plus {:.1} kPa at a movement of {:.1} % of the depth below the top of the fill. At the \
+         largest load {:.0} % of what movement could add is there. Movement counts from the blocks as built. Without it the load \
+         is {without}.",
+        k.least,
+        k.most,
+        k.cohesion / 1e3,
+        100.0 * fill.half_movement,
+        100.0 * found.mobilised,
+    ));
+}
+
 /// What is assumed of backing that is blocks, and of the ground behind it.
 fn backed(bridge: &Bridge, d: &Discretised) -> Option<String> {
     bridge.cover.backing.filter(|b| b.body == BackingBody::Blocks)?;
@@ -235,13 +264,7 @@ pub fn finite(bridge: &Bridge, d: &Discretised, parts: &str, c: &mut Collapse) {
 /// Notes on the path of equilibrium.
 pub fn path(bridge: &Bridge, d: &Discretised, distributed: bool, c: &mut Collapse) {
     common(bridge, d, c);
-    if bridge.fill_pressure.is_some_and(|fill| fill.applies) {
-        c.assumptions.push(
-            "[fill_pressure] applies to limit analysis only: here the fill has weight and does not press \
-             sideways."
-                .into(),
-        );
-    }
+    moved_against(bridge, c);
     c.assumptions.push(match distributed {
         true => format!(
             "Rigid blocks on joints that give: the pressure grows with the overlap over the compressed part of a joint, {}; \

@@ -182,3 +182,36 @@ fn a_ring_that_falls_through_soft_joints_has_no_adequacy_factor() {
     let codes: Vec<_> = found.warnings.iter().map(|warning| warning.code).collect();
     assert!(codes.contains(&outcome::warning::PATHS_BROKEN_OFF), "{codes:?}");
 }
+
+/// Fill that resists as the ring moves against it: more than fill as weight, less than rigid blocks that mobilise all of it at once, and
+/// the same for the mirrored load. The load by weight alone is that of a file without fill pressure.
+#[test]
+fn fill_resists_as_far_as_the_ring_moves_against_it() {
+    let mut weight = samples::bridgemill();
+    weight.cover.layers = vec![samples::fill(0.478, 1890.0)];
+    let pressed = |half_movement: f64| Bridge {
+        fill_pressure: Some(bridge::FillPressure {
+            applies: true,
+            friction_angle: 35f64.to_radians(),
+            cohesion: 0.0,
+            mobilisation: 1.0,
+            cohesion_mobilisation: 0.0,
+            least: bridge::LeastPressure::AtRest,
+            half_movement,
+        }),
+        ..weight.clone()
+    };
+    let load = |b: &Bridge| by_path(b.clone(), None).last_stable_load.unwrap();
+    let found = by_path(pressed(0.02), None);
+    let [carried, rigid] = [found.last_stable_load, found.limit_load].map(Option::unwrap);
+    let fill = found.along().unwrap().fill_pressure.unwrap();
+    assert_eq!(fill.without, Some(load(&weight)));
+    assert!(fill.without.unwrap() < carried && carried < 0.8 * rigid, "{fill:?} {carried} {rigid}");
+    assert!((0.05..0.6).contains(&fill.mobilised), "{}", fill.mobilised);
+    assert!(found.warnings.iter().any(|w| w.code == outcome::warning::PRESSURE_RANGE.code));
+    assert!(load(&pressed(0.01)) > 1.01 * carried, "fill that resists sooner");
+    let mut mirrored = pressed(0.02);
+    mirrored.loads[0].position = mirrored.spans[0].span - mirrored.loads[0].position;
+    let other = load(&mirrored);
+    assert!((other / carried - 1.0).abs() < 1e-5, "{carried} {other}");
+}

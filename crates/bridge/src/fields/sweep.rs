@@ -125,10 +125,10 @@ pub(super) static CARRIAGEWAY: Section = Section {
 
 pub(super) static FILL_PRESSURE: Section = Section {
     path: "fill_pressure",
-    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis: between the pressure at rest and a \
-          share of Rankine's passive pressure, which acts only where a back moves against the fill. \
-          docs/theory/fill-pressure.md gives the sources of the shares. The discrete element method does not use this \
-          table: particles exert pressure themselves.",
+    doc: "Horizontal pressure of the fill on the rings' backs in limit analysis and along the path of equilibrium: between the \
+          pressure at rest and a share of Rankine's passive pressure. In limit analysis all of that share is there where a back \
+          moves against the fill; along the path it grows with the movement. docs/theory/fill-pressure.md gives the sources of \
+          the shares. The discrete element method does not use this table: particles exert pressure themselves.",
     fields: &[
         Field::new("applies", Kind::Flag, "whether it acts", "true").default("true"),
         Field::new("friction_angle", Kind::Quantity(Angle), "angle of friction of the fill", "30 deg")
@@ -155,6 +155,16 @@ pub(super) static FILL_PRESSURE: Section = Section {
             "at-rest",
         )
         .default(LeastPressure::AtRest.word()),
+        Field::new(
+            "half_movement",
+            Kind::Number,
+            "movement of a back against the fill at which half of what movement mobilises is there, as a share of the depth \
+             below the top of the fill; method \"path\"",
+            "0.01",
+        )
+        .above(0.0)
+        .at_most(1.0)
+        .default("0.02"),
     ],
 };
 
@@ -274,6 +284,6 @@ pub(crate) fn fill_pressure(table: &Table<'_>, findings: &mut Findings) -> Optio
     read!(
         table,
         findings,
-        FillPressure { applies, friction_angle, cohesion, mobilisation, cohesion_mobilisation, least }
+        FillPressure { applies, friction_angle, cohesion, mobilisation, cohesion_mobilisation, least, half_movement }
     )
 }

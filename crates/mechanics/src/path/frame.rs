@@ -108,6 +108,7 @@ pub(super) fn point(
         sliding: 0,
         stress: 0.0,
         crushed: 0.0,
+        mobilised: mobilised(model, state),
         excess: 0.0,
         iterations,
         residual,
@@ -132,6 +133,13 @@ pub(super) fn point(
         point.crushed = point.crushed.max(crushed(settings, joint, &response.overlap));
     }
     point
+}
+
+/// What restraints add that blocks move against, as a share of all that these could add.
+fn mobilised(model: &Model, state: &State) -> f64 {
+    let against = model.restraints.iter().filter_map(|r| r.added(state));
+    let [there, most] = against.fold([0.0; 2], |[there, most], [one, all]| [there + one, most + all]);
+    if most > 0.0 { there / most } else { 0.0 }
 }
 
 /// Displacement of the watched point [m].

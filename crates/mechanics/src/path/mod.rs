@@ -4,9 +4,9 @@
 //! tangents finds the states in which all forces balance. The length of the path, and not the load, is what is prescribed
 //! (Riks 1979; Crisfield 1981), so that the load may fall.
 //!
-//! Read in the order of the method: `model` numbers the equations, `joint` gives the forces of one joint and `system` those of
-//! all, `correct` balances a guess, `relax` lets blocks come to rest or fall, `stand` finds the first state, `trace` goes from state to
-//! state, `frame` and `mechanism` say what a state is like and how it ends, `sweep` follows many loads on the same blocks.
+//! Read in the order of the method: `model` numbers the equations, `joint` gives the forces of one joint, `restraint` that of
+//! fill which a block moves against, and `system` those of all, `correct` balances a guess, `relax` lets blocks come to rest or
+//! fall, `stand` finds the first state, `trace` goes from state to state, `frame` and `mechanism` say what a state is like and how it ends, `sweep` follows many loads on the same blocks.
 
 mod banded;
 mod correct;
@@ -17,6 +17,7 @@ mod mechanism;
 mod model;
 mod outcome;
 mod relax;
+mod restraint;
 mod settings;
 mod stand;
 mod sweep;

@@ -1,6 +1,7 @@
 //! What is fixed once the path is set up: joints, loads and the order of the equations.
 
 use super::joint::Joint;
+use super::restraint::Restrained;
 use super::settings::Settings;
 use crate::acting::Resultant;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce, interfaces};
@@ -16,6 +17,7 @@ pub struct Model {
     /// The joints as built, in the order of their blocks.
     pub interfaces: Vec<Interface>,
     pub(super) joints: Vec<Joint>,
+    pub(super) restraints: Vec<Restrained>,
     /// Centre of mass of each block as built [m].
     pub(super) built: Vec<Vec2>,
     /// Weight and permanent forces of each block.
@@ -70,8 +72,15 @@ impl Model {
         if free.is_empty() {
             return Err(ModelError::NothingFree);
         }
-        let (equation, equations) = numbered(&held, &joints);
-        let band = joints.iter().map(|joint| spread(&equation, joint)).max().unwrap_or(0).max(2);
+        let restraints = Restrained::all(loading, &built)?;
+        let joined = joints.iter().map(|joint| [joint.first, joint.second]);
+        let pushed = restraints.iter().filter_map(|r| match r.blocks() {
+            [Some(a), Some(b)] => Some([a, b]),
+            _ => None,
+        });
+        let pairs: Vec<[usize; 2]> = joined.chain(pushed).collect();
+        let (equation, equations) = numbered(&held, &pairs);
+        let band = pairs.iter().map(|pair| spread(&equation, *pair)).max().unwrap_or(0).max(2);
         let side = |&i: &usize| model.blocks[BlockId::new(i)].outline.area().sqrt();
         let size = free.iter().map(side).sum::<f64>() / free.len() as f64;
         let rounding = joints.iter().map(Joint::rounding).fold(0.0, f64::max);
@@ -95,6 +104,7 @@ impl Model {
         Ok(Model {
             interfaces,
             joints,
+            restraints,
             built,
             permanent,
             variable,
@@ -127,14 +137,14 @@ fn gather(forces: &[PointForce], built: &[Vec2], into: &mut [Resultant]) {
     }
 }
 
-/// Equations of the free motions, block by block from neighbour to neighbour, so that the band is narrow (Cuthill and McKee
+/// Equations of the free motions, block by block from neighbour to neighbour (blocks that act on one another), so that the band is narrow (Cuthill and McKee
 /// 1969).
-fn numbered(held: &[[bool; 3]], joints: &[Joint]) -> (Vec<[u32; 3]>, usize) {
+fn numbered(held: &[[bool; 3]], pairs: &[[usize; 2]]) -> (Vec<[u32; 3]>, usize) {
     let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); held.len()];
     let free = |i: usize| held[i] != [true; 3];
-    for joint in joints.iter().filter(|j| free(j.first) && free(j.second)) {
-        neighbours[joint.first].push(joint.second);
-        neighbours[joint.second].push(joint.first);
+    for &[a, b] in pairs.iter().filter(|pair| pair.iter().all(|&block| free(block))) {
+        neighbours[a].push(b);
+        neighbours[b].push(a);
     }
     let degrees: Vec<usize> = neighbours.iter().map(Vec::len).collect();
     for list in &mut neighbours {
@@ -181,9 +191,9 @@ fn breadth_first(start: usize, neighbours: &[Vec<usize>], seen: &mut [bool]) -> 
     order
 }
 
-/// How far apart the equations of a joint are.
-fn spread(equation: &[[u32; 3]], joint: &Joint) -> usize {
-    let both = equation[joint.first].iter().chain(&equation[joint.second]).filter(|&&e| e != HELD);
+/// How far apart the equations of two blocks are that act on one another.
+fn spread(equation: &[[u32; 3]], [first, second]: [usize; 2]) -> usize {
+    let both = equation[first].iter().chain(&equation[second]).filter(|&&e| e != HELD);
     let (least, most) = both.fold((u32::MAX, 0), |(least, most), &e| (least.min(e), most.max(e)));
     most.saturating_sub(least) as usize
 }

@@ -52,6 +52,8 @@ pub struct PathPoint {
     pub stress: f64,
     /// Largest share of a joint's length that is at its crushing strength, 0 to 1.
     pub crushed: f64,
+    /// What fill that blocks move against adds, as a share of all that it could add there, 0 to 1; 0 where nothing moves against any.
+    pub mobilised: f64,
     /// Largest shear beyond the friction and cohesion of a joint's end [N/m]; rounding alone where the law is kept.
     pub excess: f64,
     /// Iterations of this step.

@@ -4,6 +4,7 @@ use super::banded::Banded;
 use super::dual::{Half, between, half_of, whole};
 use super::joint::{Bedding, Memory, Relative, Response};
 use super::model::{HELD, Model};
+use super::restraint::Restrained;
 use super::settings::Settings;
 use crate::acting::Resultant;
 use crate::contact::Bond;
@@ -37,7 +38,8 @@ pub(super) fn scale(model: &Model, factor: f64) -> f64 {
     let size = |r: &Resultant| r.force.x.abs() + r.force.y.abs();
     let free = (0..model.built.len()).filter(|&i| model.equation[i] != [HELD; 3]);
     let of = |i: usize| size(&model.permanent[i]) + factor.abs() * size(&model.variable[i]);
-    free.map(of).sum::<f64>().max(f64::MIN_POSITIVE)
+    let pressed: f64 = model.restraints.iter().map(|r| r.most).sum();
+    (free.map(of).sum::<f64>() + pressed).max(f64::MIN_POSITIVE)
 }
 
 /// Scratch: forces and tangent of one trial state.
@@ -105,6 +107,9 @@ pub(super) fn assemble(model: &Model, settings: &Settings, state: &State, work: 
     for k in 0..model.joints.len() {
         join(model, settings, k, state, work);
     }
+    for restraint in &model.restraints {
+        restrain(model, restraint, state, work);
+    }
 }
 
 /// Loads of one block.
@@ -129,6 +134,39 @@ fn act(model: &Model, block: usize, state: &State, work: &mut Workspace) {
         // The unknown is the rotation times the size, and the moment is divided by it.
         let slope = (-sine * now.cross - cosine * now.dot) / (model.size * model.size);
         work.tangent.add(equations[2] as usize, equations[2] as usize, -slope);
+    }
+}
+
+/// Force of fill on the one or two blocks that move against it.
+fn restrain(model: &Model, restraint: &Restrained, state: &State, work: &mut Workspace) {
+    let held = restraint.on(state);
+    spread(model, held.blocks, (held.forces.as_flattened(), &held.slope), work);
+}
+
+/// Adds the forces on two blocks, and their derivatives by the motions of both, to the equations.
+fn spread(
+    model: &Model,
+    blocks: [Option<usize>; 2],
+    (forces, tangent): (&[f64], &[[f64; 6]; 6]),
+    work: &mut Workspace,
+) {
+    let scale = [1.0, 1.0, 1.0 / model.size];
+    let equation = |i: usize| blocks[i / 3].map_or(HELD, |block| model.equation[block][i % 3]);
+    let imposed = |i: usize| blocks[i / 3].map_or(0.0, |block| model.movement[block][i % 3]);
+    for row in 0..6 {
+        let to = equation(row);
+        if to == HELD {
+            continue;
+        }
+        let to = to as usize;
+        work.unbalanced[to] += forces[row] * scale[row % 3];
+        for motion in 0..6 {
+            let value = tangent[row][motion] * scale[row % 3];
+            match equation(motion) {
+                HELD => work.growing[to] += value * imposed(motion),
+                column => work.tangent.add(to, column as usize, -value * scale[motion % 3]),
+            }
+        }
     }
 }
 
@@ -182,24 +220,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
     for row in &mut tangent {
         (row[0], row[1]) = (-row[3], -row[4]);
     }
-    let scale = [1.0, 1.0, 1.0 / model.size];
-    let equation = |i: usize| model.equation[if i < 3 { joint.first } else { joint.second }][i % 3];
-    let moved = [joint.first, joint.second].map(|block| model.movement[block]);
-    for row in 0..6 {
-        let to = equation(row);
-        if to == HELD {
-            continue;
-        }
-        let to = to as usize;
-        work.unbalanced[to] += forces[row] * scale[row % 3];
-        for motion in 0..6 {
-            let value = tangent[row][motion] * scale[row % 3];
-            match equation(motion) {
-                HELD => work.growing[to] += value * moved[motion / 3][motion % 3],
-                column => work.tangent.add(to, column as usize, -value * scale[motion % 3]),
-            }
-        }
-    }
+    spread(model, [Some(joint.first), Some(joint.second)], (&forces, &tangent), work);
 }
 
 /// Moves a state by a change of its unknowns, none where it is empty, and of the factor.

@@ -4,6 +4,7 @@ use super::correct::Balanced;
 use super::joint::{Joint, Memory};
 use super::outcome::PathPoint;
 use super::relax::Falling;
+use super::restraint::{Hold, Restrained};
 use super::settings::Settings;
 use super::stand::{LetGo, Settle};
 use super::system::State;
@@ -29,9 +30,11 @@ fields! {
     Rise { heading, share, first, past, step, before }
     Push { end, unit, coarse, falling }
     Descend { end, peak, heading, length, step }
-    PathPoint { factor, displacement, eccentricity, opened, hinges, sliding, stress, crushed, excess, iterations, residual }
+    PathPoint { factor, displacement, eccentricity, opened, hinges, sliding, stress, crushed, mobilised, excess, iterations, residual }
     Resultant { force, cross, dot }
     Resistance { normal, shear, friction, cohesion, crushing, tension, fixed_length, least_length }
+    Hold { block, arm }
+    Restrained { holds, direction, least, most, half }
     Joint { first, second, on_first, on_second, normal, pin, resistance }
 }
 
@@ -101,6 +104,7 @@ pub(super) fn fingerprint(path: &Path) -> u64 {
     let to = &mut words;
     let model = path.model;
     model.joints.put(to);
+    model.restraints.put(to);
     model.built.put(to);
     model.permanent.put(to);
     model.variable.put(to);

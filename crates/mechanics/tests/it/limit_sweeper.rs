@@ -65,7 +65,15 @@ fn forces_on_every_block_leave_the_fast_method_fast() {
     let force = |i: usize| {
         let at = ring.at(i as f64 + 0.5, ring.extrados());
         let direction = vec2(if at.x < 0.0 { 1.0 } else { -1.0 }, 0.0);
-        Restraint { block: BlockId::new(i + 1), at, direction, least: 200.0, most: 900.0, against: None }
+        Restraint {
+            block: BlockId::new(i + 1),
+            at,
+            direction,
+            least: 200.0,
+            most: 900.0,
+            half_movement: 0.01,
+            against: None,
+        }
     };
     let restraints = (0..ring.voussoirs).map(force).collect();
     let loading = Loading { permanent: ring.fill(0.203, 1890.0), restraints, ..Loading::default() };
@@ -119,6 +127,7 @@ fn a_force_against_another_block_pushes_both() {
             direction: vec2(-1.0, 0.0),
             least: 0.0,
             most,
+            half_movement: 0.01,
             against,
         }],
         ..Loading::default()
@@ -140,7 +149,15 @@ fn forces_that_answer_movement_help_and_only_against_it() {
             .map(|i| {
                 let at = ring.at(i as f64 + 0.5, ring.extrados());
                 let inwards = if at.x < 0.0 { 1.0 } else { -1.0 };
-                Restraint { block: BlockId::new(i + 1), at, direction: vec2(inwards, 0.0), least, most, against: None }
+                Restraint {
+                    block: BlockId::new(i + 1),
+                    at,
+                    direction: vec2(inwards, 0.0),
+                    least,
+                    most,
+                    half_movement: 0.01,
+                    against: None,
+                }
             })
             .collect();
         Loading { restraints, ..loading.clone() }

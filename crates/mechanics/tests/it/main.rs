@@ -65,4 +65,5 @@ mod path_arch;
 mod path_bond;
 mod path_closed_forms;
 mod path_known;
+mod path_restraint;
 mod path_resume;

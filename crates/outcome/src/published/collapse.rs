@@ -140,6 +140,8 @@ pub fn collapse(c: &Collapse) -> Object {
             equilibrium_residual: p.equilibrium_residual,
             yield_violation: p.yield_violation,
             iterations_total: p.iterations_total,
+            without_fill_pressure_load_kn_per_m?: p.fill_pressure.map(|fill| per_metre(fill.without)),
+            fill_pressure_mobilised?: p.fill_pressure.map(|fill| fill.mobilised),
             thrust_line: thrust_line(c),
         }),
         ..c.finite().map(|f| object! {

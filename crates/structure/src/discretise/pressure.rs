@@ -75,7 +75,11 @@ impl Back {
 /// nothing is mobilised.
 pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
     let Some(fill) = bridge.fill_pressure.as_ref().filter(|fill| fill.applies) else { return Vec::new() };
-    let presses = Presses { k: coefficients(fill), column: Column::of(bridge, extrados).pressing() };
+    let presses = Presses {
+        k: coefficients(fill),
+        column: Column::of(bridge, extrados).pressing(),
+        half_movement: fill.half_movement,
+    };
     let backs = extrados.stretches.iter().filter(|s| !s.ground).filter_map(|s| Back::of(s, &presses.column));
     let backs: Vec<Back> = backs.collect();
     let mut all = Vec::new();
@@ -99,10 +103,15 @@ pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
     all
 }
 
+/// Where a back reaches the top of the fill: no force is there that could be mobilised [m].
+const LEAST_MOVEMENT: f64 = 1e-6;
+
 /// What the fill presses with.
 struct Presses {
     k: Coefficients,
     column: Column,
+    /// Movement that mobilises half of what there is, as a share of the depth below the top of the fill.
+    half_movement: f64,
 }
 
 impl Presses {
@@ -135,7 +144,9 @@ impl Presses {
             return None;
         }
         let (at, direction) = (back.at(moment / most), vec2(back.way, 0.0));
-        Some(Restraint { block: back.block, at, direction, least, most, against: None })
+        let depth = self.column.top(middle(at.y).x) - at.y;
+        let half_movement = (self.half_movement * depth).max(LEAST_MOVEMENT);
+        Some(Restraint { block: back.block, at, direction, least, most, half_movement, against: None })
     }
 
     /// Fill between the falling backs of one span and the rising backs of the next.
@@ -179,6 +190,7 @@ mod tests {
             mobilisation: 0.5,
             cohesion_mobilisation: 0.05,
             least: LeastPressure::AtRest,
+            half_movement: 0.02,
         });
         b
     }

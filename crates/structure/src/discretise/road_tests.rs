@@ -23,6 +23,7 @@ fn filled() -> Bridge {
         mobilisation: 0.5,
         cohesion_mobilisation: 0.05,
         least: LeastPressure::AtRest,
+        half_movement: 0.02,
     });
     b
 }

@@ -367,6 +367,7 @@ fn factors_on_resistance_make_the_bridge_weaker() {
         mobilisation: 0.5,
         cohesion_mobilisation: 0.1,
         least: bridge::LeastPressure::AtRest,
+        half_movement: 0.02,
     });
     let factor = |name: &str, value: &str| {
         (format!("[factors.{name}]\nvalue = 1.0"), format!("[factors.{name}]\nvalue = {value}"))
