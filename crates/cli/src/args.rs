@@ -504,6 +504,7 @@ pub const PREDICTORS: &[Word<Predictor>] = &[
     ("pressure", Predictor::Pressure.about(), Predictor::Pressure),
     ("continuum", Predictor::Continuum.about(), Predictor::Continuum),
     ("path", Predictor::Path.about(), Predictor::Path),
+    ("movement", Predictor::Movement.about(), Predictor::Movement),
     ("particles", Predictor::Particles.about(), Predictor::Particles),
 ];
 

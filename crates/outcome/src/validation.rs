@@ -13,6 +13,8 @@ words! {
         Continuum = "continuum",
         /// The path of equilibrium on joints that give, with fill as weight.
         Path = "path",
+        /// The same, where fill resists the more the further the ring moves against it.
+        Movement = "movement",
         /// Discrete elements with fill as particles.
         Particles = "particles",
     }
@@ -26,6 +28,7 @@ impl Predictor {
             Predictor::Pressure => "limit analysis, half of the passive pressure",
             Predictor::Continuum => "limit analysis, fill as a continuum, lower bound",
             Predictor::Path => "path of equilibrium, fill as weight",
+            Predictor::Movement => "path of equilibrium, fill resists as the ring moves against it",
             Predictor::Particles => "discrete elements, fill as particles",
         }
     }

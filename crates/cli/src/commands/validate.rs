@@ -18,7 +18,8 @@ use std::path::{Path, PathBuf};
 use verification::validation::{Answer, Corpus, CorpusError, Job, gather, jobs, predict};
 
 /// Methods where none is named: particles take hours.
-const METHODS: [Predictor; 4] = [Predictor::Weight, Predictor::Pressure, Predictor::Continuum, Predictor::Path];
+const METHODS: [Predictor; 5] =
+    [Predictor::Weight, Predictor::Pressure, Predictor::Continuum, Predictor::Path, Predictor::Movement];
 
 /// Reads all tests, predicts them, writes table, figure and statistics.
 pub fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failure> {

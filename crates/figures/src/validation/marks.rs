@@ -10,11 +10,12 @@ pub fn colour(by: Predictor) -> &'static str {
         Predictor::Pressure => "#d55e00",
         Predictor::Continuum => "#009e73",
         Predictor::Path => "#a0467d",
+        Predictor::Movement => "#b8860b",
         Predictor::Particles => "#4d4d4d",
     }
 }
 
-/// The mark of a method: circle, square, triangle, diamond, hourglass.
+/// The mark of a method: circle, square, triangle, diamond, the triangle upside down, hourglass.
 pub fn mark(sheet: &mut Sheet, at: Spot, by: Predictor) {
     let pen = Pen::shape(colour(by), "white", 1.0).class("prediction");
     let points: &[Spot] = match by {
@@ -22,6 +23,7 @@ pub fn mark(sheet: &mut Sheet, at: Spot, by: Predictor) {
         Predictor::Pressure => &[[-4.7, -4.7], [4.7, -4.7], [4.7, 4.7], [-4.7, 4.7]],
         Predictor::Continuum => &[[0.0, -6.0], [5.8, 4.6], [-5.8, 4.6]],
         Predictor::Path => &[[0.0, -6.4], [6.4, 0.0], [0.0, 6.4], [-6.4, 0.0]],
+        Predictor::Movement => &[[0.0, 6.0], [5.8, -4.6], [-5.8, -4.6]],
         Predictor::Particles => &[[-5.0, -5.0], [5.0, -5.0], [-5.0, 5.0], [5.0, 5.0]],
     };
     let points: Vec<Spot> = points.iter().map(|p| [at[0] + p[0], at[1] + p[1]]).collect();

@@ -78,7 +78,7 @@ pub fn document(
     file.insert("dispersal".into(), table(dispersal));
     let method = match by {
         Predictor::Weight | Predictor::Pressure | Predictor::Continuum => "limit",
-        Predictor::Path => "path",
+        Predictor::Path | Predictor::Movement => "path",
         Predictor::Particles => "dem",
     };
     file.insert("analysis".into(), table([("method", method.into())]));
@@ -99,6 +99,14 @@ pub fn document(
             particles(&mut file, priors, fill, level);
         }
         Predictor::Path => stiff(&mut file)?,
+        // All of the passive pressure: how much of it is there is for the movement to say.
+        Predictor::Movement => {
+            stiff(&mut file)?;
+            let mut pressure = strength(fill, level);
+            pressure.push(("mobilisation", Value::Float(1.0)));
+            pressure.push(("half_movement", Value::Float(stated.half_movement)));
+            file.insert("fill_pressure".into(), table(pressure));
+        }
         Predictor::Continuum => {
             file.insert("continuum".into(), table([("elements", Value::Integer(i64::from(stated.elements)))]));
         }
@@ -167,7 +175,7 @@ fn strength(of: &Fill, level: Level) -> Vec<(&'static str, Value)> {
 /// How a layer or backing takes part.
 fn modelled(layer: &mut Table, by: Predictor, of: &Fill, level: Level) {
     let word = match by {
-        Predictor::Weight | Predictor::Pressure | Predictor::Path => return,
+        Predictor::Weight | Predictor::Pressure | Predictor::Path | Predictor::Movement => return,
         Predictor::Continuum => "continuum",
         Predictor::Particles => "particles",
     };

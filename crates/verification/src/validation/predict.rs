@@ -50,6 +50,7 @@ impl Job {
         match self.by {
             Predictor::Weight | Predictor::Pressure => 1,
             Predictor::Path => 10,
+            Predictor::Movement => 20,
             Predictor::Continuum if self.at == (Level::Expected, None) => 250,
             Predictor::Continuum => 100,
             Predictor::Particles => 3000,

@@ -67,6 +67,8 @@ pub struct Stated {
     pub dispersal_slope: String,
     /// `[fill_pressure] mobilisation`.
     pub mobilisation: f64,
+    /// `[fill_pressure] half_movement`, where movement mobilises.
+    pub half_movement: f64,
     /// Most triangles of a continuum: `[continuum] elements`.
     pub elements: u32,
     /// Particles in the fill.

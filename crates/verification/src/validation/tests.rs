@@ -78,8 +78,7 @@ fn priors_are_what_a_bridge_is_made_of() {
 #[test]
 fn every_test_is_a_bridge_by_every_method_at_every_end() {
     let corpus = Corpus::read(&here(), &[]).expect("all tests");
-    let methods = [Predictor::Weight, Predictor::Pressure, Predictor::Continuum, Predictor::Path, Predictor::Particles];
-    for job in jobs(&corpus, &methods) {
+    for job in jobs(&corpus, Predictor::ALL) {
         let test = &corpus.tests[job.test];
         let file = document::document(test, &corpus.priors, job.by, job.at).and_then(|file| document::bridge_of(&file));
         assert!(file.is_ok(), "{} by {} at {:?}: {:?}", test.name, job.by, job.at, file.err());
