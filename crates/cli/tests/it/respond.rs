@@ -166,6 +166,7 @@ fn measured_records_are_not_written_over_and_slips_are_named() {
 /// What a logger would have written of a whole passage is used by those who judge records, with no word of doubt that leaves a
 /// channel out.
 #[test]
+#[ignore = "a whole passage; .ci/slow"]
 fn a_whole_synthetic_record_stands_up_to_scrutiny() {
     let stage = arch("respond-records-whole");
     let text = stage.read("bridge/passage.toml");

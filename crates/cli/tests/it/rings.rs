@@ -41,6 +41,7 @@ fn aligned_ring_joints_do_not_lock() {
 
 /// A laboratory arch of three half-brick rings, for which the iteration without dilation finds no end where the rings are rough.
 #[test]
+#[ignore = "an iteration that finds no end; .ci/slow"]
 fn without_a_level_end_the_lower_answer_has_its_name() {
     let stage = Stage::new("rings-lower");
     let case = "../../verification/rings/laboratory-3-m-3-rings/case.toml";

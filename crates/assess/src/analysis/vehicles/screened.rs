@@ -54,22 +54,30 @@ fn drawn(seed: u64) -> Bridge {
 /// At every position, also where these lie so far apart that mechanisms change from one to the next.
 #[test]
 fn the_least_factors_are_those_of_the_full_search() {
-    for (seed, step) in [(2, 1.7), (3, 2.6)] {
-        let b = drawn(seed);
-        let plan = b.sweep.as_ref().unwrap();
-        let (rule, vehicles) = chosen(&b, plan).unwrap();
-        let weights = &weights::combinations(&b, &rule)[..1];
-        let with =
-            |screen| search::all(&b, &rule, plan, &vehicles, weights, step, screen, &mut Unwatched).unwrap().remove(0);
-        let [all, few] = [with(false), with(true)];
-        assert!(few.cases < all.cases, "{seed}: {} of {} cases", few.cases, all.cases);
-        assert_eq!(few.by_interior_point, few.cases, "{seed}");
-        assert_eq!((all.positions_not_converged, few.positions_not_converged), (0, 0), "{seed}");
-        for (a, b) in all.envelope.iter().zip(&few.envelope) {
-            assert_eq!((a.position, a.adequacy.is_some()), (b.position, b.adequacy.is_some()));
-            let [full, least] = [a.adequacy.unwrap_or(1.0), b.adequacy.unwrap_or(1.0)];
-            assert!((least / full - 1.0).abs() < 1e-9, "{seed}, {:.2} m: {least} {full}", a.position);
-        }
-        assert_eq!((all.factor(), &all.sections), (few.factor(), &few.sections), "{seed}");
+    agree_at(2, 1.7);
+}
+
+#[test]
+#[ignore = "another bridge of the same kind; .ci/slow"]
+fn the_least_factors_are_those_of_the_full_search_on_another_bridge() {
+    agree_at(3, 2.6);
+}
+
+fn agree_at(seed: u64, step: f64) {
+    let b = drawn(seed);
+    let plan = b.sweep.as_ref().unwrap();
+    let (rule, vehicles) = chosen(&b, plan).unwrap();
+    let weights = &weights::combinations(&b, &rule)[..1];
+    let with =
+        |screen| search::all(&b, &rule, plan, &vehicles, weights, step, screen, &mut Unwatched).unwrap().remove(0);
+    let [all, few] = [with(false), with(true)];
+    assert!(few.cases < all.cases, "{seed}: {} of {} cases", few.cases, all.cases);
+    assert_eq!(few.by_interior_point, few.cases, "{seed}");
+    assert_eq!((all.positions_not_converged, few.positions_not_converged), (0, 0), "{seed}");
+    for (a, b) in all.envelope.iter().zip(&few.envelope) {
+        assert_eq!((a.position, a.adequacy.is_some()), (b.position, b.adequacy.is_some()));
+        let [full, least] = [a.adequacy.unwrap_or(1.0), b.adequacy.unwrap_or(1.0)];
+        assert!((least / full - 1.0).abs() < 1e-9, "{seed}, {:.2} m: {least} {full}", a.position);
     }
+    assert_eq!((all.factor(), &all.sections), (few.factor(), &few.sections), "{seed}");
 }
