@@ -70,6 +70,11 @@ impl<'a> Moving<'a> {
         self.earth.plan.bound_ratio
     }
 
+    /// Where the soil ends on the left and on the right [m].
+    pub fn ends(&self) -> [f64; 2] {
+        self.earth.ends
+    }
+
     /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
     /// them stands on the fill, nothing can fail.
     pub fn bracket(&self, strips: &[Strip], ratio: f64, pace: &Pace) -> Result<Bracket, AnalysisError> {

@@ -119,7 +119,8 @@ impl One<'_> {
             load: 0.0,
         };
         let axles = pattern.axles.len().checked_sub(1).map(|last| [0, last]);
-        let uniform = (!pattern.stretches.is_empty()).then_some([f64::NEG_INFINITY, f64::INFINITY]);
+        // As far as the fill reaches.
+        let uniform = self.bodies.first().map(Body::ends).filter(|_| !pattern.stretches.is_empty());
         let whole = Case { axles, uniform, ..governing.clone() };
         let stands = |case: &Case| case.axles.is_some() || case.uniform.is_some();
         let both = if governing == whole { vec![whole] } else { vec![whole, governing] };

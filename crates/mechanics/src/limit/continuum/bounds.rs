@@ -200,7 +200,11 @@ pub fn closer_bounds(
                 both.take(&setting, model, bounds.mesh.clone(), below, above);
                 Ok(both)
             }
-            _ => collapse_bounds(model, loading, settings, soil, wanted, pace),
+            // What is carried stays proven where no motion is found.
+            _ => {
+                let found = collapse_bounds(model, loading, settings, soil, wanted, pace)?;
+                Ok(if found.status == BoundsStatus::Bounded { found } else { bounds.clone() })
+            }
         };
     }
     let bounds = bounds.clone();
