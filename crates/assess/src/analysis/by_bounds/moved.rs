@@ -275,7 +275,7 @@ mod tests {
         let (lower, upper) = (there.lower.unwrap(), here.upper.unwrap());
         // The same place: the plate rides as it did.
         let same = moving.upper_from(&at(0.0), &here).unwrap().unwrap();
-        assert!((same / upper - 1.0).abs() < 1e-5, "{same} {upper}");
+        assert!((same / upper - 1.0).abs() < 1e-4, "{same} {upper}");
         let moved = moving.upper_from(&at(0.4), &here).unwrap().unwrap();
         assert!(lower < moved && moved < 1.3 * there.upper.unwrap(), "{lower} {moved} {:?}", there.upper);
         // A mesh as fine as that of the neighbour has a lower bound no worse than its own but for a little, and an upper one above it.
