@@ -33,6 +33,9 @@ pub struct ContinuumReport {
     pub wall: Option<WallThatGives>,
     /// Share of the permanent loads that is carried, where they are not.
     pub permanent_share: Option<f64>,
+    /// This share of the permanent loads is carried by stresses that were found, where none were found that carry all of them.
+    #[serde(default)]
+    pub carried_share: Option<f64>,
     /// Share of the loads that stands beyond the ends of the fill and is left out.
     pub left_out: f64,
     /// Largest velocity that the flow rule does not allow, relative to the fastest.

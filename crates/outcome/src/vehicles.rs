@@ -253,6 +253,46 @@ impl Swept {
         }
     }
 
+    /// Takes what came of a case at a point of the envelope where fill yields as a continuum: the smaller factor counts. Loads that nothing
+    /// makes fail there count for nothing; where no answer was found, nothing is settled.
+    pub fn yields(&mut self, point: usize, case: &Case, (status, factor): (Status, Option<f64>)) {
+        let least = self.factor();
+        let point = &mut self.envelope[point];
+        match (status, factor) {
+            (Status::Locks, _) => {}
+            (Status::UnstableUnderSelfWeight, _) => {
+                (self.adequacy, self.adequacy_at_most) = (None, None);
+                (self.status, self.case, self.weights) = (status, None, Some(case.weights));
+            }
+            _ if self.status == Status::UnstableUnderSelfWeight => {}
+            (Status::Collapsed, Some(factor)) => {
+                if point.converged && point.adequacy.is_none_or(|weight| factor < weight) {
+                    let own = EnvelopePoint { rigid: point.rigid, ..EnvelopePoint::at(case) };
+                    *point = EnvelopePoint { adequacy: Some(factor), ..own };
+                }
+                if least.is_none_or(|before| factor < before) {
+                    (self.case, self.weights) = (Some(case.clone()), Some(case.weights));
+                    self.end(true, Some(factor));
+                }
+            }
+            _ => {
+                (point.converged, point.adequacy) = (false, None);
+                self.end(true, least);
+            }
+        }
+    }
+
+    /// Takes what came of a vehicle whose loads are so many times smaller, where fill yields as a continuum.
+    pub fn yields_like(&mut self, of: &Swept, times: f64) {
+        let less = |factor: Option<f64>| factor.map(|factor| factor / times);
+        (self.adequacy, self.adequacy_at_most) = (less(of.adequacy), less(of.adequacy_at_most));
+        (self.status, self.weights) = (of.status, of.weights);
+        self.positions_not_converged = of.positions_not_converged;
+        self.case = of.case.clone().map(|case| Case { load: case.load * times, ..case });
+        let points = of.envelope.iter().map(|p| EnvelopePoint { adequacy: less(p.adequacy), ..p.clone() });
+        self.envelope = points.collect();
+    }
+
     /// Takes what came of joints that give. The smaller factor counts; where the state under self-weight was not found, nothing is
     /// settled.
     pub fn judged_with(&mut self, deformable: Deformable) {

@@ -1,6 +1,7 @@
 //! Collapse load by limit analysis where fill and backing are a continuum that yields: two bounds.
 
 mod beside;
+pub(super) mod moved;
 
 use super::by_limit::{cancelled, draw, settings};
 use super::places::point;
@@ -8,7 +9,9 @@ use super::{AnalysisError, blank, notes, picture, pieces};
 use beside::Beside;
 use bridge::{Bridge, ContinuumPlan};
 use mechanics::blocks::Held;
-use mechanics::limit::continuum::{Bounds, BoundsStatus, Wanted, closer_bounds, collapse_bounds};
+use mechanics::limit::continuum::{
+    Bounds, BoundsStatus, Like, Wanted, bound_elsewhere, closer_bounds, collapse_bounds, lower_like, upper_like,
+};
 use mechanics::limit::{Friction, Settings};
 use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::{Pace, Watch};
@@ -67,35 +70,70 @@ impl<'a> Moving<'a> {
         self.earth.plan.bound_ratio
     }
 
+    /// Where the soil ends on the left and on the right [m].
+    pub fn ends(&self) -> [f64; 2] {
+        self.earth.ends
+    }
+
     /// Both bounds of the factor of strips on the surface, within a ratio where the mesh that the file allows reaches it. Where none of
     /// them stands on the fill, nothing can fail.
     pub fn bracket(&self, strips: &[Strip], ratio: f64, pace: &Pace) -> Result<Bracket, AnalysisError> {
-        let plan = &ContinuumPlan { bound_ratio: ratio, ..self.earth.plan };
-        let loaded = self.earth.loaded(self.d, Strength::of(plan), strips)?;
-        if strips.is_empty() || loaded.left_out > 1.0 - 1e-9 {
-            return Ok(Bracket { status: Status::Locks, lower: None, upper: None, bounds: None });
-        }
-        let (settings, wanted) = (&self.settings, wanted(plan));
-        let found = collapse_bounds(&loaded.model, &loaded.loading, settings, &loaded.continuum, &wanted, pace)?;
+        let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
+        let wanted = Wanted { ratio, ..self.wanted() };
+        let LoadedEarth { model, loading, continuum, .. } = &loaded;
+        Ok(Bracket::of(collapse_bounds(model, loading, &self.settings, continuum, &wanted, pace)?))
+    }
+
+    /// A lower bound alone, on one mesh as fine as those of others, each so far to the left of the strips [m].
+    pub fn beside(&self, strips: &[Strip], others: &[(&Bracket, f64)], pace: &Pace) -> Result<Bracket, AnalysisError> {
+        let Some(loaded) = self.loaded(strips)? else { return Ok(Bracket::NOTHING) };
+        let LoadedEarth { model, loading, continuum, .. } = &loaded;
+        let found = lower_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), pace)?;
         Ok(Bracket::of(found))
     }
 
-    /// A bracket of the same strips on one finer mesh, or itself where nothing is left to refine.
+    /// An upper bound alone, on a mesh a third as fine.
+    pub fn above(
+        &self,
+        strips: &[Strip],
+        others: &[(&Bracket, f64)],
+        pace: &Pace,
+    ) -> Result<Option<f64>, AnalysisError> {
+        let Some(loaded) = self.loaded(strips)? else { return Ok(None) };
+        let LoadedEarth { model, loading, continuum, .. } = &loaded;
+        Ok(upper_like(model, loading, &self.settings, continuum, &like(others), &self.wanted(), pace)?)
+    }
+
+    /// A bracket of the same strips on one finer mesh, or with the upper bound that it lacks; itself where nothing is left to refine.
     pub fn closer(&self, strips: &[Strip], bracket: &Bracket, pace: &Pace) -> Result<Bracket, AnalysisError> {
-        let Some(bounds) = &bracket.bounds else { return Ok(bracket.clone()) };
-        let plan = &self.earth.plan;
-        let loaded = self.earth.loaded(self.d, Strength::of(plan), strips)?;
-        let wanted = Wanted { rounds: 1, ..wanted(plan) };
-        let (model, loading, soil) = (&loaded.model, &loaded.loading, &loaded.continuum);
-        let found = closer_bounds(model, loading, &self.settings, soil, &wanted, bounds, pace)?;
-        Ok(Bracket::of(found))
+        let (Some(bounds), Some(loaded)) = (&bracket.bounds, self.loaded(strips)?) else { return Ok(bracket.clone()) };
+        let wanted = Wanted { rounds: 1, ..self.wanted() };
+        let LoadedEarth { model, loading, continuum, .. } = &loaded;
+        Ok(Bracket::of(closer_bounds(model, loading, &self.settings, continuum, &wanted, bounds, pace)?))
+    }
+
+    /// An upper bound of strips from the motion of others.
+    pub fn upper_from(&self, strips: &[Strip], other: &Bracket) -> Result<Option<f64>, AnalysisError> {
+        let (Some(bounds), Some(loaded)) = (&other.bounds, self.loaded(strips)?) else { return Ok(None) };
+        let LoadedEarth { model, loading, continuum, .. } = &loaded;
+        Ok(bound_elsewhere(bounds, self.d.model.blocks.len(), model, loading, &self.settings, continuum)?)
+    }
+
+    /// The soil with strips on it; none where they stand beside it.
+    fn loaded(&self, strips: &[Strip]) -> Result<Option<LoadedEarth>, AnalysisError> {
+        let loaded = self.earth.loaded(self.d, Strength::of(&self.earth.plan), strips)?;
+        Ok((!strips.is_empty() && loaded.left_out <= 1.0 - 1e-9).then_some(loaded))
+    }
+
+    fn wanted(&self) -> Wanted {
+        wanted(&self.earth.plan)
     }
 }
 
-/// Both bounds of the factor of the loads of a bridge, within a ratio.
-pub(super) fn bracket(bridge: &Bridge, ratio: f64, pace: &Pace) -> Result<Bracket, AnalysisError> {
-    let d = discretise(bridge)?;
-    Moving::new(bridge, &d)?.bracket(&loads(bridge), ratio, pace)
+/// The meshes of others, and how far to their right the present loads stand.
+fn like<'b>(others: &[(&'b Bracket, f64)]) -> Vec<Like<'b>> {
+    let mesh = |bracket: &'b Bracket| bracket.bounds.as_ref().map(|bounds| &bounds.mesh);
+    others.iter().filter_map(|&(other, shift)| Some(Like { mesh: mesh(other)?, shift })).collect()
 }
 
 /// Bounds of a load factor, and how they ended. Without convergence either may stand alone.
@@ -112,6 +150,9 @@ pub(super) struct Bracket {
 }
 
 impl Bracket {
+    /// Of loads that do not stand on the soil.
+    const NOTHING: Bracket = Bracket { status: Status::Locks, lower: None, upper: None, bounds: None };
+
     fn of(found: Bounds) -> Bracket {
         let (lower, upper) = (found.lower.as_ref().map(|l| l.factor), found.upper.as_ref().map(|u| u.factor));
         Bracket { status: status(&found), lower, upper, bounds: Some(Box::new(found)) }
@@ -163,6 +204,7 @@ fn described(d: &Discretised, plan: &ContinuumPlan, bounds: &Bounds) -> Continuu
         mobilised_share: plan.mobilised_share,
         dilatancy_angle: plan.dilatancy_angle,
         permanent_share: bounds.share,
+        carried_share: bounds.carried,
         flow_violation: bounds.upper.as_ref().map(|u| u.flow_violation),
         rounds: bounds.rounds.iter().map(|r| (r.elements, load(r.lower), load(r.upper))).collect(),
         ..ContinuumReport::default()
@@ -172,7 +214,7 @@ fn described(d: &Discretised, plan: &ContinuumPlan, bounds: &Bounds) -> Continuu
 /// How bounds ended, for an engineer.
 fn status(bounds: &Bounds) -> Status {
     match bounds.status {
-        BoundsStatus::Bounded => Status::Collapsed,
+        BoundsStatus::Bounded | BoundsStatus::LowerAlone => Status::Collapsed,
         BoundsStatus::NoEquilibrium => Status::UnstableUnderSelfWeight,
         BoundsStatus::Locks => Status::Locks,
         BoundsStatus::NotConverged => Status::NotConverged,

@@ -160,7 +160,11 @@ fn vehicles_are_asked_on_a_continuum_where_they_govern() {
     let text = format!("{}\n[sweep]\nrule = \"cs-454\"\nvehicles = [\"cs454-single\"]\n", coarse());
     let b = of(&text);
     let found = vehicle_sweep(&b, &mut Unwatched).unwrap();
-    assert!(found.assumptions.iter().any(|a| a.contains("answered again")), "{:?}", found.assumptions);
+    assert!(
+        found.assumptions.iter().any(|a| a.contains("the whole vehicle, and what governs there")),
+        "{:?}",
+        found.assumptions
+    );
     // The same with fill as weight alone carries more: here the soil fails under the axle.
     let mut weight = b.clone();
     weight.continuum = None;
@@ -168,6 +172,12 @@ fn vehicles_are_asked_on_a_continuum_where_they_govern() {
     let by_weight = vehicle_sweep(&weight, &mut Unwatched).unwrap();
     let [yields, rigid] = [&found, &by_weight].map(|f| f.vehicles[0].adequacy.unwrap());
     assert!(yields < rigid, "{yields} {rigid}");
+    // What is judged is the least of all positions, and the case that has it is the one drawn.
+    let one = &found.vehicles[0];
+    let least = one.envelope.iter().filter_map(|p| p.adequacy).fold(f64::INFINITY, f64::min);
+    assert!(yields <= least * (1.0 + 1e-9), "{yields} {least}");
+    let at = one.case.as_ref().unwrap();
+    assert!(one.envelope.iter().any(|p| p.position == at.position && p.adequacy == Some(least)), "{at:?} {least}");
     // Stronger soil counts for no more than the rings do.
     let mut strong = b.clone();
     strong.cover.layers.iter_mut().for_each(|layer| layer.cohesion = Some(200e3));
@@ -184,6 +194,12 @@ fn methods_that_know_no_continuum_say_so() {
     assert!(says(&collapse_by_path(&b, None, &mut Unwatched).unwrap()));
     assert!(says(&thickness(&b, &mut Unwatched).unwrap()));
     assert!(!says(&collapse(&b, None, &mut Unwatched).unwrap()));
+    // Asked for by the file, they are refused: a plate that sinks into the soil would not be seen.
+    for analysis in [bridge::Analysis::Thickness, bridge::Analysis::SupportMovement] {
+        b.plan.analysis = analysis;
+        let found = collapse(&b, None, &mut Unwatched);
+        assert!(matches!(found, Err(AnalysisError::KnowsNoContinuum)), "{analysis:?}");
+    }
 }
 
 #[test]

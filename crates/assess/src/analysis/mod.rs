@@ -142,6 +142,12 @@ pub enum AnalysisError {
          \"dem\" with analysis \"load\", or leave [[defect]] out"
     )]
     KnowsNoDefects,
+    #[error(
+        "the least thickness and support movements know fill as weight alone, and the file has fill or backing as a continuum: soil that fails \
+         under a load would not be seen, nor soil that holds a ring; leave as = \"continuum\" out of [[cover]] and [backing] to have them \
+         as weight, or use analysis \"load\""
+    )]
+    KnowsNoContinuum,
     /// A vehicle or a rule of a sweep is not known.
     #[error(transparent)]
     Vehicles(#[from] crate::vehicles::Refused),
@@ -172,7 +178,9 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
         return strips::both(bridge, resume, watch);
     }
     let has_defects = bridge.spans.iter().any(|span| !span.defects.is_empty());
+    let yields = structure::discretise::continuum::wanted(bridge).is_some();
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
+        (Analysis::Thickness | Analysis::SupportMovement, _) if yields => Err(AnalysisError::KnowsNoContinuum),
         (Analysis::Load, Method::Fe) | (Analysis::Thickness, _) if has_defects => Err(AnalysisError::KnowsNoDefects),
         (Analysis::Load, Method::Limit) => collapse_by_limit(bridge, watch),
         (Analysis::Load, Method::Fe) => collapse_by_fe(bridge, watch),

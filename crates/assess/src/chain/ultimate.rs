@@ -175,9 +175,16 @@ fn with_axles(bridge: &Bridge, offset: f64, axles: [usize; 2]) -> Bridge {
 
 /// The movement of the file's support that makes a mechanism.
 pub fn movement(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
-    let mut own = bridge.clone();
+    let yields = bridge.continuum.is_some();
+    let mut own = by_weight_alone(bridge).filter(|_| yields).unwrap_or_else(|| bridge.clone());
     own.plan.analysis = Analysis::SupportMovement;
-    analysis::collapse(&own, None, watch)
+    let mut found = analysis::collapse(&own, None, watch)?;
+    if yields {
+        found.assumptions.push(
+            "Support movements know fill as weight alone: the continuum of the file is taken as that here, with dispersal by rule.".into(),
+        );
+    }
+    Ok(found)
 }
 
 /// Its facts.

@@ -135,7 +135,13 @@ fn open(c: &Collapse) -> Option<Warning> {
     let limit = c.limit().filter(|_| c.status == Status::NotConverged)?;
     let message = match (limit.lower_bound, limit.upper_bound) {
         (None, Some(upper)) => {
-            format!("no stresses were found: the load is at most {} kN/m, and not known", told(upper))
+            let least = limit.continuum.as_ref().and_then(|report| report.carried_share);
+            let least =
+                least.map_or(String::new(), |share| format!(", {:.1} % of it are carried", 100.0 * share.min(1.0)));
+            format!(
+                "no stresses were found that carry all of the weight{least}: the load is at most {} kN/m, and not known",
+                told(upper)
+            )
         }
         (Some(lower), None) => {
             format!("no mechanism was found: {} kN/m are carried, and how much more is not known", told(lower))

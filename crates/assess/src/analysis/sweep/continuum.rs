@@ -5,99 +5,47 @@
 
 use super::{Case, Row, Scene};
 use crate::analysis::AnalysisError;
-use crate::analysis::by_bounds::{Bracket, Moving};
-use crate::analysis::pieces::{self, Stage};
-use mechanics::watch::{Pace, Watch};
+use crate::analysis::by_bounds::Moving;
+use crate::analysis::by_bounds::moved::{self, Answer, Asked};
+use crate::analysis::pieces::Portion;
+use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 use structure::discretise::dispersal::{self, Strip};
 
-/// Upper over lower bound to which every place is answered; those that may govern are then answered on finer meshes, one at a time: 179 s in
-/// place of 234 s in one run for 51 positions of Bridgemill on one thread. With 2.0, one mesh at most places, it took 182 s.
-const COARSE: f64 = 1.2;
-
 /// A run of neighbouring axles at a position.
 #[derive(Debug, Clone)]
 struct Run {
+    /// The place of its row.
+    place: usize,
     axles: [usize; 2],
     force: f64,
-    found: Bracket,
-    /// Whether a finer mesh gave nothing new.
-    is_spent: bool,
 }
 
-/// Runs of all positions, in their order; none where a position was not answered.
-type Answered = Vec<Option<Vec<Run>>>;
-
 /// Puts bounds in place of the factors of rows that rigid blocks gave. Tells whether all positions were answered.
-///
-/// The least lower bound of all runs is carried everywhere, and the least upper bound is not carried somewhere. Runs whose lower bounds
-/// keep these two further apart than the file wants are answered on a finer mesh, the smallest first, until there are none.
 pub(super) fn instead(
     scene: &Scene<'_>,
     rows: &[Row],
     found: &mut Sweep,
     watch: &mut dyn Watch,
 ) -> Result<bool, AnalysisError> {
-    let moving = Moving::new(scene.bridge, scene.d)?;
-    let (mut places, mut whole) = begun(scene, &moving, rows, watch)?;
-    while whole {
-        let next = apart(&places, moving.ratio());
-        if next.is_empty() {
-            break;
+    let body = [Moving::new(scene.bridge, scene.d)?];
+    let (runs, asked) = runs(scene, rows);
+    let (answers, whole) = moved::all(&body, &asked, body[0].ratio(), &mut Portion::new(watch, [0.1, 1.0]))?;
+    let mut places: Vec<Option<Vec<(&Run, Answer)>>> = rows.iter().map(|_| Some(Vec::new())).collect();
+    for (run, answer) in runs.iter().zip(answers) {
+        // A position is answered where all of its runs are.
+        match (answer, &mut places[run.place]) {
+            (Some(answer), Some(place)) => place.push((run, answer)),
+            (None, place) => *place = None,
+            (Some(_), None) => {}
         }
-        whole = refined(scene, &moving, rows, &next, &mut places, watch)?;
     }
     let answered = rows.iter().zip(&places).filter_map(|(row, runs)| Some((row, runs.as_ref()?)));
     found.points = answered.map(|(row, runs)| point(scene.point(row), runs)).collect();
     notes(found);
     Ok(whole)
-}
-
-/// Runs refined at once: fixed, so that the numbers do not depend on the number of threads.
-const AT_ONCE: usize = 4;
-
-/// The runs, by place and number, whose lower bounds are smaller than the least upper bound of all over the wanted ratio, the smallest
-/// first.
-fn apart(places: &[Option<Vec<Run>>], ratio: f64) -> Vec<(usize, usize)> {
-    let runs = || {
-        places
-            .iter()
-            .enumerate()
-            .flat_map(|(k, runs)| runs.iter().flatten().enumerate().map(move |(r, run)| (k, r, run)))
-    };
-    let least = runs().filter_map(|(_, _, run)| run.found.upper).fold(f64::INFINITY, f64::min);
-    let open = |run: &Run| run.found.lower.filter(|lower| !run.is_spent && *lower < least / ratio);
-    let mut open: Vec<_> = runs().filter_map(|(k, r, run)| Some((open(run)?, (k, r)))).collect();
-    open.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    open.into_iter().map(|(_, place)| place).take(AT_ONCE).collect()
-}
-
-/// Answers runs on finer meshes, and tells whether all were.
-fn refined(
-    scene: &Scene<'_>,
-    moving: &Moving<'_>,
-    rows: &[Row],
-    which: &[(usize, usize)],
-    places: &mut [Option<Vec<Run>>],
-    watch: &mut dyn Watch,
-) -> Result<bool, AnalysisError> {
-    let jobs: Vec<(usize, usize, &Run)> =
-        (which.iter()).filter_map(|&(k, r)| Some((k, r, places.get(k)?.as_ref()?.get(r)?))).collect();
-    let stage = Stage { name: "bounds at positions that may govern", steps: jobs.len() as u64, shares: [0.7, 1.0] };
-    let (answers, done) = pieces::each(&jobs, &stage, watch, |&(k, _, run), pace| {
-        let strips = strips(scene, rows[k].position);
-        let found = moving.closer(&strips[run.axles[0]..=run.axles[1]], &run.found, pace)?;
-        pace.step();
-        Ok::<_, AnalysisError>(Run { is_spent: found.elements() == run.found.elements(), found, ..*run })
-    });
-    for (&(k, r), answer) in which.iter().zip(answers) {
-        if let (Some(answer), Some(runs)) = (answer.transpose()?, &mut places[k]) {
-            runs[r] = answer;
-        }
-    }
-    Ok(done)
 }
 
 fn notes(found: &mut Sweep) {
@@ -114,45 +62,34 @@ fn notes(found: &mut Sweep) {
     );
 }
 
-/// Answers all rows coarsely, and tells whether all were.
-fn begun(
-    scene: &Scene<'_>,
-    moving: &Moving<'_>,
-    rows: &[Row],
-    watch: &mut dyn Watch,
-) -> Result<(Answered, bool), AnalysisError> {
-    let ratio = moving.ratio().max(COARSE);
-    let stage = Stage { name: "bounds at positions of the loads", steps: rows.len() as u64, shares: [0.1, 0.7] };
-    let (answers, done) = pieces::each(rows, &stage, watch, |row, pace| {
-        let runs = runs(scene, moving, row, ratio, pace)?;
-        pace.step();
-        Ok(runs)
-    });
-    let places: Result<_, AnalysisError> = answers.into_iter().map(Option::transpose).collect();
-    Ok((places?, done))
-}
-
-/// The whole vehicle, and the axles that govern where fill is weight.
-fn runs(scene: &Scene<'_>, moving: &Moving<'_>, row: &Row, ratio: f64, pace: &Pace) -> Result<Vec<Run>, AnalysisError> {
-    let strips = strips(scene, row.position);
+/// The whole vehicle at every position, and the axles that govern there where fill is weight.
+fn runs(scene: &Scene<'_>, rows: &[Row]) -> (Vec<Run>, Vec<Asked>) {
     let least = |a: &&Case, b: &&Case| a.factor.unwrap_or(f64::INFINITY).total_cmp(&b.factor.unwrap_or(f64::INFINITY));
-    let all = [0, strips.len().saturating_sub(1)];
-    let governing = row.cases.iter().filter(|case| case.factor.is_some()).min_by(least).map(|case| case.axles);
-    let axles = [all].into_iter().chain(governing.filter(|axles| *axles != all));
-    let run = |axles: [usize; 2]| {
-        let chosen = &strips[axles[0]..=axles[1]];
-        let found = moving.bracket(chosen, ratio, pace)?;
-        Ok(Run { axles, force: chosen.iter().map(|s| s.force).sum(), found, is_spent: false })
-    };
-    axles.map(run).collect()
+    let (mut runs, mut asked): (Vec<Run>, Vec<Asked>) = (Vec::new(), Vec::new());
+    let mut kinds: Vec<[usize; 2]> = Vec::new();
+    for (place, row) in rows.iter().enumerate() {
+        let strips = strips(scene, row.position);
+        let all = [0, strips.len().saturating_sub(1)];
+        let governing = row.cases.iter().filter(|case| case.factor.is_some()).min_by(least).map(|case| case.axles);
+        for axles in [all].into_iter().chain(governing.filter(|axles| *axles != all)) {
+            let kind = kinds.iter().position(|kind| *kind == axles).unwrap_or_else(|| {
+                kinds.push(axles);
+                kinds.len() - 1
+            });
+            let chosen = strips[axles[0]..=axles[1]].to_vec();
+            runs.push(Run { place, axles, force: chosen.iter().map(|s| s.force).sum() });
+            asked.push(Asked { body: 0, row: kind, position: row.position, strips: chosen });
+        }
+    }
+    (runs, asked)
 }
 
 /// What the runs of axles at a position say of it. A run without an answer leaves the position without one: what is known is that no more
 /// is carried than the least upper bound.
-fn point(weight: SweepPoint, runs: &[Run]) -> SweepPoint {
+fn point(weight: SweepPoint, runs: &[(&Run, Answer)]) -> SweepPoint {
     let rigid_factor = weight.load_factor;
-    let upper = runs.iter().filter_map(|run| run.found.upper).min_by(f64::total_cmp);
-    let of = |status: Status| runs.iter().find(move |run| run.found.status == status);
+    let upper = runs.iter().filter_map(|(_, answer)| answer.upper()).min_by(f64::total_cmp);
+    let of = |status: Status| runs.iter().find(move |(_, answer)| answer.status() == status);
     let blank = SweepPoint {
         load_factor: None,
         load_factor_at_most: None,
@@ -163,12 +100,12 @@ fn point(weight: SweepPoint, runs: &[Run]) -> SweepPoint {
     };
     let unanswered =
         [Status::UnstableUnderSelfWeight, Status::NotConverged, Status::Cancelled].into_iter().find_map(of);
-    if let Some(run) = unanswered {
-        let status = run.found.status;
+    if let Some((run, answer)) = unanswered {
+        let status = answer.status();
         let at_most = upper.filter(|_| status != Status::UnstableUnderSelfWeight);
         return SweepPoint { status, axles: run.axles, load_factor_at_most: at_most, upper_factor: None, ..blank };
     }
-    let carried = runs.iter().filter_map(|run| Some((run, run.found.lower?)));
+    let carried = runs.iter().filter_map(|(run, answer)| Some((run, answer.lower()?)));
     match carried.min_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((run, lower)) => SweepPoint {
             status: Status::Collapsed,
@@ -190,6 +127,7 @@ fn strips(scene: &Scene<'_>, position: f64) -> Vec<Strip> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::by_bounds::Bracket;
 
     fn weight() -> SweepPoint {
         SweepPoint {
@@ -206,8 +144,10 @@ mod tests {
         }
     }
 
-    fn run(status: Status, lower: Option<f64>, upper: Option<f64>) -> Run {
-        Run { axles: [0, 1], force: 10.0, found: Bracket { status, lower, upper, bounds: None }, is_spent: false }
+    const RUN: Run = Run { place: 0, axles: [0, 1], force: 10.0 };
+
+    fn run(status: Status, lower: Option<f64>, upper: Option<f64>) -> (&'static Run, Answer) {
+        (&RUN, Answer::of(Bracket { status, lower, upper, bounds: None }))
     }
 
     #[test]
@@ -231,23 +171,6 @@ mod tests {
         let runs = [run(Status::Collapsed, Some(2.0), Some(2.2)), run(Status::UnstableUnderSelfWeight, None, None)];
         let found = point(weight(), &runs);
         assert_eq!((found.status, found.bound()), (Status::UnstableUnderSelfWeight, None));
-    }
-
-    #[test]
-    fn runs_are_refined_until_the_least_bounds_of_all_are_as_close_as_wanted() {
-        let at = |lower, upper| Some(vec![run(Status::Collapsed, Some(lower), Some(upper))]);
-        let mut places =
-            vec![at(5.0, 6.0), at(2.0, 2.4), at(2.3, 2.7), None, at(2.1, 2.5), at(2.26, 2.6), at(2.05, 2.6)];
-        places.push(Some(vec![run(Status::Locks, None, None)]));
-        // The least upper bound is 2.4: what carries 2.4 / 1.05 = 2.286 keeps nothing apart.
-        assert_eq!(apart(&places, 1.05), [(1, 0), (6, 0), (4, 0), (5, 0)]);
-        assert_eq!(apart(&places, 1.5), []);
-        // Nothing more is to be had at one of them, and the others have risen.
-        places[1].as_mut().unwrap()[0].is_spent = true;
-        for k in [4, 5, 6] {
-            places[k] = at(2.29, 2.45);
-        }
-        assert_eq!(apart(&places, 1.05), []);
     }
 
     #[test]

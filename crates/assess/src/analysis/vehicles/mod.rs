@@ -97,7 +97,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     }
     if yields && answered {
         let second_part = &mut Portion::new(watch, [0.5, 1.0]);
-        if !continuum::beside(bridge, (&rule, plan), &vehicles, &mut swept, second_part)? {
+        if !continuum::beside(bridge, (&rule, plan), (&vehicles, &weights), &mut swept, second_part)? {
             swept.iter_mut().for_each(Swept::cancel);
         }
     }
@@ -229,9 +229,10 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     if bridge.continuum.is_some() {
         found.assumptions.push(
-            "Vehicles are moved with fill as weight and dispersal. Fill yields as a continuum in the file: the case that governs each \
-             vehicle is answered again with it, over the width to which its axles disperse, and the smaller factor counts; other positions \
-             are not, nor is one wheel by itself."
+            "Fill yields as a continuum: at up to 49 positions of each drive the whole vehicle, and what governs there with fill as weight \
+             and dispersal, stand on it over the width to which axles disperse; then every combination of weights at the worst of these \
+             positions, and the positions left out beside it. Factors are lower bounds, and the smaller of both models counts; elsewhere \
+             fill is weight. One wheel by itself is not asked."
                 .into(),
         );
     }

@@ -2,7 +2,7 @@
 
 use super::conic::Ending;
 use super::flow::{Flow, flow};
-use super::lower::{Ends, Stresses, lower, push};
+use super::lower::{Ends, Stresses, lower, push, share_carried};
 use super::mesh::Mesh;
 use super::model::Continuum;
 use super::report::{Pressure, motions, of_blocks, pressures};
@@ -42,6 +42,8 @@ impl Default for Wanted {
 pub enum BoundsStatus {
     /// Both bounds were found; whether they are as close as wanted is seen from them.
     Bounded,
+    /// A lower bound alone was asked for, and was found.
+    LowerAlone,
     /// The permanent loads alone are not carried: a motion proves it.
     NoEquilibrium,
     /// The loads can grow without end.
@@ -91,6 +93,8 @@ pub struct Bounds {
     pub gaps: Vec<f64>,
     /// No more than this share of the permanent loads is carried, where a motion proves that it is less than all.
     pub share: Option<f64>,
+    /// This share of them is carried, where no stresses were found that carry all: of the last mesh.
+    pub carried: Option<f64>,
     /// Every mesh.
     pub rounds: Vec<Round>,
     /// What the bounds say of the blocks: forces of the lower, mechanism of the upper. Without numbers where there are none.
@@ -106,6 +110,24 @@ impl Bounds {
     pub fn ratio(&self) -> Option<f64> {
         let (lower, upper) = (self.lower.as_ref()?.factor, self.upper.as_ref()?.factor);
         (lower > 0.0).then_some(upper / lower)
+    }
+
+    /// Nothing found yet.
+    pub(super) fn begun(setting: &Setting<'_>, mesh: Mesh) -> Bounds {
+        Bounds {
+            status: BoundsStatus::NotConverged,
+            lower: None,
+            upper: None,
+            mesh,
+            coarser: None,
+            gaps: Vec::new(),
+            share: None,
+            carried: None,
+            rounds: Vec::new(),
+            blocks: without_numbers(setting),
+            motions: Table::default(),
+            pressures: Vec::new(),
+        }
     }
 
     fn take(&mut self, setting: &Setting<'_>, model: &BlockModel, mesh: Mesh, below: Stresses, above: Motion) {
@@ -125,6 +147,9 @@ pub const FIRST: usize = 200;
 
 /// Most triangles over those of the first mesh, where no stresses are found that carry the weight.
 const UNCARRIED: usize = 4;
+
+/// So many times more than that the last mesh may have: one division of all triangles makes two to four of each.
+const OVER: usize = 2;
 
 /// Share of the gap whose triangles are divided at once.
 const DIVIDED: f64 = 0.2;
@@ -146,24 +171,12 @@ pub fn collapse_bounds(
 ) -> Result<Bounds, ContinuumError> {
     let setting = Setting::new(model, loading, settings, soil)?;
     let mesh = triangulate(soil, wanted.first.min(wanted.elements))?;
-    let bounds = Bounds {
-        status: BoundsStatus::NotConverged,
-        lower: None,
-        upper: None,
-        mesh: mesh.clone(),
-        coarser: None,
-        gaps: Vec::new(),
-        share: None,
-        rounds: Vec::new(),
-        blocks: without_numbers(&setting),
-        motions: Table::default(),
-        pressures: Vec::new(),
-    };
+    let bounds = Bounds::begun(&setting, mesh.clone());
     Ok(refined(&setting, model, (bounds, mesh), wanted, pace))
 }
 
 /// Bounds that were found, closer by at most as many meshes as are wanted; as they are where they are close enough, where the mesh has as
-/// many triangles as it may, or where there is nothing to refine.
+/// many triangles as it may, or where there is nothing to refine. Where a lower bound stands alone, the upper one of its mesh comes first.
 pub fn closer_bounds(
     model: &BlockModel,
     loading: &Loading,
@@ -173,6 +186,27 @@ pub fn closer_bounds(
     bounds: &Bounds,
     pace: &Pace,
 ) -> Result<Bounds, ContinuumError> {
+    if bounds.status == BoundsStatus::LowerAlone {
+        let setting = Setting::new(model, loading, settings, soil)?;
+        return match (bounds.lower.clone(), upper(&setting, &bounds.mesh, pace)) {
+            (_, Err(Ending::Cancelled)) => Ok(bounds.clone()),
+            (Some(below), Ok(above)) => {
+                let round = Round {
+                    elements: bounds.mesh.triangles.len(),
+                    lower: Some(below.factor),
+                    upper: Some(above.factor),
+                };
+                let mut both = Bounds { rounds: vec![round], ..Bounds::begun(&setting, bounds.mesh.clone()) };
+                both.take(&setting, model, bounds.mesh.clone(), below, above);
+                Ok(both)
+            }
+            // What is carried stays proven where no motion is found.
+            _ => {
+                let found = collapse_bounds(model, loading, settings, soil, wanted, pace)?;
+                Ok(if found.status == BoundsStatus::Bounded { found } else { bounds.clone() })
+            }
+        };
+    }
     let bounds = bounds.clone();
     let met = bounds.ratio().is_some_and(|ratio| ratio <= wanted.ratio);
     if met || bounds.status != BoundsStatus::Bounded || bounds.mesh.triangles.len() >= wanted.elements {
@@ -223,11 +257,16 @@ fn refined(
                 let most = *most.get_or_insert(wanted.elements.max(UNCARRIED * mesh.triangles.len()));
                 (bounds.lower, bounds.upper) = (below.ok(), above.ok());
                 bounds = unsolved(setting, mesh, bounds, pace);
-                // A coarse mesh may hold no stresses that carry the weight where a finer one does, or no motion.
-                let (finer, _) = bounds.mesh.refined(&vec![true; bounds.mesh.triangles.len()], soil);
-                if bounds.status != BoundsStatus::NotConverged || finer.triangles.len() > most {
+                if bounds.status != BoundsStatus::NotConverged || bounds.mesh.triangles.len() >= most {
                     return bounds;
                 }
+                // A coarse mesh may hold no stresses that carry the weight where a finer one does, or no motion: refined where the stresses
+                // that carry most of the weight are worked hardest, or everywhere where these are not known.
+                let finer = match bounds.gaps.is_empty() {
+                    false => finer(&bounds, soil, &Wanted { elements: most, ..*wanted }),
+                    true => Some(bounds.mesh.refined(&vec![true; bounds.mesh.triangles.len()], soil).0),
+                };
+                let Some(finer) = finer.filter(|finer| finer.triangles.len() <= OVER * most) else { return bounds };
                 mesh = finer;
                 continue;
             }
@@ -293,10 +332,16 @@ fn without_numbers(setting: &Setting<'_>) -> Outcome {
 /// What is known where one program or both were not solved on a mesh.
 fn unsolved(setting: &Setting<'_>, mesh: Mesh, mut bounds: Bounds, pace: &Pace) -> Bounds {
     if bounds.lower.is_none() {
+        (bounds.gaps, bounds.carried) = (Vec::new(), None);
         match share(setting, &mesh, pace) {
             Ok(share) if share < 1.0 - 1e-6 => {
                 bounds.status = BoundsStatus::NoEquilibrium;
                 bounds.share = Some(share);
+            }
+            Ok(_) => {
+                if let Ok(field) = share_carried(setting, &mesh, pace) {
+                    (bounds.gaps, bounds.carried) = (field.dissipation, Some(field.factor));
+                }
             }
             Err(Ending::Cancelled) => bounds.status = BoundsStatus::Cancelled,
             _ => {}

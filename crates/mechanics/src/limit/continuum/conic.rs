@@ -8,6 +8,8 @@ use crate::watch::Pace;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT, ZeroConeT};
 
+use std::ops::Range;
+
 #[cfg(test)]
 mod polygons;
 
@@ -139,6 +141,15 @@ impl Conic {
             self.columns[variable].push((equation, v * coefficient));
         }
         self.right[equation] -= coefficient * what.constant;
+    }
+    /// How many variables and equations there are.
+    pub fn size(&self) -> [usize; 2] {
+        [self.kinds.len(), self.right.len()]
+    }
+    /// What some variables put into equations, each times its multiplier, but for equations that are their own.
+    pub fn power(&self, variables: &Range<usize>, own: &Range<usize>, found: &Solved) -> f64 {
+        let of = |j: usize| self.columns[j].iter().filter(|(i, _)| !own.contains(i)).map(move |&(i, v)| (i, v, j));
+        variables.clone().flat_map(of).map(|(i, v, j)| v * found.variables[j] * found.multipliers[i]).sum::<f64>().abs()
     }
     /// Demands that a number is not negative. Gives the equation.
     pub fn at_least_zero(&mut self, what: &Affine) -> usize {

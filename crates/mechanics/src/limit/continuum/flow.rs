@@ -53,7 +53,7 @@ pub(super) fn flow(setting: &Setting<'_>, mesh: &Mesh, dilatancy: f64, pace: &Pa
         calm = if found.change < SETTLED { calm + 1 } else { 0 };
         means.approach(&Means::of(setting, mesh, &field));
     }
-    found.excess = check(setting, mesh, &whole, &field).1;
+    found.excess = check(setting, mesh, &whole, &field, [1.0, field.factor]).1;
     found.settled = calm >= 2;
     Ok(found)
 }

@@ -12,6 +12,7 @@ use super::sideways::{Sideways, Weights, bear, linear};
 use super::strengths::Strengths;
 use crate::plane::{Vec2, vec2};
 use crate::watch::Pace;
+use std::ops::Range;
 
 /// A stress field and the factor of the variable loads that it balances.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +29,8 @@ pub struct Stresses {
     pub equilibrium_residual: f64,
     /// Largest force by which strength is exceeded, relative to all loads.
     pub yield_violation: f64,
+    /// Power of the stresses of each triangle on the motion that the program has for multipliers, in its units: where they are worked hardest.
+    pub(super) dissipation: Vec<f64>,
     /// Iterations of the solver.
     pub iterations: u32,
 }
@@ -54,35 +57,46 @@ pub(super) fn lower(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<S
     within(setting, mesh, &Strengths::of(setting, mesh), pace)
 }
 
+/// The stress field on a mesh that carries the largest share of the permanent loads, up to all; its factor is that share.
+pub(super) fn share_carried(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<Stresses, Ending> {
+    best(setting, mesh, &Strengths::of(setting, mesh), Question::Share, pace)
+}
+
 /// The program of a mesh.
 pub(super) struct Asked {
     pub program: Conic,
     base: Base,
     /// At the corners of each triangle.
     stresses: Vec<[[Affine; 3]; 3]>,
+    /// The variables and the equations that the strength of each triangle takes.
+    own: Vec<[Range<usize>; 2]>,
     /// Of triangles beside panels: the panel, the pressures at the corners, what they add to its resultant and moment.
     pressures: Vec<(usize, [usize; 3], Weights)>,
 }
 
 /// What is asked within strengths that vary from corner to corner.
-pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths) -> Asked {
+pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, question: Question) -> Asked {
     let mut program = Conic::default();
-    let base = setting.begin(&mut program, Question::Factor);
-    let [permanent, variable] = setting.loads_of(Question::Factor).map(|share| share.of(base.factor));
+    let base = setting.begin(&mut program, question);
+    let [permanent, variable] = setting.loads_of(question).map(|share| share.of(base.factor));
     let unit = setting.force;
     let panels = setting.panels();
     let mut pressures: Vec<(usize, [usize; 3], Weights)> = Vec::new();
+    let mut own = Vec::with_capacity(mesh.triangles.len());
     let stresses: Vec<[[Affine; 3]; 3]> = (0..mesh.triangles.len())
         .map(|t| {
+            let before = program.size();
             let (corners, soils, sideways) = (mesh.corners(t), &strengths.soils[t], strengths.sideways[t]);
             let held = sideways.map(|s| (s, [0; 3].map(|_| program.positive())));
             if let Some((s, variables)) = held {
                 pressures.push((s.panel, variables, linear(mesh, t, &panels[s.panel])));
             }
-            [0, 1, 2].map(|k| {
+            let stress = [0, 1, 2].map(|k| {
                 let pore = permanent.times(setting.pore(corners[k]));
                 soils[k].stress(&mut program, &pore, unit, held.map(|(s, variables)| (s, variables[k])))
-            })
+            });
+            own.push([0, 1].map(|i| before[i]..program.size()[i]));
+            stress
         })
         .collect();
     bear(&mut program, panels, &pressures, unit);
@@ -148,7 +162,7 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths) -
             }
         }
     }
-    Asked { program, base, stresses, pressures }
+    Asked { program, base, stresses, own, pressures }
 }
 
 /// The best stress field within strengths that vary from corner to corner.
@@ -158,14 +172,24 @@ pub(super) fn within(
     strengths: &Strengths,
     pace: &Pace,
 ) -> Result<Stresses, Ending> {
-    let Asked { program, base, stresses, pressures } = asked(setting, mesh, strengths);
+    best(setting, mesh, strengths, Question::Factor, pace)
+}
+
+fn best(
+    setting: &Setting<'_>,
+    mesh: &Mesh,
+    strengths: &Strengths,
+    question: Question,
+    pace: &Pace,
+) -> Result<Stresses, Ending> {
+    let Asked { program, base, stresses, own, pressures } = asked(setting, mesh, strengths, question);
     let unit = setting.force;
     program.answer(pace, |found| {
         if !matches!(found.ending, Ending::Solved | Ending::Early) {
             return Err(found.ending);
         }
         let z = &found.variables;
-        let scale = setting.factor_scale;
+        let scale = if question == Question::Factor { setting.factor_scale } else { 1.0 };
         let values = stresses.iter().map(|s| s.each_ref().map(|s| s.each_ref().map(|a| a.at(z) * unit))).collect();
         let mut beside = pressures.iter().map(|(_, variables, _)| variables.map(|i| z[i] * unit));
         let of = |s: &Option<Sideways>| s.and_then(|_| beside.next()).unwrap_or_default();
@@ -176,9 +200,11 @@ pub(super) fn within(
             forces: base.forces.iter().map(|&i| z[i] * unit).collect(),
             equilibrium_residual: 0.0,
             yield_violation: 0.0,
+            dissipation: own.iter().map(|[variables, equations]| program.power(variables, equations, &found)).collect(),
             iterations: found.iterations,
         };
-        (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, strengths, &field);
+        let loads = if question == Question::Factor { [1.0, field.factor] } else { [field.factor, 0.0] };
+        (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, strengths, &field, loads);
         field.factor -= found.errors[0] * scale;
         let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
         if sound { Ok(field) } else { Err(Ending::Unknown) }
@@ -217,7 +243,7 @@ pub(super) fn push([xx, yy, xy]: [f64; 3], n: Vec2) -> Vec2 {
 }
 
 /// By how much pressures out of the plane exceed what panels bear, and stresses what these pressures allow [N/m].
-fn beyond_panels(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, field: &Stresses) -> f64 {
+fn beyond_panels(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, field: &Stresses, share: f64) -> f64 {
     let panels = setting.panels();
     let mut borne = vec![[0.0; 2]; panels.len()];
     let mut beyond = 0.0f64;
@@ -227,7 +253,7 @@ fn beyond_panels(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, fiel
         let weights = linear(mesh, t, &panels[sideways.panel]);
         for (k, at) in mesh.corners(t).into_iter().enumerate() {
             let pressure = field.sideways[t][k];
-            let excess = sideways.excess(field.stresses[t][k], setting.pore(at), pressure);
+            let excess = sideways.excess(field.stresses[t][k], share * setting.pore(at), pressure);
             beyond = beyond.max(size * excess.max(-pressure));
             borne[sideways.panel][0] += weights[k][0] * pressure;
             borne[sideways.panel][1] += weights[k][1] * pressure;
@@ -237,25 +263,31 @@ fn beyond_panels(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, fiel
     panels.iter().zip(&borne).map(over).fold(beyond, f64::max)
 }
 
-/// Checks a field from its numbers alone: the largest force out of balance and the largest force beyond strength, relative to all loads.
-pub(super) fn check(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, field: &Stresses) -> (f64, f64) {
-    let variable = field.factor;
-    let (mut residual, mut beyond) = (0.0f64, beyond_panels(setting, mesh, strengths, field));
+/// Checks a field from its numbers alone: the largest force out of balance and the largest force beyond strength, relative to all loads, of which
+/// it carries so many times the permanent and the variable ones.
+pub(super) fn check(
+    setting: &Setting<'_>,
+    mesh: &Mesh,
+    strengths: &Strengths,
+    field: &Stresses,
+    [share, variable]: [f64; 2],
+) -> (f64, f64) {
+    let (mut residual, mut beyond) = (0.0f64, beyond_panels(setting, mesh, strengths, field, share));
     for (t, stress) in field.stresses.iter().enumerate() {
         let soils = &strengths.soils[t];
-        let mut sum = (soils[0].weight + soils[0].variable_weight * variable) * mesh.area(t);
+        let mut sum = (soils[0].weight * share + soils[0].variable_weight * variable) * mesh.area(t);
         for (s, g) in stress.iter().zip(gradients(mesh.corners(t))) {
             sum += push(*s, g);
         }
         residual = residual.max(sum.norm());
         let size = mesh.area(t).sqrt();
         for ((s, at), soil) in stress.iter().zip(mesh.corners(t)).zip(soils) {
-            beyond = beyond.max(size * soil.excess(*s, setting.pore(at)));
+            beyond = beyond.max(size * soil.excess(*s, share * setting.pore(at)));
         }
     }
     let eq = &setting.equilibrium;
     let mut blocks: Vec<f64> = (0..eq.rows)
-        .map(|i| eq.permanent[i] * eq.force + eq.variable[i] * eq.force / eq.factor_scale * variable)
+        .map(|i| share * eq.permanent[i] * eq.force + eq.variable[i] * eq.force / eq.factor_scale * variable)
         .collect();
     for (column, f) in eq.columns.iter().zip(&field.forces) {
         column.iter().for_each(|&(i, v)| blocks[i] += v * f);
@@ -272,13 +304,14 @@ pub(super) fn check(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, f
         match setting.body(mesh, e).zip(strengths.contacts[e]) {
             None => {
                 let [p, v] = setting.tractions(mesh, e);
-                let wanted = p + v * variable;
+                let wanted = p * share + v * variable;
                 inside.iter().for_each(|t| residual = residual.max(at.length * (*t - wanted).norm()));
             }
             Some(((block, _), contacts)) => {
                 for k in 0..2 {
                     let (pressure, shear) = (-inside[k].dot(at.normal), inside[k].dot(at.normal.left()));
-                    beyond = beyond.max(at.length * contacts[k].excess(pressure, shear, setting.pore(at.points[k])));
+                    beyond =
+                        beyond.max(at.length * contacts[k].excess(pressure, shear, share * setting.pore(at.points[k])));
                     let Some(block) = block else { continue };
                     let [x, y] = setting.rows_of(block, at.thirds()[k]);
                     x.iter().for_each(|&(i, v)| blocks[i] -= 0.5 * at.length * v * inside[k].x);

@@ -159,6 +159,38 @@ impl Mesh {
         (Mesh::new(points, triangles, regions, &model.sides), parents)
     }
 
+    /// The mesh with a corner wherever a side of another boundary ends, and what that boundary touches; and of each of its triangles the one that
+    /// it is a piece of.
+    pub(super) fn divided_at(&self, model: &Continuum) -> (Mesh, Vec<usize>) {
+        let mut mesh = Mesh::new(self.points.clone(), self.triangles.clone(), self.regions.clone(), &model.sides);
+        let mut parents: Vec<usize> = (0..self.triangles.len()).collect();
+        for end in model.sides.iter().flat_map(|side| side.ends) {
+            let Some(edge) = mesh.edge_at(end) else { continue };
+            let t = mesh.edges[edge].triangle;
+            let corner = mesh.triangles[t][(0..3).find(|&k| mesh.edges_of[t][k] == edge).unwrap_or(0)];
+            let [a, b] = mesh.edges[edge].ends;
+            let new = mesh.points.len();
+            mesh.points.push(end);
+            mesh.triangles[t] = [corner, a, new];
+            mesh.triangles.push([corner, new, b]);
+            mesh.regions.push(mesh.regions[t]);
+            parents.push(parents[t]);
+            mesh = Mesh::new(mesh.points, mesh.triangles, mesh.regions, &model.sides);
+        }
+        (mesh, parents)
+    }
+
+    /// The edge of the boundary that holds a point between its ends.
+    fn edge_at(&self, point: Vec2) -> Option<usize> {
+        (0..self.edges.len()).filter(|&e| self.edges[e].other.is_none()).find(|&e| {
+            let [a, b] = self.ends(e);
+            let (run, arm) = (b - a, point - a);
+            let (length, along) = (run.norm(), arm.dot(run) / run.norm());
+            let near = 1e-9 * length;
+            near < along && along < length - near && (run.cross(arm) / length).abs() < near
+        })
+    }
+
     /// The longest edge of a triangle; of equal ones the one with the larger number, which both neighbours agree on.
     fn longest(&self, triangle: usize) -> usize {
         let size = |k: usize| {

@@ -11,7 +11,9 @@
 
 mod bounds;
 mod conic;
+mod elsewhere;
 mod flow;
+mod like;
 mod lower;
 mod mesh;
 mod model;
@@ -27,7 +29,9 @@ pub use bounds::{
     Bounds, BoundsStatus, ContinuumError, FIRST, Round, Wanted, Which, bound_on, closer_bounds, collapse_bounds,
     flow_on,
 };
+pub use elsewhere::bound_elsewhere;
 pub use flow::Flow;
+pub use like::{Like, lower_like, upper_like};
 pub use lower::Stresses;
 pub use mesh::{Edge, Mesh};
 pub use model::{Bears, Confinement, Contact, Continuum, Panel, Region, Side, Soil, Water, davis};

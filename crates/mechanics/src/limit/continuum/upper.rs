@@ -19,6 +19,8 @@ use crate::watch::Pace;
 pub struct Motion {
     /// Load factor, recomputed from the velocities, and what their violations of the flow rule may be worth.
     pub factor: f64,
+    /// Power that the solver's errors may be worth [W/m]: counted in the factor.
+    pub(super) doubt: f64,
     /// Velocity of each node of the mesh [m/s], scaled so that the fastest point moves by 1 m/s.
     pub velocities: Vec<Vec2>,
     /// What multiplies the equations of the blocks, scaled alike.
@@ -36,7 +38,7 @@ pub struct Motion {
 }
 
 /// Velocities against the flow rule, relative to the fastest, up to which a motion is an answer.
-const SOUND: f64 = 1e-5;
+pub(super) const SOUND: f64 = 1e-5;
 
 /// Gradients of the six shape functions at a corner of a triangle, times its area [m].
 fn shapes(gradients: [Vec2; 3], corner: usize) -> [Vec2; 6] {
@@ -66,13 +68,13 @@ fn pores_along(setting: &Setting<'_>, ends: [Vec2; 2]) -> [f64; 3] {
 }
 
 /// The nodes of an edge: its ends, and its middle.
-fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
+pub(super) fn nodes(mesh: &Mesh, edge: usize) -> [usize; 3] {
     let [a, b] = mesh.edges[edge].ends;
     [a, mesh.points.len() + edge, b]
 }
 
 /// Control points of an edge as sums of its nodes' values.
-const CONTROL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-0.5, 2.0, -0.5], [0.0, 0.0, 1.0]];
+pub(super) const CONTROL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-0.5, 2.0, -0.5], [0.0, 0.0, 1.0]];
 
 /// The program of a mesh.
 pub(super) struct Asked {
@@ -177,8 +179,10 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<M
         let velocity = |k: usize| vec2(-found.multipliers[rows[2 * k]], -found.multipliers[rows[2 * k + 1]]);
         let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
         let panels = panels.iter().map(|both| both.map(|row| found.multipliers[row].max(0.0))).collect();
-        let mut motion = work(setting, mesh, velocities, blocks, panels);
-        motion.factor += found.errors[1] * setting.factor_scale;
+        let (mut motion, _) = work(setting, mesh, velocities, blocks, panels);
+        let doubt = found.errors[1] * setting.factor_scale;
+        motion.factor += doubt;
+        motion.doubt = doubt * motion.power;
         motion.iterations = found.iterations;
         let sound = motion.flow_violation <= SOUND && motion.factor.is_finite() && motion.power > 0.0;
         if sound { Ok(motion) } else { Err(Ending::Unknown) }
@@ -229,8 +233,14 @@ pub(super) fn jumps(
     [a, (a + b) * 0.5, b].into_iter().zip(CONTROL).map(of).collect()
 }
 
-/// The work equation of a motion, from its velocities alone.
-fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f64>, panels: Vec<[f64; 2]>) -> Motion {
+/// The work equation of a motion, from its velocities alone; and the velocity of its fastest point as it was given.
+pub(super) fn work(
+    setting: &Setting<'_>,
+    mesh: &Mesh,
+    velocities: Vec<Vec2>,
+    blocks: Vec<f64>,
+    panels: Vec<[f64; 2]>,
+) -> (Motion, f64) {
     let eq = &setting.equilibrium;
     let mut fastest = velocities.iter().map(|v| v.norm()).fold(f64::MIN_POSITIVE, f64::max);
     fastest = blocks.iter().map(|v| v.abs()).fold(fastest, f64::max);
@@ -285,8 +295,9 @@ fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f
     let resisted = |(panel, [slide, tilt]): (&Panel, &[f64; 2])| panel.force * slide + panel.moment * tilt;
     let held: f64 = setting.panels().iter().zip(&panels).map(resisted).sum();
     let total = dissipation.iter().sum::<f64>() + held + joints.factor * eq.force - permanent;
-    Motion {
+    let motion = Motion {
         factor: total / variable,
+        doubt: 0.0,
         velocities,
         blocks,
         panels,
@@ -294,5 +305,6 @@ fn work(setting: &Setting<'_>, mesh: &Mesh, velocities: Vec<Vec2>, blocks: Vec<f
         power: variable,
         flow_violation: violation,
         iterations: 0,
-    }
+    };
+    (motion, fastest)
 }

@@ -79,7 +79,7 @@ fn both_lie_between(body: &Body, elements: usize, edges: usize, gap: f64) {
     let count = mesh.triangles.len();
     assert!((30..=50).contains(&count), "{count} triangles");
     let strengths = Strengths::of(&setting, &mesh);
-    lies_between(&lower::asked(&setting, &mesh, &strengths).program, edges, gap);
+    lies_between(&lower::asked(&setting, &mesh, &strengths, Question::Factor).program, edges, gap);
     lies_between(&upper::asked(&setting, &mesh, Question::Factor).program, edges, gap);
 }
 
