@@ -21,7 +21,8 @@ pub fn dimensions(bridge: &Bridge, surface: &Surface) -> Vec<DimensionLine> {
         } else {
             // Of the middle, above the line between the springings.
             let chord = base + 0.5 * span.right_springing;
-            add(Measure::Rise, [left, chord], [left + 0.5 * span.span, chord + span.rise]);
+            let middle = left + 0.5 * span.span;
+            add(Measure::Rise, [middle, chord], [middle, chord + span.rise]);
         }
         // A millimetre is what a survey resolves.
         if span.right_springing.abs() > 1e-3 {

@@ -226,7 +226,7 @@ fn backing(table: &Table<'_>, below: f64, findings: &mut Findings) -> Option<Bac
     }
     let share = backing.width_share;
     if share == 1.0 {
-        if table.has("between_density") {
+        if table.has("between_density") && !table.has("width_share") {
             table.need("width_share", findings);
         }
         between?;

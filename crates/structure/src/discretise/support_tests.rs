@@ -61,7 +61,7 @@ fn load(b: &Bridge) -> f64 {
     assess::analysis::collapse_by_limit(&b, &mut mechanics::watch::Unwatched).unwrap().collapse_load.unwrap()
 }
 
-/// The example as its file has it; `crates/cli/tests/it/examples.rs` has the same number.
+/// The example as its file has it: its abutments are wide enough not to govern, and the void takes weight off the haunch away from the load.
 #[test]
 fn the_example_on_a_gradient_carries_what_its_test_says() {
     let read = bridge::read(include_str!("../../../../examples/gradient/bridge.toml").as_bytes());
@@ -72,7 +72,9 @@ fn the_example_on_a_gradient_carries_what_its_test_says() {
     b.cover.voids.clear();
     let filled = load(&b);
     assert!(as_blocks <= fixed * (1.0 + 1e-9), "{as_blocks} {fixed}");
-    assert!(as_blocks > 0.0 && filled > 0.0, "{as_blocks} {fixed} {filled}");
+    for (found, wanted) in [(as_blocks, 239.638e3), (fixed, 239.638e3), (filled, 232.036e3)] {
+        assert!((found / wanted - 1.0).abs() < 1e-4, "{found} {wanted}");
+    }
 }
 
 /// A pier of two courses, battered unevenly, wider across at its bottom, on a stepped footing: weight, centre, and the force at its top that
