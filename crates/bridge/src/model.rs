@@ -5,7 +5,7 @@ use crate::defect::Defect;
 use crate::diagnostic::TextRange;
 use crate::fields::FILE;
 use crate::findings::Findings;
-use crate::ring::Profile;
+use crate::ring::{Intrados, Misfit, Profile};
 use crate::road::Road;
 use crate::service::Service;
 use crate::tree::Table;
@@ -67,14 +67,27 @@ pub struct Span {
     pub profile: Profile,
     /// Horizontal distance between the springings, at the intrados [m].
     pub span: f64,
-    /// Height of the crown above the springings, at the intrados [m].
+    /// Height of the crown above the springings, at the intrados [m]; where these lie at unequal levels, of the middle of the span above
+    /// the straight line between them. Of a measured profile, of its highest point above the left springing.
     pub rise: f64,
+    /// Level of the right springing above the left one [m].
+    pub right_springing: f64,
     /// Rings from the intrados up; at least one.
     pub rings: Vec<Ring>,
     /// What is wrong with them, in the order of the file.
     pub defects: Vec<Defect>,
     /// Angle between the road and the normal of its springings [rad]: 0 where it is square. Span and profile run along the road.
     pub skew: f64,
+}
+
+impl Span {
+    /// Its intrados, from the left springing.
+    ///
+    /// # Errors
+    /// A profile that has no curve of this size.
+    pub fn intrados(&self) -> Result<Intrados, Misfit> {
+        Intrados::between(&self.profile, self.span, self.rise, self.right_springing)
+    }
 }
 
 /// One ring of voussoirs.
@@ -95,19 +108,73 @@ pub struct Pier {
     pub width: f64,
     /// Width at the bottom [m].
     pub base_width: f64,
-    /// Height from the foundation to the springings [m].
+    /// Height from the foundation to the springings, the lower one where they differ [m].
     pub height: f64,
     /// Number of courses.
     pub courses: usize,
+    /// Level of the springing of the span on its right above that of the span on its left [m].
+    pub step: f64,
+    /// How far the middle of the bottom lies to the right of the middle of the top [m]: faces of unequal batter.
+    pub base_offset: f64,
+    /// Mean width across the bridge at the top and at the bottom [m], with cutwaters by their area; that of the barrel where the file gives
+    /// none.
+    pub across: Option<[f64; 2]>,
+    /// Steps of the footing, from the pier down.
+    pub footings: Vec<Footing>,
 }
 
-/// An abutment: a fixed springing.
+impl Pier {
+    /// A pier with plumb or evenly battered faces, as wide across as the barrel, its springings level.
+    pub fn plain(width: f64, base_width: f64, height: f64, courses: usize) -> Pier {
+        Pier { width, base_width, height, courses, step: 0.0, base_offset: 0.0, across: None, footings: Vec::new() }
+    }
+}
+
+/// A step of a pier's footing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Footing {
+    /// Width along the bridge [m].
+    pub width: f64,
+    /// Height [m].
+    pub height: f64,
+    /// Width across the bridge [m]; that of the pier's bottom where the file gives none.
+    pub across: Option<f64>,
+}
+
+/// An abutment: a fixed springing, or blocks that stand on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Abutment {
     /// Length of its upper face, behind the springing [m].
     pub top_width: f64,
-    /// Drawn height of the fixed block [m].
+    /// Height of the block, from its springing down [m].
     pub height: f64,
+    /// What stands on the ground, where it is not fixed.
+    pub body: Option<AbutmentBody>,
+}
+
+choice! {
+    /// How an abutment is modelled.
+    pub enum AbutmentKind {
+        /// a block that does not move
+        Fixed = "fixed",
+        /// blocks that stand on the ground by friction and can slide and overturn; limit analysis, discrete elements, path
+        Blocks = "blocks",
+    }
+}
+
+/// An abutment that can slide and overturn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AbutmentBody {
+    /// Width of its bottom, from the plumb front face back [m]; as wide as the top where the file gives none.
+    pub base_width: Option<f64>,
+    /// Number of courses.
+    pub courses: usize,
+    /// Friction angle between it and the ground [rad]: no cohesion, no tension.
+    pub ground_friction_angle: f64,
+    /// Horizontal over vertical stress of the soil behind it.
+    pub earth_coefficient: f64,
+    /// Mass density of that soil [kg/m^3]; that of the lowest layer of the cover where the file gives none.
+    pub earth_density: Option<f64>,
 }
 
 /// Masonry of rings and piers.
@@ -207,6 +274,10 @@ pub struct Cover {
     pub layers: Vec<Layer>,
     /// Backing above the haunches, where there is some.
     pub backing: Option<Backing>,
+    /// Internal spandrel walls with what lies between them, where there are some.
+    pub internal_walls: Option<InternalWalls>,
+    /// Voids above the extrados, from left to right.
+    pub voids: Vec<Void>,
     /// The road surface where it is not level; else it lies `depth` above the highest crown.
     pub road: Option<Road>,
 }
@@ -364,14 +435,38 @@ choice! {
     }
 }
 
+/// Internal spandrel walls: walls along the bridge between the outer ones, and voids or fill between them, as one mean weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InternalWalls {
+    /// Level of their tops above the springings [m].
+    pub height: f64,
+    /// Mean mass density over the width [kg/m^3].
+    pub density: f64,
+    /// Share of the width that is masonry.
+    pub share: f64,
+}
+
+/// A void in the spandrels: a relieving arch over a pier or a haunch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Void {
+    /// From here to there along the bridge [m].
+    pub range: [f64; 2],
+    /// Levels of its floor and its roof above the left springing of the first span [m].
+    pub levels: [f64; 2],
+    /// Where its roof is carried, left and right of it [m].
+    pub carried_to: [f64; 2],
+}
+
 /// Solid backing above the haunches, up to a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Backing {
     /// Level of its upper face above the springings [m].
     pub height: f64,
-    /// Mass density [kg/m^3].
+    /// Mass density [kg/m^3], the mean over the width where it fills a share of it.
     pub density: f64,
-    /// Young's modulus [Pa].
+    /// Share of the width that it fills.
+    pub width_share: f64,
+    /// Young's modulus [Pa], times the share of the width.
     pub elastic_modulus: Option<f64>,
     /// Poisson's ratio.
     pub poisson_ratio: Option<f64>,

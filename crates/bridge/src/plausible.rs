@@ -5,7 +5,6 @@ use crate::fields::structure::PlacedSpan;
 use crate::findings::Findings;
 use crate::model::{Joint, JointStiffness, Masonry};
 use crate::quantity;
-use crate::ring::Intrados;
 use crate::tree::{At, Raw, Table};
 
 /// The range in which a value is usually found [SI], and in what words.
@@ -243,7 +242,7 @@ fn joints(
 /// The longest voussoir of the bridge at the intrados [m].
 fn longest_voussoir(spans: &[PlacedSpan]) -> Option<f64> {
     let lengths = spans.iter().filter_map(|placed| {
-        let intrados = Intrados::new(&placed.span.profile, placed.span.span, placed.span.rise).ok()?;
+        let intrados = placed.span.intrados().ok()?;
         let fewest = placed.span.rings.iter().map(|ring| ring.voussoirs).min()?;
         Some(intrados.length() / fewest as f64)
     });

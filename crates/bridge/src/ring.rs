@@ -13,6 +13,7 @@ mod invert;
 mod measured;
 mod parabola;
 mod pointed;
+mod quadrature;
 mod segmental;
 mod semicircular;
 mod skew;
@@ -50,22 +51,34 @@ macro_rules! profiles {
                 match self { $(Profile::$name { .. } => $word),+ }
             }
 
+            /// Whether its rise is a length of its own; else it follows from the span or from points.
+            pub fn has_rise(&self) -> bool {
+                self.needs()[1]
+            }
+
             /// Whether span and rise are lengths of their own.
             fn needs(&self) -> [bool; 2] {
                 match self { $(Profile::$name { .. } => $file::NEEDS),+ }
             }
 
+            /// The curve between level springings.
             fn form(&self, span: f64, rise: f64) -> Result<Form, Misfit> {
                 match self { $(Profile::$name $({ $key })? => $file::curve(span, rise $(, $key)?)),+ }
             }
+
+            /// The curve to a right springing that lies this much higher than the left one [m].
+            fn sloping(&self, span: f64, rise: f64, right: f64) -> Result<Form, Misfit> {
+                match self { $(Profile::$name $({ $key })? => $file::sloping(span, rise, right $(, $key)?)),+ }
+            }
         }
 
-        /// The profile of a span's table along the road, with its span and rise [m]; what is wrong has been reported.
-        pub(crate) fn read(table: &Table<'_>, findings: &mut Findings) -> Option<(Profile, f64, f64)> {
+        /// The profile of a span's table along the road, with its size; what is wrong has been reported.
+        pub(crate) fn read(table: &Table<'_>, findings: &mut Findings) -> Option<(Profile, Size)> {
             let shape: Option<Shape> = table.read("profile", findings);
             let (span, stretch) = skew::span(table, shape, findings).unzip();
             let span = span.flatten();
             let rise = table.read::<Option<f64>>("rise", findings).flatten();
+            let right: Option<f64> = table.read("right_springing", findings);
             let (profile, span, rise) = match shape? {
                 $(Shape::$name => {
                     $(let mut $key: $type = table.read(stringify!($key), findings)?;)?
@@ -73,9 +86,10 @@ macro_rules! profiles {
                     (Profile::$name $({ $key })?, span, rise)
                 })+
             };
+            let size = sized(&profile, span, rise, right?);
             match stretch? {
-                None => Some((profile, span, rise)),
-                Some(stretch) => skew::along_the_road(table, &profile, span, rise, stretch, findings),
+                None => Some((profile, size)),
+                Some(stretch) => skew::along_the_road(table, &profile, size, stretch, findings),
             }
         }
     };
@@ -102,6 +116,24 @@ profiles! {
         /// From the left to the right springing, relative to the left springing [m].
         points: Vec<[f64; 2]>
     } = "measured" in measured,
+}
+
+/// Span, rise and level of the right springing [m].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Size {
+    pub(crate) span: f64,
+    pub(crate) rise: f64,
+    /// Above the left springing.
+    pub(crate) right: f64,
+}
+
+/// The size of a profile: that of a survey is what its points make it, and the rise of a semicircle follows from its span.
+fn sized(profile: &Profile, span: f64, rise: f64, right: f64) -> Size {
+    match profile {
+        Profile::Measured { points } => Size { span, rise, right: points.last().map_or(0.0, |last| last[1]) },
+        Profile::Semicircular if right != 0.0 => Size { span, rise: semicircular::sloping_rise(span, right), right },
+        _ => Size { span, rise, right },
+    }
 }
 
 /// Words of the profiles for which files give a span, and a rise.
@@ -221,19 +253,71 @@ pub struct Intrados {
 }
 
 impl Intrados {
-    /// The curve of a profile with this span and rise [m].
+    /// The curve of a profile with this span and rise [m] between level springings.
     pub fn new(profile: &Profile, span: f64, rise: f64) -> Result<Intrados, Misfit> {
+        Intrados::between(profile, span, rise, 0.0)
+    }
+
+    /// The curve of a profile with this span and rise to a right springing that lies `right` above the left one [m]. The rise is that of
+    /// the middle of the span above the straight line between the springings, measured upright; points of a survey have theirs.
+    pub fn between(profile: &Profile, span: f64, rise: f64, right: f64) -> Result<Intrados, Misfit> {
         // Those of a survey are what its points make them.
         if profile.needs()[0] && ![span, rise].iter().all(|length| *length > 0.0 && length.is_finite()) {
             let help = "give positive lengths";
             return Err(Misfit::new("B204", "span", "span and rise must be positive", "not a shape", help));
         }
-        let form = profile.form(span, rise)?;
+        if !(right.abs() <= span) && profile.needs()[0] {
+            return Err(Misfit::new(
+                "B229",
+                "right_springing",
+                "the springings differ by more than the span",
+                format!("steeper than 45 degrees over a span of {span} m"),
+                "check number and unit: the level of the right springing above the left one",
+            ));
+        }
+        let form = if right == 0.0 { profile.form(span, rise)? } else { profile.sloping(span, rise, right)? };
         let length = match &form {
             Form::Half(curve) => 2.0 * curve.length(),
             Form::Whole { curve, .. } => curve.length(),
         };
-        Ok(Intrados { form, span, length })
+        let intrados = Intrados { form, span, length };
+        if right != 0.0 {
+            intrados.rises_from_both(profile)?;
+        }
+        Ok(intrados)
+    }
+
+    /// Skewbacks lean away from the span, or stand upright: a ring that falls from a springing has no abutment there that it could push.
+    fn rises_from_both(&self, profile: &Profile) -> Result<(), Misfit> {
+        let leans = [-self.at(0.0).normal[0], self.at(1.0).normal[0]];
+        let Some(side) = leans.iter().position(|lean| *lean < -1e-9) else { return Ok(()) };
+        let key = if profile.needs()[0] { "right_springing" } else { "points" };
+        Err(Misfit::new(
+            "B229",
+            key,
+            format!("the intrados falls from its {} springing", ["left", "right"][side]),
+            "its highest point is that springing",
+            "give more rise or less difference of the springings; a strut or a ramp that falls from one end is described by its blocks",
+        ))
+    }
+
+    /// Level of its highest point above the left springing [m].
+    pub fn highest(&self) -> f64 {
+        match &self.form {
+            Form::Half(_) => self.at(0.5).point[1],
+            Form::Whole { crown, .. } => self.level(*crown),
+        }
+    }
+
+    /// Its level at a distance from the left springing [m], above it.
+    pub fn level(&self, x: f64) -> f64 {
+        // The curve is told by its length; x grows with it.
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if self.at(middle).point[0] < x { low = middle } else { high = middle }
+        }
+        self.at(0.5 * (low + high)).point[1]
     }
 
     /// Length of the curve from springing to springing [m].
@@ -272,6 +356,17 @@ impl Intrados {
         }
         Station { point: [self.span - left.point[0], left.point[1]], normal: [-left.normal[0], left.normal[1]] }
     }
+}
+
+/// A profile that is known between level springings alone.
+fn level_alone(profile: &str) -> Misfit {
+    Misfit::new(
+        "B229",
+        "right_springing",
+        format!("a {profile} arch between springings at unequal levels is not drawn by its rise"),
+        "its two sides would meet at a place that nobody measured",
+        "give its curve by points, with profile = \"measured\"",
+    )
 }
 
 /// The size of most profiles: as written.

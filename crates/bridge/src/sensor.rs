@@ -5,7 +5,6 @@ use crate::fields::{Field, Kind, Section, loading::share, structure::PlacedSpan}
 use crate::findings::Findings;
 use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;
-use crate::ring::Intrados;
 use crate::tree::{At, Table};
 
 /// A sensor.
@@ -300,7 +299,7 @@ fn stone(table: &Table<'_>, sensor: &Sensor, spans: &[PlacedSpan], findings: &mu
         return true;
     }
     let Some(span) = spans.get(span).map(|placed| &placed.span) else { return true };
-    let Ok(intrados) = Intrados::new(&span.profile, span.span, span.rise) else { return true };
+    let Ok(intrados) = span.intrados() else { return true };
     let Some(count) = span.rings.first().map(|ring| ring.voussoirs) else { return true };
     let stone = intrados.length() / count as f64;
     if gauge_length <= stone {

@@ -116,6 +116,12 @@ pub const ALL: &[Example] = &[
         files: files!("defects": "bridge.toml"),
     },
     Example {
+        name: "gradient",
+        about: "two spans on a gradient, a pier with cutwaters, abutments that can move, hollow spandrels",
+        main: "bridge.toml",
+        files: files!("gradient": "bridge.toml"),
+    },
+    Example {
         name: "settlement",
         about: "an abutment that gives way until a mechanism forms",
         main: "bridge.toml",

@@ -9,6 +9,8 @@ use outcome::picture::Picture;
 fn colour(name: &str) -> &'static str {
     match name {
         "backing" => "#d3cfc4",
+        "internal walls" => "#e6dccb",
+        name if name.starts_with("void") => "#ffffff",
         "surfacing" => "#cfd2d6",
         "sub-base" => "#e3e1da",
         "ballast" => "#dcdcdc",

@@ -376,6 +376,24 @@ findings::cards! {
          their weight resists before they tilt about their outer toe or slide on their bed. Here they give first, and the load \
          is that of fill held by no more. Friction between fill and rings, bonding of wall and barrel, ties, and what a wall hands on \
          along the bridge are left out, and they help. Look for bulging, leaning and longitudinal cracks inside the walls.";
+    /// Roofs of voids are beams.
+    VOIDS = "A202", "what lies over a void is carried to two places as by a beam",
+        "A plane model has no relieving arch. Weight over the roof of a [[void]], and the part of a load that would disperse into it, are \
+         handed to two places beside it with the same force and moment, as by a simply supported beam. Its roof is not checked: neither its own \
+         strength, nor its thrust on what carries it, nor what it weighs more or less than the fill. Check the relieving arch as a bridge of its \
+         own, with its own span.";
+    /// Abutments that can move.
+    MOVABLE_ABUTMENT = "A203", "an abutment can move, and earth pressure at a stated coefficient holds it",
+        "The abutment stands on the ground by friction without tension, and the soil behind it presses with a constant horizontal share of its \
+         vertical stress. That pressure holds against the arch's thrust: it is there at rest and falls to the active one only where the abutment \
+         moves towards the span. Passive resistance, which would need movement into the soil, is never counted; neither is soil in front. The \
+         ground does not give: settlement and bearing failure under the toe are left out, so compare the bearing pressure of the reactions with \
+         what the ground can take.";
+    /// Internal walls are a mean weight.
+    MEAN_OVER_WIDTH = "A204", "what fills a share of the width is a mean over the width",
+        "Internal spandrel walls, and backing over a share of the width, act on every metre of the barrel with their mean weight. In truth the \
+         barrel carries more under a wall and less between two, and loads come down through walls, not through voids: check the strip under a wall \
+         with the whole density. Friction and bending of the walls themselves are left out.";
 }
 
 impl Warning {

@@ -26,9 +26,10 @@ pub fn bridgemill() -> Bridge {
             rings: vec![Ring { crown_thickness: 0.711, springing_thickness: 0.711, voussoirs: 62 }],
             defects: Vec::new(),
             skew: 0.0,
+            right_springing: 0.0,
         }],
         piers: vec![],
-        abutments: [Abutment { top_width: 2.0, height: 1.0 }; 2],
+        abutments: [Abutment { top_width: 2.0, height: 1.0, body: None }; 2],
         masonry: Masonry {
             density: 2100.0,
             elastic_modulus: Some(15e9),
@@ -41,7 +42,7 @@ pub fn bridgemill() -> Bridge {
         spandrel_wall: None,
         particles: None,
         calibration: Calibration::default(),
-        cover: Cover { depth: 0.478, layers: vec![], backing: None, road: None },
+        cover: Cover { depth: 0.478, layers: vec![], backing: None, internal_walls: None, voids: vec![], road: None },
         loads: vec![Load {
             name: "knife edge".into(),
             kind: LoadKind::KnifeEdge { force: 1e3, length: 0.750 },
@@ -88,6 +89,7 @@ pub fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
         rings: vec![Ring { crown_thickness: thickness, springing_thickness: thickness, voussoirs }],
         defects: Vec::new(),
         skew: 0.0,
+        right_springing: 0.0,
     };
     b.masonry.rounding = 0.0;
     b.cover.depth = 0.0;
@@ -98,7 +100,7 @@ pub fn semicircle(span: f64, thickness: f64, voussoirs: usize) -> Bridge {
 /// The spans on piers of the given width, base width and height [m].
 pub fn spans(spans: Vec<Span>, width: f64, base_width: f64, height: f64, courses: usize) -> Bridge {
     let mut b = bridgemill();
-    b.piers = vec![Pier { width, base_width, height, courses }; spans.len() - 1];
+    b.piers = vec![Pier::plain(width, base_width, height, courses); spans.len() - 1];
     b.spans = spans;
     b
 }
@@ -130,12 +132,19 @@ pub fn case_two() -> Bridge {
 /// Two spans of 6 m on a pier, with fill and ballast over them.
 pub fn railway() -> Bridge {
     let ring = Ring { crown_thickness: 0.54, springing_thickness: 0.54, voussoirs: 19 };
-    let span =
-        Span { profile: Profile::Segmental, span: 6.0, rise: 1.5, rings: vec![ring], defects: Vec::new(), skew: 0.0 };
+    let span = Span {
+        profile: Profile::Segmental,
+        span: 6.0,
+        rise: 1.5,
+        rings: vec![ring],
+        defects: Vec::new(),
+        skew: 0.0,
+        right_springing: 0.0,
+    };
     let mut b = spans(vec![span; 2], 1.5, 1.5, 3.0, 6);
     b.name = "railway".into();
     b.width = 4.87;
-    b.abutments = [Abutment { top_width: 1.5, height: 3.0 }; 2];
+    b.abutments = [Abutment { top_width: 1.5, height: 3.0, body: None }; 2];
     b.cover = case_two().cover;
     b.cover.layers.truncate(1);
     b.cover.layers[0].thickness = 0.5;
@@ -221,6 +230,7 @@ pub fn backing(height: f64) -> Backing {
     Backing {
         height,
         density: 2000.0,
+        width_share: 1.0,
         elastic_modulus: None,
         poisson_ratio: None,
         body: BackingBody::Weight,

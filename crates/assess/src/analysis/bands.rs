@@ -1,7 +1,7 @@
 //! Layers of the cover and backing as areas of the elevation, with their depths in words.
 
 use super::places::point;
-use bridge::{BackingBody, Bridge};
+use bridge::{BackingBody, Bridge, Void};
 use mechanics::plane::Vec2;
 use outcome::picture::{Band, Point};
 use structure::discretise::cover::Surface;
@@ -34,10 +34,26 @@ pub fn bands(bridge: &Bridge, d: &Discretised) -> Vec<Band> {
         let size = format!("{} m {over}", decimals(layer.thickness));
         found.push(Band { name: layer.name.word().to_string(), size, outlines });
     }
+    if let Some(walls) = &bridge.cover.internal_walls {
+        let share = 100.0 * walls.share;
+        let size = format!("{share:.0} % of the width, to {} m above the springings", decimals(walls.height));
+        let outlines = below(&line, &cover::above_springings(bridge, walls.height));
+        found.push(Band { name: "internal walls".to_string(), size, outlines });
+    }
     let band = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
     if let Some(backing) = bridge.cover.backing.filter(|b| band(b.body)) {
         let size = format!("to {} m above the springings", decimals(backing.height));
-        found.push(Band { name: "backing".to_string(), size, outlines: below(&line, &Surface::level(backing.height)) });
+        found.push(Band {
+            name: "backing".to_string(),
+            size,
+            outlines: below(&line, &cover::above_springings(bridge, backing.height)),
+        });
+    }
+    for (k, void) in d.extrados.voids.iter().enumerate() {
+        let [left, right] = void.carried_to.map(decimals);
+        let size = format!("carried to {left} m and {right} m");
+        let outlines = below(&over_floor(&line, void), &Surface::level(void.levels[1]));
+        found.push(Band { name: format!("void {}", k + 1), size, outlines });
     }
     found.retain(|band| !band.outlines.is_empty());
     found
@@ -57,6 +73,29 @@ fn line(extrados: &Extrados) -> Vec<Vec2> {
             points.push(p);
         }
     }
+    points
+}
+
+/// The floor of a void from end to end: its own level, or the extrados where that is higher.
+fn over_floor(line: &[Vec2], void: &Void) -> Vec<Vec2> {
+    let ([from, to], floor) = (void.range, void.levels[0]);
+    let mut points: Vec<Vec2> = Vec::new();
+    for pair in line.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        if b.x <= from || a.x >= to || b.x <= a.x {
+            continue;
+        }
+        let at = |x: f64| a + (b - a) * ((x - a.x) / (b.x - a.x));
+        let mut corners = vec![at(a.x.max(from)), at(b.x.min(to))];
+        if (a.y - floor) * (b.y - floor) < 0.0 {
+            let crossed = a + (b - a) * ((floor - a.y) / (b.y - a.y));
+            if crossed.x > from && crossed.x < to {
+                corners.insert(1, crossed);
+            }
+        }
+        points.extend(corners.into_iter().map(|p| Vec2 { x: p.x, y: p.y.max(floor) }));
+    }
+    points.dedup_by(|a, b| (*a - *b).norm() < 1e-9);
     points
 }
 
@@ -111,6 +150,16 @@ mod tests {
         let n = outline.len();
         let cross = |a: Point, b: Point| a[0] * b[1] - a[1] * b[0];
         (0..n).map(|k| 0.5 * cross(outline[k], outline[(k + 1) % n])).sum()
+    }
+
+    /// A void over a triangular back: the rectangle less the part of the back above its floor.
+    #[test]
+    fn a_void_is_drawn_over_the_back() {
+        let line = [vec2(0.0, 0.0), vec2(2.0, 2.0), vec2(4.0, 0.0)];
+        let void = Void { range: [0.5, 3.5], levels: [1.0, 3.0], carried_to: [0.5, 3.5] };
+        let areas = below(&over_floor(&line, &void), &Surface::level(3.0));
+        assert_eq!(areas.len(), 1);
+        assert!((area(&areas[0]) - (3.0 * 2.0 - 1.0)).abs() < 1e-12, "{areas:?}");
     }
 
     /// A triangular back of height 2 over a base of 4, between flat ends of length 1.

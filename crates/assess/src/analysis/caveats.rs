@@ -13,6 +13,9 @@ pub const FILL_UNDER_WHEELS: &str =
 /// Supports carry whatever reaches them.
 pub const SUPPORTS_HOLD: &str = "Abutments and the ground below foundations are rigid and resist any force: spreading, \
                                  settlement, bearing and scour are not checked, and each of them lowers the load.";
+/// The ground carries abutments that can move.
+pub const GROUND_HOLDS: &str = "The ground below foundations and abutments is rigid and resists any force, and an abutment that is fixed neither \
+                                slides nor tilts: settlement, bearing and scour are not checked, and each of them lowers the load.";
 /// The load of sliding joints is found by an iteration.
 pub const NO_BOUND: &str = "Where joints slide without dilation the load is the lowest that the iteration found from \
                             its starts, and no bound: other states of self-stress may carry less.";
@@ -31,7 +34,8 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     if spreads && !bridge.cover.layers.is_empty() {
         c.assumptions.push(FILL_UNDER_WHEELS.into());
     }
-    c.assumptions.push(SUPPORTS_HOLD.into());
+    let can_move = bridge.abutments.iter().any(|abutment| abutment.body.is_some());
+    c.assumptions.push(if can_move { GROUND_HOLDS } else { SUPPORTS_HOLD }.into());
     c.assumptions.push(OUT_OF_PLANE.into());
     c.assumptions.extend(cracks(bridge));
     if bridge.loads.iter().any(|load| load.horizontal != 0.0) {

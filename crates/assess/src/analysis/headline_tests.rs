@@ -226,7 +226,7 @@ fn positions_of_a_check_do_not_grow_apart_with_the_length_of_the_bridge() {
     let mut b = short();
     b.plan.method = Method::Limit;
     b.spans = vec![b.spans[0].clone(); 8];
-    b.piers = vec![bridge::Pier { width: 1.0, base_width: 1.0, height: 3.0, courses: 3 }; 7];
+    b.piers = vec![bridge::Pier::plain(1.0, 1.0, 3.0, 3); 7];
     let found = crate::chain::ultimate(&b, &mut Unwatched).unwrap().unwrap();
     let swept = &found.sweep;
     assert!(swept.step <= 5.0 / 60.0 + 1e-9, "{}", swept.step);

@@ -10,6 +10,7 @@ use structure::discretise::{Discretised, Origin, pressure};
 
 mod continuum;
 mod joints;
+mod shape;
 
 pub use continuum::continuum;
 
@@ -496,10 +497,8 @@ fn common(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
         ));
     }
     c.assumptions.push("The problem is plane: one metre of width, loads uniform across it.".into());
-    if bridge.spans.len() > 1 {
-        c.assumptions
-            .push("All springings are at one level; piers stand on fixed foundations that carry no tension.".into());
-    }
+    c.warnings.extend(shape::warnings(bridge, d.road.is_none()));
+    c.assumptions.extend(shape::assumptions(bridge));
     if d.road.is_some() {
         walled(bridge, d, c);
         return;

@@ -33,8 +33,8 @@ fn part(bridge: &Bridge, origin: Origin) -> String {
         Origin::Voussoir { span, .. } => format!("span {}, rings", span + 1),
         Origin::Pier { support, .. } => format!("pier {support}"),
         Origin::Backing { .. } => "backing".to_owned(),
-        Origin::Abutment { support: 0 } => "left abutment".to_owned(),
-        Origin::Abutment { .. } => "right abutment".to_owned(),
+        Origin::Abutment { support: 0 } | Origin::AbutmentCourse { support: 0, .. } => "left abutment".to_owned(),
+        Origin::Abutment { .. } | Origin::AbutmentCourse { .. } => "right abutment".to_owned(),
         other => other.name(),
     }
 }
@@ -73,7 +73,13 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
     for (joint, i) in ground.interfaces().iter().enumerate() {
         let (below, above) = (d.origins[i.first], d.origins[i.second]);
         let rests = |origin: Origin| {
-            matches!(origin, Origin::Abutment { .. } | Origin::Foundation { .. } | Origin::Pier { .. })
+            matches!(
+                origin,
+                Origin::Abutment { .. }
+                    | Origin::Foundation { .. }
+                    | Origin::Pier { .. }
+                    | Origin::AbutmentCourse { .. }
+            )
         };
         let (place, side, flip) = match (below, above) {
             (carrier, Origin::Voussoir { span, voussoir, .. }) if rests(carrier) => {
@@ -84,6 +90,12 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             }
             (Origin::Foundation { support }, Origin::Pier { .. }) => (format!("foot of pier {support}"), 1, false),
             (Origin::Pier { .. }, Origin::Foundation { support }) => (format!("foot of pier {support}"), 1, true),
+            (Origin::AbutmentGround { support }, Origin::AbutmentCourse { .. }) => {
+                (abutment_foot(support), support, false)
+            }
+            (Origin::AbutmentCourse { .. }, Origin::AbutmentGround { support }) => {
+                (abutment_foot(support), support, true)
+            }
             _ => continue,
         };
         let Some(Section { compression, shear, eccentricity }) = ground.resting_section(joint) else { continue };
@@ -103,7 +115,7 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             horizontal: outwards,
             eccentricity: Some(eccentricity),
             depth: Some(depth),
-            pressure: (wanted > 0.0).then(|| compression / wanted),
+            pressure: (wanted > 0.0).then(|| compression / (wanted * wide(bridge, [below, above]))),
         };
         match found.iter_mut().find(|sum| sum.reaction.place == reaction.place) {
             Some(sum) => {
@@ -119,6 +131,22 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
         _ => Reaction { eccentricity: None, depth: None, pressure: None, ..sum.reaction },
     });
     told.collect()
+}
+
+fn abutment_foot(support: usize) -> String {
+    format!("foot of the {} abutment", if support == 0 { "left" } else { "right" })
+}
+
+/// Width of a pier's bottom across the bridge over that of the barrel; of other joints one.
+fn wide(bridge: &Bridge, joint: [Origin; 2]) -> f64 {
+    let support = joint.iter().find_map(|origin| match origin {
+        Origin::Foundation { support } => Some(*support),
+        _ => None,
+    });
+    let Some(pier) = support.and_then(|support| bridge.piers.get(support.checked_sub(1)?)) else { return 1.0 };
+    let bottom = pier.across.map(|[_, bottom]| bottom);
+    let across = pier.footings.iter().rev().find_map(|step| step.across).or(bottom);
+    across.map_or(1.0, |across| across / bridge.width)
 }
 
 fn springing(bridge: &Bridge, span: usize, voussoir: usize) -> String {

@@ -127,8 +127,15 @@ fn profiles() -> Vec<(&'static str, bridge::Span)> {
             [x, 1.5 * (1.0 - ((x - 3.0) / 3.0).powi(2)) + 0.01 * (2.0 * x).sin() * x * (6.0 - x) / 9.0]
         })
         .collect();
-    let span =
-        |profile, rise, t| bridge::Span { profile, span: 6.0, rise, rings: ring(t), defects: Vec::new(), skew: 0.0 };
+    let span = |profile, rise, t| bridge::Span {
+        profile,
+        span: 6.0,
+        rise,
+        rings: ring(t),
+        defects: Vec::new(),
+        skew: 0.0,
+        right_springing: 0.0,
+    };
     vec![
         ("segmental", span(Segmental, 1.5, 0.45)),
         ("semicircular", span(Semicircular, 3.0, 0.55)),
@@ -287,7 +294,7 @@ fn walled() -> Bridge {
     b.spans[0].rise = 1.2;
     b.spans[0].rings[0] = bridge::Ring { crown_thickness: 0.4, springing_thickness: 0.4, voussoirs: 20 };
     b.joint.fixed_length = None;
-    b.abutments = [bridge::Abutment { top_width: 1.0, height: 1.0 }; 2];
+    b.abutments = [bridge::Abutment { top_width: 1.0, height: 1.0, body: None }; 2];
     b.loads[0].position = 1.5;
     b.spandrel_wall = Some(spandrel_wall(&b));
     b.plan.method = Method::Limit;
@@ -429,6 +436,7 @@ fn backing_of_blocks_stands_on_the_ring_and_helps() {
         b.cover.backing = Some(bridge::Backing {
             height: 2.2,
             density: 1890.0,
+            width_share: 1.0,
             elastic_modulus: None,
             poisson_ratio: None,
             body,

@@ -2,7 +2,6 @@
 
 use super::blank;
 use super::{AnalysisError, by_dem, by_limit, notes, picture, pieces};
-use bridge::ring::Intrados;
 use bridge::{Bridge, Method};
 use mechanics::dem;
 use mechanics::limit;
@@ -73,7 +72,7 @@ fn report(bridge: &Bridge, [fell, stood]: [f64; 2]) -> ThicknessReport {
 /// Radius of the first span's intrados, where it is a circle [m].
 fn intrados_radius(bridge: &Bridge) -> Option<f64> {
     let span = &bridge.spans[0];
-    Intrados::new(&span.profile, span.span, span.rise).ok()?.circle()
+    span.intrados().ok()?.circle()
 }
 
 fn by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {

@@ -5,7 +5,6 @@ use crate::analysis::passage::{self, PassageError};
 use bridge::Bridge;
 use bridge::assess::{Assess, ServiceLoad};
 use bridge::passage::{Direction, Face, GAUGE_LENGTH, Sensor, SensorKind, SensorPosition, default_sensors};
-use bridge::ring::Intrados;
 use bridge::train::AxleLoads;
 use mechanics::watch::Watch;
 use outcome::facts::{
@@ -141,7 +140,7 @@ pub fn probes(bridge: &Bridge) -> Vec<Probe> {
     let mut list = Vec::new();
     for (k, span) in bridge.spans.iter().enumerate().take(MOST_SPANS) {
         let end = |edge: bool| if edge { facts::RingSection::Abutment } else { facts::RingSection::Pier };
-        let length = Intrados::new(&span.profile, span.span, span.rise).map_or(span.span, |curve| curve.length());
+        let length = span.intrados().map_or(span.span, |curve| curve.length());
         let stones = span.rings.iter().map(|ring| ring.voussoirs).max().unwrap_or(1).max(1);
         let gauge_length = GAUGE_LENGTH.min(0.8 * length / stones as f64);
         for (place, share) in [(facts::RingSection::Crown, 0.5), (end(k == 0), 0.0), (end(k == last), 1.0)] {
@@ -382,7 +381,7 @@ mod tests {
     fn augment_is_that_of_the_loaded_span() {
         let mut bridge = crate::samples::bridgemill();
         bridge.spans = [3.0, 12.0].map(|span| bridge::Span { span, ..bridge.spans[0].clone() }).to_vec();
-        bridge.piers = vec![bridge::Pier { width: 1.0, base_width: 1.0, height: 3.0, courses: 6 }];
+        bridge.piers = vec![bridge::Pier::plain(1.0, 1.0, 3.0, 6)];
         let mut asked = Assess::default();
         asked.limits.rule = Some("irs-bridge-rules".to_owned());
         asked.limits.cushion = Some(0.0);

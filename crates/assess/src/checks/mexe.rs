@@ -2,7 +2,6 @@
 
 use bridge::Bridge;
 use bridge::assess::{Mexe, MexeAxles};
-use bridge::ring::Intrados;
 
 /// Geometry of one span, and the factors of its file.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +16,8 @@ pub struct Inputs {
     pub ring: f64,
     /// Depth of fill at the crown [m].
     pub fill: f64,
+    /// Level of the right springing above the left one [m].
+    pub right_springing: f64,
     /// Factors of the file.
     pub factors: Mexe,
 }
@@ -54,6 +55,9 @@ const SPANS: [f64; 2] = [1.5, 18.0];
 const DEPTHS: [f64; 2] = [0.25, 1.8];
 /// Quarter rise over rise up to which the profile factor is 1.
 const FULL: f64 = 0.75;
+
+/// Springings that differ by more than this share of the span are not level.
+const UNEQUAL: f64 = 0.01;
 
 /// Provisional axle load [t]: 740 (d + h)^2 / L^1.3, at most 70.
 pub fn provisional(span: f64, ring: f64, fill: f64) -> f64 {
@@ -117,6 +121,12 @@ pub fn outside(inputs: &Inputs) -> Option<String> {
     let [(low, high), (thin, thick)] = [SPANS, DEPTHS].map(|range| (range[0], range[1]));
     let last = SPAN_RISE[SPAN_RISE.len() - 1].0;
     let mut found = Vec::new();
+    if inputs.right_springing.abs() > UNEQUAL * inputs.span {
+        found.push(format!(
+            "it is made for level springings, and these differ by {:.2} m",
+            inputs.right_springing.abs()
+        ));
+    }
     if !(low..=high).contains(&inputs.span) {
         found.push(format!("it is made for spans of {low} to {high} m, and this one is {:.2} m", inputs.span));
     }
@@ -135,23 +145,18 @@ pub fn outside(inputs: &Inputs) -> Option<String> {
 /// The inputs of a bridge and its factors; none where the profile has no curve.
 pub fn inputs(bridge: &Bridge, factors: &Mexe) -> Option<Inputs> {
     let span = bridge.spans.get(factors.span)?;
-    let curve = Intrados::new(&span.profile, span.span, span.rise).ok()?;
-    let height = |x: f64| {
-        // The curve is told by its length; x grows with it.
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if curve.at(middle).point[0] < x { low = middle } else { high = middle }
-        }
-        curve.at(0.5 * (low + high)).point[1]
-    };
+    let curve = span.intrados().ok()?;
+    let right = span.right_springing;
+    // Above the line between the springings.
+    let height = |x: f64| curve.level(x) - right * (x / span.span);
     let quarter = 0.5 * (height(0.25 * span.span) + height(0.75 * span.span));
     Some(Inputs {
         span: span.span,
-        rise: span.rise,
+        rise: if right == 0.0 { span.rise } else { height(0.5 * span.span) },
         quarter_rise: factors.quarter_rise.unwrap_or(quarter),
         ring: factors.ring_thickness.unwrap_or_else(|| span.rings.iter().map(|ring| ring.crown_thickness).sum()),
         fill: factors.fill_depth.unwrap_or(bridge.cover.depth),
+        right_springing: right,
         factors: factors.clone(),
     })
 }
@@ -179,8 +184,15 @@ mod tests {
     };
 
     /// A worked case: span 5.23 m, rise 1.57 m, quarter rise 1.373 m, ring 0.34 m.
-    const CASE: Inputs =
-        Inputs { span: 5.23, rise: 1.57, quarter_rise: 1.373, ring: 0.34, fill: 0.5, factors: FACTORS };
+    const CASE: Inputs = Inputs {
+        span: 5.23,
+        rise: 1.57,
+        quarter_rise: 1.373,
+        ring: 0.34,
+        fill: 0.5,
+        right_springing: 0.0,
+        factors: FACTORS,
+    };
 
     /// Printed to these digits: half of the last one is the tolerance. The modified load is the product of factors rounded
     /// to two digits in print, which moves it by less than a tenth of a tonne.

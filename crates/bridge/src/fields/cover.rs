@@ -1,6 +1,6 @@
 //! What lies above the rings: layers and backing.
 
-use super::{Field, Kind, Section, continuum};
+use super::{Field, Kind, Section, continuum, spandrel};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
@@ -91,6 +91,23 @@ pub(super) static BACKING: Section = Section {
         Field::new("height", Kind::Quantity(Length), "level of the backing's upper face above the springings", "1.5 m")
             .positive(),
         Field::new("density", Kind::Quantity(Density), "mass density of the backing", "2000 kg/m^3").positive(),
+        Field::new(
+            "width_share",
+            Kind::Number,
+            "share of the bridge's width that it fills: haunching between internal walls, or under a part of the width",
+            "0.4",
+        )
+        .positive()
+        .at_most(1.0)
+        .default("1"),
+        Field::new(
+            "between_density",
+            Kind::Quantity(Density),
+            "mass density of what fills the rest of the width beside it; 0 for voids",
+            "0 kg/m^3",
+        )
+        .at_least(0.0)
+        .optional("as the lowest layer of the cover"),
         Field::new("elastic_modulus", Kind::Quantity(Stress), "Young's modulus of the backing", "3 GPa")
             .positive()
             .optional("not needed for collapse"),
@@ -140,12 +157,16 @@ pub(super) static BACKING: Section = Section {
     ],
 };
 
-pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> {
+pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Cover> {
     let tables = file.tables("cover", findings);
     let surveyed = file.has("road");
     let layers: Vec<Option<Layer>> =
         tables.iter().enumerate().map(|(k, table)| layer(table, k == 0 && surveyed, findings)).collect();
-    let backing = file.optional("backing", findings, backing);
+    let below = layers.first().and_then(Option::as_ref).map_or(0.0, |lowest| lowest.density);
+    let backing = file.optional("backing", findings, |table, findings| backing(table, below, findings));
+    let internal_walls =
+        file.optional("internal_walls", findings, |table, findings| spandrel::internal_walls(table, width, findings));
+    let voids = spandrel::voids(file, findings);
     let layers = layers.into_iter().collect::<Option<Vec<Layer>>>()?;
     if !layers.iter().any(|layer| layer.particles) {
         let slabs =
@@ -168,7 +189,7 @@ pub(crate) fn cover(file: &Table<'_>, findings: &mut Findings) -> Option<Cover> 
     }
     // From zero on, for an empty sum is minus zero.
     let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
-    Some(Cover { depth, layers, backing: backing?, road: None })
+    Some(Cover { depth, layers, backing: backing?, internal_walls: internal_walls?, voids: voids?, road: None })
 }
 
 fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
@@ -181,13 +202,16 @@ fn bodies_without_particles(place: TextRange, findings: &mut Findings) {
     );
 }
 
-fn backing(table: &Table<'_>, findings: &mut Findings) -> Option<Backing> {
-    let backing = read!(
+/// `below` is the density of the lowest layer of the cover [kg/m^3].
+fn backing(table: &Table<'_>, below: f64, findings: &mut Findings) -> Option<Backing> {
+    let between: Option<Option<f64>> = table.read("between_density", findings);
+    let backing: Backing = read!(
         table,
         findings,
         Backing {
             height,
             density,
+            width_share,
             elastic_modulus,
             poisson_ratio,
             body = "as",
@@ -197,7 +221,29 @@ fn backing(table: &Table<'_>, findings: &mut Findings) -> Option<Backing> {
             compressive_strength,
         }
     )?;
-    (backing.body != BackingBody::Continuum || needs(table, &STRENGTH, findings)).then_some(backing)
+    if backing.body == BackingBody::Continuum && !needs(table, &STRENGTH, findings) {
+        return None;
+    }
+    let share = backing.width_share;
+    if share == 1.0 {
+        if table.has("between_density") && !table.has("width_share") {
+            table.need("width_share", findings);
+        }
+        between?;
+        return Some(backing);
+    }
+    if matches!(backing.body, BackingBody::Continuum | BackingBody::Particles) {
+        findings.error(
+            "B232",
+            table.place("width_share"),
+            "backing over a share of the width is weight or blocks",
+            "a body of soil fills the whole width of a plane model",
+            "write as = \"weight\" or as = \"blocks\", or give density and strength as means over the width and leave `width_share` out",
+        );
+        return None;
+    }
+    let density = share * backing.density + (1.0 - share) * between?.unwrap_or(below);
+    Some(Backing { density, elastic_modulus: backing.elastic_modulus.map(|modulus| share * modulus), ..backing })
 }
 
 /// What a continuum cannot do without.

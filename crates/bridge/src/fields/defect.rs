@@ -7,7 +7,6 @@ use crate::defect::{Defect, DefectKind, Face, raked, thinned};
 use crate::findings::Findings;
 use crate::model::Span;
 use crate::quantity::Dimension::{Angle, Length, Stress};
-use crate::ring::Intrados;
 use crate::tree::{At, Table};
 
 choice! {
@@ -213,7 +212,7 @@ fn single<T>(table: &Table<'_>, what: &str, findings: &mut Findings) -> Option<T
 
 /// Horizontal places from the left springing [m] as shares of the arc length.
 fn shares(span: &Span, places: [f64; 2]) -> Option<[f64; 2]> {
-    let intrados = Intrados::new(&span.profile, span.span, span.rise).ok()?;
+    let intrados = span.intrados().ok()?;
     Some(places.map(|x| {
         if x <= 0.0 || x >= span.span * (1.0 - 1e-12) {
             return if x <= 0.0 { 0.0 } else { 1.0 };

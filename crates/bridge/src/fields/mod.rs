@@ -16,7 +16,9 @@ pub(crate) mod passage;
 pub(crate) mod plan;
 pub(crate) mod road;
 pub(crate) mod service;
+pub(crate) mod spandrel;
 pub(crate) mod structure;
+pub(crate) mod support;
 pub(crate) mod sweep;
 pub(crate) mod train;
 pub(crate) mod update;
@@ -268,13 +270,13 @@ pub static FILE: Section = Section {
         Field::new("span", Kind::Tables(&structure::SPAN), "The spans, from left to right.", ""),
         Field::new(
             "pier",
-            Kind::Tables(&structure::PIER),
+            Kind::Tables(&support::PIER),
             "The piers between the spans, from left to right; a single one describes all.",
             "",
         )
         .optional("a bridge of one span has none"),
-        Field::new("abutment", Kind::Table(&structure::ABUTMENT), "The fixed blocks behind the outer springings.", "")
-            .optional("drawn with its defaults; the springing is fixed either way"),
+        Field::new("abutment", Kind::Table(&support::ABUTMENT), "What holds the outer springings.", "")
+            .optional("fixed, and drawn with its defaults"),
         Field::new("masonry", Kind::Table(&material::MASONRY), "Masonry of rings and piers.", ""),
         Field::new(
             "joint",
@@ -312,6 +314,15 @@ pub static FILE: Section = Section {
             .optional("the surface is level"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
             .optional("no backing"),
+        Field::new(
+            "internal_walls",
+            Kind::Table(&spandrel::INTERNAL_WALLS),
+            "Walls between the outer spandrel walls.",
+            "",
+        )
+        .optional("none"),
+        Field::new("void", Kind::Tables(&spandrel::VOID), "Voids in the spandrels, and what carries their roofs.", "")
+            .optional("the spandrels are filled"),
         Field::new("defect", Kind::Tables(&defect::DEFECT), "What is wrong with the rings, and where.", "")
             .optional("the rings are sound"),
         Field::new(

@@ -6,7 +6,6 @@ use crate::findings::Findings;
 use crate::model::{Cover, Pier};
 use crate::quantity::Dimension::Length;
 use crate::resolve::Layout;
-use crate::ring::Intrados;
 use crate::road::Road;
 use crate::tree::Table;
 
@@ -111,9 +110,10 @@ pub(crate) fn lay(
 /// The least depth below the road, and the least over a crown [m].
 fn least_depths(road: &Road, spans: &[PlacedSpan], piers: &[Pier]) -> (Below, f64) {
     let (mut least, mut crown) = (Below { x: 0.0, depth: f64::INFINITY, span: 1 }, f64::INFINITY);
-    for (index, (placed, (left, _))) in spans.iter().zip(Layout::new(spans, piers).spans).enumerate() {
+    let layout = Layout::new(spans, piers);
+    for (index, (placed, ((left, _), level))) in spans.iter().zip(layout.spans.iter().zip(&layout.levels)).enumerate() {
         let span = &placed.span;
-        let Ok(intrados) = Intrados::new(&span.profile, span.span, span.rise) else { continue };
+        let Ok(intrados) = span.intrados() else { continue };
         let [at_crown, at_springing] = [
             span.rings.iter().map(|ring| ring.crown_thickness).sum::<f64>(),
             span.rings.iter().map(|ring| ring.springing_thickness).sum(),
@@ -123,6 +123,7 @@ fn least_depths(road: &Road, spans: &[PlacedSpan], piers: &[Pier]) -> (Below, f6
             let share = step as f64 / STATIONS as f64;
             let to_crown = 1.0 - (2.0 * share - 1.0).abs();
             let [x, y] = intrados.at(share).offset(at_springing + (at_crown - at_springing) * to_crown);
+            let y = y + level;
             let depth = road.level(left + x) - y;
             if y > highest[1] {
                 highest = [left + x, y];

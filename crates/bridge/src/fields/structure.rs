@@ -1,13 +1,13 @@
-//! The structure: bridge, spans, rings, piers, abutments.
+//! The structure: bridge, spans, rings.
 
 use super::{Field, Kind, Section, joined, sweep, total};
 use crate::choice::Choice;
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Abutment, Pier, Ring, Span};
+use crate::model::{Ring, Span};
 use crate::quantity::Dimension::{Acceleration, Angle, Length};
 use crate::ring;
-use crate::ring::{Intrados, OWN_KEYS, Shape, WITH_RISE, WITH_SPAN};
+use crate::ring::{Intrados, OWN_KEYS, Shape, Size, WITH_RISE, WITH_SPAN};
 use crate::tree::{At, Table};
 use crate::values::read;
 
@@ -55,6 +55,16 @@ const SPAN_KEYS: &[&[Field]] = &[
         .positive()
         .at_most(500.0)
         .only("profile", &WITH_RISE),
+        Field::new(
+            "right_springing",
+            Kind::Quantity(Length),
+            "level of the right springing above the left one, at the intrados; negative where it lies lower. `rise` is then that of the middle of the span above the line between both",
+            "0.25 m",
+        )
+        .at_least(-500.0)
+        .at_most(500.0)
+        .only("profile", &WITH_SPAN)
+        .default("0 m"),
     ],
     &joined::<{ total(OWN_KEYS) }>(OWN_KEYS),
     &[
@@ -134,58 +144,6 @@ pub(super) static RING: Section = Section {
     ],
 };
 
-pub(super) static PIER: Section = Section {
-    path: "pier",
-    doc: "A pier between two spans.",
-    fields: &[
-        Field::new(
-            "width",
-            Kind::Quantity(Length),
-            "width at the top, between the springings of its two spans",
-            "1.20 m",
-        )
-        .positive(),
-        Field::new("base_width", Kind::Quantity(Length), "width at the foundation", "1.60 m")
-            .positive()
-            .optional("as wide as the top"),
-        Field::new("height", Kind::Quantity(Length), "height from the foundation to the springings", "4.0 m")
-            .positive(),
-        Field::new("courses", Kind::Count, "number of courses of blocks", "8").at_least(1.0).at_most(1000.0),
-    ],
-};
-
-pub(super) static ABUTMENT: Section = Section {
-    path: "abutment",
-    doc: "Both abutments: fixed blocks that hold the outer springings. Their size is used for drawings and limits what \
-          can rest on them.",
-    fields: &[
-        Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
-            .positive()
-            .default("2 m"),
-        Field::new("height", Kind::Quantity(Length), "height of the fixed block as drawn", "2.0 m")
-            .positive()
-            .default("2 m"),
-        Field::new("left", Kind::Table(&ABUTMENT_LEFT), "Where the left abutment differs.", "")
-            .optional("like the other"),
-        Field::new("right", Kind::Table(&ABUTMENT_RIGHT), "Where the right abutment differs.", "")
-            .optional("like the other"),
-    ],
-};
-
-const SIDE: &[Field] = &[
-    Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
-        .positive()
-        .optional("as [abutment] says"),
-    Field::new("height", Kind::Quantity(Length), "height of the fixed block as drawn", "2.0 m")
-        .positive()
-        .optional("as [abutment] says"),
-];
-
-static ABUTMENT_LEFT: Section =
-    Section { path: "abutment.left", doc: "The left abutment, where it differs.", fields: SIDE };
-static ABUTMENT_RIGHT: Section =
-    Section { path: "abutment.right", doc: "The right abutment, where it differs.", fields: SIDE };
-
 /// Name, width and gravity.
 pub(crate) struct General {
     pub(crate) name: String,
@@ -260,8 +218,8 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
     if let Some(At { value, range }) = skew.flatten() {
         sweep::doubt(value, range, findings);
     }
-    let (profile, span, rise) = profile?;
-    if let Err(misfit) = Intrados::new(&profile, span, rise) {
+    let (profile, Size { span, rise, right }) = profile?;
+    if let Err(misfit) = Intrados::between(&profile, span, rise, right) {
         let entries = table.entry(misfit.key).and_then(|(_, raw)| raw.get_ref().as_array());
         let entry = misfit.entry.and_then(|index| entries?.get(index));
         let place = entry.map_or(table.place(misfit.key), |entry| entry.span().into());
@@ -270,7 +228,7 @@ fn span(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedSpan> {
     }
     let (rings, places) = rings?.into_iter().unzip();
     Some(PlacedSpan {
-        span: Span { profile, span, rise, rings, defects: Vec::new(), skew: 0.0 },
+        span: Span { profile, span, rise, right_springing: right, rings, defects: Vec::new(), skew: 0.0 },
         skew: skew.flatten().map(|skew| skew.value),
         shape: table.range,
         rings: places,
@@ -319,22 +277,4 @@ fn ring(table: &Table<'_>, findings: &mut Findings) -> Option<PlacedRing> {
     let At { value: voussoirs, range } = voussoirs??;
     let ring = Ring { crown_thickness: crown.value, springing_thickness: springing.value, voussoirs };
     Some((ring, (crown.range, range)))
-}
-
-/// The piers as written; how many there must be is for the geometry.
-pub(crate) fn piers(file: &Table<'_>, findings: &mut Findings) -> Option<Vec<Pier>> {
-    file.all("pier", findings, |table, findings| {
-        let base_width: Option<Option<f64>> = table.read("base_width", findings);
-        read!(table, findings, Pier { width, height, courses; base_width: base_width?.unwrap_or(width) })
-    })
-}
-
-pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Abutment; 2]> {
-    file.part("abutment", findings, |both, findings| {
-        let fits: Option<Abutment> = read!(both, findings, Abutment { top_width, height });
-        let sides = ["left", "right"].map(|key| {
-            both.part(key, findings, |side, findings| read!(&side.over(both), findings, Abutment { top_width, height }))
-        });
-        fits.and(Some([sides[0]?, sides[1]?]))
-    })
 }

@@ -1,7 +1,7 @@
 //! Whether the parts fit together: blocks that vanish or cross, piers too narrow, covers that end below ground.
 
 use crate::findings::Findings;
-use crate::model::{Cover, Joint, Masonry, Pier};
+use crate::model::{Cover, Joint, Masonry, Pier, Span};
 use crate::ring::{Intrados, Station};
 use crate::road::Road;
 use crate::tree::Table;
@@ -13,6 +13,8 @@ use crate::fields::structure::PlacedSpan;
 pub(crate) struct Layout {
     /// Left and right springing of each span.
     pub(crate) spans: Vec<(f64, f64)>,
+    /// Level of the left springing of each span above that of the first.
+    pub(crate) levels: Vec<f64>,
     /// From the first springing to the last.
     pub(crate) length: f64,
 }
@@ -20,16 +22,20 @@ pub(crate) struct Layout {
 impl Layout {
     /// Spans and the widths of the piers between them; a single pier stands for all.
     pub(crate) fn new(spans: &[PlacedSpan], piers: &[Pier]) -> Layout {
-        let mut start = 0.0;
-        let mut placed = Vec::new();
+        let (mut start, mut level) = (0.0, 0.0);
+        let (mut placed, mut levels) = (Vec::new(), Vec::new());
         for (index, span) in spans.iter().enumerate() {
             if index > 0 {
-                start += piers.get(index - 1).or(piers.last()).map_or(0.0, |pier| pier.width);
+                let pier = piers.get(index - 1).or(piers.last());
+                start += pier.map_or(0.0, |pier| pier.width);
+                level += pier.map_or(0.0, |pier| pier.step);
             }
             placed.push((start, start + span.span.span));
+            levels.push(level);
             start += span.span.span;
+            level += span.span.right_springing;
         }
-        Layout { spans: placed, length: start }
+        Layout { spans: placed, levels, length: start }
     }
 }
 
@@ -46,8 +52,8 @@ pub(super) fn check(
     let mut skewbacks = Vec::new();
     for placed in spans {
         // Spans whose profile has no curve have been reported, and are not here.
-        let Ok(intrados) = Intrados::new(&placed.span.profile, placed.span.span, placed.span.rise) else { return };
-        skewbacks.push(intrados.at(0.0));
+        let Ok(intrados) = placed.span.intrados() else { return };
+        skewbacks.push([intrados.at(0.0), intrados.at(1.0)]);
         // Repeated spans are checked once.
         if !seen.contains(&placed.shape) {
             seen.push(placed.shape);
@@ -55,7 +61,7 @@ pub(super) fn check(
         }
     }
     check_piers(file, spans, piers, &skewbacks, findings);
-    check_backing(file, spans, cover, findings);
+    check_backing(file, spans, piers, cover, findings);
 }
 
 /// Every voussoir must be a block: its two joints must not cross, and rounding must leave a face.
@@ -173,7 +179,13 @@ fn advance(from: &Station, out_from: f64, to: &Station, out_to: f64) -> f64 {
 }
 
 /// As many piers as gaps between spans, each wide enough for the two skewbacks on it.
-fn check_piers(file: &Table<'_>, spans: &[PlacedSpan], piers: &[Pier], skewbacks: &[Station], findings: &mut Findings) {
+fn check_piers(
+    file: &Table<'_>,
+    spans: &[PlacedSpan],
+    piers: &[Pier],
+    skewbacks: &[[Station; 2]],
+    findings: &mut Findings,
+) {
     let needed = spans.len() - 1;
     let mut unheard = Findings::default();
     let places: Vec<_> = file.tables("pier", &mut unheard);
@@ -195,13 +207,10 @@ fn check_piers(file: &Table<'_>, spans: &[PlacedSpan], piers: &[Pier], skewbacks
     }
     for gap in 0..needed {
         let pier = &piers[gap.min(piers.len() - 1)];
-        let reach = |index: usize| {
-            let span = &spans[index].span;
-            let thickness: f64 = span.rings.iter().map(|ring| ring.springing_thickness).sum();
-            -skewbacks[index].normal[0] * thickness
-        };
         // A springing's normal leans away from its span, so the extrados reaches over the pier by this much.
-        let needed_width = reach(gap).max(0.0) + reach(gap + 1).max(0.0);
+        let [left, right] =
+            [reach(&spans[gap].span, &skewbacks[gap][1]), reach(&spans[gap + 1].span, &skewbacks[gap + 1][0])];
+        let needed_width = left[0].max(0.0) + (-right[0]).max(0.0);
         if pier.width < needed_width * (1.0 - 1e-9) {
             let table = places.get(gap.min(places.len().saturating_sub(1)));
             let range = table.map_or(file.range, |table| table.place("width"));
@@ -217,7 +226,33 @@ fn check_piers(file: &Table<'_>, spans: &[PlacedSpan], piers: &[Pier], skewbacks
             );
             break;
         }
+        if pier.step != 0.0 && !is_convex(pier, left, right) {
+            let table = places.get(gap.min(places.len().saturating_sub(1)));
+            let room = pier.width - needed_width;
+            findings.error(
+                "B230",
+                table.map_or(file.range, |table| table.place("step")),
+                "the top of the pier would be a stair between its two springings",
+                format!("its uppermost stone would have a notch: the rings leave {room:.3} m between their backs"),
+                "give a smaller `step`, a wider pier, or thinner rings at the springings; a stair is described by its blocks",
+            );
+            break;
+        }
     }
+}
+
+/// From the intrados of a springing to the extrados [m].
+fn reach(span: &Span, springing: &Station) -> [f64; 2] {
+    let thickness: f64 = span.rings.iter().map(|ring| ring.springing_thickness).sum();
+    springing.normal.map(|part| part * thickness)
+}
+
+/// Whether the uppermost stone of a pier, with both skewbacks as its shoulders, is convex.
+fn is_convex(pier: &Pier, left: [f64; 2], right: [f64; 2]) -> bool {
+    // Skewbacks from the intrados up, and the line between their upper ends; springings at zero and at the step.
+    let across = [left[0] - pier.width - right[0], left[1] - pier.step - right[1]];
+    let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
+    cross(right, across) > 0.0 && cross(across, [-left[0], -left[1]]) > 0.0
 }
 
 fn count(number: usize, what: &str) -> String {
@@ -225,14 +260,27 @@ fn count(number: usize, what: &str) -> String {
 }
 
 /// Backing ends below the road.
-fn check_backing(file: &Table<'_>, spans: &[PlacedSpan], cover: Option<&Cover>, findings: &mut Findings) {
+fn check_backing(
+    file: &Table<'_>,
+    spans: &[PlacedSpan],
+    piers: &[Pier],
+    cover: Option<&Cover>,
+    findings: &mut Findings,
+) {
     let Some(cover) = cover else { return };
     let Some(backing) = cover.backing else { return };
-    let crown =
-        |placed: &PlacedSpan| placed.span.rise + placed.span.rings.iter().map(|ring| ring.crown_thickness).sum::<f64>();
+    let levels = Layout::new(spans, piers).levels;
+    let crown = |(placed, level): (&PlacedSpan, &f64)| {
+        let span = &placed.span;
+        let is_level = span.right_springing == 0.0;
+        let rise = if is_level { span.rise } else { span.intrados().map_or(span.rise, |intrados| intrados.highest()) };
+        level + rise + span.rings.iter().map(|ring| ring.crown_thickness).sum::<f64>()
+    };
     let highest = cover.road.as_ref().map(Road::highest);
-    let surface = highest.unwrap_or_else(|| spans.iter().map(crown).fold(0.0, f64::max) + cover.depth);
-    if backing.height > surface {
+    let surface = highest.unwrap_or_else(|| spans.iter().zip(&levels).map(crown).fold(0.0, f64::max) + cover.depth);
+    let springing = |(placed, level): (&PlacedSpan, &f64)| level + placed.span.right_springing.max(0.0);
+    let springings = spans.iter().zip(&levels).map(springing).fold(f64::NEG_INFINITY, f64::max);
+    if backing.height + springings > surface {
         let mut unheard = Findings::default();
         let range = file.table("backing", &mut unheard).map_or(file.range, |table| table.place("height"));
         findings.error(

@@ -1,6 +1,9 @@
 //! An elliptical intrados. The left half only.
 
+use std::sync::Arc;
+
 use super::invert::invert;
+use super::quadrature::quadrature;
 use super::{Curve, Form, Misfit, Station};
 use crate::fields::Field;
 
@@ -10,6 +13,85 @@ pub(super) const KEYS: &[Field] = &[];
 
 pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
     Form::half(Ellipse { half: 0.5 * span, rise })
+}
+
+/// Half an ellipse, sheared: upright at both springings, as a rampant arch is.
+pub(super) fn sloping(span: f64, rise: f64, right: f64) -> Result<Form, Misfit> {
+    let curve = Sloping::new(0.5 * span, rise, right);
+    let crown = curve.point((2.0 * rise).atan2(-right))[0];
+    Ok(Form::Whole { curve: Arc::new(curve), crown })
+}
+
+/// x = half (1 - cos t), y = right (1 - cos t) / 2 + rise sin t, with t = 0 at the left springing and π at the right one.
+#[derive(Debug, Clone, PartialEq)]
+struct Sloping {
+    half: f64,
+    rise: f64,
+    right: f64,
+    /// Lengths from the left springing to the ends of the panels.
+    lengths: Vec<f64>,
+}
+
+/// Panels of the quadrature from springing to springing: to the last digits for a rise of a tenth of the span.
+const PANELS: usize = 32;
+
+impl Sloping {
+    fn new(half: f64, rise: f64, right: f64) -> Sloping {
+        let mut curve = Sloping { half, rise, right, lengths: vec![0.0] };
+        for panel in 0..PANELS {
+            let [from, to] = [panel, panel + 1].map(Sloping::end);
+            let length = curve.lengths[panel] + quadrature(to - from, 1, |t| curve.speed(from + t));
+            curve.lengths.push(length);
+        }
+        curve
+    }
+
+    /// Where a panel begins.
+    fn end(panel: usize) -> f64 {
+        std::f64::consts::PI * panel as f64 / PANELS as f64
+    }
+
+    fn point(&self, t: f64) -> [f64; 2] {
+        let (sine, cosine) = t.sin_cos();
+        [self.half * (1.0 - cosine), 0.5 * self.right * (1.0 - cosine) + self.rise * sine]
+    }
+
+    fn derivative(&self, t: f64) -> [f64; 2] {
+        let (sine, cosine) = t.sin_cos();
+        [self.half * sine, 0.5 * self.right * sine + self.rise * cosine]
+    }
+
+    fn speed(&self, t: f64) -> f64 {
+        let [x, y] = self.derivative(t);
+        x.hypot(y)
+    }
+
+    /// Length from the left springing.
+    fn length_to(&self, t: f64) -> f64 {
+        let panel = ((t / std::f64::consts::PI * PANELS as f64) as usize).min(PANELS - 1);
+        let from = Sloping::end(panel);
+        self.lengths[panel] + quadrature(t - from, 1, |t| self.speed(from + t))
+    }
+}
+
+impl Curve for Sloping {
+    fn length(&self) -> f64 {
+        self.lengths[PANELS]
+    }
+
+    fn at(&self, distance: f64) -> Station {
+        let end = std::f64::consts::PI;
+        let t = invert(|t| self.length_to(t), |t| self.speed(t), distance, end);
+        // Upright at the springings to the last bit.
+        match t {
+            _ if t == 0.0 => return Station { point: [0.0, 0.0], normal: [-1.0, 0.0] },
+            _ if t == end => return Station { point: [2.0 * self.half, self.right], normal: [1.0, 0.0] },
+            _ => {}
+        }
+        let [x, y] = self.derivative(t);
+        let size = x.hypot(y);
+        Station { point: self.point(t), normal: [-y / size, x / size] }
+    }
 }
 
 /// x = half (1 - sin t), y = rise cos t, with t = 0 in the crown and π/2 at the springing.

@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use super::invert::invert;
+use super::quadrature::quadrature;
 use super::{Curve, Form, Misfit, Shape, Station};
 use crate::fields::{Field, Kind};
 
@@ -16,9 +17,6 @@ pub(super) const KEYS: &[Field] = &[Field::new(
     "[[\"0 m\", \"0 m\"], [\"2.0 m\", \"1.1 m\"], [\"4.0 m\", \"0 m\"]]",
 )
 .only("profile", &[Shape::Measured.word()])];
-
-/// Levels of the two springings may differ by this [m]: what a survey cannot tell.
-const LEVEL: f64 = 1e-3;
 
 /// Moves the points to the left springing; span and rise are theirs.
 pub(super) fn size(_: Option<f64>, _: Option<f64>, points: &mut Vec<[f64; 2]>) -> Option<(f64, f64)> {
@@ -32,6 +30,10 @@ pub(super) fn curve(span: f64, _: f64, points: &[[f64; 2]]) -> Result<Form, Misf
     let highest = points.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]));
     let crown = highest.map_or(0.5 * span, |point| point[0]);
     Ok(Form::Whole { curve: Arc::new(Measured::new(points)?), crown })
+}
+
+pub(super) fn sloping(span: f64, rise: f64, _: f64, points: &[[f64; 2]]) -> Result<Form, Misfit> {
+    curve(span, rise, points)
 }
 
 fn misfit(entry: Option<usize>, message: impl Into<Box<str>>, label: &str, help: &'static str) -> Misfit {
@@ -57,15 +59,10 @@ fn check(points: &[[f64; 2]]) -> Result<(), Misfit> {
         ));
     }
     let last = points.len() - 1;
-    if !((points[last][1] - points[0][1]).abs() <= LEVEL) {
-        return Err(misfit(
-            Some(last),
-            "the two springings of a measured profile are not level",
-            "first and last point must differ by no more than 1 mm in height",
-            "end the survey at equal levels, or correct the heights for the slope of the levelling line",
-        ));
-    }
-    if let Some(index) = (1..last).find(|index| !(points[*index][1] > points[0][1])) {
+    let chord = |x: f64| {
+        points[0][1] + (points[last][1] - points[0][1]) * ((x - points[0][0]) / (points[last][0] - points[0][0]))
+    };
+    if let Some(index) = (1..last).find(|index| !(points[*index][1] > chord(points[*index][0]))) {
         return Err(misfit(
             Some(index),
             format!("measured point {} is not above the springings", index + 1),
@@ -85,18 +82,6 @@ struct Piece {
     /// Length of all pieces before.
     before: f64,
 }
-
-/// Points and weights of Gauss and Legendre on 0 to 1, eight of them: exact to degree 15.
-const GAUSS: [[f64; 2]; 8] = [
-    [0.019_855_071_751_231_86, 0.050_614_268_145_188_13],
-    [0.101_666_761_293_186_64, 0.111_190_517_226_687_24],
-    [0.237_233_795_041_835_5, 0.156_853_322_938_943_64],
-    [0.408_282_678_752_175_1, 0.181_341_891_689_181],
-    [0.591_717_321_247_825, 0.181_341_891_689_181],
-    [0.762_766_204_958_164_5, 0.156_853_322_938_943_64],
-    [0.898_333_238_706_813_4, 0.111_190_517_226_687_24],
-    [0.980_144_928_248_768_1, 0.050_614_268_145_188_13],
-];
 
 impl Piece {
     fn point(&self, t: f64) -> [f64; 2] {
@@ -120,14 +105,7 @@ impl Piece {
 
     /// Length from 0 to t, by four panels of eight points.
     fn length_to(&self, t: f64) -> f64 {
-        const PANELS: usize = 4;
-        let panel = t / PANELS as f64;
-        (0..PANELS)
-            .map(|index| {
-                let start = index as f64 * panel;
-                GAUSS.iter().map(|[at, weight]| weight * panel * self.speed(start + at * panel)).sum::<f64>()
-            })
-            .sum()
+        quadrature(t, 4, |t| self.speed(t))
     }
 }
 

@@ -21,3 +21,7 @@ pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
     }
     Form::half(Arcs::pointed(span, rise))
 }
+
+pub(super) fn sloping(_: f64, _: f64, _: f64) -> Result<Form, Misfit> {
+    Err(super::level_alone("pointed"))
+}

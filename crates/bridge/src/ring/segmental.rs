@@ -21,3 +21,17 @@ pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
     }
     Form::half(Arcs::segment(span, rise))
 }
+
+pub(super) fn sloping(span: f64, rise: f64, right: f64) -> Result<Form, Misfit> {
+    let arcs = Arcs::through(span, rise, right);
+    if arcs.leans_back() {
+        return Err(Misfit::new(
+            "B201",
+            "rise",
+            "the circle through both springings and the middle would turn back below a springing",
+            "higher than half a circle on that side",
+            "check span, rise and right_springing, or use profile = \"elliptical\"",
+        ));
+    }
+    Ok(arcs.whole())
+}

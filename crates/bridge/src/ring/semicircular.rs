@@ -25,3 +25,20 @@ pub(super) fn curve(span: f64, rise: f64) -> Result<Form, Misfit> {
     }
     Form::half(Arcs { circle: Some(half), ..Arcs::segment(span, half) })
 }
+
+/// Rise of the middle above the line between the springings [m], where the lower one lies on the diameter and the other one higher.
+pub(super) fn sloping_rise(span: f64, right: f64) -> f64 {
+    let radius = radius(span, right);
+    let across = radius - 0.5 * span;
+    (radius * radius - across * across).sqrt() - 0.5 * right.abs()
+}
+
+/// Radius of the circle that rises upright from the lower springing and passes through the other [m].
+fn radius(span: f64, right: f64) -> f64 {
+    (span * span + right * right) / (2.0 * span)
+}
+
+/// The circle is cut where the higher springing lies.
+pub(super) fn sloping(span: f64, _: f64, right: f64) -> Result<Form, Misfit> {
+    Ok(Arcs::cut_semicircle(span, right, radius(span, right)).whole())
+}

@@ -3,7 +3,7 @@
 //! A barrel is a cylinder. Its section along the road is the one square to the springings, stretched horizontally by 1 / cos(skew) at
 //! the same height: half a circle becomes half an ellipse, a segment of a circle a piece of an ellipse.
 
-use super::{Intrados, Misfit, Profile, Shape, WITH_SPAN};
+use super::{Intrados, Misfit, Profile, Shape, Size, WITH_SPAN};
 use crate::findings::Findings;
 use crate::tree::{At, Table};
 
@@ -44,24 +44,25 @@ pub(super) fn span(
 pub(super) fn along_the_road(
     table: &Table<'_>,
     profile: &Profile,
-    span: f64,
-    rise: f64,
+    size: Size,
     stretch: f64,
     findings: &mut Findings,
-) -> Option<(Profile, f64, f64)> {
-    let long = span * stretch;
+) -> Option<(Profile, Size)> {
     let stretched = match profile {
         _ if stretch == 1.0 => profile.clone(),
-        Profile::Semicircular | Profile::Elliptical => Profile::Elliptical,
+        Profile::Elliptical => Profile::Elliptical,
+        Profile::Semicircular if size.right == 0.0 => Profile::Elliptical,
         Profile::Parabolic => Profile::Parabolic,
-        Profile::Segmental | Profile::ThreeCentred { .. } => match points(profile, span, rise, stretch) {
-            Ok(points) => Profile::Measured { points },
-            Err(misfit) => {
-                let key = if misfit.key == "span" { "square_span" } else { misfit.key };
-                findings.error(misfit.code, table.place(key), misfit.message, misfit.label, misfit.help);
-                return None;
+        Profile::Semicircular | Profile::Segmental | Profile::ThreeCentred { .. } => {
+            match points(profile, size, stretch) {
+                Ok(points) => Profile::Measured { points },
+                Err(misfit) => {
+                    let key = if misfit.key == "span" { "square_span" } else { misfit.key };
+                    findings.error(misfit.code, table.place(key), misfit.message, misfit.label, misfit.help);
+                    return None;
+                }
             }
-        },
+        }
         Profile::Pointed | Profile::Measured { .. } => {
             findings.error(
                 "B228",
@@ -73,15 +74,24 @@ pub(super) fn along_the_road(
             return None;
         }
     };
-    Some((stretched, long, rise))
+    Some((stretched, Size { span: size.span * stretch, ..size }))
 }
 
 /// Points of the stretched curve, mirrored to the last bit.
-fn points(profile: &Profile, span: f64, rise: f64, stretch: f64) -> Result<Vec<[f64; 2]>, Misfit> {
-    let square = Intrados::new(profile, span, rise)?;
+fn points(profile: &Profile, size: Size, stretch: f64) -> Result<Vec<[f64; 2]>, Misfit> {
+    let square = Intrados::between(profile, size.span, size.rise, size.right)?;
     let point = |k: usize| {
         let [x, y] = square.at(k as f64 / POINTS as f64).point;
-        [stretch * x, if k == 0 || k == POINTS { 0.0 } else { y }]
+        [
+            stretch * x,
+            if k == 0 {
+                0.0
+            } else if k == POINTS {
+                size.right
+            } else {
+                y
+            },
+        ]
     };
     Ok((0..=POINTS).map(point).collect())
 }
@@ -97,7 +107,7 @@ mod tests {
         let radius = (25.0 + rise * rise) / (2.0 * rise);
         for degrees in [0.0f64, 5.0, 20.0, 45.0, 60.0] {
             let stretch = 1.0 / degrees.to_radians().cos();
-            let points = points(&Profile::Segmental, span, rise, stretch).unwrap();
+            let points = points(&Profile::Segmental, Size { span, rise, right: 0.0 }, stretch).unwrap();
             let along = Intrados::new(&Profile::Measured { points }, span * stretch, rise).unwrap();
             for k in 0..=1777 {
                 let station = along.at(k as f64 / 1777.0);

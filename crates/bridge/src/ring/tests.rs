@@ -188,11 +188,128 @@ fn impossible_shapes_are_named() {
         (Profile::Elliptical, f64::NAN, 1.0, "span and rise must be positive"),
         (measured(&[[0.0, 0.0], [1.0, 0.0]]), 1.0, 1.0, "a measured profile needs at least three points"),
         (measured(&[[0.0, 0.0], [2.0, 1.0], [1.0, 0.0]]), 1.0, 1.0, "measured point 3 does not lie to the right"),
-        (measured(&[[0.0, 0.0], [2.0, 1.0], [4.0, 0.1]]), 4.0, 1.0, "the two springings of a measured profile"),
         (measured(&[[0.0, 0.0], [2.0, -1.0], [4.0, 0.0]]), 4.0, 1.0, "measured point 2 is not above the springings"),
     ];
     for (profile, span, rise, message) in cases {
         let misfit = Intrados::new(&profile, span, rise).unwrap_err();
         assert!(misfit.message.starts_with(message), "{profile:?}: {misfit}");
+    }
+    let sloping = [
+        (Profile::Segmental, 10.0, 1.0, 4.0, "the intrados falls from its right springing"),
+        (Profile::Segmental, 10.0, 4.9, -3.0, "the circle through both springings"),
+        (Profile::Parabolic, 10.0, 1.0, -4.5, "the intrados falls from its left springing"),
+        (Profile::Elliptical, 10.0, 1.0, 10.5, "the springings differ by more than the span"),
+        (Profile::Pointed, 6.0, 4.5, 0.2, "a pointed arch between springings at unequal levels"),
+        (Profile::ThreeCentred { haunch_radius: 3.8 }, 12.0, 3.5, 0.3, "no crown circle touches both haunch circles"),
+        (
+            measured(&[[0.0, 0.0], [2.0, 1.0], [4.0, 2.5]]),
+            4.0,
+            1.0,
+            2.5,
+            "measured point 2 is not above the springings",
+        ),
+        (measured(&[[0.0, 0.0], [2.0, 1.6], [4.0, 2.5]]), 4.0, 1.0, 2.5, "the intrados falls from its right springing"),
+    ];
+    for (profile, span, rise, right, message) in sloping {
+        let misfit = Intrados::between(&profile, span, rise, right).unwrap_err();
+        assert!(misfit.message.starts_with(message), "{profile:?}: {misfit}");
+    }
+}
+
+/// Profiles that can spring from unequal levels, with a span and a rise.
+fn sloping() -> Vec<(Profile, f64, f64)> {
+    vec![
+        (Profile::Segmental, 18.30, 2.85),
+        (Profile::Parabolic, 18.30, 2.85),
+        (Profile::Elliptical, 12.0, 3.0),
+        (Profile::Elliptical, 6.0, 5.0),
+        (Profile::ThreeCentred { haunch_radius: 1.5 }, 12.0, 3.5),
+        (Profile::Semicircular, 10.0, f64::NAN),
+    ]
+}
+
+fn between(profile: &Profile, span: f64, rise: f64, right: f64) -> Intrados {
+    let size = super::sized(profile, span, if rise.is_nan() { 0.5 * span } else { rise }, right);
+    Intrados::between(profile, size.span, size.rise, size.right).unwrap()
+}
+
+#[test]
+fn unequal_springings_are_those_of_the_file_and_the_rise_that_of_the_middle() {
+    for (profile, span, rise) in sloping() {
+        for right in [0.9, 0.2, -0.2, -0.9] {
+            let rise = if rise.is_nan() { super::semicircular::sloping_rise(span, right) } else { rise };
+            let intrados = between(&profile, span, rise, right);
+            assert_eq!(intrados.at(0.0).point, [0.0, 0.0], "{profile:?}");
+            let end = intrados.at(1.0).point;
+            assert!((end[0] - span).abs() < 1e-12 && (end[1] - right).abs() < 1e-12, "{profile:?}: {end:?}");
+            assert!((intrados.level(0.5 * span) - 0.5 * right - rise).abs() < 1e-9, "{profile:?} {right}");
+            // The highest point is where the normal stands upright.
+            let top = intrados.highest();
+            let sampled = (0..=4000).map(|k| intrados.at(f64::from(k) / 4000.0).point[1]).fold(f64::MIN, f64::max);
+            assert!(top >= sampled - 1e-9 && top - sampled < 1e-5, "{profile:?} {right}: {top} {sampled}");
+            // Stations divide the length evenly, and normals are square to it.
+            let chords: f64 = (0..2_000)
+                .map(|k| {
+                    let [a, b] = [k, k + 1].map(|k| intrados.at(f64::from(k) / 2_000.0));
+                    let step = [b.point[0] - a.point[0], b.point[1] - a.point[1]];
+                    let tilt = (step[0] * a.normal[0] + step[1] * a.normal[1]) / step[0].hypot(step[1]);
+                    // An arc of this length bends by half of it over the radius: at the springing of the flat ellipse 0.75 m.
+                    assert!(tilt.abs() < 1e-2, "{profile:?} {right} {k}: {tilt}");
+                    step[0].hypot(step[1])
+                })
+                .sum();
+            assert!((chords / intrados.length() - 1.0).abs() < 1e-5, "{profile:?} {right}");
+        }
+    }
+}
+
+#[test]
+fn the_curve_follows_the_difference_of_the_springings_through_zero_and_is_mirrored_with_it() {
+    for (profile, span, rise) in sloping() {
+        let level = between(&profile, span, rise, 0.0);
+        for right in [1e-6, -1e-6] {
+            let near = between(&profile, span, rise, right);
+            for k in 0..=64 {
+                let share = f64::from(k) / 64.0;
+                let (a, b) = (level.at(share), near.at(share));
+                let apart = (a.point[0] - b.point[0]).hypot(a.point[1] - b.point[1]);
+                assert!(apart < 1e-5, "{profile:?} {right} {k}: {apart}");
+            }
+        }
+        let [one, other] = [0.7, -0.7].map(|right| between(&profile, span, rise, right));
+        for k in 0..=64 {
+            let share = f64::from(k) / 64.0;
+            let (a, b) = (one.at(share), other.at(1.0 - share));
+            close(a.point[0], span - b.point[0]);
+            assert!((a.point[1] - b.point[1] - 0.7).abs() < 1e-11, "{profile:?} {k}");
+            assert!((a.normal[0] + b.normal[0]).abs() < 1e-10, "{profile:?} {k}");
+        }
+    }
+}
+
+/// Every point of a segment lies on the circle through its springings and its middle, and a cut semicircle on that of its span.
+#[test]
+fn circles_between_unequal_springings() {
+    for right in [1.3, -0.4] {
+        let segment = between(&Profile::Segmental, 9.0, 2.0, right);
+        // The circle through (0, 0), (span, right) and (span / 2, right / 2 + rise), by its equation x² + y² = a x + b y.
+        let (mx, my) = (4.5, 0.5 * right + 2.0);
+        let determinant = 9.0 * my - right * mx;
+        let a = ((81.0 + right * right) * my - (mx * mx + my * my) * right) / determinant;
+        let b = (9.0 * (mx * mx + my * my) - mx * (81.0 + right * right)) / determinant;
+        for k in 0..=50 {
+            let [x, y] = segment.at(f64::from(k) / 50.0).point;
+            assert!((x * x + y * y - a * x - b * y).abs() < 1e-10, "{right} {k}");
+        }
+        assert!((segment.circle().unwrap() - 0.5 * a.hypot(b)).abs() < 1e-10);
+        let cut = between(&Profile::Semicircular, 9.0, f64::NAN, right);
+        let radius = (81.0 + right * right) / 18.0;
+        let centre = if right > 0.0 { [radius, 0.0] } else { [9.0 - radius, right] };
+        for k in 0..=50 {
+            let [x, y] = cut.at(f64::from(k) / 50.0).point;
+            assert!(((x - centre[0]).hypot(y - centre[1]) - radius).abs() < 1e-10, "{right} {k}");
+        }
+        let upright = cut.at(if right > 0.0 { 0.0 } else { 1.0 });
+        assert!(upright.normal[1].abs() < 1e-12 && upright.point[1] == right.min(0.0));
     }
 }

@@ -37,3 +37,18 @@ pub(super) fn curve(span: f64, rise: f64, haunch_radius: &f64) -> Result<Form, M
     }
     Form::half(Arcs::three_centred(span, rise, *haunch_radius))
 }
+
+pub(super) fn sloping(span: f64, rise: f64, right: f64, haunch_radius: &f64) -> Result<Form, Misfit> {
+    let arcs = Arcs::three_centred_sloping(span, rise, right, *haunch_radius);
+    Ok(arcs
+        .ok_or_else(|| {
+            Misfit::new(
+                "B202",
+                "haunch_radius",
+                "no crown circle touches both haunch circles and passes through the rise in the middle",
+                "too large for this rise and these springings",
+                "give a smaller haunch radius, or more rise",
+            )
+        })?
+        .whole())
+}

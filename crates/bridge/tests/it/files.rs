@@ -35,6 +35,8 @@ pub const CONTINUUM: &str = include_str!("files/continuum.toml");
 
 /// A road that is not level.
 pub const CASES: &str = include_str!("files/cases.toml");
+/// Springings on a gradient, and everything that piers, abutments and hollow spandrels may say.
+pub const GRADIENT: &str = include_str!("files/gradient.toml");
 pub const ROAD: &str = include_str!("files/road.toml");
 
 /// Two rings with every kind of defect.
@@ -44,8 +46,9 @@ pub const DEFECTS: &str = include_str!("files/defects.toml");
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 17] = [
+pub const GOOD: [&str; 18] = [
     CASE_1,
+    GRADIENT,
     CASES,
     VIADUCT,
     SHAPES,

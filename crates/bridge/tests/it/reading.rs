@@ -71,7 +71,10 @@ fn viaduct() {
     let bridge = good(VIADUCT);
     assert_eq!(bridge.spans.iter().map(|span| span.rings.len()).collect::<Vec<_>>(), [2, 2, 1]);
     assert_eq!(bridge.piers.iter().map(|pier| pier.base_width).collect::<Vec<_>>(), [0.9, 0.85]);
-    assert_eq!(bridge.abutments, [Abutment { top_width: 1.0, height: 1.2 }, Abutment { top_width: 1.1, height: 1.3 }]);
+    assert_eq!(
+        bridge.abutments,
+        [Abutment { top_width: 1.0, height: 1.2, body: None }, Abutment { top_width: 1.1, height: 1.3, body: None }]
+    );
     assert_eq!(bridge.masonry.compressive_strength, None);
     assert_eq!(bridge.joint.normal_stiffness, Some(JointStiffness::Series(20e9)));
     assert_eq!(bridge.ring_joint.normal_stiffness, Some(JointStiffness::Contact(10e9)));

@@ -12,6 +12,7 @@ use bridge::{Bridge, Strip};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use structure::discretise::mesh::{MOST_NODES, MeshError, MeshOptions, Meshed};
+use structure::discretise::springings::{are_level, springings};
 
 /// Reads the file and draws the bridge.
 pub fn run(desk: &mut Desk, arguments: &Check) -> Result<Report, Failure> {
@@ -128,6 +129,7 @@ fn span(span: &bridge::Span) -> Value {
         "profile": span.profile.word(),
         "span_m": span.span,
         "rise_m": span.rise,
+        "right_springing_m": span.right_springing,
         "rings": span.rings.iter().map(ring).collect::<Vec<Value>>(),
     })
 }
@@ -148,6 +150,11 @@ fn summary(bridge: &Bridge, blocks: usize, meshed: Option<&Result<Meshed, MeshEr
             one.rise,
             one.span / one.rise
         );
+    }
+    for (index, [left, right]) in springings(bridge).into_iter().enumerate() {
+        if !are_level(bridge) {
+            let _ = writeln!(page, "  span {}: springings at {:+.3} m and {:+.3} m", index + 1, left.y, right.y);
+        }
     }
     for (index, pier) in bridge.piers.iter().enumerate() {
         let _ = writeln!(

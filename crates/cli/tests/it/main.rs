@@ -13,6 +13,7 @@ mod defects;
 mod drawings;
 mod drawn;
 mod examples;
+mod gradient;
 mod house;
 mod interruption;
 mod keeping;

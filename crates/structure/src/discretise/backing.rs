@@ -6,6 +6,7 @@
 //! file says that fill presses.
 
 use super::extrados::{Face, Stretch};
+use super::springings::are_level;
 use super::wall::Layout;
 use super::wall::haunch::{Chain, stones};
 use super::{Build, DiscretiseError, Origin};
@@ -43,7 +44,13 @@ struct Valley {
 impl Build<'_> {
     /// Lays backing up to a level [m] on the extrados.
     pub(super) fn backed(&mut self, backing: &Backing, level: f64) -> Result<Backed, DiscretiseError> {
+        if !are_level(self.bridge) {
+            return Err(DiscretiseError::SpringingsNotLevel { what: "backing as blocks" });
+        }
         let group = self.groups.push("backing".into());
+        if backing.width_share < 1.0 {
+            self.shares.push((group, backing.width_share));
+        }
         let stretches = self.extrados.stretches.clone();
         let mut laying = Laying { build: self, backing, level, group, pieces: 0, upper: Vec::new(), faces: Vec::new() };
         // Level below which stones cover a stretch already.
@@ -104,6 +111,11 @@ impl Laying<'_, '_> {
         }
     }
 
+    /// Whether a stretch is the top of an abutment: backing ends there.
+    fn ends(&self, stretch: &Stretch) -> bool {
+        matches!(self.build.origins[stretch.block], Origin::Abutment { .. } | Origin::AbutmentCourse { .. })
+    }
+
     fn valleys(&self, stretches: &[Stretch]) -> Vec<Valley> {
         let mut valleys = vec![Valley { flat: [Vec2::ZERO; 2], seat: None, sides: [vec![], vec![]], head: 0.0 }];
         let mut first = 0;
@@ -153,8 +165,10 @@ impl Laying<'_, '_> {
     fn fill(&mut self, valley: &Valley, stretches: &[Stretch]) -> Result<(), DiscretiseError> {
         let foot = valley.flat[0].y.max(valley.flat[1].y);
         let ends: Vec<f64> = match &valley.seat {
-            Some(seat) if seat.ground && seat.right.x < stretches[stretches.len() / 2].left.x => vec![valley.flat[0].x],
-            Some(seat) if seat.ground => vec![valley.flat[1].x],
+            Some(seat) if self.ends(seat) && seat.right.x < stretches[stretches.len() / 2].left.x => {
+                vec![valley.flat[0].x]
+            }
+            Some(seat) if self.ends(seat) => vec![valley.flat[1].x],
             _ => vec![],
         };
         if !(valley.head > foot + NEAR) {

@@ -151,6 +151,14 @@ pub fn earth(bridge: &Bridge, discretised: &Discretised) -> Result<Option<Earth>
     if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
         return Err(DiscretiseError::Horizontal { what: "fill as a continuum" });
     }
+    super::solid(bridge, "fill as a continuum")?;
+    if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
+        return Err(DiscretiseError::MovableAbutment { what: "fill as a continuum" });
+    }
+    let backed = bridge.cover.backing.is_some_and(|backing| backing.body == bridge::BackingBody::Continuum);
+    if backed && !super::springings::are_level(bridge) {
+        return Err(DiscretiseError::SpringingsNotLevel { what: "backing as a continuum" });
+    }
     let soils: Vec<&Layer> = bridge.cover.layers.iter().take_while(|layer| layer.continuum).collect();
     let crown = discretised.extrados.crown();
     let depth: f64 = soils.iter().map(|layer| layer.thickness).sum();

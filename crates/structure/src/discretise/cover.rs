@@ -2,6 +2,8 @@
 
 use super::extrados::{Extrados, Stretch};
 use super::fill;
+use super::springings::springings;
+use super::voids;
 use bridge::road::Road;
 use bridge::{BackingBody, Bridge, Layer};
 use mechanics::blocks::PointForce;
@@ -53,8 +55,10 @@ pub fn surface(bridge: &Bridge, extrados: &Extrados) -> Surface {
 
 /// Weight of the column above a point, per metre along the bridge [N/m per metre of width].
 pub(super) struct Column {
-    /// Top of backing [m] and its weight density [N/m^3].
-    backing: Option<(f64, f64)>,
+    /// Top of backing and its weight density [N/m^3].
+    backing: Option<(Surface, f64)>,
+    /// Tops of internal walls and their mean weight density [N/m^3].
+    walls: Option<(Surface, f64)>,
     /// Top of the lowest layer, and its weight density [N/m^3].
     fill: (Surface, f64),
     /// Weight of the layers of constant thickness [Pa].
@@ -69,7 +73,11 @@ impl Column {
         let alone = |body| matches!(body, BackingBody::Weight | BackingBody::Continuum);
         let weight = bridge.cover.backing.filter(|b| alone(b.body) || fill::wanted(bridge).is_some());
         Column {
-            backing: weight.map(|b| (b.height, b.density * bridge.gravity)),
+            backing: weight.map(|b| (above_springings(bridge, b.height), b.density * bridge.gravity)),
+            walls: bridge
+                .cover
+                .internal_walls
+                .map(|w| (above_springings(bridge, w.height), w.density * bridge.gravity)),
             fill: (fill_top(bridge, extrados), lowest.map_or(0.0, unit)),
             above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
         }
@@ -78,36 +86,83 @@ impl Column {
     pub fn pressing(mut self) -> Column {
         let fill = self.fill.1;
         self.backing = self.backing.map(|(top, weight)| (top, weight.min(fill)));
+        self.walls = self.walls.map(|(top, weight)| (top, weight.min(fill)));
         self
     }
     /// Level of the lowest layer's upper face at a place [m].
     pub fn top(&self, x: f64) -> f64 {
         self.fill.0.at(x)
     }
-    /// Places between two others at which the gradient of that face changes [m].
+    /// Places between two others at which the gradient of an upper face changes [m].
     pub fn kinks(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
-        self.fill.0.kinks(from, to)
+        self.fill.0.kinks(from, to).chain(self.inner().flat_map(move |face| face.kinks(from, to)))
     }
-    /// Level of the backing's upper face [m]; minus infinity where there is none.
-    pub fn backing_top(&self) -> f64 {
-        self.backing.map_or(f64::NEG_INFINITY, |b| b.0)
+    /// Weight of the layers of constant thickness [Pa].
+    pub fn above(&self) -> f64 {
+        self.above
+    }
+    /// Upper faces of backing and internal walls, where there are some.
+    fn inner(&self) -> impl Iterator<Item = &Surface> {
+        [&self.backing, &self.walls].into_iter().flatten().map(|(face, _)| face)
     }
     /// Weight of what lies above a point [Pa].
     pub fn pressure(&self, at: Vec2) -> f64 {
-        let (backing, floor) = match self.backing {
-            Some((top, weight)) => (weight * (top - at.y).max(0.0), at.y.max(top)),
-            None => (0.0, at.y),
-        };
-        backing + self.fill.1 * (self.top(at.x) - floor).max(0.0) + self.above
+        let (mut solid, mut floor) = (0.0, at.y);
+        for (top, weight) in [&self.backing, &self.walls].into_iter().flatten() {
+            let top = top.at(at.x);
+            solid += weight * (top - floor).max(0.0);
+            floor = floor.max(top);
+        }
+        solid + self.fill.1 * (self.top(at.x) - floor).max(0.0) + self.above
     }
-    /// Where a straight back passes the upper faces of backing and fill.
+    /// The same below the floor of a void: nothing of what lies higher rests there.
+    fn pressure_below(&self, at: Vec2, floor: f64) -> f64 {
+        if at.y >= floor { 0.0 } else { self.pressure(at) - self.pressure(vec2(at.x, floor)) }
+    }
+    /// Weight on a level roof from one place to another [N/m].
+    fn on_roof(&self, level: f64, [from, to]: [f64; 2]) -> Resultant {
+        let mut corners = vec![from];
+        corners.extend(self.kinks(from, to));
+        corners.push(to);
+        corners.sort_by(f64::total_cmp);
+        let mut cuts: Vec<Vec2> = corners.iter().map(|x| vec2(*x, level)).collect();
+        let passed: Vec<Vec2> = cuts.windows(2).flat_map(|pair| self.passed(pair[0], pair[1])).collect();
+        cuts.extend(passed);
+        cuts.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let mut sum = Resultant::default();
+        for pair in cuts.windows(2) {
+            sum.trapezoid(pair[0].x, self.pressure(pair[0]), pair[1].x, self.pressure(pair[1]));
+        }
+        sum
+    }
+    /// Levels at which a straight line passes the upper faces of backing and internal walls [m].
+    pub fn levels_passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = f64> {
+        self.inner().filter_map(move |face| {
+            let [from, to] = [a, b].map(|p| face.at(p.x));
+            let crossed = (a.y - from) * (b.y - to) < 0.0;
+            let share = || (from - a.y) / (b.y - a.y - (to - from));
+            crossed.then(|| if from == to { from } else { a.y + (b.y - a.y) * share() })
+        })
+    }
+    /// Where a straight line passes the upper faces of backing, internal walls and fill.
     fn passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = Vec2> {
-        let faces = [[self.backing_top(); 2], [a, b].map(|p| self.top(p.x))];
+        let inner = self.inner().map(|face| [a, b].map(|p| face.at(p.x)));
+        let faces: Vec<[f64; 2]> = inner.chain([[a, b].map(|p| self.top(p.x))]).collect();
         faces.into_iter().filter(|ends| ends.iter().all(|level| level.is_finite())).filter_map(move |[from, to]| {
             let crossed = (a.y - from) * (b.y - to) < 0.0;
             crossed.then(|| a + (b - a) * ((from - a.y) / (b.y - a.y - (to - from))))
         })
     }
+}
+
+/// A face at a height above the springings: level where these are, else straight from springing to springing.
+pub fn above_springings(bridge: &Bridge, height: f64) -> Surface {
+    let springings = springings(bridge);
+    if springings.iter().flatten().all(|springing| springing.y == 0.0) {
+        return Surface::level(height);
+    }
+    let points = springings.into_iter().flatten().map(|p| [p.x, p.y + height]).collect();
+    Surface { level: height, road: Some(Road { points }) }
 }
 
 /// Upper face of the lowest layer: the layers above it keep their thickness.
@@ -140,16 +195,35 @@ pub fn weight(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
         // Pressure is linear in x between the ends, the kinks of the road and the places where a back passes a face.
         let mut corners = vec![stretch.left];
         corners.extend(column.kinks(stretch.left.x, stretch.right.x).map(|x| stretch.at(x)));
+        corners.extend(voids::ends(&extrados.voids, stretch.left.x, stretch.right.x).map(|x| stretch.at(x)));
         corners.push(stretch.right);
+        corners.sort_by(|a, b| a.x.total_cmp(&b.x));
         let mut cuts = corners.clone();
         cuts.extend(corners.windows(2).flat_map(|pair| column.passed(pair[0], pair[1])));
+        cuts.extend(corners.windows(2).filter_map(|pair| {
+            let [a, b] = [pair[0], pair[1]];
+            let floor = extrados.voids[voids::over(&extrados.voids, 0.5 * (a.x + b.x))?].levels[0];
+            ((a.y - floor) * (b.y - floor) < 0.0).then(|| a + (b - a) * ((floor - a.y) / (b.y - a.y)))
+        }));
         cuts.sort_by(|a, b| a.x.total_cmp(&b.x));
         let mut sum = Resultant::default();
         for pair in cuts.windows(2) {
-            sum.trapezoid(pair[0].x, column.pressure(pair[0]), pair[1].x, column.pressure(pair[1]));
+            let [from, to] = match voids::over(&extrados.voids, 0.5 * (pair[0].x + pair[1].x)) {
+                None => [pair[0], pair[1]].map(|at| column.pressure(at)),
+                Some(k) => [pair[0], pair[1]].map(|at| column.pressure_below(at, extrados.voids[k].levels[0])),
+            };
+            sum.trapezoid(pair[0].x, from, pair[1].x, to);
         }
         if let Some(x) = sum.place() {
             forces.push(PointForce { block: stretch.block, at: stretch.at(x), force: vec2(0.0, -sum.force) });
+        }
+    }
+    for void in &extrados.voids {
+        let carried = voids::carried(void, &column.on_roof(void.levels[1], void.range));
+        for (side, (x, force)) in carried.into_iter().enumerate() {
+            let bearing = voids::bearing(&extrados.stretches, void, side).map(|k| &extrados.stretches[k]);
+            let on = bearing.filter(|stretch| !stretch.ground && force != 0.0);
+            forces.extend(on.map(|s| PointForce { block: s.block, at: s.at(x), force: vec2(0.0, -force) }));
         }
     }
     forces

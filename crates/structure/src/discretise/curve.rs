@@ -13,7 +13,7 @@ pub struct Curve {
 impl Curve {
     /// The intrados of `span`.
     pub fn new(span: &Span, origin: Vec2) -> Result<Curve, Misfit> {
-        Ok(Curve { intrados: Intrados::new(&span.profile, span.span, span.rise)?, origin })
+        Ok(Curve { intrados: span.intrados()?, origin })
     }
     /// Point and outward unit normal at a share of the arc length, 0 at the left springing and 1 at the right.
     pub fn at(&self, share: f64) -> (Vec2, Vec2) {

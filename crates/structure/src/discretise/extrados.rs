@@ -1,5 +1,6 @@
 //! The line on which cover and loads lie: backs of the top rings, tops of piers and abutments, from left to right.
 
+use bridge::Void;
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
 
@@ -48,6 +49,8 @@ pub struct Extrados {
     pub line: Vec<Vec2>,
     /// Plumb faces at the ends of backing that is blocks.
     pub faces: Vec<Face>,
+    /// Voids above it, from left to right.
+    pub voids: Vec<Void>,
     /// How much lower the crown lies than it was built, where stones have lost their backs [m]: layers keep their levels.
     pub lost: f64,
 }

@@ -3,6 +3,7 @@
 use super::backing::Backed;
 use super::extrados::{Extrados, Stretch};
 use super::laws;
+use super::springings::are_level;
 use super::{Build, DiscretiseError, Origin};
 use bridge::{BackingBody, Bridge, Joint, Layer, Packing, Particles, Sizes};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable};
@@ -106,6 +107,9 @@ impl Build<'_> {
         let cover = &self.bridge.cover;
         if cover.backing.is_some_and(|b| matches!(b.body, BackingBody::Weight | BackingBody::Continuum)) {
             return Err(DiscretiseError::BackingUnderParticles);
+        }
+        if cover.backing.is_some() && !are_level(self.bridge) {
+            return Err(DiscretiseError::SpringingsNotLevel { what: "backing as particles" });
         }
         let rank = |l: &Layer| {
             if l.particles {

@@ -3,6 +3,11 @@
 use bridge::{Bridge, Joint, JointStiffness, SpandrelWall};
 use mechanics::blocks::{ContactLaw, Stiffness};
 
+/// The same of a body that fills a share of the width: strength of its own belongs to that share, friction does not depend on it.
+pub fn shared(law: ContactLaw, share: f64) -> ContactLaw {
+    ContactLaw { cohesion: share * law.cohesion, tension: share * law.tension, crushing: share * law.crushing, ..law }
+}
+
 /// Share of the ring thickness below which the length of a contact point is not updated, where the file gives none
 /// (after Coulomb, as in Rouxinol, Providência and Lemos, Table 2).
 pub const LEAST_LENGTH_SHARE: f64 = 0.1;

@@ -13,7 +13,9 @@ pub mod mesh;
 pub mod pressure;
 pub mod ring_mesh;
 mod rings;
+pub mod springings;
 mod supports;
+mod voids;
 pub mod wall;
 
 use bridge::defect::{Defect, DefectKind, Face};
@@ -24,6 +26,8 @@ use curve::Curve;
 use dispersal::{Spread, Strip};
 use extrados::{Extrados, Stretch};
 use fill::FillRegion;
+pub use springings::bridge_length;
+
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, Movement};
 use mechanics::dem::Body;
 use mechanics::ids::{BlockId, GroupId, Id, Table};
@@ -59,6 +63,18 @@ pub enum Origin {
         /// Support.
         support: usize,
         /// Course, from the foundation up.
+        course: usize,
+    },
+    /// The ground under an abutment that can move.
+    AbutmentGround {
+        /// Support: 0 or the last.
+        support: usize,
+    },
+    /// A course of an abutment that can move.
+    AbutmentCourse {
+        /// Support: 0 or the last.
+        support: usize,
+        /// Course, from the ground up.
         course: usize,
     },
     /// A block of a model that is no bridge, counted from 0.
@@ -102,8 +118,8 @@ impl Origin {
     pub fn role(self) -> &'static str {
         match self {
             Origin::Voussoir { .. } => "voussoir",
-            Origin::Abutment { .. } | Origin::Foundation { .. } => "abutment",
-            Origin::Pier { .. } => "pier",
+            Origin::Abutment { .. } | Origin::Foundation { .. } | Origin::AbutmentGround { .. } => "abutment",
+            Origin::Pier { .. } | Origin::AbutmentCourse { .. } => "pier",
             Origin::Brick { .. } | Origin::EndWall { .. } => "wall",
             Origin::Block { .. } | Origin::LoadingBlock { .. } | Origin::Slab { .. } => "block",
             Origin::Backing { .. } => "backing",
@@ -113,11 +129,17 @@ impl Origin {
     pub fn is_arch(self) -> bool {
         matches!(
             self,
-            Origin::Voussoir { .. } | Origin::Abutment { .. } | Origin::Foundation { .. } | Origin::Pier { .. }
+            Origin::Voussoir { .. }
+                | Origin::Abutment { .. }
+                | Origin::Foundation { .. }
+                | Origin::Pier { .. }
+                | Origin::AbutmentGround { .. }
+                | Origin::AbutmentCourse { .. }
         )
     }
     /// A name for tables and messages, counted from 1.
     pub fn name(self) -> String {
+        let side = |support: usize| if support == 0 { "left" } else { "right" };
         match self {
             Origin::Voussoir { span, ring, voussoir } => {
                 format!("span {} ring {} voussoir {}", span + 1, ring + 1, voussoir + 1)
@@ -126,6 +148,8 @@ impl Origin {
             Origin::Abutment { .. } => "right abutment".into(),
             Origin::Foundation { support } => format!("foundation of pier {support}"),
             Origin::Pier { support, course } => format!("pier {support} course {}", course + 1),
+            Origin::AbutmentGround { support } => format!("ground under the {} abutment", side(support)),
+            Origin::AbutmentCourse { support, course } => format!("{} abutment course {}", side(support), course + 1),
             Origin::Block { number } => format!("block {}", number + 1),
             Origin::Brick { course: Some(course), brick } => format!("wall course {} brick {}", course + 1, brick + 1),
             Origin::Brick { course: None, brick } => format!("wall haunch stone {}", brick + 1),
@@ -266,6 +290,63 @@ pub enum DiscretiseError {
         "the road is not level, and a spandrel wall has courses up to one level: give its `top` in [spandrel_wall]"
     )]
     WallUnderRoad,
+    #[error(
+        "the springings are not level, and {what} reaches up to one level: write as = \"weight\" in [backing], whose level then follows the \
+         springings"
+    )]
+    SpringingsNotLevel {
+        /// What asks for level springings.
+        what: &'static str,
+    },
+    #[error(
+        "{part} takes the place of cover that is weight, and {what} is a body: model the cover as weight, or leave {part} out and give the \
+         layers mean densities"
+    )]
+    Hollow {
+        /// What is hollow.
+        part: &'static str,
+        /// How the cover is modelled.
+        what: &'static str,
+    },
+    #[error(
+        "an abutment of blocks can move, and {what} bears on ground that cannot: write as = \"fixed\" in [abutment], or model the cover as \
+         weight"
+    )]
+    MovableAbutment {
+        /// How the cover is modelled.
+        what: &'static str,
+    },
+    #[error(
+        "void {void} reaches into the ring: at x = {x:.3} m the extrados lies {above:.3} m above its roof; give a higher `roof`, or end it \
+         before that place"
+    )]
+    VoidInRing {
+        /// Void, from 1, from the left.
+        void: usize,
+        /// Where [m].
+        x: f64,
+        /// By how much [m].
+        above: f64,
+    },
+    #[error(
+        "the roof of void {void} lies above the lowest layer of the cover, whose top is at {top:.3} m there: give a lower `roof`"
+    )]
+    VoidAboveFill {
+        /// Void, from 1, from the left.
+        void: usize,
+        /// Level of the layer's top [m].
+        top: f64,
+    },
+    #[error(
+        "the roof of void {void} is carried to x = {x:.3} m, where nothing of the bridge stands: give places between the ends of the \
+         abutments in `carried_to`"
+    )]
+    VoidBesideBridge {
+        /// Void, from 1, from the left.
+        void: usize,
+        /// Where [m].
+        x: f64,
+    },
     #[error("support {support} does not exist: the last is {last}")]
     NoSuchSupport {
         /// Support named.
@@ -289,13 +370,13 @@ impl Discretised {
 /// it names both.
 pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     let mut build = Build::new(bridge);
-    let mut x = 0.0;
     let mut skewbacks = Vec::new();
+    let places = springings::springings(bridge);
     let (mut spans, mut lines) = (Vec::new(), Vec::new());
     let mut built = f64::NEG_INFINITY;
     for (i, span) in bridge.spans.iter().enumerate() {
         let curve =
-            Curve::new(span, vec2(x, 0.0)).map_err(|misfit| DiscretiseError::Intrados { span: i + 1, misfit })?;
+            Curve::new(span, places[i][0]).map_err(|misfit| DiscretiseError::Intrados { span: i + 1, misfit })?;
         skewbacks.push([0.0, 1.0].map(|share| {
             let (intrados, normal) = curve.at(share);
             Skewback { intrados, extrados: intrados + normal * rings::faces(span, span.rings.len() - 1, share)[1] }
@@ -304,7 +385,6 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
         let sound = Span { defects: Vec::new(), ..span.clone() };
         built = built.max(highest(&rings::extrados(&sound, &curve)));
         spans.push(rings::cut(i, span, &curve)?);
-        x += span.span + bridge.piers.get(i).map_or(0.0, |p| p.width);
     }
     let last = bridge.spans.len();
     build.abutment(0, skewbacks[0][0], -1.0)?;
@@ -345,6 +425,12 @@ struct Build<'a> {
     seats: Vec<Seat>,
     /// Groups of bricks, end walls and loading blocks: all their contacts follow the law of the wall's joints.
     walls: Vec<GroupId>,
+    /// Groups whose joints have a share of the strength: they fill a share of the width.
+    shares: Vec<(GroupId, f64)>,
+    /// Groups of ground under abutments that can move, with the friction on it.
+    grounds: Vec<(GroupId, f64)>,
+    /// Backs of abutments that can move: where soil presses.
+    pressed: Vec<supports::Back>,
 }
 
 impl<'a> Build<'a> {
@@ -359,6 +445,9 @@ impl<'a> Build<'a> {
             extrados: Extrados::default(),
             seats: Vec::new(),
             walls: Vec::new(),
+            shares: Vec::new(),
+            grounds: Vec::new(),
+            pressed: Vec::new(),
         }
     }
 
@@ -377,6 +466,9 @@ impl<'a> Build<'a> {
 
     fn abutment(&mut self, support: usize, skewback: Skewback, side: f64) -> Result<(), DiscretiseError> {
         let described = &self.bridge.abutments[usize::from(side > 0.0)];
+        if let Some(body) = &described.body {
+            return self.movable_abutment(support, described, body, skewback, side);
+        }
         let (outline, top) = supports::abutment(support, described, skewback, side)?;
         let group = self.groups.push(Origin::Abutment { support }.name());
         let block = self.block(outline, group, Held::FIXED, Origin::Abutment { support }, None);
@@ -422,11 +514,21 @@ impl<'a> Build<'a> {
         right: Skewback,
     ) -> Result<(), DiscretiseError> {
         let cut = supports::pier(support, pier, left, right)?;
-        let group = self.groups.push(format!("pier {support}"));
+        let mut group = self.groups.push(format!("pier {support}"));
         self.block(cut.foundation, group, Held::FIXED, Origin::Foundation { support }, None);
         let courses = cut.courses.len();
-        for (course, outline) in cut.courses.into_iter().enumerate() {
+        for (course, supports::Course { outline, across }) in cut.courses.into_iter().enumerate() {
+            let ratios = across.map(|ends| ends.map(|width| width / self.bridge.width));
+            if ratios.is_some() {
+                group = self.groups.push(format!("pier {support} course {}", course + 1));
+            }
             let block = self.block(outline, group, Held::FREE, Origin::Pier { support, course }, None);
+            if let Some([low, high]) = ratios {
+                self.blocks[block].density *= 0.5 * (low + high);
+                if low.min(high) < 1.0 {
+                    self.shares.push((group, low.min(high)));
+                }
+            }
             if course + 1 == courses {
                 self.stretch(block, cut.top, false);
             }
@@ -434,6 +536,38 @@ impl<'a> Build<'a> {
         if cut.top[1].x > cut.top[0].x {
             self.seats.push(Seat { left: cut.top[0], right: cut.top[1], span: None });
         }
+        Ok(())
+    }
+
+    /// An abutment of blocks on the ground.
+    fn movable_abutment(
+        &mut self,
+        support: usize,
+        described: &bridge::Abutment,
+        body: &bridge::AbutmentBody,
+        skewback: Skewback,
+        side: f64,
+    ) -> Result<(), DiscretiseError> {
+        let cut = supports::movable(support, described, body, skewback, side)?;
+        let ground = self.groups.push(Origin::AbutmentGround { support }.name());
+        self.grounds.push((ground, body.ground_friction_angle.tan()));
+        self.block(cut.ground, ground, Held::FIXED, Origin::AbutmentGround { support }, None);
+        let group = self.groups.push(format!("{} abutment", if support == 0 { "left" } else { "right" }));
+        let courses = cut.courses.len();
+        for (course, (outline, back)) in cut.courses.into_iter().enumerate() {
+            let block = self.block(outline, group, Held::FREE, Origin::AbutmentCourse { support, course }, None);
+            self.pressed.push(supports::Back {
+                block,
+                ends: back,
+                inwards: -side,
+                top: cut.top[usize::from(side > 0.0)],
+            });
+            if course + 1 == courses {
+                self.stretch(block, cut.top, false);
+            }
+        }
+        self.seats.push(Seat { left: cut.top[0], right: cut.top[1], span: None });
+        self.extrados.line.extend(cut.top);
         Ok(())
     }
 
@@ -508,6 +642,9 @@ impl<'a> Build<'a> {
 
     fn finish(mut self) -> Result<Discretised, DiscretiseError> {
         let bridge = self.bridge;
+        if bridge.plan.strip == Width::Fill {
+            self.extrados.voids = bridge.cover.voids.clone();
+        }
         if bridge.plan.strip == Width::Fill && fill::wanted(bridge).is_none() {
             self.solid_backing()?;
         }
@@ -526,8 +663,15 @@ impl<'a> Build<'a> {
             if bridge.cover.road.is_some() {
                 return Err(DiscretiseError::RoadNotLevel { what: "fill as particles" });
             }
+            solid(bridge, "fill as particles")?;
+            if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
+                return Err(DiscretiseError::MovableAbutment { what: "fill as particles" });
+            }
             let (filled, upper) = self.fill(surface.highest())?;
             (region, road) = (Some(filled), Some(upper));
+        }
+        if road.is_none() {
+            voids::check(bridge, &self.extrados)?;
         }
         let (spreads, counted_weight) = self.spreads(road.as_ref(), region.as_ref(), &surface)?;
         let mut laws = self.laws();
@@ -542,6 +686,7 @@ impl<'a> Build<'a> {
             gravity: vec2(0.0, -bridge.gravity),
         };
         let extrados = self.extrados;
+        let earth = supports::earth(bridge, &extrados, &self.pressed);
         // From zero on, for an empty sum is minus zero.
         let reference_load = spreads.iter().fold(0.0, |sum, s| sum + s.strip.force);
         let loading = Loading {
@@ -550,7 +695,10 @@ impl<'a> Build<'a> {
                 (None, _) => cover::weight(bridge, &extrados),
                 (Some(road), Some(region)) if region.slabs => cover::on_slabs(bridge, road),
                 _ => Vec::new(),
-            },
+            }
+            .into_iter()
+            .chain(earth)
+            .collect(),
             variable: spreads.iter().flat_map(|s| s.forces.iter().copied()).collect(),
             movements: movements(bridge, &model, &self.origins)?,
             restraints: Vec::new(),
@@ -616,6 +764,23 @@ impl<'a> Build<'a> {
                 laws.set(weak.group, other, weak.state.weakened(&self.bridge.spans[weak.span], law));
             }
         }
+        // A joint between two parts that fill a share of the width is as wide as the narrower one.
+        let share =
+            |group: GroupId| self.shares.iter().find(|(known, _)| *known == group).map_or(1.0, |(_, share)| *share);
+        for &(group, own) in &self.shares {
+            for other in self.groups.ids() {
+                let theirs = share(other);
+                if own < theirs || (own == theirs && group <= other) {
+                    let law = *laws.between(group, other);
+                    laws.set(group, other, laws::shared(law, own));
+                }
+            }
+        }
+        for &(ground, friction) in &self.grounds {
+            for other in self.groups.ids() {
+                laws.set(ground, other, ContactLaw { friction, cohesion: 0.0, tension: 0.0, ..joint });
+            }
+        }
         if let Some(wall) = &self.bridge.spandrel_wall {
             let law = laws::wall(self.bridge, wall);
             for &a in &self.walls {
@@ -677,7 +842,9 @@ fn movements(
     let Some(m) = bridge.plan.support_movement else { return Ok(Vec::new()) };
     let last = bridge.spans.len();
     let is_it = |o: &Origin| match *o {
-        Origin::Abutment { support } | Origin::Foundation { support } => support == m.support,
+        Origin::Abutment { support } | Origin::Foundation { support } | Origin::AbutmentGround { support } => {
+            support == m.support
+        }
         _ => false,
     };
     let Some(block) = origins.iter().position(is_it).map(BlockId::new) else {
@@ -686,7 +853,7 @@ fn movements(
     let centre = model.blocks[block].outline.centroid();
     let pivot = match origins[block] {
         Origin::Abutment { support: 0 } => vec2(0.0, 0.0),
-        Origin::Abutment { .. } => vec2(bridge_length(bridge), 0.0),
+        Origin::Abutment { .. } => vec2(bridge_length(bridge), last_springing(bridge).y),
         _ => vec2(centre.x, model.blocks[block].outline.bounds().1.y),
     };
     // The centroid of a block that turns about another point also moves.
@@ -697,9 +864,8 @@ fn movements(
 /// The line along which a defect of a span lies, from left to right [m]: the face that lost something, the joint that parted, the middle of
 /// what is weak. Empty where the span has no curve.
 pub fn defect_line(bridge: &Bridge, span: usize, defect: &Defect) -> Vec<Vec2> {
-    let before = bridge.spans[..span].iter().map(|s| s.span).chain(bridge.piers[..span].iter().map(|p| p.width));
     let described = &bridge.spans[span];
-    let Ok(curve) = Curve::new(described, vec2(before.sum(), 0.0)) else { return Vec::new() };
+    let Ok(curve) = Curve::new(described, springings::springings(bridge)[span][0]) else { return Vec::new() };
     const STEPS: usize = 48;
     let last = described.rings.len() - 1;
     let point = |step: usize| {
@@ -722,9 +888,19 @@ pub fn defect_line(bridge: &Bridge, span: usize, defect: &Defect) -> Vec<Vec2> {
     (0..=STEPS).map(point).collect()
 }
 
-/// Distance between the outer springings, at the intrados [m].
-pub fn bridge_length(bridge: &Bridge) -> f64 {
-    bridge.spans.iter().map(|s| s.span).sum::<f64>() + bridge.piers.iter().map(|p| p.width).sum::<f64>()
+/// The right springing of the last span [m].
+fn last_springing(bridge: &Bridge) -> Vec2 {
+    springings::springings(bridge).last().map_or(Vec2::ZERO, |ends| ends[1])
+}
+
+/// Refuses what is hollow under cover that is a body.
+fn solid(bridge: &Bridge, what: &'static str) -> Result<(), DiscretiseError> {
+    let hollow = if !bridge.cover.voids.is_empty() {
+        Some("[[void]]")
+    } else {
+        bridge.cover.internal_walls.map(|_| "[internal_walls]")
+    };
+    hollow.map_or(Ok(()), |part| Err(DiscretiseError::Hollow { part, what }))
 }
 
 /// The back under the middle of the loads, or the crown of the first span where nothing is loaded.
@@ -745,5 +921,11 @@ fn watched(bridge: &Bridge, extrados: &Extrados, spreads: &[Spread], model: &Blo
 
 #[cfg(test)]
 mod road_tests;
+#[cfg(test)]
+mod spandrel_tests;
+#[cfg(test)]
+mod springing_tests;
+#[cfg(test)]
+mod support_tests;
 #[cfg(test)]
 mod tests;

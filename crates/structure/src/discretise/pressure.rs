@@ -2,6 +2,7 @@
 
 use super::cover::{Column, Resultant};
 use super::extrados::{Extrados, Stretch};
+use super::voids;
 use bridge::{Bridge, FillPressure, LeastPressure};
 use mechanics::blocks::Restraint;
 use mechanics::ids::BlockId;
@@ -80,8 +81,15 @@ pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
         column: Column::of(bridge, extrados).pressing(),
         half_movement: fill.half_movement,
     };
+    // Nothing presses out of a void.
+    let hollow = |back: &Back| {
+        let [low, high] = back.ends;
+        let middle = 0.5 * (low.x + high.x);
+        let void = voids::over(&extrados.voids, middle).map(|k| extrados.voids[k].levels);
+        void.is_some_and(|[floor, roof]| high.y > floor && low.y < roof)
+    };
     let backs = extrados.stretches.iter().filter(|s| !s.ground).filter_map(|s| Back::of(s, &presses.column));
-    let backs: Vec<Back> = backs.collect();
+    let backs: Vec<Back> = backs.filter(|back| !hollow(back)).collect();
     let mut all = Vec::new();
     let ends = extrados.faces.iter().filter_map(|face| {
         let [low, high] = face.levels.map(|y| vec2(face.x, y.min(presses.column.top(face.x))));
@@ -122,11 +130,14 @@ impl Presses {
         }
         let middle = |level: f64| (back.at(level) + other.at(level)) * 0.5;
         let pressure = |level: f64| self.column.pressure(vec2(middle(level).x, level));
-        // Vertical stress is linear between the level of backing and those under kinks of the road.
-        let mut cuts = vec![low, high];
-        cuts.extend(Some(self.column.backing_top()).filter(|y| *y > low && *y < high));
+        // Vertical stress is linear between the levels of solid parts and those under kinks of the road.
+        let mut corners = vec![low, high];
         let [a, b] = [middle(low).x, middle(high).x];
-        cuts.extend(self.column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
+        corners.extend(self.column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
+        corners.sort_by(f64::total_cmp);
+        let mut cuts = corners.clone();
+        let at = |level: f64| vec2(middle(level).x, level);
+        cuts.extend(corners.windows(2).flat_map(|pair| self.column.levels_passed(at(pair[0]), at(pair[1]))));
         cuts.sort_by(f64::total_cmp);
         let (mut vertical, mut even) = (Resultant::default(), Resultant::default());
         for pair in cuts.windows(2) {
@@ -247,7 +258,8 @@ mod tests {
         let mut b = filled();
         b.masonry.rounding = 0.0;
         let ring = Ring { crown_thickness: 0.45, springing_thickness: 0.45, voussoirs };
-        b.spans[0] = Span { profile, span: 6.0, rise, rings: vec![ring], defects: Vec::new(), skew: 0.0 };
+        b.spans[0] =
+            Span { profile, span: 6.0, rise, rings: vec![ring], defects: Vec::new(), skew: 0.0, right_springing: 0.0 };
         b.cover.layers = vec![samples::fill(0.4, 1900.0)];
         b.loads[0].position = 1.5;
         b

@@ -190,6 +190,7 @@ fn backing_takes_the_place_of_fill_below_its_level() {
     b.cover.backing = Some(bridge::Backing {
         height: 1.5,
         density: 1000.0,
+        width_share: 1.0,
         elastic_modulus: None,
         poisson_ratio: None,
         body: bridge::BackingBody::Weight,

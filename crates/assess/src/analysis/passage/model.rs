@@ -54,8 +54,15 @@ fn section(bridge: &Bridge, role: Role) -> Section {
         }
     };
     // Incompatible modes bend stones as they should; in soil that flows without dilating they find no balance of their own.
+    let density = density * weight_share(bridge, role);
     let element = if material.linear() { Element::QM6 } else { Element::Q4 };
     Section { solid: Solid { material, plane: Plane::Strain }, element, density }
+}
+
+/// How much more a zone weighs than masonry of the barrel's width: piers by their mean width across the bridge.
+fn weight_share(bridge: &Bridge, role: Role) -> f64 {
+    let Role::Pier(pier) = role else { return 1.0 };
+    bridge.piers[pier].across.map_or(1.0, |[top, bottom]| 0.5 * (top + bottom) / bridge.width)
 }
 
 /// A soil with what it leaves out taken from the fill.
@@ -152,6 +159,18 @@ pub fn assumptions(bridge: &Bridge, meshed: &Meshed) -> Vec<String> {
         "The base of piers, abutments and the fill behind them is fixed; the side boundaries hold the fill horizontally.".into(),
         "Self-weight is carried by the finished bridge, without the centring's stages, and taken off the records.".into(),
     ];
+    if bridge.piers.iter().any(|pier| pier.across.is_some() || !pier.footings.is_empty()) {
+        told.push(
+            "Piers weigh by their mean width across the bridge and have the stiffness of the barrel's width; steps of their footings are part of \
+             the fixed base."
+                .into(),
+        );
+    }
+    if bridge.abutments.iter().any(|abutment| abutment.body.is_some()) {
+        told.push(
+            "Abutments of blocks are elastic here and held by the fixed base: they neither slide nor tilt.".into(),
+        );
+    }
     told.extend(told_of_elements(bridge));
     told
 }

@@ -27,7 +27,7 @@ fn drawn(seed: u64) -> Bridge {
     let ring = Ring { crown_thickness: 0.215, springing_thickness: 0.215, voussoirs: 75 / count };
     let rise = length * numbers.between(0.2, 0.3);
     b.spans = vec![Span { span: length, rise, rings: vec![ring.clone(), ring], ..b.spans[0].clone() }; count];
-    b.piers = vec![Pier { width: 1.0, base_width: 1.0, height: 2.0, courses: 4 }; count - 1];
+    b.piers = vec![Pier::plain(1.0, 1.0, 2.0, 4); count - 1];
     b.cover.layers = vec![samples::fill(numbers.between(0.3, 0.6), numbers.between(1700.0, 2100.0))];
     b.joint.friction_angle = numbers.between(28.0, 40.0).to_radians();
     b.ring_joint = b.joint;

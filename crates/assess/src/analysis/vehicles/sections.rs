@@ -37,13 +37,16 @@ pub fn watched(bridge: &Bridge, d: &Discretised, ground: &Ground) -> Vec<Watched
             (Origin::Voussoir { span, ring, voussoir }, _) | (_, Origin::Voussoir { span, ring, voussoir })
                 if matches!(
                     (d.origins[i.first], d.origins[i.second]),
-                    (Origin::Abutment { .. } | Origin::Pier { .. }, _)
-                        | (_, Origin::Abutment { .. } | Origin::Pier { .. })
+                    (Origin::Abutment { .. } | Origin::Pier { .. } | Origin::AbutmentCourse { .. }, _)
+                        | (_, Origin::Abutment { .. } | Origin::Pier { .. } | Origin::AbutmentCourse { .. })
                 ) =>
             {
                 named_joint(bridge, span, ring, if voussoir == 0 { "left springing" } else { "right springing" })
             }
             (Origin::Foundation { support }, Origin::Pier { .. }) => format!("foot of pier {support}"),
+            (Origin::AbutmentGround { support }, Origin::AbutmentCourse { .. }) => {
+                format!("foot of the {} abutment", if support == 0 { "left" } else { "right" })
+            }
             _ => continue,
         };
         let middle = (a + b) * 0.5;

@@ -37,7 +37,7 @@ fn spans(count: usize) -> Bridge {
     let ring = Ring { crown_thickness: 0.45, springing_thickness: 0.45, voussoirs: 21 };
     let span = Span { span: 6.0, rise: 1.5, rings: vec![ring], ..b.spans[0].clone() };
     b.spans = vec![span; count];
-    b.piers = vec![Pier { width: 1.0, base_width: 1.0, height: 3.0, courses: 6 }; count - 1];
+    b.piers = vec![Pier::plain(1.0, 1.0, 3.0, 6); count - 1];
     b
 }
 

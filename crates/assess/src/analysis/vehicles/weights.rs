@@ -50,4 +50,11 @@ pub fn put(weights: &Weights, on: &mut Bridge) {
     if let Some(backing) = &mut on.cover.backing {
         backing.density *= weights.fill.unwrap_or(1.0);
     }
+    if let Some(walls) = &mut on.cover.internal_walls {
+        walls.density *= weights.masonry;
+    }
+    // Soil of no density of its own is that of the lowest layer, which has its factor.
+    for body in on.abutments.iter_mut().filter_map(|abutment| abutment.body.as_mut()) {
+        body.earth_density = body.earth_density.map(|density| density * weights.fill.unwrap_or(1.0));
+    }
 }

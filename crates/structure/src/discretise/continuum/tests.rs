@@ -407,7 +407,8 @@ fn regions_conform_wherever_levels_fall() {
         let springing_thickness = dice.choose(&[crown_thickness, 0.5, 0.7]);
         let voussoirs = dice.choose(&[13, 30, 31, 62]);
         let ring = Ring { crown_thickness, springing_thickness, voussoirs };
-        let span = Span { profile, span: 6.0, rise, rings: vec![ring], defects: Vec::new(), skew: 0.0 };
+        let span =
+            Span { profile, span: 6.0, rise, rings: vec![ring], defects: Vec::new(), skew: 0.0, right_springing: 0.0 };
         let count = dice.choose(&[1, 2, 3]);
         let layers =
             vec![soil(dice.between(0.02, 0.5), 1900.0, 30.0, 5e3), soil(dice.between(0.0, 0.3), 1900.0, 33.0, 0.0)];

@@ -67,11 +67,11 @@ fn build_by(
     ballast_pressure: f64,
 ) -> Result<Meshed, MeshError> {
     let size = options.size;
-    let levels = if way.to_levels { levels(bridge) } else { Vec::new() };
     let backs = backs(bridge, arches);
     let layers: Vec<Layers> = (0..=arches.len())
         .map(|i| {
             let [left, right] = sides(arches, backs, i);
+            let levels = if way.to_levels { levels(bridge, arches, i) } else { Vec::new() };
             saddle::layers(&left, &right, &levels, way.where_steep, size)
         })
         .collect();
@@ -382,11 +382,17 @@ impl<'a> Build<'a> {
             (Some(_), Some(_)) => {
                 let pier = &self.bridge.piers[i - 1];
                 let (a, b) = (arches[i - 1].intrados(1.0), arches[i].intrados(0.0));
-                let (middle, half) = (0.5 * (a.x + b.x), 0.5 * pier.base_width);
+                let (middle, half) = (0.5 * (a.x + b.x) + pier.base_offset, 0.5 * pier.base_width);
                 (a.y.min(b.y) - pier.height, [middle - half, middle + half])
             }
-            (None, _) => (-self.bridge.abutments[0].height, [self.layout.backs[0], arches[0].intrados(0.0).x]),
-            _ => (-self.bridge.abutments[1].height, [arches[arches.len() - 1].intrados(1.0).x, self.layout.backs[1]]),
+            (None, _) => {
+                let springing = arches[0].intrados(0.0);
+                (springing.y - self.bridge.abutments[0].height, [self.layout.backs[0], springing.x])
+            }
+            _ => {
+                let springing = arches[arches.len() - 1].intrados(1.0);
+                (springing.y - self.bridge.abutments[1].height, [springing.x, self.layout.backs[1]])
+            }
         };
         let flank = |span: Option<usize>, end: usize, other: Option<usize>| match span {
             Some(span) => Flank::Skewback(skewback(span, end), feet[1 - end]),

@@ -7,8 +7,9 @@ use super::sets::Role;
 use super::stations::Stations;
 use super::{MeshError, MeshOptions};
 use crate::discretise::curve::Curve;
+use crate::discretise::springings::springings;
 use bridge::{Bridge, LayerKind};
-use mechanics::plane::{Vec2, vec2};
+use mechanics::plane::Vec2;
 /// Levels and places that regions share.
 pub(super) struct Layout {
     /// Surface [m].
@@ -71,14 +72,12 @@ impl Layout {
     }
 }
 
-/// The rings of all spans where they stand: springings at level zero, the left one of the first span at x = 0.
+/// The rings of all spans where they stand: the left springing of the first one at the origin.
 pub(super) fn arches(bridge: &Bridge) -> Result<Vec<Arch<'_>>, MeshError> {
-    let mut x = 0.0;
     let mut arches = Vec::new();
-    for (i, span) in bridge.spans.iter().enumerate() {
-        let curve = Curve::new(span, vec2(x, 0.0)).map_err(|misfit| MeshError::Intrados { span: i + 1, misfit })?;
+    for (i, (span, ends)) in bridge.spans.iter().zip(springings(bridge)).enumerate() {
+        let curve = Curve::new(span, ends[0]).map_err(|misfit| MeshError::Intrados { span: i + 1, misfit })?;
         arches.push(Arch { span, curve });
-        x += span.span + bridge.piers.get(i).map_or(0.0, |p| p.width);
     }
     Ok(arches)
 }
@@ -101,6 +100,12 @@ pub(super) fn surface(bridge: &Bridge, arches: &[Arch<'_>]) -> Result<(f64, f64)
     if bridge.cover.road.is_some() {
         return Err(MeshError::RoadNotLevel);
     }
+    if !bridge.cover.voids.is_empty() {
+        return Err(MeshError::Voids);
+    }
+    if bridge.cover.internal_walls.is_some() {
+        return Err(MeshError::InternalWalls);
+    }
     let highest = |arch: &Arch<'_>| {
         (0..=TRIED).map(|k| arch.extrados(k as f64 / TRIED as f64).y).fold(f64::NEG_INFINITY, f64::max)
     };
@@ -114,10 +119,21 @@ pub(super) fn surface(bridge: &Bridge, arches: &[Arch<'_>]) -> Result<(f64, f64)
     if depth > 1e-3 { Ok((crown + depth, pressure)) } else { Err(MeshError::NoFill) }
 }
 
-/// Levels at which the material over the haunches changes, from below [m].
-pub(super) fn levels(bridge: &Bridge) -> Vec<f64> {
-    let mut levels: Vec<f64> = bridge.cover.backing.iter().map(|b| b.height).collect();
-    levels.extend(bridge.service.haunch_fill.iter().map(|h| h.height));
+/// Level of the springings on a support: halfway between both where they differ [m].
+fn springing(arches: &[Arch<'_>], support: usize) -> f64 {
+    let left = support.checked_sub(1).map(|k| arches[k].intrados(1.0).y);
+    let right = arches.get(support).map(|arch| arch.intrados(0.0).y);
+    match (left, right) {
+        (Some(left), Some(right)) => 0.5 * (left + right),
+        (one, other) => one.or(other).unwrap_or(0.0),
+    }
+}
+
+/// Levels at which the material over a support changes, from below [m].
+pub(super) fn levels(bridge: &Bridge, arches: &[Arch<'_>], support: usize) -> Vec<f64> {
+    let springing = springing(arches, support);
+    let mut levels: Vec<f64> = bridge.cover.backing.iter().map(|b| springing + b.height).collect();
+    levels.extend(bridge.service.haunch_fill.iter().map(|h| springing + h.height));
     levels.sort_by(f64::total_cmp);
     levels.dedup();
     levels
@@ -155,8 +171,12 @@ pub(super) fn layout(
     backs: [f64; 2],
 ) -> Layout {
     let size = options.size;
-    let heights = bridge.piers.iter().map(|p| p.height).chain(bridge.abutments.iter().map(|a| a.height));
-    let height = heights.fold(0.0, f64::max) + surface;
+    // From the lowest base up.
+    let piers = bridge.piers.iter().zip(arches.windows(2));
+    let piers = piers.map(|(pier, pair)| pier.height - pair[0].intrados(1.0).y.min(pair[1].intrados(0.0).y));
+    let outer = [arches[0].intrados(0.0).y, arches[arches.len() - 1].intrados(1.0).y];
+    let abutments = bridge.abutments.iter().zip(outer).map(|(abutment, springing)| abutment.height - springing);
+    let height = piers.chain(abutments).fold(f64::NEG_INFINITY, f64::max) + surface;
     let distance = options.side_distance.unwrap_or(2.0 * height) * options.farther;
     let extent = bridge.service.abutment_fill.extent.unwrap_or(f64::INFINITY);
     // Feet of the columns: the lowest, where rows end, and the highest, at the crown.
@@ -194,10 +214,11 @@ pub(super) fn layout(
 
 /// What lies over each support.
 pub(super) fn over(bridge: &Bridge, arches: &[Arch<'_>], stations: &[Stations], layers: &[Layers]) -> Vec<Over> {
-    let backing = bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| b.height);
-    let haunch = bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| h.height);
     (0..=arches.len())
         .map(|i| {
+            let springing = springing(arches, i);
+            let backing = bridge.cover.backing.map_or(f64::NEG_INFINITY, |b| springing + b.height);
+            let haunch = bridge.service.haunch_fill.map_or(f64::NEG_INFINITY, |h| springing + h.height);
             let ends = match (stations.get(i), i.checked_sub(1)) {
                 (Some(right), _) => &right.layers[0],
                 (None, Some(k)) => &stations[k].layers[1],

@@ -69,6 +69,15 @@ pub enum MeshError {
         "the road is not level, and the mesh knows none but a level one: leave out [road] and give the lowest layer its least thickness"
     )]
     RoadNotLevel,
+    #[error(
+        "a [[void]] takes the place of cover that is weight, and the mesh knows solid fill: leave it out and give the layers mean densities"
+    )]
+    Voids,
+    #[error(
+        "[internal_walls] are weight without stiffness, and the mesh knows solid fill: describe them as [haunch_fill] with mean density and \
+         modulus"
+    )]
+    InternalWalls,
     /// There is nothing between the extrados and the surface.
     #[error(
         "there is no fill between the highest extrados and the surface: describe a layer of [[cover]] other than ballast, \

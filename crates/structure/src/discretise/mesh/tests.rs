@@ -20,10 +20,11 @@ fn railway() -> Bridge {
         rings: vec![ring(0.54, 25)],
         defects: Vec::new(),
         skew: 0.0,
+        right_springing: 0.0,
     };
     let mut b = spans(vec![span; 4], 1.5, 1.8, 3.0, 6);
     b.cover.depth = 0.48;
-    b.abutments = [Abutment { top_width: 1.5, height: 3.0 }; 2];
+    b.abutments = [Abutment { top_width: 1.5, height: 3.0, body: None }; 2];
     b.service.haunch_fill = Some(HaunchFill { height: 1.0, soil: Service::default().fill });
     b
 }
@@ -216,7 +217,7 @@ fn random_span(dice: &mut Dice) -> Span {
         springing_thickness: springing / rings as f64,
         voussoirs: voussoirs + k,
     });
-    Span { profile, span, rise, rings: rings.collect(), defects: Vec::new(), skew: 0.0 }
+    Span { profile, span, rise, rings: rings.collect(), defects: Vec::new(), skew: 0.0, right_springing: 0.0 }
 }
 
 fn random_bridge(dice: &mut Dice) -> Bridge {
@@ -230,7 +231,8 @@ fn random_bridge(dice: &mut Dice) -> Bridge {
     let width = 2.0 * skew + dice.between(0.05, 2.0);
     let mut b = spans(list, width, width * dice.between(1.0, 1.4), dice.between(0.5, 12.0), 3);
     b.cover.depth = dice.between(0.2, 3.0);
-    b.abutments = [0, 1].map(|_| Abutment { top_width: dice.between(0.3, 4.0), height: dice.between(0.3, 6.0) });
+    b.abutments =
+        [0, 1].map(|_| Abutment { top_width: dice.between(0.3, 4.0), height: dice.between(0.3, 6.0), body: None });
     let rise = b.spans[0].rise;
     if dice.roll() < 0.5 {
         b.service.haunch_fill =

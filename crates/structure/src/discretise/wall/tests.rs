@@ -124,7 +124,7 @@ fn random_span(dice: &mut Dice, kind: usize) -> Span {
     // Backs between a third of a metre and as long as a brick.
     let voussoirs = (1.3 * span / dice.between(0.3, 0.6)) as usize;
     let ring = Ring { crown_thickness: thickness, springing_thickness: thickness * dice.between(1.0, 1.3), voussoirs };
-    Span { profile, span, rise, rings: vec![ring; courses], defects: Vec::new(), skew: 0.0 }
+    Span { profile, span, rise, rings: vec![ring; courses], defects: Vec::new(), skew: 0.0, right_springing: 0.0 }
 }
 
 fn random_bridge(dice: &mut Dice) -> Bridge {

@@ -1,0 +1,302 @@
+//! What the rings stand on: piers with their footings, abutments.
+
+use super::{Field, Kind, Section};
+use crate::choice::{Choice, choice};
+use crate::findings::Findings;
+use crate::model::{Abutment, AbutmentBody, AbutmentKind, Footing, Pier};
+use crate::quantity::Dimension::{Angle, Density, Length};
+use crate::tree::Table;
+use crate::values::read;
+
+choice! {
+    /// Form of a cutwater in plan.
+    enum Cutwater {
+        /// a triangle: half of the rectangle around it
+        Pointed = "pointed",
+        /// half an ellipse or a circle: pi / 4 of the rectangle around it
+        Round = "round",
+        /// a rectangle
+        Square = "square",
+    }
+}
+
+impl Cutwater {
+    /// Its area over that of the rectangle around it.
+    fn share(self) -> f64 {
+        match self {
+            Cutwater::Pointed => 0.5,
+            Cutwater::Round => std::f64::consts::FRAC_PI_4,
+            Cutwater::Square => 1.0,
+        }
+    }
+}
+
+pub(super) static PIER: Section = Section {
+    path: "pier",
+    doc: "A pier between two spans. Widths are those along the road; what it measures across the bridge comes into a plane model as weight \
+          per metre of the barrel, docs/theory/supports.md.",
+    fields: &[
+        Field::new(
+            "width",
+            Kind::Quantity(Length),
+            "width at the top, between the springings of its two spans",
+            "1.20 m",
+        )
+        .positive(),
+        Field::new("base_width", Kind::Quantity(Length), "width at the bottom, above the footing", "1.60 m")
+            .positive()
+            .optional("as wide as the top, or given by the batter of its faces"),
+        Field::new(
+            "left_batter",
+            Kind::Number,
+            "how far the left face moves outwards per unit of depth: 1 in 24 is 0.0417",
+            "0.0417",
+        )
+        .at_least(0.0)
+        .at_most(1.0)
+        .optional("plumb, or as `base_width` says"),
+        Field::new("right_batter", Kind::Number, "the same for the right face", "0.0417")
+            .at_least(0.0)
+            .at_most(1.0)
+            .optional("plumb, or as `base_width` says"),
+        Field::new(
+            "height",
+            Kind::Quantity(Length),
+            "height from the bottom to the springings, the lower one where they differ; footings lie below",
+            "4.0 m",
+        )
+        .positive(),
+        Field::new("courses", Kind::Count, "number of courses of blocks", "8").at_least(1.0).at_most(1000.0),
+        Field::new(
+            "step",
+            Kind::Quantity(Length),
+            "level of the springing of the span on its right above that of the span on its left",
+            "0.10 m",
+        )
+        .at_least(-50.0)
+        .at_most(50.0)
+        .default("0 m"),
+        Field::new("across", Kind::Quantity(Length), "width across the bridge at the top, without cutwaters", "9.0 m")
+            .positive()
+            .at_most(200.0)
+            .optional("as wide as the barrel"),
+        Field::new("base_across", Kind::Quantity(Length), "the same at the bottom", "9.6 m")
+            .positive()
+            .at_most(200.0)
+            .optional("as at the top"),
+        Field::new(
+            "cutwater_length",
+            Kind::Quantity(Length),
+            "how far each cutwater reaches beyond that width, over the whole height",
+            "1.2 m",
+        )
+        .positive()
+        .at_most(50.0)
+        .optional("no cutwaters"),
+        Field::new("cutwater_shape", Kind::Word(Cutwater::WORDS), "form of the cutwaters in plan", "pointed")
+            .default(Cutwater::Pointed.word()),
+        Field::new("cutwaters", Kind::Count, "how many: one upstream, or both", "2")
+            .at_least(1.0)
+            .at_most(2.0)
+            .default("2"),
+        Field::new("footing", Kind::Tables(&FOOTING), "Steps of the footing, from the pier down.", "")
+            .optional("the pier stands on the ground with its bottom"),
+    ],
+};
+
+pub(super) static FOOTING: Section = Section {
+    path: "pier.footing",
+    doc: "A step of a footing under a pier, centred under its bottom: a course of its own that can slide and tilt.",
+    fields: &[
+        Field::new("width", Kind::Quantity(Length), "width along the road", "2.2 m").positive().at_most(100.0),
+        Field::new("height", Kind::Quantity(Length), "height of the step", "0.5 m").positive().at_most(50.0),
+        Field::new("across", Kind::Quantity(Length), "width across the bridge", "11.0 m")
+            .positive()
+            .at_most(200.0)
+            .optional("as the pier's bottom, cutwaters by their area"),
+    ],
+};
+
+pub(super) static ABUTMENT: Section = Section {
+    path: "abutment",
+    doc: "Both abutments: what holds the outer springings. Fixed, their size is used for drawings and limits what can rest on them; as blocks \
+          they stand on the ground by friction, with the soil behind them, and can slide and overturn: docs/theory/supports.md.",
+    fields: &[
+        Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
+            .positive()
+            .default("2 m"),
+        Field::new("height", Kind::Quantity(Length), "height of the block, from its springing down", "2.0 m")
+            .positive()
+            .default("2 m"),
+        Field::new("as", Kind::Word(AbutmentKind::WORDS), "whether it is fixed or can move", "blocks")
+            .default(AbutmentKind::Fixed.word()),
+        BODY[0],
+        BODY[1],
+        BODY[2],
+        BODY[3],
+        BODY[4],
+        Field::new("left", Kind::Table(&ABUTMENT_LEFT), "Where the left abutment differs.", "")
+            .optional("like the other"),
+        Field::new("right", Kind::Table(&ABUTMENT_RIGHT), "Where the right abutment differs.", "")
+            .optional("like the other"),
+    ],
+};
+
+/// Keys of an abutment that can move.
+const BODY: [Field; 5] = [
+    Field::new("base_width", Kind::Quantity(Length), "as blocks: width of the bottom, from the plumb front face back", "3.0 m")
+        .positive()
+        .at_most(200.0)
+        .optional("as wide as the top: the back is plumb"),
+    Field::new("courses", Kind::Count, "as blocks: number of courses", "4")
+        .at_least(1.0)
+        .at_most(1000.0)
+        .optional("one block"),
+    Field::new(
+        "ground_friction_angle",
+        Kind::Quantity(Angle),
+        "as blocks: angle of friction between the bottom and the ground",
+        "30 deg",
+    )
+    .at_least(0.0)
+    .at_most(1.5)
+    .optional("needed as blocks"),
+    Field::new(
+        "earth_coefficient",
+        Kind::Number,
+        "as blocks: horizontal over vertical stress of the soil behind it; 1 - sin phi at rest, (1 - sin phi) / (1 + sin phi) active",
+        "0.33",
+    )
+    .at_least(0.0)
+    .at_most(1.0)
+    .optional("needed as blocks; 0 where nothing may be counted on"),
+    Field::new("earth_density", Kind::Quantity(Density), "as blocks: mass density of that soil", "1900 kg/m^3")
+        .positive()
+        .optional("as the lowest layer of the cover"),
+];
+
+const SIDE: &[Field] = &[
+    Field::new("top_width", Kind::Quantity(Length), "length of the upper face behind the springing", "2.0 m")
+        .positive()
+        .optional("as [abutment] says"),
+    Field::new("height", Kind::Quantity(Length), "height of the block, from its springing down", "2.0 m")
+        .positive()
+        .optional("as [abutment] says"),
+    Field::new("as", Kind::Word(AbutmentKind::WORDS), "whether it is fixed or can move", "blocks")
+        .optional("as [abutment] says"),
+    BODY[0].optional("as [abutment] says"),
+    BODY[1].optional("as [abutment] says"),
+    BODY[2].optional("as [abutment] says"),
+    BODY[3].optional("as [abutment] says"),
+    BODY[4].optional("as [abutment] says"),
+];
+
+static ABUTMENT_LEFT: Section =
+    Section { path: "abutment.left", doc: "The left abutment, where it differs.", fields: SIDE };
+static ABUTMENT_RIGHT: Section =
+    Section { path: "abutment.right", doc: "The right abutment, where it differs.", fields: SIDE };
+
+/// The piers as written; how many there must be is for the geometry. `width` is that of the barrel [m].
+pub(crate) fn piers(file: &Table<'_>, width: Option<f64>, findings: &mut Findings) -> Option<Vec<Pier>> {
+    file.all("pier", findings, |table, findings| pier(table, width, findings))
+}
+
+fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Option<Pier> {
+    let base_width: Option<Option<f64>> = table.read("base_width", findings);
+    let batters = ["left_batter", "right_batter"].map(|key| table.read::<Option<f64>>(key, findings));
+    let across: Option<Option<f64>> = table.read("across", findings);
+    let base_across: Option<Option<f64>> = table.read("base_across", findings);
+    let length: Option<Option<f64>> = table.read("cutwater_length", findings);
+    let shape: Option<Cutwater> = table.read("cutwater_shape", findings);
+    let ends: Option<u64> = table.read("cutwaters", findings);
+    let footings =
+        table.all("footing", findings, |table, findings| read!(table, findings, Footing { width, height, across }));
+    let pier = read!(table, findings, Pier {
+        width, height, courses, step;
+        base_width: width, base_offset: 0.0, across: None, footings: Vec::new()
+    })?;
+    let [left, right] = batters;
+    let (left, right) = (left?, right?);
+    let (base_width, base_offset) = match (base_width?, left.or(right)) {
+        (Some(_), Some(_)) => {
+            table.exclude("base_width", "the batter of a face", findings);
+            return None;
+        }
+        (Some(width), None) => (width, 0.0),
+        (None, _) => {
+            let [left, right] = [left, right].map(|batter| batter.unwrap_or(0.0) * pier.height);
+            (pier.width + left + right, 0.5 * (right - left))
+        }
+    };
+    let cutwaters =
+        length?.map_or(0.0, |length| ends.unwrap_or(0) as f64 * length * shape.map_or(0.0, Cutwater::share));
+    shape?;
+    ends?;
+    let footings = footings?;
+    let (across, base_across) = (across?, base_across?);
+    let is_plain = across.is_none() && base_across.is_none() && cutwaters == 0.0;
+    let top = across.or(barrel);
+    let wide = match (is_plain, top) {
+        (false, Some(top)) => Some([top + cutwaters, base_across.unwrap_or(top) + cutwaters]),
+        _ => None,
+    };
+    Some(Pier { base_width, base_offset, across: wide, footings, ..pier })
+}
+
+pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Abutment; 2]> {
+    file.part("abutment", findings, |both, findings| {
+        // What is wrong with the table of both is said once, here: its sides look it up without a word.
+        let fits = whole(both, findings);
+        let mut missing: Vec<&str> = Vec::new();
+        let sides = ["left", "right"]
+            .map(|key| both.part(key, findings, |side, findings| abutment(&side.over(both), &mut missing, findings)));
+        missing.sort_unstable();
+        missing.dedup();
+        missing.iter().for_each(|key| both.need(key, findings));
+        fits.and(Some([sides[0]?, sides[1]?]))
+    })
+}
+
+/// What a table says of an abutment.
+struct Written {
+    top_width: f64,
+    height: f64,
+    kind: AbutmentKind,
+    base_width: Option<f64>,
+    courses: Option<usize>,
+    friction: Option<f64>,
+    coefficient: Option<f64>,
+    earth_density: Option<f64>,
+}
+
+fn whole(table: &Table<'_>, findings: &mut Findings) -> Option<Written> {
+    read!(table, findings, Written {
+        top_width,
+        height,
+        kind = "as",
+        base_width,
+        courses,
+        friction = "ground_friction_angle",
+        coefficient = "earth_coefficient",
+        earth_density,
+    })
+}
+
+/// One abutment; notes which keys it misses.
+fn abutment(table: &Table<'_>, missing: &mut Vec<&'static str>, findings: &mut Findings) -> Option<Abutment> {
+    let written = whole(table, findings)?;
+    let Written { top_width, height, .. } = written;
+    if written.kind == AbutmentKind::Fixed {
+        return Some(Abutment { top_width, height, body: None });
+    }
+    let needed = [("ground_friction_angle", written.friction), ("earth_coefficient", written.coefficient)];
+    missing.extend(needed.iter().filter(|(_, value)| value.is_none()).map(|(key, _)| *key));
+    let body = AbutmentBody {
+        base_width: written.base_width,
+        courses: written.courses.unwrap_or(1),
+        ground_friction_angle: written.friction?,
+        earth_coefficient: written.coefficient?,
+        earth_density: written.earth_density,
+    };
+    Some(Abutment { top_width, height, body: Some(body) })
+}
