@@ -67,7 +67,7 @@ pub fn control(document: &ReportDocument, bridge: &str, appendix: &Appendix) -> 
         row(["computed", &appendix.day]),
     ];
     let mut signatures = Part::new(None, "Signatures");
-    signatures.heads = vec!["", "name", "signature", "date"];
+    signatures.heads = vec!["role", "name", "signature", "date"];
     signatures.rows =
         [("prepared", &document.prepared_by), ("checked", &document.checked_by), ("approved", &document.approved_by)]
             .map(|(what, name)| vec![what.to_owned(), text(name), BLANK.to_owned(), BLANK.to_owned()])
