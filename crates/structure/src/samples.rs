@@ -41,7 +41,7 @@ pub fn bridgemill() -> Bridge {
         spandrel_wall: None,
         particles: None,
         calibration: Calibration::default(),
-        cover: Cover { depth: 0.478, layers: vec![], backing: None, road: None },
+        cover: Cover { depth: 0.478, layers: vec![], backing: None, road: None, water: None },
         loads: vec![Load {
             name: "knife edge".into(),
             kind: LoadKind::KnifeEdge { force: 1e3, length: 0.750 },

@@ -59,6 +59,22 @@ pub(super) struct Column {
     fill: (Surface, f64),
     /// Weight of the layers of constant thickness [Pa].
     above: f64,
+    /// Water in the pores of the lowest layer.
+    water: Option<Pores>,
+}
+
+/// Density of water [kg/m^3].
+const WATER: f64 = 1000.0;
+
+/// Water in the pores of the lowest layer.
+#[derive(Clone, Copy)]
+struct Pores {
+    /// Its level [m].
+    level: f64,
+    /// Weight density of the layer with its pores full [N/m^3].
+    full: f64,
+    /// Weight density of the water [N/m^3].
+    water: f64,
 }
 
 impl Column {
@@ -72,6 +88,11 @@ impl Column {
             backing: weight.map(|b| (b.height, b.density * bridge.gravity)),
             fill: (fill_top(bridge, extrados), lowest.map_or(0.0, unit)),
             above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
+            water: bridge.cover.water.map(|pores| Pores {
+                level: pores.level,
+                full: pores.saturated_density * bridge.gravity,
+                water: WATER * bridge.gravity,
+            }),
         }
     }
     /// The column that presses in any case: backing weighs no more than the fill it replaces.
@@ -98,15 +119,38 @@ impl Column {
             Some((top, weight)) => (weight * (top - at.y).max(0.0), at.y.max(top)),
             None => (0.0, at.y),
         };
-        backing + self.fill.1 * (self.top(at.x) - floor).max(0.0) + self.above
+        let whole = (self.top(at.x) - floor).max(0.0);
+        let fill = match self.water {
+            Some(pores) => {
+                let wet = (pores.level.min(self.top(at.x)) - floor).max(0.0);
+                self.fill.1 * (whole - wet) + pores.full * wet
+            }
+            None => self.fill.1 * whole,
+        };
+        backing + fill + self.above
     }
-    /// Where a straight back passes the upper faces of backing and fill.
+    /// Level of the water [m]; minus infinity where there is none.
+    pub fn water_level(&self) -> f64 {
+        self.water.map_or(f64::NEG_INFINITY, |pores| pores.level)
+    }
+    /// Pressure of the water in the pores at a point [Pa]. Backing has none in its own: below its top the pressure stays that at its top.
+    pub fn pore(&self, at: Vec2) -> f64 {
+        let floor = at.y.max(self.backing_top());
+        self.water.map_or(0.0, |pores| pores.water * (pores.level.min(self.top(at.x)) - floor).max(0.0))
+    }
+    /// Where a straight back passes the upper faces of backing and fill and the level of the water, and where the fill's upper face does.
     fn passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = Vec2> {
-        let faces = [[self.backing_top(); 2], [a, b].map(|p| self.top(p.x))];
-        faces.into_iter().filter(|ends| ends.iter().all(|level| level.is_finite())).filter_map(move |[from, to]| {
-            let crossed = (a.y - from) * (b.y - to) < 0.0;
-            crossed.then(|| a + (b - a) * ((from - a.y) / (b.y - a.y - (to - from))))
-        })
+        let faces = [[self.backing_top(); 2], [a, b].map(|p| self.top(p.x)), [self.water_level(); 2]];
+        let tops = [a, b].map(|p| self.top(p.x) - self.water_level());
+        let drowned = (tops.iter().all(|top| top.is_finite()) && tops[0] * tops[1] < 0.0)
+            .then(|| a + (b - a) * (tops[0] / (tops[0] - tops[1])));
+        let crossed = faces.into_iter().filter(|ends| ends.iter().all(|level| level.is_finite())).filter_map(
+            move |[from, to]| {
+                let crossed = (a.y - from) * (b.y - to) < 0.0;
+                crossed.then(|| a + (b - a) * ((from - a.y) / (b.y - a.y - (to - from))))
+            },
+        );
+        crossed.chain(drowned)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::cover::{Column, Resultant};
 use super::extrados::{Extrados, Stretch};
 use bridge::{Bridge, FillPressure, LeastPressure};
-use mechanics::blocks::Restraint;
+use mechanics::blocks::{PointForce, Restraint};
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
 
@@ -99,6 +99,38 @@ pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
     all
 }
 
+/// Pressure of the water in the pores of the fill on every back that stands in it, as a horizontal force at its own height; its vertical part
+/// is in the weight of the saturated column. It acts whatever moves, with and without fill that presses. Nothing acts on the intrados: the
+/// arch stands in the dry.
+pub fn water(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
+    let column = Column::of(bridge, extrados);
+    let level = column.water_level();
+    if bridge.cover.water.is_none() {
+        return Vec::new();
+    }
+    let on = |stretch: &Stretch| {
+        let back = Back::of(stretch, &column)?;
+        let [low, high] = back.levels();
+        let from = low.max(column.backing_top());
+        let to = high.min(level);
+        if to - from <= 1e-9 {
+            return None;
+        }
+        // The upper face of the fill may lie below the level of the water.
+        let mut cuts = vec![from, to];
+        let [a, b] = [from, to].map(|y| back.at(y).x);
+        cuts.extend(column.kinks(a.min(b), a.max(b)).map(|x| from + (to - from) * (x - a) / (b - a)));
+        cuts.sort_by(f64::total_cmp);
+        let mut sum = Resultant::default();
+        for pair in cuts.windows(2) {
+            sum.trapezoid(pair[0], column.pore(back.at(pair[0])), pair[1], column.pore(back.at(pair[1])));
+        }
+        let at = back.at(sum.place()?);
+        Some(PointForce { block: back.block, at, force: vec2(back.way * sum.force, 0.0) })
+    };
+    extrados.stretches.iter().filter(|stretch| !stretch.ground).filter_map(on).collect()
+}
+
 /// What the fill presses with.
 struct Presses {
     k: Coefficients,
@@ -112,10 +144,15 @@ impl Presses {
             return None;
         }
         let middle = |level: f64| (back.at(level) + other.at(level)) * 0.5;
-        let pressure = |level: f64| self.column.pressure(vec2(middle(level).x, level));
+        // Grains press with what is left of the weight: the pressure of the water acts by itself.
+        let pressure = |level: f64| {
+            let at = vec2(middle(level).x, level);
+            (self.column.pressure(at) - self.column.pore(at)).max(0.0)
+        };
         // Vertical stress is linear between the level of backing and those under kinks of the road.
         let mut cuts = vec![low, high];
-        cuts.extend(Some(self.column.backing_top()).filter(|y| *y > low && *y < high));
+        let levels = [self.column.backing_top(), self.column.water_level()];
+        cuts.extend(levels.into_iter().filter(|y| *y > low && *y < high));
         let [a, b] = [middle(low).x, middle(high).x];
         cuts.extend(self.column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
         cuts.sort_by(f64::total_cmp);
