@@ -2,6 +2,7 @@
 
 use crate::checks::verdict;
 use crate::condition::condition;
+use crate::next;
 use bridge::Bridge;
 use bridge::assess::Assess;
 use outcome::assessment::{Assessment, Facts};
@@ -21,9 +22,11 @@ pub struct Evidence {
 impl Evidence {
     /// What its checks amount to.
     pub fn judged(self, checked: Vec<Checked>) -> Assessment {
+        let verdict = verdict(&self, &checked);
         Assessment {
             bridge: self.bridge.name.clone(),
-            verdict: verdict(&self, &checked),
+            next: next::steps(&self, &checked, &verdict),
+            verdict,
             condition: condition(&self),
             limits_source: self.asked.limits.source,
             facts: self.facts,

@@ -6,6 +6,7 @@ pub mod checkpoint;
 pub mod checks;
 pub mod condition;
 pub mod evidence;
+pub mod next;
 pub mod vary;
 pub mod vehicles;
 

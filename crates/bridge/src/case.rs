@@ -33,6 +33,9 @@ impl Case {
         for layer in &mut b.cover.layers {
             layer.density *= if is_surfacing(layer.name) { self.surfacing_weight } else { self.fill_weight };
         }
+        if let (Some(water), Some(lowest)) = (&mut b.cover.water, b.cover.layers.first()) {
+            water.saturated_density *= if is_surfacing(lowest.name) { self.surfacing_weight } else { self.fill_weight };
+        }
         if let Some(backing) = &mut b.cover.backing {
             backing.density *= self.fill_weight;
         }

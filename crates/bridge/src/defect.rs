@@ -48,13 +48,31 @@ pub enum DefectKind {
     },
     /// Stones that have fallen out of the lowest ring of several.
     MissingStones,
+    /// One joint that stands open, as a hinge that has formed: no thrust crosses what is open.
+    OpenJoint {
+        /// From which face.
+        face: Face,
+        /// How deep [m].
+        depth: f64,
+    },
+    /// Stones of a single ring that have slid down: their joints bear on what still overlaps.
+    DroppedStones {
+        /// By how much [m].
+        depth: f64,
+    },
 }
 
 impl Defect {
     /// How much of its depth is lost at a share of the arc length: all within the stretch, and beyond its ends falling to nothing over
     /// the length of a voussoir of a ring of so many. That way the section of a joint follows the ends of the stretch continuously, and
     /// no stretch lies unseen between two joints.
+    ///
+    /// A joint that stands open is the nearest one to its place: whole up to half a voussoir away, nothing at a whole one. Halfway between
+    /// two joints both are open.
     pub fn extent(&self, share: f64, voussoirs: usize) -> f64 {
+        if let DefectKind::OpenJoint { .. } = self.kind {
+            return (2.0 - 2.0 * (share - self.shares[0]).abs() * voussoirs as f64).clamp(0.0, 1.0);
+        }
         let beyond = (self.shares[0] - share).max(share - self.shares[1]).max(0.0);
         (1.0 - beyond * voussoirs as f64).max(0.0)
     }
@@ -77,7 +95,11 @@ pub fn thinned(defects: &[Defect], face: Face, share: f64, voussoirs: usize) -> 
 /// Depth to which joints have lost their mortar, from the face as it is now [m]: the largest of its defects.
 pub fn raked(defects: &[Defect], face: Face, share: f64, voussoirs: usize) -> f64 {
     let depth = |defect: &Defect| match defect.kind {
-        DefectKind::LostMortar { face: on, depth } if on == face => depth * defect.extent(share, voussoirs),
+        DefectKind::LostMortar { face: on, depth } | DefectKind::OpenJoint { face: on, depth } if on == face => {
+            depth * defect.extent(share, voussoirs)
+        }
+        // Stones that went down left their neighbours' upper ends bare.
+        DefectKind::DroppedStones { depth } if face == Face::Extrados => depth * defect.extent(share, voussoirs),
         _ => 0.0,
     };
     defects.iter().map(depth).fold(0.0, f64::max)

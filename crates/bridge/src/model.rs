@@ -280,6 +280,17 @@ pub struct Cover {
     pub voids: Vec<Void>,
     /// The road surface where it is not level; else it lies `depth` above the highest crown.
     pub road: Option<Road>,
+    /// Water in the pores of the lowest layer.
+    pub water: Option<PoreWater>,
+}
+
+/// Water that stands in the pores of the lowest layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoreWater {
+    /// Its level above the left springing of the first span [m]; in the layer it reaches no higher than the layer's upper face.
+    pub level: f64,
+    /// Mass density of the layer below it, pores full [kg/m^3].
+    pub saturated_density: f64,
 }
 
 /// A layer of the cover, from the extrados up. The lowest fills the haunches.
@@ -617,6 +628,46 @@ pub struct Carriageway {
     pub skew: Option<f64>,
     /// Distances of longitudinal cracks through the barrel from one of its edges, from the least [m].
     pub cracks: Vec<f64>,
+    /// What moves the resultant of a vehicle sideways.
+    pub sideways: Sideways,
+}
+
+/// What moves the resultant of a vehicle away from the middle between its wheels or rails.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sideways {
+    /// Radius of the curve and speed on it [m, m/s].
+    pub curve: Option<(f64, f64)>,
+    /// Level of the outer rail above the inner one [m].
+    pub cant: f64,
+    /// Force across the bridge as a share of the weight, to either side.
+    pub side_force: f64,
+    /// Height above the rail or the road at which both act [m].
+    pub height: f64,
+    /// Distance between the middles of both rails, or of the wheels on an axle [m].
+    pub gauge: f64,
+}
+
+impl Default for Sideways {
+    fn default() -> Sideways {
+        Sideways { curve: None, cant: 0.0, side_force: 0.0, height: GRAVITY_HEIGHT, gauge: GAUGE }
+    }
+}
+
+/// Height of a vehicle's centre of gravity above the rail [m], where the file gives none.
+pub const GRAVITY_HEIGHT: f64 = 1.8;
+/// Distance between the middles of both rails [m], where the file gives none.
+pub const GAUGE: f64 = 1.5;
+
+impl Sideways {
+    /// Largest distance of the resultant from the middle between the rails [m], and whether it is that of a vehicle that moves: with speed v on
+    /// radius r, cant c, gauge s and side force w at height h it is h (|v^2 / (g r) - c / s| + w); standing, h (c / s + w).
+    pub fn eccentricity(&self, gravity: f64) -> (f64, bool) {
+        let outwards = self.curve.map_or(0.0, |(radius, speed)| speed * speed / (gravity * radius));
+        let inwards = self.cant / self.gauge;
+        let [moving, standing] =
+            [(outwards - inwards).abs(), inwards].map(|share| self.height * (share + self.side_force));
+        if moving > standing { (moving, true) } else { (standing, false) }
+    }
 }
 
 /// The strips that longitudinal cracks leave of a barrel so wide, from one edge to the other [m].
@@ -857,6 +908,8 @@ pub struct SupportMovement {
     pub vertical: f64,
     /// Rotation, counter-clockwise [rad per unit].
     pub rotation: f64,
+    /// Movement that has already happened before loads come, in the same unit [m]; none: the bridge stands as it was built.
+    pub before: Option<f64>,
     /// Increment of the discrete element method, in the same unit [m].
     pub increment: Option<f64>,
     /// Largest movement tried [m].

@@ -215,7 +215,7 @@ pub fn cross_section(ground: &GroundPlan) -> Option<String> {
         Some(vehicle) => {
             format!("{} (arrows) is carried by {}: {}.", vehicle.code, metres(vehicle.width), vehicle.derivation)
         }
-        None => "No vehicle was moved over the bridge.".to_owned(),
+        None => "The barrel without vehicles.".to_owned(),
     };
     let bottom = sheet.caption(below, &words);
     Some(sheet.finish(bottom))

@@ -7,6 +7,7 @@ use crate::facts::{
 };
 use crate::statics::Statics;
 use crate::warning::Warning;
+use crate::words::words;
 use serde::{Deserialize, Serialize};
 
 /// What became of a stage.
@@ -101,4 +102,34 @@ pub struct Assessment {
     /// What it weighs, and what it hands to the ground at rest; none where it cannot be cut into blocks.
     #[serde(default)]
     pub statics: Option<Statics>,
+    /// What to do next, by rule.
+    #[serde(default)]
+    pub next: Vec<Step>,
+}
+
+words! {
+    /// Kinds of steps that follow an assessment.
+    pub enum Action {
+        /// Loads that are not carried stay off.
+        Restrict = "restrict",
+        /// Something is measured on site.
+        Inspect = "inspect",
+        /// Something that can grow is measured again and again.
+        Monitor = "monitor",
+        /// A finer analysis, or a number confirmed.
+        Refine = "refine",
+    }
+}
+
+/// A step that follows from a fact of the assessment by a rule.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Step {
+    /// Its kind.
+    pub action: Action,
+    /// What to do.
+    pub what: String,
+    /// The fact.
+    pub because: String,
+    /// The rule, and where it is from.
+    pub rule: String,
 }

@@ -246,12 +246,12 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         appendix: material.appendix,
         front: parts::control(material.document, &a.bridge, material.appendix)
             .into_iter()
-            .chain([parts::to_confirm(material.document, material.inputs, a)])
+            .chain([parts::next_steps(a), parts::to_confirm(material.document, material.inputs, a)])
             .chain(parts::inspections(&material.document.inspections, material.photographs))
             .collect(),
         cases: parts::cases(a).into_iter().collect(),
         numbers: a.statics.iter().flat_map(parts::statics).chain(parts::vehicles(a)).collect(),
-        back: vec![parts::check_sheet(material.document, a, a.statics.as_ref())],
+        back: parts::check_sheet(material.document, a, a.statics.as_ref()),
         photographs: material.photographs,
         figures: figures(material.figures),
     }

@@ -67,7 +67,7 @@ pub fn control(document: &ReportDocument, bridge: &str, appendix: &Appendix) -> 
         row(["computed", &appendix.day]),
     ];
     let mut signatures = Part::new(None, "Signatures");
-    signatures.heads = vec!["", "name", "signature", "date"];
+    signatures.heads = vec!["role", "name", "signature", "date"];
     signatures.rows =
         [("prepared", &document.prepared_by), ("checked", &document.checked_by), ("approved", &document.approved_by)]
             .map(|(what, name)| vec![what.to_owned(), text(name), BLANK.to_owned(), BLANK.to_owned()])
@@ -130,6 +130,23 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
 
 /// Warnings that a visit can settle.
 const SITE: [&str; 1] = [outcome::warning::ACROSS_ASSUMED];
+
+/// What to do next, with the fact and the rule that each step follows from.
+pub fn next_steps(a: &Assessment) -> Part {
+    let mut part = Part::new(Some("next"), "What to do next");
+    if a.next.is_empty() {
+        part.words.push("No rule asks for anything: no strength is short, nothing that can grow is in the file, no warning points further.".into());
+        return part;
+    }
+    part.words.push("By rule, each from the fact beside it; whoever signs decides.".into());
+    part.heads = vec!["kind", "what", "because", "rule"];
+    part.rows = a
+        .next
+        .iter()
+        .map(|one| vec![one.action.to_string(), one.what.clone(), one.because.clone(), one.rule.clone()])
+        .collect();
+    part
+}
 
 /// Findings of inspections; a photograph that was not read is named.
 pub fn inspections(list: &[Inspection], photographs: &[Photograph]) -> Option<Part> {
@@ -240,11 +257,13 @@ pub fn vehicles(a: &Assessment) -> Vec<Part> {
     let mut thrusts = Part::new(None, "Largest thrusts under the governing vehicle");
     thrusts.words.push(
         "Of elastic blocks whose joints open nowhere, with the rule's factors on loads and weights, each with the values that go with it. A \
-         resultant outside its joint means that joints open there before."
+         resultant outside its joint means that joints open there before. Pressure is that of the part of the joint that is centred on the \
+         resultant: below a pier, what its foundation bears on."
             .into(),
     );
-    thrusts.heads = vec!["joint", "thrust [kN/m]", "shear [kN/m]", "eccentricity [mm]", "depth [m]", "resultant"];
-    thrusts.numbers = vec![false, true, true, true, true, false];
+    thrusts.heads =
+        vec!["joint", "thrust [kN/m]", "shear [kN/m]", "eccentricity [mm]", "depth [m]", "pressure [MPa]", "resultant"];
+    thrusts.numbers = vec![false, true, true, true, true, true, false];
     let governing = facts.governing.as_ref().and_then(|code| facts.vehicles.iter().find(|one| one.code == *code));
     thrusts.rows = governing
         .into_iter()
@@ -252,20 +271,34 @@ pub fn vehicles(a: &Assessment) -> Vec<Part> {
         .map(|one| {
             let place = if one.outside { "outside the joint" } else { "in the joint" };
             let numbers = [one.thrust_kn_per_m, one.shear_kn_per_m, 1e3 * one.eccentricity_m, one.depth_m].map(digits);
-            [vec![one.place.clone()], numbers.to_vec(), vec![place.to_owned()]].concat()
+            let bears = one.depth_m - 2.0 * one.eccentricity_m.abs();
+            let pressure = if bears > 0.0 { digits(1e-3 * one.thrust_kn_per_m / bears) } else { "–".to_owned() };
+            [vec![one.place.clone()], numbers.to_vec(), vec![pressure, place.to_owned()]].concat()
         })
         .collect();
     [widths, thrusts].into_iter().filter(|part| !part.rows.is_empty()).collect()
 }
 
-/// Items for whoever checks this assessment, each with what it says and room for another number.
-pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&Statics>) -> Part {
+/// Items for whoever checks this assessment, each with what it says and room for another number. A check of category III is made without
+/// these numbers: they follow on a sheet of their own.
+pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&Statics>) -> Vec<Part> {
     let mut part = Part::new(Some("check-sheet"), "Check sheet");
-    let category =
-        document.check_category.as_deref().map_or(String::new(), |category| format!(" Category of check: {category}."));
-    part.words.push(format!(
-        "For the checker: what this assessment says, and room for the number found independently, by hand or by another method.{category}"
-    ));
+    let (category, who) = match document.check_category.as_deref().map(str::trim) {
+        None => (
+            String::new(),
+            "For the checker: what this assessment says, and room for the number found independently, by hand or by another method.",
+        ),
+        Some("III" | "3") => (
+            " Category of check: III.".to_owned(),
+            "For a checker of another organisation, who has the survey and not these numbers: room for each number found independently. The numbers of \
+             this assessment are on the sheet after this one, to be compared at the end.",
+        ),
+        Some(category) => (
+            format!(" Category of check: {category}."),
+            "For a checker who did not prepare it: what this assessment says, and room for the number found independently, by hand or by another method.",
+        ),
+    };
+    part.words.push(format!("{who}{category}"));
     part.heads = vec!["no.", "item", "this assessment", "independent value", "method", "initials, date"];
     let mut items: Vec<(String, String)> = vec![
         ("dimensions and materials against survey and tests (Inputs)".into(), "all values of the file".into()),
@@ -303,6 +336,13 @@ pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&S
     if let Some(facts) = a.facts.ultimate.made() {
         let factor = facts.load_factor.map_or_else(|| "not known".to_owned(), digits);
         items.push(("factor on the loads of the file at collapse".into(), factor));
+        let limit = facts.collapse.as_deref().and_then(|found| found.limit());
+        if let Some((lower, upper)) = limit.and_then(|found| found.lower_bound.zip(found.upper_bound)) {
+            items.push((
+                "the same by two theorems: work of the mechanism as drawn, and equilibrium of the line of thrust as drawn".into(),
+                format!("at most {} kN/m, at least {} kN/m", kilonewtons(upper), kilonewtons(lower)),
+            ));
+        }
     }
     for check in &a.checked {
         let worst = check.outcome.iter().flatten().map(|one| one.utilisation).fold(f64::NEG_INFINITY, f64::max);
@@ -323,12 +363,27 @@ pub fn check_sheet(document: &ReportDocument, a: &Assessment, statics: Option<&S
     ));
     items.push(("assumptions agreed with the owner (Assumptions)".into(), "list".into()));
     items.push(("verdict".into(), a.verdict.headline.word().to_owned()));
+    let withheld = matches!(document.check_category.as_deref().map(str::trim), Some("III" | "3"));
+    let numbered = |k: usize| (k + 1).to_string();
+    let shown = |value: &str| if withheld { BLANK.to_owned() } else { value.to_owned() };
     part.rows = items
-        .into_iter()
+        .iter()
         .enumerate()
-        .map(|(k, (item, value))| vec![(k + 1).to_string(), item, value, BLANK.into(), BLANK.into(), BLANK.into()])
+        .map(|(k, (item, value))| {
+            vec![numbered(k), item.clone(), shown(value), BLANK.into(), BLANK.into(), BLANK.into()]
+        })
         .collect();
-    part
+    let mut parts = vec![part];
+    if withheld {
+        let mut numbers = Part::new(Some("check-numbers"), "Numbers of this assessment");
+        numbers
+            .words
+            .push("For comparison after the independent check; of items that are lists, the report has them.".into());
+        numbers.heads = vec!["no.", "item", "this assessment"];
+        numbers.rows = items.into_iter().enumerate().map(|(k, (item, value))| vec![numbered(k), item, value]).collect();
+        parts.push(numbers);
+    }
+    parts
 }
 
 /// Whether a reaction is one of the ground: outer springings and feet of piers.
@@ -348,6 +403,71 @@ mod tests {
         assert_eq!(parts.len(), 2, "no revisions");
         assert_eq!(parts[0].rows[1], ["structure number", ""]);
         assert_eq!(parts[1].rows[2], ["approved", "", "", ""]);
+    }
+
+    /// An assessment of which nothing was made.
+    fn nothing() -> Assessment {
+        use outcome::assessment::{Facts, Stage};
+        use outcome::checked::{Judgement, Rung, Strength, Verdict};
+        fn not<T>() -> Stage<T> {
+            Stage::NotAsked("not asked".into())
+        }
+        let facts = Facts {
+            update: not(),
+            service: not(),
+            ultimate: not(),
+            vehicles: not(),
+            cases: not(),
+            movement: not(),
+            sensitivity: not(),
+        };
+        let verdict = Verdict {
+            status: Judgement::Undetermined,
+            headline: Rung::NothingCompared,
+            words: String::new(),
+            finished: true,
+            strength: Strength::default(),
+        };
+        Assessment {
+            bridge: "Bridge".into(),
+            limits_source: None,
+            facts,
+            checked: Vec::new(),
+            verdict,
+            condition: Vec::new(),
+            statics: None,
+            next: Vec::new(),
+        }
+    }
+
+    /// What follows is told with its fact and its rule, or that nothing does.
+    #[test]
+    fn next_steps_are_told_with_their_rule() {
+        use outcome::assessment::{Action, Step};
+        let mut a = nothing();
+        assert!(next_steps(&a).rows.is_empty() && next_steps(&a).words[0].contains("No rule asks"));
+        let step = Step { action: Action::Monitor, what: "cracks".into(), because: "two".into(), rule: "CIRIA".into() };
+        a.next.push(step);
+        assert_eq!(next_steps(&a).rows, [["monitor", "cracks", "two", "CIRIA"].map(str::to_owned).to_vec()]);
+    }
+
+    /// A checker of category III finds no number of ours on the sheet; they follow on one of their own.
+    #[test]
+    fn a_check_of_category_three_is_made_without_our_numbers() {
+        let statics = Statics {
+            weights: vec![outcome::statics::Weight { part: "rings".into(), force: 1e5 }],
+            ..Statics::default()
+        };
+        let a = nothing();
+        let of = |category: &str| {
+            let document = ReportDocument { check_category: Some(category.into()), ..ReportDocument::default() };
+            check_sheet(&document, &a, Some(&statics))
+        };
+        let (two, three) = (of("II"), of("III"));
+        assert_eq!((two.len(), three.len()), (1, 2));
+        assert!(two[0].rows.iter().any(|row| row[2].contains("100")), "{two:?}");
+        assert!(three[0].rows.iter().all(|row| row[2].is_empty()));
+        assert!(three[1].rows.iter().any(|row| row[2].contains("100")), "{three:?}");
     }
 
     #[test]

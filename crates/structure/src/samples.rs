@@ -42,7 +42,15 @@ pub fn bridgemill() -> Bridge {
         spandrel_wall: None,
         particles: None,
         calibration: Calibration::default(),
-        cover: Cover { depth: 0.478, layers: vec![], backing: None, internal_walls: None, voids: vec![], road: None },
+        cover: Cover {
+            depth: 0.478,
+            layers: vec![],
+            backing: None,
+            internal_walls: None,
+            voids: vec![],
+            road: None,
+            water: None,
+        },
         loads: vec![Load {
             name: "knife edge".into(),
             kind: LoadKind::KnifeEdge { force: 1e3, length: 0.750 },

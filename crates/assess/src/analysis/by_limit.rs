@@ -3,7 +3,7 @@
 use super::blank;
 use super::by_bounds::collapse_by_bounds;
 use super::places::{between_rings, edge_at, lines, point, scaled};
-use super::{AnalysisError, notes, picture, pieces};
+use super::{AnalysisError, careful, notes, picture, pieces};
 use bridge::{Bridge, ContactPoints, Friction, Method, Plan};
 use mechanics::blocks::Interface;
 use mechanics::ids::{BlockId, Id};
@@ -68,8 +68,14 @@ fn fully_pressed(bridge: &Bridge) -> Bridge {
     own
 }
 
-/// The load factor at which the blocks as built become a mechanism.
+/// The load factor at which the blocks become a mechanism; the smaller one where a support has moved or water fills pores.
 pub fn collapse_by_limit(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
+    let found = as_described(bridge, watch)?;
+    careful::least(bridge, found, watch)
+}
+
+/// The load factor at which the blocks become a mechanism, with all that the file says of them.
+pub(super) fn as_described(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError> {
     if continuum::wanted(bridge).is_some() {
         return collapse_by_bounds(bridge, watch);
     }

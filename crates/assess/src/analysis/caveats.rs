@@ -38,6 +38,8 @@ pub fn add(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
     c.assumptions.push(if can_move { GROUND_HOLDS } else { SUPPORTS_HOLD }.into());
     c.assumptions.push(OUT_OF_PLANE.into());
     c.assumptions.extend(cracks(bridge));
+    c.assumptions.extend(moved(bridge));
+    c.assumptions.extend(water(bridge));
     if bridge.loads.iter().any(|load| load.horizontal != 0.0) {
         c.assumptions.push(ALONG.into());
     }
@@ -93,6 +95,29 @@ fn cracks(bridge: &Bridge) -> Option<String> {
             strips.join(", ")
         )
     })
+}
+
+/// What a support that has moved before the loads came means for them.
+pub fn moved(bridge: &Bridge) -> Option<String> {
+    let before = bridge.plan.support_movement?.before.filter(|_| bridge.plan.analysis == bridge::Analysis::Load)?;
+    Some(format!(
+        "A support has moved by {:.1} mm before the loads came: blocks followed it as the mechanism that their weight allows, joints that \
+         opened are brought together again halfway, and the loads act on that shape. Loads may have to turn joints back that opened before the \
+         bridge carries this much: the nearer a movement is to the one that brings the bridge down, the less this load says. A joint that is to \
+         stay open is a defect, \"open-joint\". The cover weighs what it weighed as built.",
+        1e3 * before
+    ))
+}
+
+/// What water in the pores of the fill does.
+pub fn water(bridge: &Bridge) -> Option<String> {
+    let water = bridge.cover.water?;
+    Some(format!(
+        "Water stands in the pores of the lowest layer up to {:.2} m above the left springing: below it the layer weighs {:.0} kg/m^3, and the \
+         water presses on the backs whatever moves. The intrados is dry, backing holds no water, and what water does to strength, to walls and \
+         to foundations is left out.",
+        water.level, water.saturated_density
+    ))
 }
 
 /// Whether a span has rings that lie on one another.

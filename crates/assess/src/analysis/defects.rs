@@ -41,6 +41,10 @@ pub fn marks(bridge: &Bridge) -> Vec<DefectMark> {
 
 fn place(bridge: &Bridge, span: usize, one: &Defect) -> String {
     let [from, to] = one.from_to;
+    if let DefectKind::OpenJoint { .. } = one.kind {
+        let of = if bridge.spans.len() > 1 { format!("span {}, ", span + 1) } else { String::new() };
+        return format!("{of}at {from:.2} m");
+    }
     let of = if bridge.spans.len() > 1 { format!("span {}, ", span + 1) } else { String::new() };
     format!("{of}{from:.2} to {to:.2} m")
 }
@@ -60,6 +64,8 @@ fn what(one: &Defect) -> String {
         DefectKind::WeakMasonry { ring: Some(ring), .. } => format!("weak masonry in ring {}", ring + 1),
         DefectKind::WeakMasonry { ring: None, .. } => "weak masonry".into(),
         DefectKind::MissingStones => "stones of the lowest ring missing".into(),
+        DefectKind::OpenJoint { face, depth } => format!("joint open to {:.0} mm from the {}", 1e3 * depth, side(face)),
+        DefectKind::DroppedStones { depth } => format!("stones dropped by {:.0} mm", 1e3 * depth),
     }
 }
 
@@ -91,6 +97,13 @@ fn felt(span: &Span, one: &Defect) -> String {
                 "joints at its stones have {}",
                 [strength, friction].into_iter().flatten().collect::<Vec<_>>().join(" and ")
             )
+        }
+        DefectKind::OpenJoint { .. } => {
+            "no thrust crosses what is open, also where the load would close it again".into()
+        }
+        DefectKind::DroppedStones { .. } => {
+            "joints beside them bear on what overlaps; the stones weigh what they did, and are drawn where they were"
+                .into()
         }
         DefectKind::MissingStones => {
             let count = span.rings[0].voussoirs as f64;

@@ -9,6 +9,7 @@ pub mod by_fe;
 pub mod by_limit;
 pub mod by_path;
 pub mod calibrate;
+mod careful;
 mod caveats;
 mod defects;
 mod deforming;
@@ -168,7 +169,8 @@ pub(crate) const LEAST_SAMPLE: f64 = 3.0;
 /// The bridge as its file describes it, for drawing: blocks, road surface, loads. Nothing is computed.
 /// Particles are drawn where a saved packing says where they are.
 pub fn as_built(bridge: &Bridge) -> Result<Picture, AnalysisError> {
-    Ok(picture::built(bridge, &filled::as_saved(bridge)?, "as built"))
+    let label = if caveats::moved(bridge).is_some() { "as its support has moved it" } else { "as built" };
+    Ok(picture::built(bridge, &filled::as_saved(bridge)?, label))
 }
 
 /// Makes the analysis that the bridge's plan asks for. `resume` is a state that [`Watch::keep`] was offered by a run
@@ -177,7 +179,8 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     if bridge.plan.analysis == Analysis::Load && bridge.plan.strip == Strip::Both {
         return strips::both(bridge, resume, watch);
     }
-    let has_defects = bridge.spans.iter().any(|span| !span.defects.is_empty());
+    let has_moved = bridge.plan.support_movement.is_some_and(|movement| movement.before.is_some());
+    let has_defects = has_moved || bridge.spans.iter().any(|span| !span.defects.is_empty());
     let yields = structure::discretise::continuum::wanted(bridge).is_some();
     let mut found = match (bridge.plan.analysis, bridge.plan.method) {
         (Analysis::Thickness | Analysis::SupportMovement, _) if yields => Err(AnalysisError::KnowsNoContinuum),
@@ -197,6 +200,8 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     Ok(found)
 }
 
+#[cfg(test)]
+mod condition_tests;
 #[cfg(test)]
 mod continuum_tests;
 #[cfg(test)]

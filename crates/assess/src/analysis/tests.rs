@@ -237,6 +237,7 @@ fn settling() -> Bridge {
         horizontal: 1.0,
         vertical: 0.0,
         rotation: 0.0,
+        before: None,
         increment: Some(0.05),
         limit: Some(3.0),
     });

@@ -128,6 +128,21 @@ pub(crate) fn continuum(
             "write as = \"continuum\" in the lowest [[cover]], or remove [continuum]",
         );
     }
+    let mut plan = plan;
+    if let (Some(plan), Some(water)) = (&mut plan, cover.and_then(|cover| cover.water)) {
+        if let Some(table) = file.table("continuum", &mut Findings::default())
+            && table.has("water_level")
+        {
+            findings.error(
+                "B240",
+                table.place("water_level"),
+                "the level of the water is given twice",
+                "[water] gives it, with the saturated density",
+                "remove `water_level` of [continuum]",
+            );
+        }
+        plan.water_level = Some(water.level);
+    }
     if let Some(plan) = &plan
         && plan.confinement == Confinement::SpandrelWalls
         && !file.has("spandrel_wall")

@@ -4,7 +4,7 @@ use super::{Field, Kind, Section, continuum, spandrel};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind};
+use crate::model::{Backing, BackingBody, Cover, Layer, LayerKind, PoreWater};
 use crate::quantity::Dimension::{Angle, Density, Length, Stress};
 use crate::tree::Table;
 use crate::values::read;
@@ -189,7 +189,74 @@ pub(crate) fn cover(file: &Table<'_>, width: Option<f64>, findings: &mut Finding
     }
     // From zero on, for an empty sum is minus zero.
     let depth = layers.iter().fold(0.0, |sum, layer| sum + layer.thickness);
-    Some(Cover { depth, layers, backing: backing?, internal_walls: internal_walls?, voids: voids?, road: None })
+    let water = file.optional("water", findings, |table, findings| water(table, &layers, findings));
+    Some(Cover {
+        depth,
+        layers,
+        backing: backing?,
+        internal_walls: internal_walls?,
+        voids: voids?,
+        road: None,
+        water: water?,
+    })
+}
+
+pub(super) static WATER: Section = Section {
+    path: "water",
+    doc: "Water that stands in the pores of the lowest layer of [[cover]]. Below its level the layer has its saturated density, and the water \
+          presses on the backs of the rings as well; grains press with what is left of the weight. docs/theory/water.md.",
+    fields: &[
+        Field::new(
+            "level",
+            Kind::Quantity(Length),
+            "level of the water above the left springing of the first span",
+            "1.2 m",
+        ),
+        Field::new(
+            "saturated_density",
+            Kind::Quantity(Density),
+            "density of the lowest layer with its pores full",
+            "2050 kg/m^3",
+        )
+        .at_least(1000.0),
+    ],
+};
+
+/// Water in the pores of the lowest layer.
+fn water(table: &Table<'_>, layers: &[Layer], findings: &mut Findings) -> Option<PoreWater> {
+    let level = table.read("level", findings);
+    let saturated: Option<f64> = table.read("saturated_density", findings);
+    let (level, saturated_density) = (level?, saturated?);
+    let mut wrong = |key: &str, message: String, help: &str| {
+        findings.error("B240", table.place(key), message, "water stands in the pores of the lowest layer", help);
+    };
+    match layers.first() {
+        None => {
+            wrong(
+                "level",
+                "there is no cover whose pores could hold water".into(),
+                "describe the fill with a [[cover]]",
+            );
+            None
+        }
+        Some(lowest) if lowest.particles || !lowest.weighs => {
+            wrong(
+                "level",
+                "the lowest layer is particles or weighs nothing, and water in its pores is not modelled".into(),
+                "write as = \"weight\" or as = \"continuum\" in the lowest [[cover]], or remove [water]",
+            );
+            None
+        }
+        Some(lowest) if saturated_density < lowest.density => {
+            wrong(
+                "saturated_density",
+                format!("saturated fill of {saturated_density} kg/m^3 is lighter than the fill above the water"),
+                "write the density with pores full: no less than `density` of the lowest [[cover]]",
+            );
+            None
+        }
+        Some(_) => Some(PoreWater { level, saturated_density }),
+    }
 }
 
 fn bodies_without_particles(place: TextRange, findings: &mut Findings) {

@@ -22,8 +22,16 @@ choice! {
         WeakMasonry = "weak-masonry",
         /// stones that have fallen out of the lowest of several rings
         MissingStones = "missing-stones",
+        /// one joint that stands open to a `depth`: a hinge that has formed
+        OpenJoint = "open-joint",
+        /// stones of a single ring that have slid down by a `depth`: their joints bear on what overlaps
+        DroppedStones = "dropped-stones",
     }
 }
+
+/// Kinds that lie along a stretch.
+const STRETCHES: &[&str] =
+    &["lost-mortar", "thin-ring", "ring-separation", "weak-masonry", "missing-stones", "dropped-stones"];
 
 pub(super) static DEFECT: Section = Section {
     path: "defect",
@@ -38,16 +46,31 @@ pub(super) static DEFECT: Section = Section {
             "3.0 m",
         )
         .at_least(0.0)
+        .only("kind", STRETCHES)
         .optional("the left springing"),
         Field::new("to", Kind::Quantity(Length), "where it ends, horizontally from the span's left springing", "5.5 m")
             .at_least(0.0)
+            .only("kind", STRETCHES)
             .optional("the right springing"),
-        Field::new("face", Kind::Word(Face::WORDS), "the face from which it is lost", "intrados")
-            .only("kind", &["lost-mortar", "thin-ring"])
+        Field::new(
+            "at",
+            Kind::Quantity(Length),
+            "where the open joint is, horizontally from the span's left springing",
+            "2.4 m",
+        )
+        .at_least(0.0)
+        .only("kind", &["open-joint"]),
+        Field::new("face", Kind::Word(Face::WORDS), "the face from which it is lost or open", "intrados")
+            .only("kind", &["lost-mortar", "thin-ring", "open-joint"])
             .default(Face::Intrados.word()),
-        Field::new("depth", Kind::Quantity(Length), "how deep it is lost, from the face as it is now", "50 mm")
-            .positive()
-            .only("kind", &["lost-mortar", "thin-ring"]),
+        Field::new(
+            "depth",
+            Kind::Quantity(Length),
+            "how deep it is lost or open, from the face as it is now; how far stones have dropped",
+            "50 mm",
+        )
+        .positive()
+        .only("kind", &["lost-mortar", "thin-ring", "open-joint", "dropped-stones"]),
         Field::new(
             "ring",
             Kind::Count,
@@ -125,6 +148,7 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
     let kind: Option<Word> = table.read("kind", findings);
     let number: Option<At<usize>> = table.read("span", findings);
     let ends = ["from", "to"].map(|key| table.read::<Option<f64>>(key, findings));
+    let at: Option<Option<At<f64>>> = table.read("at", findings);
     let face: Option<Face> = table.read("face", findings);
     let depth: Option<Option<f64>> = table.read("depth", findings);
     let ring: Option<Option<At<usize>>> = table.read("ring", findings);
@@ -143,8 +167,25 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
         );
         return None;
     };
-    let [from, to] = [ends[0]?.unwrap_or(0.0), ends[1]?.unwrap_or(span.span)];
-    if !(from < to && to <= span.span * (1.0 + 1e-9)) {
+    let at = at?;
+    let place = at.as_ref().map(|at| at.value);
+    if let Some(At { value, range }) = at
+        && value > span.span * (1.0 + 1e-9)
+    {
+        findings.error(
+            "B224",
+            range,
+            format!("the joint at {value} m lies beyond the span"),
+            format!("the span is {} m long", span.span),
+            format!("write a place between \"0 m\" and \"{} m\"", span.span),
+        );
+        return None;
+    }
+    let [from, to] = match place {
+        Some(at) => [at, at],
+        None => [ends[0]?.unwrap_or(0.0), ends[1]?.unwrap_or(span.span)],
+    };
+    if place.is_none() && !(from < to && to <= span.span * (1.0 + 1e-9)) {
         findings.error(
             "B224",
             if table.has("to") { table.place("to") } else { table.place("from") },
@@ -193,6 +234,18 @@ fn defect(table: &Table<'_>, spans: &[PlacedSpan], findings: &mut Findings) -> O
             return single(table, "a ring stands without some of its stones", findings);
         }
         Word::MissingStones => DefectKind::MissingStones,
+        Word::OpenJoint => DefectKind::OpenJoint { face: face?, depth: depth?? },
+        Word::DroppedStones if rings > 1 => {
+            findings.error(
+                "B224",
+                table.place("kind"),
+                "the span has several rings",
+                "stones of the lowest of several rings that have dropped bear on no ring above",
+                "write kind = \"missing-stones\" for the same stretch",
+            );
+            return None;
+        }
+        Word::DroppedStones => DefectKind::DroppedStones { depth: depth?? },
     };
     let shares = shares(span, [from, to])?;
     Some((number.value - 1, Defect { kind, from_to: [from, to], shares }))

@@ -312,6 +312,8 @@ pub static FILE: Section = Section {
             .optional("nothing lies on the extrados"),
         Field::new("road", Kind::Table(&road::ROAD), "Levels of the surface, where it is not level.", "")
             .optional("the surface is level"),
+        Field::new("water", Kind::Table(&cover::WATER), "Water in the pores of the fill.", "")
+            .optional("the fill is drained"),
         Field::new("backing", Kind::Table(&cover::BACKING), "Solid backing above the haunches.", "")
             .optional("no backing"),
         Field::new(

@@ -121,6 +121,14 @@ pub(super) static SUPPORT_MOVEMENT: Section = Section {
         .at_least(-1e3)
         .at_most(1e3)
         .optional("no rotation"),
+        Field::new(
+            "before",
+            Kind::Quantity(Length),
+            "movement s that has already happened, as measured: loads then act on the bridge in the shape to which it has moved",
+            "40 mm",
+        )
+        .positive()
+        .optional("the bridge stands as it was built"),
         Field::new("increment", Kind::Quantity(Length), "increment of the movement", "1 mm")
             .positive()
             .optional("needed by method \"dem\""),
@@ -221,6 +229,7 @@ fn support_movement(table: &Table<'_>, spans: Option<usize>, findings: &mut Find
         table,
         findings,
         SupportMovement {
+            before,
             increment,
             limit;
             support: support.unwrap_or(0),

@@ -4,8 +4,8 @@ use super::{Field, Kind, Section};
 use crate::choice::{Choice, choice};
 use crate::diagnostic::TextRange;
 use crate::findings::Findings;
-use crate::model::{Carriageway, Directions, FillPressure, LeastPressure, SweepPlan};
-use crate::quantity::Dimension::{Angle, Length, Stress};
+use crate::model::{Carriageway, Directions, FillPressure, GAUGE, GRAVITY_HEIGHT, LeastPressure, Sideways, SweepPlan};
+use crate::quantity::Dimension::{Angle, Length, Speed, Stress};
 use crate::tree::{At, Table};
 use crate::values::read;
 
@@ -120,6 +120,49 @@ pub(super) static CARRIAGEWAY: Section = Section {
         )
         .positive()
         .optional("the barrel carries as a whole"),
+        Field::new(
+            "track_offset",
+            Kind::Quantity(Length),
+            "distance of the middle of the outermost track or lane from the middle of the barrel, where vehicles keep to it; in place of \
+             `edge_distance`",
+            "0.6 m",
+        )
+        .at_least(0.0)
+        .optional("as `edge_distance` says"),
+        Field::new(
+            "track_gauge",
+            Kind::Quantity(Length),
+            "distance between the middles of both rails, or of wheels on an axle, for `track_offset`, `cant` and forces across",
+            "1.5 m",
+        )
+        .positive()
+        .optional("1.5 m"),
+        Field::new("curve_radius", Kind::Quantity(Length), "radius of the curve on which vehicles run", "300 m")
+            .positive()
+            .optional("straight: no centrifugal force"),
+        Field::new("speed", Kind::Quantity(Speed), "speed on that curve, for the centrifugal force", "60 km/h")
+            .at_least(0.0)
+            .optional("needed where there is a `curve_radius`"),
+        Field::new("cant", Kind::Quantity(Length), "level of the outer rail above the inner one", "90 mm")
+            .at_least(0.0)
+            .optional("no cant"),
+        Field::new(
+            "side_force",
+            Kind::Number,
+            "force across the bridge as a share of every axle, to either side: wind on the vehicle, as the rule asks",
+            "0.05",
+        )
+        .at_least(0.0)
+        .at_most(1.0)
+        .optional("none"),
+        Field::new(
+            "side_force_height",
+            Kind::Quantity(Length),
+            "height above rail or road at which centrifugal and side forces act",
+            "1.8 m",
+        )
+        .at_least(0.0)
+        .optional("1.8 m"),
     ],
 };
 
@@ -217,7 +260,14 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
     if let Some(At { value, range }) = skew.flatten() {
         doubt(value, range, findings);
     }
-    let found = read!(
+    let gauge: Option<Option<f64>> = table.read("track_gauge", findings);
+    let gauge = gauge.map(|gauge| gauge.unwrap_or(GAUGE));
+    let offset: Option<Option<f64>> = table.read("track_offset", findings);
+    let sideways = sideways(table, gauge, findings);
+    if table.has("edge_distance") && table.has("track_offset") {
+        table.exclude("edge_distance", "`track_offset`", findings);
+    }
+    let mut found = read!(
         table,
         findings,
         Carriageway {
@@ -226,8 +276,22 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
             edge_distance;
             skew: skew?.map(|skew| skew.value),
             cracks: cracks?.map_or_else(Vec::new, |cracks| cracks.value),
+            sideways: sideways?,
         }
     )?;
+    if let (Some(width), Some(offset), Some(gauge)) = (width, offset?, gauge) {
+        let edge = 0.5 * (width - gauge) - offset;
+        if edge < 0.0 {
+            findings.error(
+                "B660",
+                table.place("track_offset"),
+                "the outer rail or wheel stands beside the barrel",
+                format!("the barrel is {width} m wide, and rails or wheels are {gauge} m apart"),
+                format!("write an offset of at most {:.3} m", (0.5 * (width - gauge)).max(0.0)),
+            );
+        }
+        found.edge_distance = Some(edge.max(0.0));
+    }
     if let (Some(width), Some(edge)) = (width, found.edge_distance)
         && edge > 0.5 * width
     {
@@ -265,6 +329,49 @@ pub(crate) fn carriageway(table: &Table<'_>, width: Option<f64>, findings: &mut 
     }
     Some(found)
 }
+
+/// What moves the resultant of vehicles sideways; it stays between the rails.
+fn sideways(table: &Table<'_>, gauge: Option<f64>, findings: &mut Findings) -> Option<Sideways> {
+    let radius: Option<Option<f64>> = table.read("curve_radius", findings);
+    let speed: Option<Option<f64>> = table.read("speed", findings);
+    let mut or = |key, usual: f64| {
+        let given: Option<Option<f64>> = table.read(key, findings);
+        given.map(|given| given.unwrap_or(usual))
+    };
+    let (cant, side_force) = (or("cant", 0.0), or("side_force", 0.0));
+    let height = or("side_force_height", GRAVITY_HEIGHT);
+    let (radius, speed) = (radius?, speed?);
+    if radius.is_some() && speed.is_none() {
+        table.need("speed", findings);
+        return None;
+    }
+    if speed.is_some() && radius.is_none() {
+        table.need("curve_radius", findings);
+        return None;
+    }
+    let (cant, gauge) = (cant?, gauge?);
+    let found = Sideways { curve: radius.zip(speed), cant, side_force: side_force?, height: height?, gauge };
+    let (shift, moving) = found.eccentricity(GRAVITY);
+    if shift >= 0.5 * gauge {
+        let key = match (moving, found.curve) {
+            (true, Some(_)) => "speed",
+            _ if found.cant > 0.0 => "cant",
+            _ => "side_force",
+        };
+        findings.error(
+            "B242",
+            table.place(key),
+            format!("the resultant of a vehicle lies {shift:.2} m beside the middle of its track"),
+            format!("beyond {:.2} m, half of `track_gauge`, it overturns", 0.5 * gauge),
+            "check radius, speed, cant and side force, and the height at which they act",
+        );
+        return None;
+    }
+    Some(found)
+}
+
+/// Gravity of the check that a vehicle does not overturn [m/s^2].
+const GRAVITY: f64 = 9.81;
 
 /// Says what a plane model leaves open of a skew span [rad].
 pub(crate) fn doubt(skew: f64, place: TextRange, findings: &mut Findings) {

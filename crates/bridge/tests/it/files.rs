@@ -42,6 +42,9 @@ pub const ROAD: &str = include_str!("files/road.toml");
 /// Two rings with every kind of defect.
 pub const DEFECTS: &str = include_str!("files/defects.toml");
 
+/// A ring with a past: an open joint, dropped stones, a support that has moved, water in its fill, a canted track on a curve.
+pub const CONDITION: &str = include_str!("files/condition.toml");
+
 /// Everything that only the finite element model reads.
 pub const SERVICE: &str = include_str!("files/service.toml");
 
@@ -58,6 +61,7 @@ pub const GOOD: [&str; 18] = [
     LAYERS,
     CONTINUUM,
     DEFECTS,
+    CONDITION,
     ROAD,
     CALIBRATION,
     SERVICE,

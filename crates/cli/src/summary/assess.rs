@@ -67,6 +67,10 @@ pub fn assessment(a: &Assessment, report: &str, folder: &Path) -> String {
             let _ = writeln!(text, "    {:<34}{:>12}{:>12}", one.path, percent(one.less), percent(one.more));
         }
     }
+    if !a.next.is_empty() {
+        text += "\n  what to do next (rules and their sources are in the report)\n";
+        a.next.iter().for_each(|one| text += &format!("    {:<9}{}\n", one.action, one.what));
+    }
     let _ = writeln!(text, "\n{report}, checks.csv and result.json are in {}", folder.display());
     text
 }

@@ -2,12 +2,13 @@
 
 use extrados::bridge::fields::{FILE, Field, Kind, Section};
 use extrados::{
-    Choice, CollapseOptions, Memory, Progress, Project, RespondOptions, SweepOptions, Watch, Wish, cases, collapse,
-    respond, sweep,
+    AssessOptions, Choice, CollapseOptions, Means, Memory, Progress, Project, Refusal, RespondOptions, SweepOptions,
+    UpdateOptions, VaryOptions, Watch, Wish, assess, cases, collapse, compare, respond, settings, sweep, update, vary,
 };
 
 /// Files that can be used, with the keys that describe an old bridge.
-const BASES: [&str; 7] = [
+const BASES: [&str; 8] = [
+    include_str!("../../../bridge/tests/it/files/condition.toml"),
     include_str!("../../../bridge/tests/it/files/cases.toml"),
     include_str!("../../../bridge/tests/it/files/tiny.toml"),
     include_str!("../../../bridge/tests/it/files/road.toml"),
@@ -87,7 +88,10 @@ fn changed(text: &str, dice: &mut Dice) -> String {
 }
 
 /// Tables that say something of an old bridge.
-const TABLES: [&str; 14] = [
+const TABLES: [&str; 17] = [
+    "assess",
+    "water",
+    "mexe",
     "case",
     "span",
     "sweep",
@@ -121,6 +125,14 @@ fn section(dice: &mut Dice) -> Vec<String> {
         }
     }
     lines
+}
+
+/// Two values of the width.
+fn varied(project: &Project) -> Result<(), Refusal> {
+    let first = |list: Vec<Refusal>| list.into_iter().next().unwrap_or_else(|| unreachable!("a refusal without one"));
+    let requests = settings(project, &["bridge.width=4m..5m:2"]).map_err(first)?;
+    let options = VaryOptions { most_runs: 4, ..VaryOptions::default() };
+    vary(project, &requests, &options, &Means::default(), &mut Short(20)).map(drop).map_err(first)
 }
 
 /// How many files; the environment can ask for more.
@@ -176,6 +188,19 @@ fn files_changed_at_random_are_analysed_or_refused_with_place_and_remedy() {
         told(sweep(&project, &options, &mut Short(60)).map(drop));
         told(cases(&project, Choice::default(), &mut Short(40)).map(drop));
         told(respond(&project, &RespondOptions::default(), &mut Short(20)).map(drop));
+        told(compare(&project, &project, Choice::default(), &mut Short(20)).map(drop));
+        told(update(&project, &UpdateOptions::default(), &Means::default(), &mut Short(10)).map(drop));
+        told(assess(&project, &AssessOptions::default(), &Means::default(), &mut Short(30)).map(drop));
+        told(varied(&project));
+        // As `extrados convert` makes blocks of it; a bridge that cannot be cut into blocks says why.
+        match project.bridge().map(|bridge| structure::discretise::discretise(bridge).map(|d| (bridge, d))) {
+            Ok(Ok((bridge, d))) => {
+                let written = structure::blocks::toml(&structure::blocks::of_bridge(bridge, &d));
+                assert!(!written.is_empty(), "{seed}");
+            }
+            Ok(Err(error)) => assert!(!error.to_string().is_empty(), "{seed}"),
+            Err(refusal) => assert!(!refusal.help.is_empty(), "{seed}"),
+        }
     }
     assert!(analysed > count() / 4 && refused > count() / 10, "{analysed} {not_set_up} {refused}");
 }

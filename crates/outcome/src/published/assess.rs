@@ -39,6 +39,12 @@ pub fn assessment(a: &Assessment) -> Object {
             met: finding.met(),
         }),
         condition: list(&a.condition, judged),
+        next_steps: list(&a.next, |one| object! {
+            action: one.action,
+            what: one.what,
+            because: one.because,
+            rule: one.rule,
+        }),
         statics?: a.statics.as_ref().map(statics),
         sensitivity?: facts.sensitivity.made(),
         service?: facts.service.made(),

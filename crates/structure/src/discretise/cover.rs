@@ -63,6 +63,22 @@ pub(super) struct Column {
     fill: (Surface, f64),
     /// Weight of the layers of constant thickness [Pa].
     above: f64,
+    /// Water in the pores of the lowest layer.
+    water: Option<Pores>,
+}
+
+/// Density of water [kg/m^3].
+const WATER: f64 = 1000.0;
+
+/// Water in the pores of the lowest layer.
+#[derive(Clone, Copy)]
+struct Pores {
+    /// Its level [m].
+    level: f64,
+    /// Weight density of the layer with its pores full [N/m^3].
+    full: f64,
+    /// Weight density of the water [N/m^3].
+    water: f64,
 }
 
 impl Column {
@@ -80,6 +96,11 @@ impl Column {
                 .map(|w| (above_springings(bridge, w.height), w.density * bridge.gravity)),
             fill: (fill_top(bridge, extrados), lowest.map_or(0.0, unit)),
             above: bridge.cover.layers.iter().skip(1).map(|l| unit(l) * l.thickness).sum(),
+            water: bridge.cover.water.map(|pores| Pores {
+                level: pores.level,
+                full: pores.saturated_density * bridge.gravity,
+                water: WATER * bridge.gravity,
+            }),
         }
     }
     /// The column that presses in any case: backing weighs no more than the fill it replaces.
@@ -113,7 +134,29 @@ impl Column {
             solid += weight * (top - floor).max(0.0);
             floor = floor.max(top);
         }
-        solid + self.fill.1 * (self.top(at.x) - floor).max(0.0) + self.above
+        let top = self.top(at.x);
+        let whole = (top - floor).max(0.0);
+        let fill = match self.water {
+            Some(pores) => {
+                let wet = (pores.level.min(top) - floor).max(0.0);
+                self.fill.1 * (whole - wet) + pores.full * wet
+            }
+            None => self.fill.1 * whole,
+        };
+        solid + fill + self.above
+    }
+    /// Level of the water [m]; minus infinity where there is none.
+    pub fn water_level(&self) -> f64 {
+        self.water.map_or(f64::NEG_INFINITY, |pores| pores.level)
+    }
+    /// Level up to which backing and internal walls stand at a place [m]; minus infinity where there are none.
+    pub fn solid_top(&self, x: f64) -> f64 {
+        self.inner().map(|face| face.at(x)).fold(f64::NEG_INFINITY, f64::max)
+    }
+    /// Pressure of the water in the pores at a point [Pa]. What is solid has none in its own: below its top the pressure stays that at its top.
+    pub fn pore(&self, at: Vec2) -> f64 {
+        let floor = at.y.max(self.solid_top(at.x));
+        self.water.map_or(0.0, |pores| pores.water * (pores.level.min(self.top(at.x)) - floor).max(0.0))
     }
     /// The same below the floor of a void: nothing of what lies higher rests there.
     fn pressure_below(&self, at: Vec2, floor: f64) -> f64 {
@@ -144,14 +187,21 @@ impl Column {
             crossed.then(|| if from == to { from } else { a.y + (b.y - a.y) * share() })
         })
     }
-    /// Where a straight line passes the upper faces of backing, internal walls and fill.
+    /// Where a straight line passes the upper faces of backing, internal walls and fill and the level of the water, and where the fill's upper
+    /// face passes that level.
     fn passed(&self, a: Vec2, b: Vec2) -> impl Iterator<Item = Vec2> {
+        let tops = [a, b].map(|p| self.top(p.x));
         let inner = self.inner().map(|face| [a, b].map(|p| face.at(p.x)));
-        let faces: Vec<[f64; 2]> = inner.chain([[a, b].map(|p| self.top(p.x))]).collect();
-        faces.into_iter().filter(|ends| ends.iter().all(|level| level.is_finite())).filter_map(move |[from, to]| {
+        let faces: Vec<[f64; 2]> = inner.chain([tops, [self.water_level(); 2]]).collect();
+        let [from, to] = tops.map(|top| top - self.water_level());
+        let drowned =
+            (from.is_finite() && to.is_finite() && from * to < 0.0).then(|| a + (b - a) * (from / (from - to)));
+        let finite = faces.into_iter().filter(|ends| ends.iter().all(|level| level.is_finite()));
+        let crossed = finite.filter_map(move |[from, to]| {
             let crossed = (a.y - from) * (b.y - to) < 0.0;
             crossed.then(|| a + (b - a) * ((from - a.y) / (b.y - a.y - (to - from))))
-        })
+        });
+        crossed.chain(drowned)
     }
 }
 

@@ -6,6 +6,7 @@ pub mod cover;
 mod curve;
 mod defects;
 pub mod dispersal;
+mod displaced;
 pub mod extrados;
 pub mod fill;
 pub mod laws;
@@ -273,6 +274,21 @@ pub enum DiscretiseError {
         /// Its length along the bridge [m].
         length: f64,
     },
+    #[error(
+        "the support has moved before the loads came, and only single rings without walls, particles or a continuum are brought into their \
+         new shape: leave out `before` of [support_movement], and describe the shape that was surveyed with profile = \"measured\""
+    )]
+    MovedShape,
+    #[error(
+        "the bridge falls before its support has moved by {before:.4} m: it stands up to {stands:.4} m; check `before` of \
+         [support_movement], the thickness of the ring and what lies above it"
+    )]
+    FellBefore {
+        /// Movement of the file [m].
+        before: f64,
+        /// Largest movement at which it stands [m].
+        stands: f64,
+    },
     #[error("a load acts along the bridge, and {what} knows vertical loads only: leave out `horizontal` and `braking`")]
     Horizontal {
         /// What knows vertical loads only.
@@ -397,7 +413,7 @@ pub fn discretise(bridge: &Bridge) -> Result<Discretised, DiscretiseError> {
     }
     build.abutment(last, skewbacks[last - 1][1], 1.0)?;
     build.extrados.lost = (built - highest(&build.extrados.line)).max(0.0);
-    build.finish()
+    displaced::displaced(bridge, build.finish()?)
 }
 
 /// Highest level of a line [m].
@@ -692,7 +708,7 @@ impl<'a> Build<'a> {
         let loading = Loading {
             // A wall or particles stand in place of the cover.
             permanent: match (&road, &region) {
-                (None, _) => cover::weight(bridge, &extrados),
+                (None, _) => [cover::weight(bridge, &extrados), pressure::water(bridge, &extrados)].concat(),
                 (Some(road), Some(region)) if region.slabs => cover::on_slabs(bridge, road),
                 _ => Vec::new(),
             }
@@ -876,7 +892,15 @@ pub fn defect_line(bridge: &Bridge, span: usize, defect: &Defect) -> Vec<Vec2> {
             DefectKind::LostMortar { face: Face::Extrados, .. } | DefectKind::ThinRing { face: Face::Extrados, .. } => {
                 highest
             }
-            DefectKind::LostMortar { .. } | DefectKind::ThinRing { .. } | DefectKind::MissingStones => lowest,
+            DefectKind::OpenJoint { face, depth } => {
+                let (open, closed) = if face == Face::Extrados { (highest, lowest) } else { (lowest, highest) };
+                let part = (depth / (highest - lowest)).min(1.0) * step as f64 / STEPS as f64;
+                open + (closed - open) * part
+            }
+            DefectKind::LostMortar { .. }
+            | DefectKind::ThinRing { .. }
+            | DefectKind::MissingStones
+            | DefectKind::DroppedStones { .. } => lowest,
             DefectKind::RingSeparation { ring, .. } => rings::faces(described, ring, share)[1],
             DefectKind::WeakMasonry { ring: Some(ring), .. } => {
                 rings::faces(described, ring, share).iter().sum::<f64>() * 0.5

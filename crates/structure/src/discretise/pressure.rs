@@ -4,7 +4,7 @@ use super::cover::{Column, Resultant};
 use super::extrados::{Extrados, Stretch};
 use super::voids;
 use bridge::{Bridge, FillPressure, LeastPressure};
-use mechanics::blocks::Restraint;
+use mechanics::blocks::{PointForce, Restraint};
 use mechanics::ids::BlockId;
 use mechanics::plane::{Vec2, vec2};
 
@@ -114,6 +114,45 @@ pub fn restraints(bridge: &Bridge, extrados: &Extrados) -> Vec<Restraint> {
 /// Where a back reaches the top of the fill: no force is there that could be mobilised [m].
 const LEAST_MOVEMENT: f64 = 1e-6;
 
+/// Pressure of the water in the pores of the fill on every back that stands in it, as a horizontal force at its own height; its vertical part
+/// is in the weight of the saturated column. It acts whatever moves, with and without fill that presses. Nothing acts on the intrados: the
+/// arch stands in the dry.
+pub fn water(bridge: &Bridge, extrados: &Extrados) -> Vec<PointForce> {
+    let column = Column::of(bridge, extrados);
+    let level = column.water_level();
+    if bridge.cover.water.is_none() {
+        return Vec::new();
+    }
+    let on = |stretch: &Stretch| {
+        let back = Back::of(stretch, &column)?;
+        let [low, high] = back.levels();
+        let to = high.min(level);
+        if to - low <= 1e-9 {
+            return None;
+        }
+        // The upper face of the fill may lie below the level of the water.
+        let mut corners = vec![low, to];
+        let [a, b] = [low, to].map(|y| back.at(y).x);
+        corners.extend(column.kinks(a.min(b), a.max(b)).map(|x| low + (to - low) * (x - a) / (b - a)));
+        corners.sort_by(f64::total_cmp);
+        let mut cuts = corners.clone();
+        cuts.extend(corners.windows(2).flat_map(|pair| column.levels_passed(back.at(pair[0]), back.at(pair[1]))));
+        cuts.sort_by(f64::total_cmp);
+        // What is solid has no water in pores.
+        let drowned = |pair: &&[f64]| {
+            let middle = 0.5 * (pair[0] + pair[1]);
+            middle > column.solid_top(back.at(middle).x)
+        };
+        let mut sum = Resultant::default();
+        for pair in cuts.windows(2).filter(drowned) {
+            sum.trapezoid(pair[0], column.pore(back.at(pair[0])), pair[1], column.pore(back.at(pair[1])));
+        }
+        let at = back.at(sum.place()?);
+        Some(PointForce { block: back.block, at, force: vec2(back.way * sum.force, 0.0) })
+    };
+    extrados.stretches.iter().filter(|stretch| !stretch.ground).filter_map(on).collect()
+}
+
 /// What the fill presses with.
 struct Presses {
     k: Coefficients,
@@ -129,9 +168,14 @@ impl Presses {
             return None;
         }
         let middle = |level: f64| (back.at(level) + other.at(level)) * 0.5;
-        let pressure = |level: f64| self.column.pressure(vec2(middle(level).x, level));
-        // Vertical stress is linear between the levels of solid parts and those under kinks of the road.
+        // Grains press with what is left of the weight: the pressure of the water acts by itself.
+        let pressure = |level: f64| {
+            let at = vec2(middle(level).x, level);
+            (self.column.pressure(at) - self.column.pore(at)).max(0.0)
+        };
+        // Vertical stress is linear between the levels of solid parts, that of the water and those under kinks of the road.
         let mut corners = vec![low, high];
+        corners.extend(Some(self.column.water_level()).filter(|y| *y > low && *y < high));
         let [a, b] = [middle(low).x, middle(high).x];
         corners.extend(self.column.kinks(a.min(b), a.max(b)).map(|x| low + (high - low) * (x - a) / (b - a)));
         corners.sort_by(f64::total_cmp);

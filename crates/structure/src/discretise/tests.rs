@@ -278,6 +278,7 @@ fn a_turning_abutment_moves_its_centroid_along() {
         horizontal: 0.0,
         vertical: 0.0,
         rotation: 1.0,
+        before: None,
         increment: None,
         limit: None,
     });

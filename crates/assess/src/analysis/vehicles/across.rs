@@ -6,7 +6,7 @@
 
 use super::cracked::{Lines, most_loaded};
 use crate::vehicles::Chosen;
-use bridge::{Bridge, Carriageway};
+use bridge::{Bridge, Carriageway, Sideways};
 use outcome::vehicles::Across;
 use rules::{EffectiveWidth, Rule, Ways};
 
@@ -24,6 +24,16 @@ pub fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
     (asked.lanes.unwrap_or(fit).max(1), apart)
 }
 
+/// What is said of forces across the bridge.
+pub fn across_told(bridge: &Bridge) -> &'static str {
+    let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
+    if sideways.eccentricity(bridge.gravity).0 > 0.0 {
+        "centrifugal and side forces count by the load that they move across the bridge, and not as forces on walls, parapets and piers"
+    } else {
+        "curvature and wind are left out"
+    }
+}
+
 /// Half the width of a tyre, or of a rail with what it stands on [m].
 const TYRE: f64 = 0.15;
 
@@ -35,9 +45,28 @@ struct Arrangement<'a> {
     depth: f64,
     apart: f64,
     edge: Option<f64>,
+    sideways: Sideways,
+    gravity: f64,
 }
 
 impl Arrangement<'_> {
+    /// How far the resultant of a vehicle lies beside the middle between its wheels [m], and whether it moves then.
+    fn shift(&self) -> (f64, bool) {
+        self.sideways.eccentricity(self.gravity)
+    }
+
+    /// What is left of the width of so many vehicles where their resultants lie beside their middles, all to one side [m]: the part that is
+    /// centred on the resultant; and by a rule of dispersal no more than leaves the heavier side of each vehicle its half of the width.
+    fn centred(&self, width: f64, count: usize) -> f64 {
+        let (shift, _) = self.shift();
+        let heavier = match self.rule.effective_width {
+            EffectiveWidth::Dispersed { .. } => count as f64 * self.alone() / (1.0 + 2.0 * shift / self.sideways.gauge),
+            _ => f64::INFINITY,
+        };
+        let centred = width - 2.0 * shift;
+        (if shift > 0.0 { centred.min(heavier) } else { width }).max(1e-3)
+    }
+
     /// Width that carries a vehicle alone where the barrel is wide enough [m].
     fn alone(&self) -> f64 {
         self.rule.effective_width(self.chosen.vehicle.wheel_track_m, self.depth, f64::INFINITY)
@@ -69,7 +98,7 @@ impl Arrangement<'_> {
     /// The width that carries the first vehicle when loads of a width each stand so far apart.
     fn carried(&self, width: f64, count: usize, at_edge: bool) -> f64 {
         let lost = if at_edge { self.lost() } else { 0.0 };
-        (self.together(width, count) - lost).min(self.barrel).max(1e-3) / self.factor(count)
+        self.centred((self.together(width, count) - lost).min(self.barrel), count) / self.factor(count)
     }
 
     /// Width over which a uniform load stands at the surface, where it has its own, and over which it has spread [m].
@@ -84,11 +113,13 @@ impl Arrangement<'_> {
     fn lines(&self, count: usize, own: Option<f64>, width: f64) -> Lines {
         let presence = self.chosen.acting.presence(count);
         let half = 0.5 * self.chosen.vehicle.wheel_track_m;
+        let (shift, _) = self.shift();
+        let uneven = (shift / self.sideways.gauge).min(0.5);
         let of_one = |lane: usize| {
             let (at, share) = (lane as f64 * self.apart, presence * self.share(lane));
             match own {
-                Some(_) => vec![(at, share)],
-                None => vec![(at - half, 0.5 * share), (at + half, 0.5 * share)],
+                Some(_) => vec![(at + shift, share)],
+                None => vec![(at - half, (0.5 - uneven) * share), (at + half, (0.5 + uneven) * share)],
             }
         };
         let overhang = match own {
@@ -149,6 +180,16 @@ impl Arrangement<'_> {
         if at_edge && self.lost() > 0.0 {
             told += &format!("; {:.2} m of it lie beyond the edge", self.lost());
         }
+        if let (shift, moving) = self.shift()
+            && shift > 0.0
+        {
+            told += &format!(
+                "; the resultant of a vehicle that {} lies {shift:.3} m beside the middle of its track: of what is centred on it, and of what \
+                 the heavier side leaves, the smaller counts, {:.2} m",
+                if moving { "moves" } else { "stands" },
+                self.carried(alone, count, at_edge) * self.factor(count)
+            );
+        }
         let factor = self.factor(count);
         let left = self.carried(alone, count, at_edge) * factor;
         if self.together(alone, count) - if at_edge { self.lost() } else { 0.0 } > self.barrel * (1.0 + 1e-9) {
@@ -165,7 +206,9 @@ impl Arrangement<'_> {
 pub fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
     let (most, apart) = lanes(bridge, chosen.ways);
     let edge = bridge.carriageway.as_ref().and_then(|asked: &Carriageway| asked.edge_distance);
-    let one = Arrangement { rule, chosen, barrel: bridge.width, depth: bridge.cover.depth, apart, edge };
+    let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
+    let (barrel, depth, gravity) = (bridge.width, bridge.cover.depth, bridge.gravity);
+    let one = Arrangement { rule, chosen, barrel, depth, apart, edge, sideways, gravity };
     let counts: Vec<usize> = (1..=most).filter(|count| *count == 1 || one.share(count - 1) > 0.0).collect();
     let uniform = vec![f64::INFINITY; chosen.vehicle.uniform.len()];
     let mut found = Across { axles: f64::INFINITY, uniform, ..Across::default() };

@@ -14,7 +14,7 @@ fn size(one: &Swept) -> f64 {
 }
 
 /// The run that governs, with each vehicle from the run that is worst for it.
-pub fn worst(share: f64, runs: Vec<VehicleSweep>) -> VehicleSweep {
+pub fn worst(share: f64, across: &str, runs: Vec<VehicleSweep>) -> VehicleSweep {
     let least = |run: &VehicleSweep| run.vehicles.iter().map(size).fold(f64::INFINITY, f64::min);
     let stopped = runs.iter().position(|run| run.status() == Ended::Cancelled);
     let base = stopped.unwrap_or_else(|| {
@@ -33,8 +33,8 @@ pub fn worst(share: f64, runs: Vec<VehicleSweep>) -> VehicleSweep {
     found.warnings.retain(|warning| warning.code != warning::NO_LONGITUDINAL);
     found.assumptions.push(format!(
         "Braking and traction: {:.0} % of every axle and uniform load acts along the bridge at the surface as well, to the right, to the left or \
-         not at all, whichever is worst for a vehicle; all of it reaches the rings, and none the ground before and behind. Curvature and \
-         wind are left out.",
+         not at all, whichever is worst for a vehicle; all of it reaches the rings, and none the ground before and behind. Of forces across \
+         the bridge: {across}.",
         100.0 * share
     ));
     found

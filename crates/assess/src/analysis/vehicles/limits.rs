@@ -49,7 +49,7 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
     let words = if rail { "braking and traction of trains" } else { "braking" };
     list.push(Warning::new(
         warning::NO_LONGITUDINAL,
-        format!("loads stand vertically: {words}, curvature and wind are left out"),
+        format!("loads stand vertically: {words} are left out; {}", across::across_told(bridge)),
     ));
     list
 }

@@ -68,7 +68,7 @@ pub fn vehicle_sweep(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSw
             break;
         }
     }
-    Ok(braking::worst(share, runs))
+    Ok(braking::worst(share, across::across_told(bridge), runs))
 }
 
 /// Moves vehicles with one share of their loads along the bridge.

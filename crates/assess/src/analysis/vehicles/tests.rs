@@ -669,6 +669,63 @@ fn vehicles_abreast_and_at_the_edge_have_less_width() {
     assert!(said.contains(&warning::SKEW) && said.contains(&warning::ACROSS_ASSUMED), "{said:?}");
 }
 
+/// A resultant beside the middle of the track leaves the part that is centred on it, and the heavier rail its half of the width; it never
+/// helps, and the width follows radius, speed, cant and side force without jumps.
+#[test]
+fn centrifugal_and_side_forces_move_the_resultant() {
+    let mut b = bridgemill(&["cs454-single"]);
+    b.sweep.as_mut().unwrap().rule = "cs-454".into();
+    let (rule, vehicles) = chosen(&b, b.sweep.as_ref().unwrap()).unwrap();
+    let width = |sideways: bridge::Sideways, edge: Option<f64>, lanes: usize| {
+        let mut b = b.clone();
+        b.carriageway =
+            Some(bridge::Carriageway { lanes: Some(lanes), edge_distance: edge, sideways, ..Default::default() });
+        across::worst(&b, &rule, &vehicles[0])
+    };
+    let none = bridge::Sideways::default();
+    let alone = width(none, None, 1).axles;
+    assert!((alone - 3.778).abs() < 1e-9);
+    // By hand: 60 km/h on 300 m is 0.0944 of the weight, at 1.8 m of height 0.170 m outwards; cant of 90 mm on 1.5 m takes 0.108 m of it.
+    let speed = 60.0 / 3.6;
+    let curve = bridge::Sideways { curve: Some((300.0, speed)), ..none };
+    let shift = 1.8 * speed * speed / (9.81 * 300.0);
+    assert!((curve.eccentricity(9.81).0 - shift).abs() < 1e-12 && (shift - 0.1699).abs() < 1e-4, "{shift}");
+    let canted = bridge::Sideways { cant: 0.09, ..curve };
+    let (left, moving) = canted.eccentricity(9.81);
+    assert!((left - 0.108).abs() < 1e-9 && !moving, "standing on the cant governs: {left}");
+    // Centred part: 3.778 - 2 e; heavier rail: 3.778 / (1 + 2 e / 1.5).
+    let found = width(curve, None, 1);
+    assert!((found.axles - (alone - 2.0 * shift).min(alone / (1.0 + 2.0 * shift / 1.5))).abs() < 1e-9, "{found:?}");
+    assert!(found.derivation.contains("that moves lies 0.170 m beside"), "{}", found.derivation);
+    for edge in [None, Some(0.4)] {
+        for lanes in [1, 2] {
+            let mut before = width(none, edge, lanes).axles;
+            for step in 1..=60 {
+                let side = bridge::Sideways { side_force: 0.005 * f64::from(step), ..none };
+                let found = width(side, edge, lanes).axles;
+                assert!(found <= before + 1e-12 && found > 0.9 * before, "{edge:?} {lanes}: {found} after {before}");
+                before = found;
+            }
+        }
+    }
+    // On strips between cracks the heavier wheel counts.
+    let mut cracked = b.clone();
+    let asked = |sideways| bridge::Carriageway {
+        lanes: Some(1),
+        edge_distance: Some(0.4),
+        cracks: vec![0.8],
+        sideways,
+        ..Default::default()
+    };
+    cracked.carriageway = Some(asked(curve));
+    let strip = across::worst(&cracked, &rule, &vehicles[0]);
+    assert!((strip.axles - 0.8 / (0.5 + shift / 1.5)).abs() < 1e-9, "{strip:?}");
+    // The result says what is left out of forces across.
+    let mut told = b.clone();
+    told.carriageway = Some(asked(curve));
+    assert!(swept(&told).warnings.iter().any(|w| w.message.contains("not as forces on walls")));
+}
+
 /// A longitudinal crack never helps, follows its place without jumps, and leaves an edge strip what a closed form says.
 #[test]
 fn longitudinal_cracks_leave_strips() {

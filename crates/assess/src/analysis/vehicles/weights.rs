@@ -47,6 +47,10 @@ pub fn put(weights: &Weights, on: &mut Bridge) {
         let factor = if is_surfacing(layer.name) { weights.surfacing } else { weights.fill };
         layer.density *= factor.unwrap_or(1.0);
     }
+    if let (Some(water), Some(lowest)) = (&mut on.cover.water, on.cover.layers.first()) {
+        let factor = if is_surfacing(lowest.name) { weights.surfacing } else { weights.fill };
+        water.saturated_density *= factor.unwrap_or(1.0);
+    }
     if let Some(backing) = &mut on.cover.backing {
         backing.density *= weights.fill.unwrap_or(1.0);
     }

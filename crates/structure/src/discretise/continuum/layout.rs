@@ -28,6 +28,8 @@ pub(super) struct Layout {
     pub backing: Option<(f64, usize)>,
     /// Where backing ends on the left and on the right [m].
     backs: [f64; 2],
+    /// Level of the water in the pores of the lowest layer [m], and the layer's material with its pores full.
+    pub full: Option<(f64, usize)>,
 }
 
 impl Layout {
@@ -67,7 +69,12 @@ impl Layout {
             materials.push(Material { soil: solid(backing), bonded: true });
             (backing.height.min(top), materials.len() - 1)
         });
-        Layout { materials, layers, backing, backs }
+        let full = bridge.cover.water.zip(soils.first()).map(|(pores, lowest)| {
+            let wet = Soil { weight: weight(pores.saturated_density), ..soil(lowest) };
+            materials.push(Material { soil: wet, bonded: false });
+            (pores.level, materials.len() - 1)
+        });
+        Layout { materials, layers, backing, backs, full }
     }
 
     /// Levels at which one material ends and another begins.
@@ -87,7 +94,10 @@ impl Layout {
             Some((height, backing)) if at.y < height && left < at.x && at.x < right => backing,
             _ => {
                 let above = self.layers.iter().find(|(level, _)| *level > at.y).or(self.layers.last());
-                above.map_or(0, |layer| layer.1)
+                match (above.map_or(0, |layer| layer.1), self.full) {
+                    (0, Some((level, full))) if at.y < level => full,
+                    (material, _) => material,
+                }
             }
         }
     }
