@@ -1,0 +1,150 @@
+/** The title block: what is carried and by which load, how it was found, and what was assumed, side by side. */
+import { createEffect, createMemo, createSignal, For, on, onCleanup, Show, type JSX } from "solid-js";
+import type { Sheet } from "../model/sheet";
+import { figures, force, lineLoad, place, words, type System } from "../units";
+import { system } from "./settings";
+
+/** Whether the load is the file's own, whose size is sought, or a vehicle with a size of its own. */
+export function isVehicle(sheet: Sheet): boolean {
+  return sheet.vehicle[0]() !== "";
+}
+
+/** Load per metre [N/m] for a factor: the answer's own load over its own factor. */
+export function perFactor(sheet: Sheet): number | null {
+  const found = sheet.answer[0]()?.words;
+  return found && found.load !== null && found.factor ? found.load / found.factor : null;
+}
+
+export function sayFactor(sheet: Sheet, factor: number, units: System): string {
+  const per = perFactor(sheet);
+  if (!isVehicle(sheet) && per !== null) return words(lineLoad(factor * per, units));
+  return `factor ${figures(factor, 3)}`;
+}
+
+const STATUS: Record<string, string> = {
+  collapsed: "mechanism found",
+  locks: "no load at this place makes a mechanism",
+  "not-converged": "no reliable answer at this place",
+  "unstable-under-self-weight": "does not stand under its own weight",
+};
+
+export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.Element {
+  const answer = () => props.sheet.answer[0]();
+  const about = () => props.sheet.about[0]();
+  const reading = () => props.sheet.reading[0]();
+
+  const headline = createMemo(() => {
+    const found = answer()?.words;
+    if (!found) return null;
+    if (found.factor === null) return { value: "–", unit: "", whole: "" };
+    const width = reading()?.width_m ?? null;
+    if (!isVehicle(props.sheet) && found.load !== null) {
+      const said = lineLoad(found.load, system());
+      return { ...said, whole: width ? `${words(force(found.load * width, system()))} over the whole width` : "per metre of width" };
+    }
+    return { value: figures(found.factor, 3), unit: "× the vehicle", whole: "adequacy factor at this place" };
+  });
+  const how = createMemo(() => {
+    const found = answer()?.words;
+    if (!found) return "";
+    const parts = [STATUS[found.status] ?? found.status];
+    if (found.hinges.length > 0) parts.push(`${found.hinges.length} hinges`);
+    if (found.sliding.length > 0) parts.push(`${found.sliding.length} joints slide`);
+    return parts.join(", ");
+  });
+  const least = createMemo(() => {
+    const curve = props.sheet.envelope[0]();
+    if (!curve) return null;
+    let at = -1;
+    let done = 0;
+    for (let k = 0; k < curve.xs.length; k += 1) {
+      if (!curve.known[k]) continue;
+      done += 1;
+      if (Number.isFinite(curve.factors[k]!) && (at < 0 || curve.factors[k]! < curve.factors[at]!)) at = k;
+    }
+    return at < 0 ? null : { x: curve.xs[at]!, factor: curve.factors[at]!, done, of: curve.xs.length };
+  });
+  const findings = () => (reading()?.findings ?? []).filter((one) => one.severity !== "note");
+  const warnings = createMemo(() => {
+    const list: { kind: "err" | "warn" | ""; text: string }[] = [];
+    const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? props.sheet.placeTrouble[0]();
+    if (trouble) list.push({ kind: "err", text: `${trouble.message}${trouble.help ? ` ${trouble.help}` : ""}` });
+    for (const one of findings()) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${one.message}` });
+    const found = answer()?.words;
+    if (found?.slides && found.dilatant_factor !== null && found.factor !== null && found.dilatant_factor > found.factor * 1.0005) {
+      list.push({
+        kind: "warn",
+        text: `Joints slide: the smaller load without dilation leads; with dilation it would be ${sayFactor(props.sheet, found.dilatant_factor, system())}.`,
+      });
+    }
+    for (const text of about()?.assumptions ?? []) list.push({ kind: "", text });
+    return list;
+  });
+
+  // Said once the load has come to rest, so that a screen reader is not flooded.
+  const [spoken, setSpoken] = createSignal("");
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  createEffect(
+    on(answer, (found) => {
+      clearTimeout(timer);
+      if (!found) return;
+      timer = setTimeout(() => {
+        const head = headline();
+        if (head) setSpoken(`Load at ${words(place(found.x, system()))}: ${head.value} ${head.unit} carried, ${how()}.`);
+      }, 700);
+    }),
+  );
+  onCleanup(() => clearTimeout(timer));
+
+  return (
+    <section class="block" aria-label="Answer" id="answer" tabindex="-1">
+      <div>
+        <span class="cap">Carried{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
+        <Show when={headline()} fallback={<span class="headline" data-none>–</span>}>
+          {(head) => (
+            <>
+              <span class="headline num" data-testid="headline">
+                {head().value}
+                <span class="unit">{head().unit}</span>
+              </span>
+              <span class="under">{head().whole}</span>
+            </>
+          )}
+        </Show>
+      </div>
+      <div>
+        <span class="cap">By</span>
+        <Show when={about()} fallback={<span>no load</span>}>
+          <b>{about()!.name}</b>
+          <div class="under">
+            at <span class="num" data-testid="place">{words(place(props.sheet.x[0]() ?? 0, system()))}</span>, {how()}
+          </div>
+          <Show when={least()}>
+            {(found) => (
+              <div class="under" data-testid="least">
+                Least along the road {sayFactor(props.sheet, found().factor, system())} at {words(place(found().x, system()))}
+                {found().done < found().of ? ` (${found().done} of ${found().of} places)` : ""}
+              </div>
+            )}
+          </Show>
+          <div class="under soft">
+            Rigid blocks, limit analysis, {answer()?.words.friction === "non-associated" ? "friction without dilation" : "lower bound"}
+          </div>
+        </Show>
+      </div>
+      <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">
+        <span class="cap">
+          Warnings and assumptions
+        </span>
+        <ul>
+          <For each={warnings()} fallback={<li>None so far.</li>}>
+            {(one) => <li class={one.kind}>{one.text}</li>}
+          </For>
+        </ul>
+      </div>
+      <p class="unseen" aria-live="polite" data-testid="spoken">
+        {spoken()}
+      </p>
+    </section>
+  );
+}
