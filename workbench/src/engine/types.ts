@@ -70,17 +70,7 @@ export type Quantity = {
   start: number | null;
   end: number | null;
 };
-export type Question = {
-  key: string;
-  title: string;
-  doc: string;
-  kind: string;
-  unit: string;
-  example: string;
-  words: Word[];
-  least: number | null;
-  most: number | null;
-};
+export type Question = { key: string; doc: string; unit: string; example: string; assumed: string };
 
 export type Shape = { outline: Point[]; role: string; held: boolean };
 export type Hinge = { point: Point; edge: string; between: [number, number]; rotation: number };
@@ -112,6 +102,8 @@ export type Picture = {
 
 export type PlacingAbout = {
   name: string;
+  /** False where the bridge does not stand under its own weight. */
+  stands?: boolean;
   axles: { force: number; offset: number }[];
   from: number;
   to: number;

@@ -44,7 +44,7 @@ async function run(): Promise<void> {
       await envelopes.call("open", { sheet: sheet.id, path: sheet.path, text: sheet.text(), files: [...sheet.files] }, { patience: 15_000 });
       const about = await envelopes.call<PlacingAbout>(
         "place",
-        { sheet: sheet.id, vehicle: sheet.vehicle[0](), rule: sheet.rule[0](), leftward: sheet.leftward[0]() },
+        { sheet: sheet.id, vehicle: sheet.vehicle[0](), rule: sheet.vehicle[0]() === "" ? "" : sheet.rule[0](), leftward: sheet.leftward[0]() },
         { patience: 30_000 },
       );
       const count = 81;

@@ -153,7 +153,8 @@ async function step(sheet: Sheet): Promise<boolean> {
   }
 
   const vehicle = sheet.vehicle[0]();
-  const rule = sheet.rule[0]();
+  // A rule without a vehicle would ask for one.
+  const rule = vehicle === "" ? "" : sheet.rule[0]();
   const leftward = sheet.leftward[0]();
   const placeKey = `place ${vehicle} ${rule} ${leftward} ${textKey}`;
   if (!placed || placed.held !== held || placed.vehicle !== vehicle || placed.rule !== rule || placed.leftward !== leftward) {

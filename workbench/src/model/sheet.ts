@@ -18,6 +18,7 @@ export type Kept = {
   rule: string;
   leftward: boolean;
   x: number | null;
+  survey?: Record<string, string> | null;
 };
 
 export class Sheet {
@@ -51,6 +52,10 @@ export class Sheet {
   envelopeKey = "";
   readonly placeTrouble = createSignal<Refusal | null>(null);
 
+  /** Answers of a survey sheet, where the bridge began with one, and the text that they made. */
+  readonly survey = createSignal<Record<string, string> | null>(null);
+  readonly surveyed = createSignal("");
+
   constructor(kept: Partial<Kept> & { path: string; text: string }) {
     this.id = kept.id ?? crypto.randomUUID();
     this.path = kept.path;
@@ -58,6 +63,9 @@ export class Sheet {
     if (kept.vehicle) this.vehicle[1](kept.vehicle);
     if (kept.rule) this.rule[1](kept.rule);
     if (kept.leftward) this.leftward[1](true);
+    if (kept.survey && typeof kept.survey === "object") {
+      this.survey[1](Object.fromEntries(Object.entries(kept.survey).filter(([, value]) => typeof value === "string")));
+    }
     if (typeof kept.x === "number" && Number.isFinite(kept.x)) this.x[1](kept.x);
   }
 
@@ -134,6 +142,7 @@ export class Sheet {
       rule: this.rule[0](),
       leftward: this.leftward[0](),
       x: this.x[0](),
+      survey: this.survey[0](),
     };
   }
 }

@@ -5,10 +5,11 @@ import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { TomlEditor } from "./editor";
 import { Form } from "./Form";
+import { Survey } from "./Survey";
 
 let sections: Section[] = [];
 
-type Tab = "form" | "text" | "findings";
+type Tab = "survey" | "form" | "text" | "findings";
 export const [tab, setTab] = createSignal<Tab>("form");
 const [goal, setGoal] = createSignal<Finding | null>(null);
 
@@ -83,7 +84,8 @@ function FindingView(props: { finding: Finding }): JSX.Element {
 export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
   const findings = () => props.sheet.reading[0]()?.findings ?? [];
   const serious = () => findings().filter((one) => one.severity !== "note").length;
-  const tabs: [Tab, () => string][] = [
+  const tabs = (): [Tab, () => string][] => [
+    ...(props.sheet.survey[0]() ? [["survey", () => "Survey"] as [Tab, () => string]] : []),
     ["form", () => "Form"],
     ["text", () => "Text"],
     ["findings", () => `Findings${serious() > 0 ? ` (${serious()})` : ""}`],
@@ -92,15 +94,19 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (step === undefined) return;
     event.preventDefault();
-    const at = tabs.findIndex(([name]) => name === tab());
-    const next = tabs[(at + step + tabs.length) % tabs.length]![0];
+    const list = tabs();
+    const at = list.findIndex(([name]) => name === tab());
+    const next = list[(at + step + list.length) % list.length]![0];
     setTab(next);
     document.getElementById(`tab-${next}`)?.focus();
   };
+  createEffect(() => {
+    if (tab() === "survey" && !props.sheet.survey[0]()) setTab("form");
+  });
   return (
     <>
       <div class="panel-tabs" role="tablist" aria-label="Views of the bridge" onKeyDown={keys}>
-        <For each={tabs}>
+        <For each={tabs()}>
           {([name, words]) => (
             <button type="button" role="tab" id={`tab-${name}`} aria-selected={tab() === name} aria-controls="panel-view" tabindex={tab() === name ? 0 : -1} onClick={() => setTab(name)}>
               {words()}
@@ -115,6 +121,9 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
               {trouble().message} {trouble().help}
             </p>
           )}
+        </Show>
+        <Show when={tab() === "survey" && props.sheet.survey[0]()}>
+          <Survey sheet={props.sheet} />
         </Show>
         <Show when={tab() === "form"}>
           <Form sheet={props.sheet} />

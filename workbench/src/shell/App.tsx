@@ -5,6 +5,8 @@ import { active, activeId, close, keep, notice, open, part, restore, say, setAct
 import { fromFragment, toFragment } from "../model/address";
 import type { Sheet } from "../model/sheet";
 import { BridgePanel } from "../parts/BridgePanel";
+import { CollapseBlock, CollapsePanel, CollapseScene } from "../parts/Collapse";
+import { saveBridge, VerdictBlock, VerdictPanel, VerdictScene } from "../parts/Verdict";
 import { LoadPanel } from "../parts/LoadPanel";
 import { Board } from "./Board";
 import { openFiles } from "./files";
@@ -16,6 +18,8 @@ import { sayFactor, TitleBlock } from "./TitleBlock";
 const PARTS: { id: Part; title: string }[] = [
   { id: "bridge", title: "Bridge" },
   { id: "load", title: "Load" },
+  { id: "collapse", title: "Collapse" },
+  { id: "verdict", title: "Verdict" },
 ];
 
 export function App(): JSX.Element {
@@ -183,6 +187,10 @@ export function App(): JSX.Element {
           <button type="button" class="tool" disabled={(active()?.steps().forth ?? 0) === 0} onClick={() => active()?.redo()} aria-label="Redo" title="Redo (Ctrl Shift Z)">
             <icons.Redo />
           </button>
+          <button type="button" class="tool" disabled={!active()} onClick={() => saveBridge(active()!)} aria-label="Save the bridge file" title="Save the bridge file">
+            <icons.Save />
+            <span class="words">Save</span>
+          </button>
           <button type="button" class="tool" disabled={!active()} onClick={() => void share()} aria-label="Copy a link to this bridge" title="Copy a link: the bridge is in the address, nothing is stored elsewhere">
             <icons.Share />
             <span class="words">Link</span>
@@ -212,8 +220,18 @@ export function App(): JSX.Element {
           {(sheet) => (
             <>
               <main class="middle" id="scene" aria-label="Drawing">
-                <Board sheet={sheet} handles={part() === "bridge"} load={part() === "load"} reach={26} sayLoad={(factor) => sayFactor(sheet, factor, system())} />
-                <TitleBlock sheet={sheet} />
+                <Show when={part() === "bridge" || part() === "load"}>
+                  <Board sheet={sheet} handles={part() === "bridge"} load={part() === "load"} reach={26} sayLoad={(factor) => sayFactor(sheet, factor, system())} />
+                  <TitleBlock sheet={sheet} />
+                </Show>
+                <Show when={part() === "collapse"}>
+                  <CollapseScene sheet={sheet} />
+                  <CollapseBlock sheet={sheet} />
+                </Show>
+                <Show when={part() === "verdict"}>
+                  <VerdictScene sheet={sheet} />
+                  <VerdictBlock sheet={sheet} />
+                </Show>
               </main>
               <aside class="panel" id="panel" aria-label="Form">
                 <Show when={part() === "bridge"}>
@@ -221,6 +239,12 @@ export function App(): JSX.Element {
                 </Show>
                 <Show when={part() === "load"}>
                   <LoadPanel sheet={sheet} />
+                </Show>
+                <Show when={part() === "collapse"}>
+                  <CollapsePanel sheet={sheet} />
+                </Show>
+                <Show when={part() === "verdict"}>
+                  <VerdictPanel sheet={sheet} />
                 </Show>
               </aside>
             </>

@@ -1,0 +1,171 @@
+/** Blocks and particles where they have moved to, with the forces between them. */
+import type { Picture } from "../engine/types";
+import type { Frame } from "../model/run";
+import { outline, type Bodies } from "./answer";
+import type { Sheet } from "./elevation";
+import { scaleColour } from "./ink";
+
+export type Look = { times: number; stress: boolean; forces: boolean; dark: boolean };
+
+/** Largest compression of each body [Pa], positive, from xx, yy, xy with tension positive. */
+export function compressions(stresses: Float32Array): Float64Array {
+  const out = new Float64Array(stresses.length / 3);
+  for (let k = 0; k < out.length; k += 1) {
+    const xx = stresses[3 * k]!;
+    const yy = stresses[3 * k + 1]!;
+    const xy = stresses[3 * k + 2]!;
+    out[k] = Math.max(0, Math.hypot((xx - yy) / 2, xy) - (xx + yy) / 2);
+  }
+  return out;
+}
+
+/** The value that all but a hundredth stay below, so that one corner does not take the whole scale. */
+export function nearlyMost(values: ArrayLike<number>): number {
+  const list = Array.from(values).filter((value) => value > 0).sort((a, b) => a - b);
+  return list.length === 0 ? 0 : list[Math.min(list.length - 1, Math.floor(0.99 * list.length))]!;
+}
+
+export function moved(sheet: Sheet, picture: Picture, bodies: Bodies, centroids: Float64Array, frame: Frame, look: Look): { top: number } {
+  const { pen, view, ink } = sheet;
+  let top = 0;
+
+  // Fill first: the ring is drawn over it.
+  const discs = frame.particles;
+  if (discs.length > 0) {
+    const mean = new Float64Array(discs.length / 5);
+    for (let k = 0; k < mean.length; k += 1) mean[k] = Math.max(0, -discs[5 * k + 4]!);
+    const most = look.stress ? nearlyMost(mean) : 0;
+    const buckets = new Map<number, number[]>();
+    for (let k = 0; k < mean.length; k += 1) {
+      const bucket = most > 0 ? Math.round(24 * Math.min(1, mean[k]! / most)) : -1;
+      const list = buckets.get(bucket);
+      if (list) list.push(k);
+      else buckets.set(bucket, [k]);
+    }
+    for (const [bucket, list] of buckets) {
+      pen.beginPath();
+      for (const k of list) {
+        const x0 = picture.particles[k]?.centre[0] ?? discs[5 * k]!;
+        const y0 = picture.particles[k]?.centre[1] ?? discs[5 * k + 1]!;
+        const x = view.x(x0 + look.times * (discs[5 * k]! - x0));
+        const y = view.y(y0 + look.times * (discs[5 * k + 1]! - y0));
+        const r = discs[5 * k + 2]! * view.scale;
+        pen.moveTo(x + r, y);
+        pen.arc(x, y, r, 0, 2 * Math.PI);
+      }
+      pen.fillStyle = bucket < 0 ? ink.soilDark : scaleColour(bucket / 24, look.dark);
+      pen.globalAlpha = bucket < 0 ? 1 : 0.75;
+      pen.fill();
+      pen.globalAlpha = 1;
+      if (view.scale > 28) {
+        pen.strokeStyle = ink.line;
+        pen.lineWidth = 0.4;
+        pen.stroke();
+      }
+    }
+  }
+
+  const stress = look.stress ? compressions(frame.stresses) : null;
+  if (stress) {
+    const loose: number[] = [];
+    stress.forEach((value, k) => !bodies.held[k] && loose.push(value));
+    top = nearlyMost(loose);
+  }
+  for (let k = 0; k < bodies.offsets.length; k += 1) {
+    const x0 = centroids[2 * k]!;
+    const y0 = centroids[2 * k + 1]!;
+    pen.beginPath();
+    outline(
+      pen,
+      view,
+      bodies.offsets[k]!,
+      x0 + look.times * (frame.poses[3 * k]! - x0),
+      y0 + look.times * (frame.poses[3 * k + 1]! - y0),
+      look.times * frame.poses[3 * k + 2]!,
+    );
+    pen.fillStyle = bodies.held[k] ? ink.sheet : stress && top > 0 ? scaleColour(stress[k]! / top, look.dark) : ink.masonry;
+    pen.fill();
+    pen.strokeStyle = bodies.held[k] ? ink.ink : stress ? ink.sheet : ink.ink;
+    pen.lineWidth = bodies.held[k] ? 1.2 : 0.7;
+    pen.stroke();
+  }
+
+  if (look.forces) {
+    chains(sheet, frame);
+    contacts(sheet, frame);
+  }
+  return { top };
+}
+
+/** Forces between particles: the thicker the larger, in three thicknesses so that few strokes are made. */
+function chains({ pen, view, ink }: Sheet, frame: Frame): void {
+  const links = frame.chains;
+  if (links.length === 0) return;
+  const sizes = new Float64Array(links.length / 7);
+  for (let k = 0; k < sizes.length; k += 1) sizes[k] = links[7 * k + 4]!;
+  const most = nearlyMost(sizes);
+  if (most <= 0) return;
+  pen.strokeStyle = ink.ink;
+  for (const [low, high, width] of [[0.08, 0.3, 0.6], [0.3, 0.6, 1.4], [0.6, Infinity, 2.6]] as const) {
+    pen.lineWidth = width;
+    pen.beginPath();
+    for (let k = 0; k < sizes.length; k += 1) {
+      const share = sizes[k]! / most;
+      if (share < low || share >= high) continue;
+      pen.moveTo(view.x(links[7 * k]!), view.y(links[7 * k + 1]!));
+      pen.lineTo(view.x(links[7 * k + 2]!), view.y(links[7 * k + 3]!));
+    }
+    pen.stroke();
+  }
+}
+
+/** Forces in the joints: a stroke along the force through each closed contact, its length by its size. */
+function contacts({ pen, view, ink }: Sheet, frame: Frame): void {
+  const list = frame.contacts;
+  let most = 0;
+  for (let k = 0; k + 7 < list.length; k += 8) most = Math.max(most, list[k + 4]!);
+  if (most <= 0) return;
+  const reach = 34;
+  pen.strokeStyle = ink.answer;
+  for (const slides of [0, 1]) {
+    pen.lineWidth = slides ? 3 : 1.6;
+    pen.beginPath();
+    for (let k = 0; k + 7 < list.length; k += 8) {
+      if ((list[k + 7]! > 0.5 ? 1 : 0) !== slides) continue;
+      const nx = list[k + 2]!;
+      const ny = list[k + 3]!;
+      const normal = list[k + 4]!;
+      const shear = list[k + 5]!;
+      const fx = nx * normal - ny * shear;
+      const fy = ny * normal + nx * shear;
+      const size = Math.hypot(fx, fy);
+      if (size < 0.01 * most) continue;
+      const half = (reach * Math.min(1.2, size / most)) / 2 / size;
+      const x = view.x(list[k]!);
+      const y = view.y(list[k + 1]!);
+      pen.moveTo(x - fx * half, y + fy * half);
+      pen.lineTo(x + fx * half, y - fy * half);
+    }
+    pen.stroke();
+  }
+}
+
+/** The scale of stress in a corner of the sheet. */
+export function stressScale({ pen, ink, width, height }: Sheet, most: string, dark: boolean): void {
+  const x = width - 190;
+  const y = height - 66;
+  for (let k = 0; k < 48; k += 1) {
+    pen.fillStyle = scaleColour(k / 47, dark);
+    pen.fillRect(x + k * 3, y, 3.4, 9);
+  }
+  pen.strokeStyle = ink.ink;
+  pen.lineWidth = 0.8;
+  pen.strokeRect(x, y, 144, 9);
+  pen.font = `400 12px ${ink.font}`;
+  pen.fillStyle = ink.ink;
+  pen.textBaseline = "bottom";
+  pen.textAlign = "left";
+  pen.fillText("0", x, y - 2);
+  pen.textAlign = "right";
+  pen.fillText(most, x + 144, y - 2);
+}
