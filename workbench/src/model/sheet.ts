@@ -50,6 +50,8 @@ export class Sheet {
   readonly envelope = createSignal<Envelope | null>(null);
   /** What the envelope was asked for. */
   envelopeKey = "";
+  /** How often the load has been moved by hand. */
+  moves = 0;
   readonly placeTrouble = createSignal<Refusal | null>(null);
 
   /** Answers of a survey sheet, where the bridge began with one, and the text that they made. */

@@ -7,24 +7,28 @@ import type { Sheet } from "../model/sheet";
 import { BridgePanel } from "../parts/BridgePanel";
 import { CollapseBlock, CollapsePanel, CollapseScene } from "../parts/Collapse";
 import { saveBridge, VerdictBlock, VerdictPanel, VerdictScene } from "../parts/Verdict";
+import { TrainBlock, TrainPanel, TrainScene } from "../parts/Train";
 import { LoadPanel } from "../parts/LoadPanel";
 import { Board } from "./Board";
 import { openFiles } from "./files";
 import * as icons from "./Icons";
 import { OpenDialog } from "./OpenDialog";
 import { applySettings, system, theme, toggleSystem, toggleTheme } from "./settings";
+import { Tour } from "./Tour";
 import { sayFactor, TitleBlock } from "./TitleBlock";
 
 const PARTS: { id: Part; title: string }[] = [
   { id: "bridge", title: "Bridge" },
   { id: "load", title: "Load" },
   { id: "collapse", title: "Collapse" },
+  { id: "train", title: "Train" },
   { id: "verdict", title: "Verdict" },
 ];
 
 export function App(): JSX.Element {
   applySettings();
   const [dialog, setDialog] = createSignal<"" | "open">("");
+  const [tour, setTour] = createSignal(false);
   const [over, setOver] = createSignal(false);
 
   onMount(() => {
@@ -72,7 +76,11 @@ export function App(): JSX.Element {
   // The live worker follows whatever changes; what is kept on this machine follows a little later.
   createEffect(() => {
     const sheet = active();
-    if (!sheet) return;
+    if (!sheet) {
+      document.title = "Extrados workbench";
+      return;
+    }
+    document.title = `${sheet.name()} – Extrados`;
     sheet.text();
     sheet.filesVersion();
     lookAt(sheet);
@@ -199,6 +207,9 @@ export function App(): JSX.Element {
             <icons.Ruler />
             <span class="words">{system() === "metric" ? "Metric" : "Imperial"}</span>
           </button>
+          <button type="button" class="tool" onClick={() => setTour(true)} aria-label="Tour of two minutes" title="Tour of two minutes">
+            <icons.Help />
+          </button>
           <button type="button" class="tool" onClick={toggleTheme} aria-label={theme() === "dark" ? "Light sheet" : "Dark sheet"}>
             <icons.Theme />
           </button>
@@ -228,6 +239,10 @@ export function App(): JSX.Element {
                   <CollapseScene sheet={sheet} />
                   <CollapseBlock sheet={sheet} />
                 </Show>
+                <Show when={part() === "train"}>
+                  <TrainScene sheet={sheet} />
+                  <TrainBlock sheet={sheet} />
+                </Show>
                 <Show when={part() === "verdict"}>
                   <VerdictScene sheet={sheet} />
                   <VerdictBlock sheet={sheet} />
@@ -243,6 +258,9 @@ export function App(): JSX.Element {
                 <Show when={part() === "collapse"}>
                   <CollapsePanel sheet={sheet} />
                 </Show>
+                <Show when={part() === "train"}>
+                  <TrainPanel sheet={sheet} />
+                </Show>
                 <Show when={part() === "verdict"}>
                   <VerdictPanel sheet={sheet} />
                 </Show>
@@ -252,7 +270,10 @@ export function App(): JSX.Element {
         </Show>
       </div>
       <Show when={dialog() === "open"}>
-        <OpenDialog close={() => setDialog("")} done={() => undefined} />
+        <OpenDialog close={() => setDialog("")} done={() => undefined} tour={() => setTour(true)} />
+      </Show>
+      <Show when={tour()}>
+        <Tour close={() => setTour(false)} />
       </Show>
       <Show when={notice()}>
         {(one) => (

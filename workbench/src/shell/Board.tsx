@@ -247,6 +247,7 @@ export function Board(props: BoardProps): JSX.Element {
     const to = Math.min(about.to, Math.max(about.from, x));
     if (to === props.sheet.x[0]()) return;
     pointerAt = time;
+    props.sheet.moves += 1;
     props.sheet.x[1](to);
     poke();
   }

@@ -38,7 +38,7 @@ export async function openSurvey(): Promise<void> {
   }
 }
 
-export function OpenDialog(props: { close: () => void; done: () => void }): JSX.Element {
+export function OpenDialog(props: { close: () => void; done: () => void; tour: () => void }): JSX.Element {
   let dialog!: HTMLDialogElement;
   let input!: HTMLInputElement;
   onMount(() => dialog.showModal());
@@ -59,6 +59,10 @@ export function OpenDialog(props: { close: () => void; done: () => void }): JSX.
               void openFiles([...(event.currentTarget.files ?? [])]).then(() => props.done());
               dialog.close();
             }} />
+            <button type="button" class="btn" onClick={() => {
+              props.tour();
+              dialog.close();
+            }}>Tour of two minutes</button>
             <span class="soft">A bridge file (.toml) or a drawing (.dxf); it stays on this machine.</span>
           </div>
           <h3 class="spaced">Examples</h3>
