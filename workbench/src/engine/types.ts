@@ -51,7 +51,9 @@ export type Reading = {
     continuum: boolean;
     method: "dem" | "limit" | "path" | "fe";
     analysis: "load" | "thickness" | "support-movement";
-  };
+    stiffness?: boolean;
+    spans?: number;
+  } | null;
   refusal: { code: string; message: string; help: string } | null;
   findings: Finding[];
   inputs: string[];
@@ -121,7 +123,6 @@ export type AnswerWords = {
   slides: boolean;
   hinges: Hinge[];
   sliding: Point[];
-  iterations: number;
 };
 /** The answer at one place, as typed arrays that the worker hands over. */
 export type LiveAnswer = {
@@ -138,14 +139,18 @@ export type LiveAnswer = {
 
 export type Refusal = { message: string; code: string; help: string };
 
-export type Library = {
-  models?: LibraryModel[];
-  vehicles?: LibraryVehicle[];
-  rules: LibraryRule[];
+export type Library = { models: LibraryModel[]; rules: LibraryRule[] };
+export type LibraryModel = {
+  code: string;
+  title: string;
+  ways: string;
+  vehicles: { code: string; title: string }[];
+  /** Codes of the rules that say how the model is used. */
+  rules: string[];
+  source: string;
+  confidence: string;
 };
-export type LibraryModel = { code: string; title?: string; name?: string; vehicles: LibraryVehicle[] };
-export type LibraryVehicle = { code: string; title?: string; name?: string; [key: string]: unknown };
-export type LibraryRule = { code: string; title?: string; name?: string; [key: string]: unknown };
+export type LibraryRule = { code: string; title: string };
 
 export type ReadingOut = { reading: Reading; picture: Picture | null; quantities: Quantity[]; text: string };
 export type ResultOut = {

@@ -101,6 +101,7 @@ type Args = {
 type Handler = (args: Args, tell: (stage: string, fraction: number) => void) => unknown;
 const handlers: Record<string, Handler> = {
   build: () => engine.build(),
+  fail: ({ text }) => engine.fail(text),
   examples: () => JSON.parse(engine.examples()),
   exampleFile: ({ example, file }) => engine.example_file(example, file),
   schema: () => JSON.parse(engine.schema()),
@@ -180,11 +181,9 @@ const handlers: Record<string, Handler> = {
   respond: ({ sheet, run }, tell) => published(engine.respond(documentOf(sheet), tell), run),
   update: ({ sheet, run }, tell) => published(engine.update(documentOf(sheet), tell), run),
   judge: ({ sheet, run }, tell) => published(engine.judge(documentOf(sheet), tell), run),
-  assess: ({ sheet, run }, tell) => published(engine.assess(documentOf(sheet), tell), run),
+  assess: ({ sheet, run }, tell) => published(engine.assess(documentOf(sheet), new Date().toISOString().slice(0, 10), tell), run),
   vary: ({ sheet, run, settings, choice }, tell) =>
     published(engine.vary(documentOf(sheet), JSON.stringify(settings), choice, tell), run),
-  tornado: ({ sheet, run, settings, choice }, tell) =>
-    published(engine.tornado(documentOf(sheet), JSON.stringify(settings), choice, tell), run),
   file: ({ run, name }) => results.get(run)?.file(name),
   zip: ({ run }) => results.get(run)?.zip(),
 
@@ -214,10 +213,9 @@ const handlers: Record<string, Handler> = {
     return moved(frame(ended));
   },
   state: () => stepping?.state(),
-  resume: ({ sheet, choice, state }) => {
-    const next = engine.Stepping.resume(documentOf(sheet), choice, state);
-    stepping?.free();
-    stepping = next;
+  resume: ({ state }) => {
+    if (!stepping) throw refusal("No run has been started.");
+    stepping.restore(state);
     return moved(frame(""));
   },
 
@@ -244,11 +242,11 @@ const handlers: Record<string, Handler> = {
       axles: passing.axles(),
     });
   },
-  passEnd: ({ run }) => {
+  passEnd: ({ run }, tell) => {
     if (!passing) throw refusal("No passage has been started.");
     const ended = passing;
     passing = null;
-    return published(ended.finish(), run);
+    return published(ended.finish(tell), run);
   },
 };
 
@@ -259,7 +257,6 @@ function frame(ended: string) {
     load: run.load,
     steps: run.steps,
     unbalanced: run.unbalanced,
-    kinetic: run.kinetic,
     poses: run.poses(),
     particles: run.particles(),
     contacts: run.contacts(),

@@ -11,7 +11,6 @@ export type Frame = {
   load: number;
   steps: number;
   unbalanced: number;
-  kinetic: number;
   poses: Float64Array;
   particles: Float32Array;
   contacts: Float32Array;
@@ -166,7 +165,7 @@ export class Run {
       return;
     }
     try {
-      await stage.call("resume", { sheet: this.sheet.id, choice: this.choice, state: kept.bytes });
+      await stage.call("resume", { state: kept.bytes });
       if (mine !== this.#token) return;
       this.frames = this.frames.filter((frame) => frame.steps <= kept.frame.steps);
       this.#states = this.#states.filter((state) => state.frame.steps <= kept.frame.steps);

@@ -13,8 +13,13 @@ import { Sliders } from "./Sliders";
 export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
   const about = () => props.sheet.about[0]();
   const x = () => props.sheet.x[0]();
-  const loads = () => props.sheet.reading[0]()?.sections.loads ?? 0;
+  const loads = () => props.sheet.reading[0]()?.sections?.loads ?? 0;
+  const rules = createMemo(() => {
+    const model = library()?.models.find((one) => one.vehicles.some((vehicle) => vehicle.code === props.sheet.vehicle[0]()));
+    return (library()?.rules ?? []).filter((rule) => model?.rules.includes(rule.code));
+  });
   const choose = (vehicle: string): void => {
+    props.sheet.rule[1]("");
     props.sheet.vehicle[1](vehicle);
     poke();
   };
@@ -49,7 +54,7 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
             poke();
           }}>
             <option value="" selected={props.sheet.rule[0]() === ""}>The rule of the file, else none</option>
-            <For each={library()?.rules ?? []}>
+            <For each={rules()}>
               {(rule) => <option value={rule.code} selected={props.sheet.rule[0]() === rule.code}>{rule.title ?? rule.code}</option>}
             </For>
           </select>
@@ -175,7 +180,7 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
     setBusy("");
   };
   return (
-    <Show when={!isVehicle(props.sheet) && (props.sheet.reading[0]()?.sections.loads ?? 0) > 0}>
+    <Show when={!isVehicle(props.sheet) && (props.sheet.reading[0]()?.sections?.loads ?? 0) > 0}>
       <details class="group" open>
         <summary>The same load by other methods</summary>
         <p class="soft">For the load of the file where the file places it. The smaller answer leads.</p>

@@ -51,7 +51,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
     const text = props.sheet.text();
     const settings = list().map(({ quantity, low, high }) => `${quantity.path}=${plain(low)}${space(quantity.unit)}..${plain(high)}${space(quantity.unit)}:3`);
     try {
-      const out = await analyse(props.sheet, "tornado", { run: "tornado", settings, choice: '{"method":"limit"}' }, (stage, fraction) => setState({ words: stage, fraction }));
+      const out = await analyse(props.sheet, "vary", { run: "tornado", settings, choice: '{"method":"limit"}' }, (stage, fraction) => setState({ words: stage, fraction }));
       setBars(barsOf(JSON.parse(out.json)));
       setStale(text);
     } catch (error) {
@@ -155,16 +155,16 @@ function sayPath(path: string): string {
 
 type Bar = { path: string; low: number; high: number; base: number };
 
-/** Bars [N/m] from the object of `vary`, the widest first. */
+/** Bars [N/m] from the object of `vary`, the widest first; ends without an answer are left out. */
 export function barsOf(result: Record<string, unknown>): Bar[] {
-  const list = (result["sensitivities"] ?? result["sensitivity"] ?? []) as Record<string, unknown>[];
+  const outcome = String(result["outcome"] ?? "");
+  const baseline = (result["baseline"] as { outcomes?: Record<string, number> } | null)?.outcomes?.[outcome];
+  const list = (result["sensitivity"] ?? []) as { quantity: string; low: { outcome: number } | null; high: { outcome: number } | null }[];
   const bars: Bar[] = [];
-  for (const one of list) {
-    const path = String(one["path"] ?? one["quantity"] ?? "");
-    const low = Number(one["least"] ?? one["minimum"] ?? one["low"] ?? NaN);
-    const high = Number(one["most"] ?? one["maximum"] ?? one["high"] ?? NaN);
-    const base = Number(one["base"] ?? result["base"] ?? NaN);
-    if (Number.isFinite(low) && Number.isFinite(high)) bars.push({ path, low: Math.min(low, high) * 1e3, high: Math.max(low, high) * 1e3, base: (Number.isFinite(base) ? base : low) * 1e3 });
+  for (const { quantity, low, high } of list) {
+    const ends = [low?.outcome, high?.outcome, baseline].filter((value): value is number => typeof value === "number" && Number.isFinite(value));
+    if (ends.length < 2) continue;
+    bars.push({ path: quantity, low: Math.min(...ends) * 1e3, high: Math.max(...ends) * 1e3, base: (baseline ?? ends[0]!) * 1e3 });
   }
   return bars.sort((a, b) => b.high - b.low - (a.high - a.low));
 }

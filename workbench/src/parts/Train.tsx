@@ -199,8 +199,8 @@ export function TrainScene(props: { sheet: Sheet }): JSX.Element {
             when={passage().mode[0]() === "setting-up"}
             fallback={
               <div>
-                <p>{props.sheet.reading[0]()?.sections.passage ? "The train of the file crosses the bridge; finite elements with joints that open." : "This file has no train and no passage. The example “railway-arch” has both."}</p>
-                <button type="button" class="btn main" onClick={() => void passage().start()} disabled={!props.sheet.reading[0]()?.usable || !props.sheet.reading[0]()?.sections.passage}>Let the train cross</button>
+                <p>{props.sheet.reading[0]()?.sections?.passage ? "The train of the file crosses the bridge; finite elements with joints that open." : "This file has no train and no passage. The example “railway-arch” has both."}</p>
+                <button type="button" class="btn main" onClick={() => void passage().start()} disabled={!props.sheet.reading[0]()?.usable || !props.sheet.reading[0]()?.sections?.passage}>Let the train cross</button>
                 <Show when={passage().trouble[0]()}><p class="complaint" role="alert">{passage().trouble[0]()}</p></Show>
               </div>
             }
@@ -346,7 +346,7 @@ export function TrainPanel(props: { sheet: Sheet }): JSX.Element {
       <div class="row" role="group" aria-label="Passage">
         <Show when={mode() === "running"} fallback={
           <Show when={mode() === "paused"} fallback={
-            <button type="button" class="btn main" disabled={mode() === "setting-up" || !props.sheet.reading[0]()?.sections.passage} onClick={() => void passage().start()}>{set() ? "Let it cross again" : "Let the train cross"}</button>
+            <button type="button" class="btn main" disabled={mode() === "setting-up" || !props.sheet.reading[0]()?.sections?.passage} onClick={() => void passage().start()}>{set() ? "Let it cross again" : "Let the train cross"}</button>
           }>
             <button type="button" class="btn main" onClick={() => passage().resume()}>Go on</button>
           </Show>
@@ -430,7 +430,7 @@ export function TrainPanel(props: { sheet: Sheet }): JSX.Element {
           )}
         </Show>
       </details>
-      <Show when={props.sheet.reading[0]()?.sections.update}>
+      <Show when={props.sheet.reading[0]()?.sections?.update}>
         <Update sheet={props.sheet} />
       </Show>
     </div>

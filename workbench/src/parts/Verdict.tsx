@@ -12,11 +12,11 @@ import { figures, force, lineLoad, words } from "../units";
 type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
 
 const KINDS: Kind[] = [
-  { call: "assess", title: "Assessment with report", about: "Every check that the file asks for, and the verdict", offered: () => true, args: {} },
-  { call: "collapse", title: "Collapse load", about: "By the method of the file", offered: (r) => r.sections.loads > 0, args: { choice: "{}" } },
-  { call: "sweep", title: "Load moved along the bridge", about: "The least load, or vehicles of a rule", offered: (r) => r.sections.loads > 0 || r.sections.sweep, args: { choice: "{}", step: NaN } },
-  { call: "cases", title: "Named cases side by side", about: "Each case of the file", offered: (r) => r.sections.cases > 0, args: { choice: "{}" } },
-  { call: "respond", title: "Passage of a train", about: "Displacements, strains and stresses", offered: (r) => r.sections.passage, args: {} },
+  { call: "assess", title: "Assessment with report", about: "Every check that the file asks for, and the verdict", offered: (r) => r.kind === "bridge", args: {} },
+  { call: "collapse", title: "Collapse load", about: "By the method of the file", offered: (r) => r.kind === "blocks" || (r.sections?.loads ?? 0) > 0, args: { choice: "{}" } },
+  { call: "sweep", title: "Load moved along the bridge", about: "The least load, or vehicles of a rule", offered: (r) => (r.sections?.loads ?? 0) > 0 || r.sections?.sweep === true, args: { choice: "{}", step: NaN } },
+  { call: "cases", title: "Named cases side by side", about: "Each case of the file", offered: (r) => (r.sections?.cases ?? 0) > 0, args: { choice: "{}" } },
+  { call: "respond", title: "Passage of a train", about: "Displacements, strains and stresses", offered: (r) => r.sections?.passage === true, args: {} },
 ];
 
 type Verdict = {

@@ -1,5 +1,5 @@
 /** Ways to a bridge: ten survey numbers, an example, a file from this machine. */
-import { For, onMount, type JSX } from "solid-js";
+import { For, onMount, Show, type JSX } from "solid-js";
 import type { Example, Question } from "../engine/types";
 import { examples } from "../model/library";
 import { liveEngine } from "../model/live";
@@ -7,21 +7,24 @@ import { open, say, setPart } from "../model/workspace";
 import { setTab } from "../parts/BridgePanel";
 import { openFiles } from "./files";
 
-export async function openExample(example: Example): Promise<void> {
+export async function openExample(example: Example, main = example.main): Promise<void> {
   try {
     const files: [string, Uint8Array][] = [];
     let text = "";
     for (const { name } of example.files) {
       const bytes = await liveEngine.call<Uint8Array>("exampleFile", { example: example.name, file: name });
-      if (name === example.main) text = new TextDecoder().decode(bytes);
+      if (name === main) text = new TextDecoder().decode(bytes);
       else files.push([name, bytes]);
     }
-    if (text === "") text = new TextDecoder().decode(await liveEngine.call<Uint8Array>("exampleFile", { example: example.name, file: example.main }));
-    open({ path: example.main, text }, files);
+    const toml = files.filter(([name]) => !/\.toml$/.test(name));
+    // Other bridge files of an example are not beside it, but the one that a file of it is made from may be.
+    open({ path: main, text }, text.includes(".toml") ? files : toml);
   } catch (error) {
     say(`The example could not be opened: ${(error as Error).message}`, true);
   }
 }
+
+const sayName = (name: string): string => name.replace(/-/g, " ").replace(/^./, (c) => c.toUpperCase());
 
 /** A bridge of the numbers that every question has as its example, with the questions beside it. */
 export async function openSurvey(): Promise<void> {
@@ -42,6 +45,13 @@ export function OpenDialog(props: { close: () => void; done: () => void; tour: (
   let dialog!: HTMLDialogElement;
   let input!: HTMLInputElement;
   onMount(() => dialog.showModal());
+  const take = (example: Example, main: string): void => {
+    void openExample(example, main).then(() => {
+      setPart("bridge");
+      props.done();
+    });
+    dialog.close();
+  };
   return (
     <dialog ref={dialog} aria-labelledby="open-title" onClose={props.close}>
       <div class="head">
@@ -50,7 +60,7 @@ export function OpenDialog(props: { close: () => void; done: () => void; tour: (
       </div>
       <div class="body">
           <div class="row">
-            <button type="button" class="btn main" onClick={() => {
+            <button type="button" class="btn main" autofocus onClick={() => {
               void openSurvey().then(props.done);
               dialog.close();
             }}>Ten survey numbers</button>
@@ -69,16 +79,20 @@ export function OpenDialog(props: { close: () => void; done: () => void; tour: (
           <div class="choices">
             <For each={examples() ?? []} fallback={<p>Reading the examples …</p>}>
               {(example) => (
-                <button type="button" data-example={example.name} onClick={() => {
-                  void openExample(example).then(() => {
-                    setPart("bridge");
-                    props.done();
-                  });
-                  dialog.close();
-                }}>
-                  <b>{example.name}</b>
-                  <span>{example.about}</span>
-                </button>
+                <div class="choice">
+                  <button type="button" data-example={example.name} onClick={() => take(example, example.main)}>
+                    <b>{sayName(example.name)}</b>
+                    <span>{example.about}</span>
+                  </button>
+                  <Show when={example.files.filter((file) => /\.toml$/.test(file.name)).length > 1}>
+                    <details>
+                      <summary>Other files</summary>
+                      <For each={example.files.filter((file) => /\.toml$/.test(file.name) && file.name !== example.main)}>
+                        {(file) => <button type="button" class="link" title={file.about} onClick={() => take(example, file.name)}>{file.name}</button>}
+                      </For>
+                    </details>
+                  </Show>
+                </div>
               )}
             </For>
           </div>
