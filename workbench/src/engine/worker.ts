@@ -43,9 +43,24 @@ function placing(sheet: unknown): engine.Placing {
   return placed.placing;
 }
 
+/** Results that are kept for their files; older ones go. */
+const MOST_RESULTS = 6;
+
+function resultOf(run: string): engine.Result {
+  const found = results.get(run);
+  if (!found) throw refusal("This result is no longer held; compute it again.");
+  return found;
+}
+
 function published(result: engine.Result, name: string): ResultOut {
   results.get(name)?.free();
+  results.delete(name);
   results.set(name, result);
+  if (results.size > MOST_RESULTS) {
+    const oldest = results.keys().next().value!;
+    results.get(oldest)?.free();
+    results.delete(oldest);
+  }
   return {
     status: result.status,
     json: result.json,
@@ -184,8 +199,8 @@ const handlers: Record<string, Handler> = {
   assess: ({ sheet, run }, tell) => published(engine.assess(documentOf(sheet), new Date().toISOString().slice(0, 10), tell), run),
   vary: ({ sheet, run, settings, choice }, tell) =>
     published(engine.vary(documentOf(sheet), JSON.stringify(settings), choice, tell), run),
-  file: ({ run, name }) => results.get(run)?.file(name),
-  zip: ({ run }) => results.get(run)?.zip(),
+  file: ({ run, name }) => resultOf(run).file(name),
+  zip: ({ run }) => resultOf(run).zip(),
 
   step: ({ sheet, choice }, tell) => {
     stepping?.free();

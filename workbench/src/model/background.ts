@@ -75,13 +75,15 @@ async function run(): Promise<void> {
   running = false;
 }
 
-/** A whole analysis in the background worker, which holds the sheet as it is now. */
+/** A whole analysis in the background worker, which holds the sheet as it is now, or another text `instead`. */
 export async function analyse(
   sheet: Sheet,
   call: string,
   args: Record<string, unknown>,
   tell?: (stage: string, fraction: number) => void,
 ): Promise<ResultOut> {
-  await background.call("open", { sheet: sheet.id, path: sheet.path, text: sheet.text(), files: [...sheet.files] }, { patience: 15_000 });
-  return background.call<ResultOut>(call, { sheet: sheet.id, ...args }, tell ? { tell } : {});
+  const { instead, ...rest } = args;
+  const text = typeof instead === "string" ? instead : sheet.text();
+  await background.call("open", { sheet: sheet.id, path: sheet.path, text, files: [...sheet.files] }, { patience: 15_000 });
+  return background.call<ResultOut>(call, { sheet: sheet.id, ...rest }, tell ? { tell } : {});
 }

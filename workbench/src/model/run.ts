@@ -2,6 +2,7 @@
 import { batch, createSignal } from "solid-js";
 import { Engine, Lost, Refused } from "../engine/client";
 import type { Picture } from "../engine/types";
+import { analyse } from "./background";
 import type { Sheet } from "./sheet";
 
 export const stage = new Engine("stage");
@@ -39,6 +40,8 @@ export class Run {
   readonly count = createSignal(0);
   readonly shown = createSignal(0);
   readonly speed = createSignal(200);
+  /** Limit load of the same blocks [N/m]; null before it is known, and where particles make them other blocks. */
+  readonly limit = createSignal<number | null>(null);
   centroids: Float64Array = new Float64Array(0);
   frames: Frame[] = [];
   text = "";
@@ -68,9 +71,20 @@ export class Run {
         this.#record(first);
         this.mode[1]("running");
       });
+      if (first.particles.length === 0) void this.#findLimit(mine);
       await this.#loop(mine);
     } catch (error) {
       this.#fail(mine, error);
+    }
+  }
+
+  async #findLimit(mine: number): Promise<void> {
+    try {
+      const out = await analyse(this.sheet, "collapse", { run: "limit-of-run", choice: '{"method":"limit"}', instead: this.text });
+      const load = (JSON.parse(out.json) as { headline_kn_per_m?: number | null }).headline_kn_per_m;
+      if (mine === this.#token || this.frames.length > 0) this.limit[1](typeof load === "number" ? load * 1e3 : null);
+    } catch {
+      // Another analysis took the worker; the run stands by itself and says that it does.
     }
   }
 
@@ -194,6 +208,7 @@ export class Run {
       this.count[1](0);
       this.shown[1](0);
       this.trouble[1]("");
+      this.limit[1](null);
       this.picture[1](null);
       this.words[1]({ stage: "", fraction: NaN });
     });

@@ -116,11 +116,17 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
     run().count[0]();
     return run().frames[run().shown[0]()];
   });
-  const last = createMemo(() => {
+  const stepped = createMemo(() => {
     run().count[0]();
     const end = run().frames[run().frames.length - 1];
     return end ? lastStable(end.path) : null;
   });
+  const limited = () => {
+    const limit = run().limit[0]();
+    return limit !== null && stepped() !== null && limit < stepped()!;
+  };
+  // The careful answer leads: the limit load of the same blocks where it is smaller.
+  const last = () => (limited() ? run().limit[0]() : stepped());
   const ended = () => {
     run().count[0]();
     return run().frames[run().frames.length - 1]?.ended ?? "";
@@ -140,7 +146,7 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
       </div>
       <div>
         <span class="cap">By</span>
-        <b>Discrete elements, last step that came to rest</b>
+        <b>{limited() ? "Limit analysis of the same blocks, which gives less" : "Discrete elements, last step that came to rest"}</b>
         <Show when={frame()}>
           {(now) => (
             <div class="under num" data-testid="run-state">
@@ -160,7 +166,9 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
           </Show>
           <Show when={run().trouble[0]()}><li class="err">{run().trouble[0]()}</li></Show>
           <li>Rigid blocks, joints that press at points, damping that takes motion out until the blocks rest.</li>
-          <li>The load that is carried is the smaller of this and the limit load of the same blocks; the report gives both.</li>
+          <Show when={limited()}><li class="warn">Discrete elements carried {words(lineLoad(stepped()!, system()))}; the smaller load leads.</li></Show>
+          <Show when={run().limit[0]() !== null && !limited()}><li>Limit load of the same blocks: {words(lineLoad(run().limit[0]()!, system()))}, not smaller.</li></Show>
+          <Show when={run().count[0]() > 0 && run().limit[0]() === null}><li>The limit load of the same blocks has not been compared{run().frames[0]?.particles.length ? ": particles carry with them" : ""}.</li></Show>
           <For each={(props.sheet.reading[0]()?.findings ?? []).filter((one) => one.severity === "warning")}>{(one) => <li class="warn">Line {one.line}: {one.message}</li>}</For>
         </ul>
       </div>

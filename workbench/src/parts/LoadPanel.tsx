@@ -5,6 +5,7 @@ import { Lost, Refused } from "../engine/client";
 import { library } from "../model/library";
 import { poke } from "../model/live";
 import type { Sheet } from "../model/sheet";
+import { ASSUMED, loadAt, withContinuum, withPressure } from "../model/variants";
 import { lineLoad, place, words } from "../units";
 import { isVehicle } from "../shell/TitleBlock";
 import { system } from "../shell/settings";
@@ -145,20 +146,36 @@ function Governing(props: { sheet: Sheet }): JSX.Element {
   );
 }
 
-type Row = { key: string; title: string; about: string; choice: string; state: "idle" | "runs" | "done" | "failed"; fraction: number; load: number | null; words: string; from: string };
+type Row = {
+  key: string;
+  title: string;
+  about: string;
+  choice: string;
+  /** The file that is analysed, from the sheet's; null where it cannot be made. */
+  text: (own: string) => string | null;
+  state: "idle" | "runs" | "done" | "failed";
+  fraction: number;
+  load: number | null;
+  words: string;
+  at: number | null;
+};
 
-const METHODS: [string, string, string, string][] = [
-  ["limit", "Rigid blocks", "Limit analysis: bounds of the load, joints do not give", '{"method":"limit"}'],
-  ["path", "Joints that give", "Path of equilibrium: the load at which balance ends", '{"method":"path"}'],
-  ["dem", "Discrete elements", "Blocks in motion, loaded step by step", '{"method":"dem"}'],
+const own = (text: string): string => text;
+const METHODS: Omit<Row, "state" | "fraction" | "load" | "words" | "at">[] = [
+  { key: "limit", title: "Rigid blocks", about: "Limit analysis: bounds of the load, joints do not give", choice: '{"method":"limit"}', text: own },
+  { key: "path", title: "Joints that give", about: "Path of equilibrium: the load at which balance ends", choice: '{"method":"path"}', text: own },
+  { key: "dem", title: "Discrete elements", about: "Blocks in motion, loaded step by step", choice: '{"method":"dem"}', text: own },
+  { key: "pressure", title: "Fill that presses sideways", about: `Limit analysis; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit"}', text: withPressure },
+  { key: "continuum", title: "Fill as a continuum", about: `Both bounds; assumed for this answer alone: ${ASSUMED}`, choice: '{"method":"limit"}', text: withContinuum },
 ];
 
 /** Other methods for the load of the file, at the place where it stands. */
 function Methods(props: { sheet: Sheet }): JSX.Element {
   const [rows, setRows] = createSignal<Row[]>([]);
   const [busy, setBusy] = createSignal("");
+  const single = () => loadAt(props.sheet.text(), 0) !== null;
   const update = (key: string, change: Partial<Row>) => setRows((list) => list.map((row) => (row.key === key ? { ...row, ...change } : row)));
-  const fresh = () => METHODS.map(([key, title, about, choice]): Row => ({ key, title, about, choice, state: "idle", fraction: NaN, load: null, words: "", from: "" }));
+  const fresh = () => METHODS.filter((one) => one.text(props.sheet.text()) !== null).map((one): Row => ({ ...one, state: "idle", fraction: NaN, load: null, words: "", at: null }));
   createEffect(
     on([() => props.sheet.id, () => props.sheet.text()], () => {
       setRows(fresh());
@@ -167,12 +184,15 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
   const run = async (row: Row): Promise<void> => {
     setBusy(row.key);
     update(row.key, { state: "runs", words: "", fraction: NaN });
+    const x = props.sheet.x[0]();
+    const file = row.text(props.sheet.text()) ?? props.sheet.text();
+    const moved = x === null ? null : loadAt(file, x);
     try {
-      const out = await analyse(props.sheet, "collapse", { run: `method-${row.key}`, choice: row.choice }, (stage, fraction) =>
+      const out = await analyse(props.sheet, "collapse", { run: `method-${row.key}`, choice: row.choice, instead: moved ?? file }, (stage, fraction) =>
         update(row.key, { fraction, words: stage }),
       );
       const result = JSON.parse(out.json) as { headline_kn_per_m?: number | null; headline_from?: string; status: string };
-      update(row.key, { state: "done", load: result.headline_kn_per_m ?? null, words: result.status, from: result.headline_from ?? "" });
+      update(row.key, { state: "done", load: result.headline_kn_per_m ?? null, words: [result.status, result.headline_from].filter(Boolean).join("; "), at: moved === null ? null : x });
     } catch (error) {
       const said = error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message);
       update(row.key, { state: "failed", words: said });
@@ -183,7 +203,7 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
     <Show when={!isVehicle(props.sheet) && (props.sheet.reading[0]()?.sections?.loads ?? 0) > 0}>
       <details class="group" open>
         <summary>The same load by other methods</summary>
-        <p class="soft">For the load of the file where the file places it. The smaller answer leads.</p>
+        <p class="soft">{single() ? "For the load of the file where it stands now." : "For the loads of the file where the file places them."} The smaller answer leads.</p>
         <table class="plain">
           <thead>
             <tr>
@@ -198,7 +218,8 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
                 <tr>
                   <td>
                     {row.title}
-                    <div class="soft">{row.state === "done" ? `${row.words}; ${row.from}` : row.state === "failed" ? row.words : row.state === "runs" ? `${row.words} ${Number.isFinite(row.fraction) ? `${Math.round(100 * row.fraction)} %` : ""}` : row.about}</div>
+                    <Show when={row.at !== null}><span class="soft"> at {words(place(row.at!, system()))}</span></Show>
+                    <div class="soft">{row.state === "done" ? `${row.words}${row.text === own ? "" : `; ${ASSUMED}`}` : row.state === "failed" ? row.words : row.state === "runs" ? `${row.words} ${Number.isFinite(row.fraction) ? `${Math.round(100 * row.fraction)} %` : ""}` : row.about}</div>
                   </td>
                   <td class="right num">{row.load === null ? "" : words(lineLoad(row.load * 1e3, system()))}</td>
                   <td class="right">

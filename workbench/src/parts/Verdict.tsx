@@ -39,15 +39,17 @@ function verdictOf(sheet: Sheet) {
   return found;
 }
 
+const runName = (sheet: Sheet): string => `verdict-${sheet.id}`;
+
 async function run(sheet: Sheet, kind: Kind): Promise<void> {
   const [, set] = verdictOf(sheet);
   const text = sheet.text();
   set({ mode: "runs", kind, words: "", fraction: NaN, result: null, text, trouble: "" });
   try {
-    const out = await analyse(sheet, kind.call, { run: "verdict", ...kind.args }, (stage, fraction) => set((old) => ({ ...old, words: stage, fraction })));
+    const out = await analyse(sheet, kind.call, { run: runName(sheet), ...kind.args }, (stage, fraction) => set((old) => ({ ...old, words: stage, fraction })));
     let report: string | null = null;
     if (out.files.includes("report.html")) {
-      report = new TextDecoder().decode(await background.call<Uint8Array>("file", { run: "verdict", name: "report.html" }));
+      report = new TextDecoder().decode(await background.call<Uint8Array>("file", { run: runName(sheet), name: "report.html" }));
     }
     set((old) => ({ ...old, mode: "done", result: { ...out, report, object: JSON.parse(out.json) } }));
   } catch (error) {
@@ -207,10 +209,10 @@ export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
   const get = async (name: string): Promise<void> => {
     setBusy(name);
     try {
-      if (name === "") download(await background.call<Uint8Array>("zip", { run: "verdict" }), `${stem()}.zip`, "application/zip");
-      else download(await background.call<Uint8Array>("file", { run: "verdict", name }), name.split("/").pop()!);
+      if (name === "") download(await background.call<Uint8Array>("zip", { run: runName(props.sheet) }), `${stem()}.zip`, "application/zip");
+      else download(await background.call<Uint8Array>("file", { run: runName(props.sheet), name }), name.split("/").pop()!);
     } catch (error) {
-      say(`${name || "The archive"} could not be made: ${(error as Error).message}. Compute the result again.`, true);
+      say(`${name || "The archive"} could not be made: ${(error as Error).message}`, true);
     }
     setBusy("");
   };
