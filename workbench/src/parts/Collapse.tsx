@@ -1,7 +1,7 @@
 /** Collapse: the blocks, and particles where the file has some, stepped while one watches. */
 import { createMemo, createSignal, For, on, onCleanup, Show, createEffect, type JSX } from "solid-js";
 import { bodiesOf, type Bodies } from "../drawing/answer";
-import { grid, road, scaleBar } from "../drawing/elevation";
+import { cover, grid, masonry, particles, road, scaleBar } from "../drawing/elevation";
 import { canFilm, download, film } from "../drawing/film";
 import { moved, stressScale } from "../drawing/motion";
 import { boundsOf } from "../drawing/view";
@@ -67,7 +67,12 @@ export function CollapseScene(props: { sheet: Sheet }): JSX.Element {
         const made = bodies();
         if (!seen || !now || !made) {
           const still = props.sheet.picture[0]();
-          if (still) road(paper, still);
+          if (still) {
+            cover(paper, still);
+            particles(paper, still);
+            masonry(paper, still);
+            road(paper, still);
+          }
           scaleBar(paper, 0);
           return;
         }
@@ -245,6 +250,7 @@ export function CollapsePanel(props: { sheet: Sheet }): JSX.Element {
         <br />
         <label><input type="checkbox" checked={showForces()} onChange={(event) => setShowForces(event.currentTarget.checked)} /> Forces in joints and between particles</label>
       </p>
+      <Show when={curve()[0].length > 0}>
       <h3>Load over displacement</h3>
       <Chart
         data={curve()}
@@ -254,6 +260,7 @@ export function CollapsePanel(props: { sheet: Sheet }): JSX.Element {
         height={210}
         label={`Load over displacement, ${curve()[0].length} steps; the last displacement is ${curve()[0].length > 0 ? words(small((curve()[0].at(-1) ?? 0) * (system() === "metric" ? 1e-3 : 0.0254), system())) : "none"}.`}
       />
+      </Show>
       <div class="row spaced">
         <Show when={canFilm()}>
           <button type="button" class="btn small" disabled={run().count[0]() < 2 || saving() !== null} onClick={() => void save()}>

@@ -122,6 +122,7 @@ export class TomlEditor {
         doc: text,
         extensions: [
           lineNumbers(),
+          EditorView.lineWrapping,
           highlightActiveLine(),
           drawSelection(),
           bracketMatching(),
