@@ -3,6 +3,7 @@ import { createEffect, createSignal, For, on, onCleanup, onMount, Show, type JSX
 import type { Card, Finding, Section } from "../engine/types";
 import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
+import { setPart } from "../model/workspace";
 import { TomlEditor } from "./editor";
 import { Form } from "./Form";
 import { Survey } from "./Survey";
@@ -11,7 +12,15 @@ let sections: Section[] = [];
 
 type Tab = "survey" | "form" | "text" | "findings";
 export const [tab, setTab] = createSignal<Tab>("form");
-const [goal, setGoal] = createSignal<Finding | null>(null);
+const [goal, setGoal] = createSignal<{ start: number; end: number } | null>(null);
+const MOST_FINDINGS = 200;
+
+/** Opens the text at a place of it. */
+export function goToText(place: { start: number; end: number }): void {
+  setPart("bridge");
+  setTab("text");
+  setTimeout(() => setGoal(place), 60);
+}
 
 function TextView(props: { sheet: Sheet }): JSX.Element {
   let host!: HTMLDivElement;
@@ -27,7 +36,7 @@ function TextView(props: { sheet: Sheet }): JSX.Element {
     );
     if (sections.length === 0) void liveEngine.call<Section[]>("keys").then((found) => (sections = found)).catch(() => undefined);
     createEffect(() => editor?.take(props.sheet.text()));
-    createEffect(() => editor?.mark(props.sheet.reading[0]()?.findings ?? []));
+    createEffect(() => editor?.mark((props.sheet.reading[0]()?.findings ?? []).slice(0, MOST_FINDINGS)));
     createEffect(
       on(goal, (finding) => {
         if (!finding) return;
@@ -54,10 +63,7 @@ function FindingView(props: { finding: Finding }): JSX.Element {
         <span class="mark">{MARKS[props.finding.severity]}</span>{" "}
         <button
           type="button"
-          onClick={() => {
-            setTab("text");
-            setTimeout(() => setGoal(props.finding), 30);
-          }}
+          onClick={() => goToText(props.finding)}
         >
           Line {props.finding.line}: {props.finding.message}
         </button>
@@ -132,7 +138,8 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
           {(_id) => <TextView sheet={props.sheet} />}
         </Show>
         <Show when={tab() === "findings"}>
-          <For each={findings()} fallback={<p>The reader of the file found nothing to remark.</p>}>
+          <Show when={findings().length > MOST_FINDINGS}><p>The first {MOST_FINDINGS} of {findings().length}.</p></Show>
+          <For each={findings().slice(0, MOST_FINDINGS)} fallback={<p>The reader of the file found nothing to remark.</p>}>
             {(finding) => <FindingView finding={finding} />}
           </For>
         </Show>

@@ -39,6 +39,10 @@ export function sayKey(key: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+/** Most that is laid out as fields; more is for the text. */
+const MOST_GROUPS = 60;
+const MOST_FIELDS = 60;
+
 type Group = { id: string; base: string; index: number | null; title: string; fields: Quantity[] };
 
 function groupsOf(quantities: Quantity[]): Group[] {
@@ -123,7 +127,7 @@ function FieldRow(props: { quantity: Quantity; short: string }): JSX.Element {
 
 export function Form(props: { sheet: Sheet }): JSX.Element {
   const groups = createMemo(() => groupsOf(props.sheet.quantities[0]()));
-  const ids = createMemo(() => groups().map((group) => group.id), [], { equals: (a, b) => a.length === b.length && a.every((id, k) => id === b[k]) });
+  const ids = createMemo(() => groups().slice(0, MOST_GROUPS).map((group) => group.id), [], { equals: (a, b) => a.length === b.length && a.every((id, k) => id === b[k]) });
   const [all, setAll] = createSignal(false);
   const change = (text: string | null, what: string): void => {
     if (text !== null) props.sheet.change(text, what);
@@ -148,11 +152,14 @@ export function Form(props: { sheet: Sheet }): JSX.Element {
           <input type="checkbox" checked={all()} onChange={(event) => setAll(event.currentTarget.checked)} /> Show values that the file leaves to their defaults
         </label>
       </p>
+      <Show when={groups().length > MOST_GROUPS}>
+        <p class="soft">The first {MOST_GROUPS} of {groups().length} tables; the others are in the text.</p>
+      </Show>
       <For each={ids()}>
         {(id) => {
           const group = () => groups().find((one) => one.id === id) ?? { id, base: "", index: null, title: "", fields: [] };
           const fields = createMemo(
-            () => group().fields.filter((one) => all() || !one.by_default).map((one) => one.path),
+            () => group().fields.filter((one) => all() || !one.by_default).slice(0, MOST_FIELDS).map((one) => one.path),
             [],
             { equals: (a, b) => a.length === b.length && a.every((path, k) => path === b[k]) },
           );

@@ -1,6 +1,8 @@
 /** The title block: what is carried and by which load, how it was found, and what was assumed, side by side. */
 import { createEffect, createMemo, createSignal, For, on, onCleanup, Show, type JSX } from "solid-js";
+import type { Finding } from "../engine/types";
 import type { Sheet } from "../model/sheet";
+import { goToText } from "../parts/BridgePanel";
 import { figures, force, lineLoad, place, words, type System } from "../units";
 import { system } from "./settings";
 
@@ -20,6 +22,11 @@ export function sayFactor(sheet: Sheet, factor: number, units: System): string {
   if (!isVehicle(sheet) && per !== null) return words(lineLoad(factor * per, units));
   return `factor ${figures(factor, 3)}`;
 }
+
+/** Findings that stand in the title block; more are told by their number. */
+const MOST_NOTES = 20;
+
+type Note = { kind: "err" | "warn" | ""; text: string; finding?: Finding };
 
 const STATUS: Record<string, string> = {
   collapsed: "mechanism found",
@@ -65,11 +72,13 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     return at < 0 ? null : { x: curve.xs[at]!, factor: curve.factors[at]!, done, of: curve.xs.length };
   });
   const findings = () => (reading()?.findings ?? []).filter((one) => one.severity !== "note");
-  const warnings = createMemo(() => {
-    const list: { kind: "err" | "warn" | ""; text: string }[] = [];
+  const warnings = createMemo<Note[]>(() => {
+    const list: Note[] = [];
     const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? props.sheet.placeTrouble[0]();
     if (trouble) list.push({ kind: "err", text: `${trouble.message}${trouble.help ? ` ${trouble.help}` : ""}` });
-    for (const one of findings()) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${one.message}` });
+    for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${one.message}`, finding: one });
+    if (findings().length > MOST_NOTES) list.push({ kind: "warn", text: `and ${findings().length - MOST_NOTES} more: see the findings of the bridge.` });
+    if (about()?.stands === false) list.push({ kind: "err", text: "The bridge does not stand under its own weight." });
     const found = answer()?.words;
     if (found?.slides && found.dilatant_factor !== null && found.factor !== null && found.dilatant_factor > found.factor * 1.0005) {
       list.push({
@@ -79,6 +88,9 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     }
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text });
     return list;
+  }, [], {
+    // A new answer with the same notes leaves them where they are.
+    equals: (a, b) => a.length === b.length && a.every((one, k) => one.text === b[k]!.text && one.kind === b[k]!.kind && one.finding?.start === b[k]!.finding?.start),
   });
 
   // Said once the load has come to rest, so that a screen reader is not flooded.
@@ -138,7 +150,13 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
         </span>
         <ul>
           <For each={warnings()} fallback={<li>None so far.</li>}>
-            {(one) => <li class={one.kind}>{one.text}</li>}
+            {(one) => (
+              <li class={one.kind}>
+                <Show when={one.finding} fallback={one.text}>
+                  {(finding) => <button type="button" class="link" onClick={() => goToText(finding())}>{one.text}</button>}
+                </Show>
+              </li>
+            )}
           </For>
         </ul>
       </div>
