@@ -30,6 +30,28 @@ function policy(): Plugin {
   };
 }
 
+/** Licences of everything that is in the built page, as they ask for. */
+function licences(): Plugin {
+  return {
+    name: "licences",
+    apply: "build",
+    generateBundle() {
+      const lock = JSON.parse(readFileSync(join(import.meta.dirname, "package-lock.json"), "utf8")) as {
+        packages: Record<string, { version?: string; license?: string; dev?: boolean }>;
+      };
+      const parts: string[] = [];
+      for (const [path, one] of Object.entries(lock.packages)) {
+        if (path === "" || one.dev) continue;
+        const folder = join(import.meta.dirname, path);
+        const name = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
+        const text = name ? readFileSync(join(folder, name), "utf8").trim() : `Licence: ${one.license ?? "see its package"}`;
+        parts.push(`${path.replace(/^.*node_modules\//, "")} ${one.version ?? ""}\n\n${text}`);
+      }
+      this.emitFile({ type: "asset", fileName: "licences.txt", source: `${parts.join(`\n\n${"-".repeat(80)}\n\n`)}\n` });
+    },
+  };
+}
+
 /** Lists every file that was built in the service worker, so that the page opens without a network after the first visit. */
 function offline(): Plugin {
   return {
@@ -60,7 +82,7 @@ function offline(): Plugin {
 
 export default defineConfig({
   base: "./",
-  plugins: [solid(), policy(), offline()],
+  plugins: [solid(), policy(), licences(), offline()],
   build: {
     target: "es2022",
     outDir: "dist",

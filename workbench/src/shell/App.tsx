@@ -225,7 +225,7 @@ export function App(): JSX.Element {
               </button>
             )}
           </For>
-          <div class="foot">Computed on this machine. Nothing is sent.</div>
+          <div class="foot">Computed on this machine. Nothing is sent. <a href="./licences.txt" target="_blank" rel="noreferrer">Licences</a></div>
         </nav>
         <Show when={active()} keyed fallback={<Empty open={() => setDialog("open")} />}>
           {(sheet) => (
