@@ -57,7 +57,7 @@ export function moved(sheet: Sheet, picture: Picture, bodies: Bodies, centroids:
       pen.globalAlpha = bucket < 0 ? 1 : 0.75;
       pen.fill();
       pen.globalAlpha = 1;
-      if (view.scale > 28) {
+      if (view.scale > 28 && mean.length < 900) {
         pen.strokeStyle = ink.line;
         pen.lineWidth = 0.4;
         pen.stroke();
@@ -105,13 +105,16 @@ function chains({ pen, view, ink }: Sheet, frame: Frame): void {
   for (let k = 0; k < sizes.length; k += 1) sizes[k] = links[7 * k + 4]!;
   const most = nearlyMost(sizes);
   if (most <= 0) return;
+  // No thicker than the particles are, so that the fill does not turn black.
+  const radius = (frame.particles[2] ?? 0.1) * view.scale;
+  const thick = Math.max(0.8, Math.min(3.2, 1.3 * radius));
   pen.strokeStyle = ink.ink;
-  for (const [low, high, width] of [[0.08, 0.3, 0.6], [0.3, 0.6, 1.4], [0.6, Infinity, 2.6]] as const) {
-    pen.lineWidth = width;
+  for (const [low, high, share] of [[0.1, 0.3, 0.22], [0.3, 0.6, 0.5], [0.6, Infinity, 1]] as const) {
+    pen.lineWidth = share * thick;
     pen.beginPath();
     for (let k = 0; k < sizes.length; k += 1) {
-      const share = sizes[k]! / most;
-      if (share < low || share >= high) continue;
+      const size = sizes[k]! / most;
+      if (size < low || size >= high) continue;
       pen.moveTo(view.x(links[7 * k]!), view.y(links[7 * k + 1]!));
       pen.lineTo(view.x(links[7 * k + 2]!), view.y(links[7 * k + 3]!));
     }

@@ -152,6 +152,9 @@ export function Form(props: { sheet: Sheet }): JSX.Element {
           <input type="checkbox" checked={all()} onChange={(event) => setAll(event.currentTarget.checked)} /> Show values that the file leaves to their defaults
         </label>
       </p>
+      <Show when={props.sheet.reading[0]()?.kind === "blocks"}>
+        <p>This is a block model, with blocks from a drawing. What is not listed here is in its text.</p>
+      </Show>
       <Show when={groups().length > MOST_GROUPS}>
         <p class="soft">The first {MOST_GROUPS} of {groups().length} tables; the others are in the text.</p>
       </Show>

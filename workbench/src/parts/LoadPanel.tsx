@@ -26,6 +26,9 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
   };
   return (
     <div class="panel-body" tabindex="-1">
+      <Show when={props.sheet.reading[0]()?.kind === "blocks"}>
+        <p>This is a block model: its loads stand in its text, and are not moved. “Verdict” finds the load at which its blocks collapse.</p>
+      </Show>
       <div class="field">
         <label for="vehicle">Load</label>
         <select id="vehicle" class="plain" onChange={(event) => choose(event.currentTarget.value)}>
