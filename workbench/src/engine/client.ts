@@ -1,5 +1,16 @@
 /** Workers as the page sees them: calls that are answered, refused, or lost with a worker that is then replaced. */
+import engine from "./pkg/extrados_workbench_bg.wasm?url";
 import type { Refusal } from "./types";
+
+let module: Promise<WebAssembly.Module> | null = null;
+/** The engine, fetched and compiled once for all workers; after a failure the next worker tries again. */
+function compiled(): Promise<WebAssembly.Module> {
+  module ??= WebAssembly.compileStreaming(fetch(engine)).catch((error: unknown) => {
+    module = null;
+    throw error;
+  });
+  return module;
+}
 
 /** The engine understood the call and says no, in the engineer's words. */
 export class Refused extends Error {
@@ -43,6 +54,7 @@ export class Engine {
   #next = 1;
   #waiting = new Map<number, Waiting>();
   #panic = "";
+  #ready: Promise<void> = Promise.resolve();
   /** Counts workers: what was opened in an earlier one must be opened again. */
   generation = 0;
   /** How many workers died by themselves. */
@@ -61,6 +73,12 @@ export class Engine {
       this.#lose(new Lost(event.message || "The worker could not be started.", "broken"));
     };
     this.#worker = worker;
+    this.#ready = compiled().then(
+      (made) => worker.postMessage({ module: made }),
+      (error: unknown) => {
+        if (this.#worker === worker) this.#lose(new Lost(`The engine could not be loaded: ${String((error as Error).message ?? error)}`, "broken"));
+      },
+    );
     return worker;
   }
 
@@ -124,15 +142,16 @@ export class Engine {
     const worker = this.#worker ?? this.#start();
     const id = this.#next++;
     return new Promise<T>((resolve, reject) => {
-      const timer =
-        options.patience === undefined
-          ? undefined
-          : setTimeout(
-              () => this.#lose(new Lost("This takes too long and was stopped.", "slow")),
-              options.patience,
-            );
-      this.#waiting.set(id, { resolve: resolve as (value: unknown) => void, reject, tell: options.tell, timer });
-      worker.postMessage({ id, call, args }, options.move ?? []);
+      const waiting: Waiting = { resolve: resolve as (value: unknown) => void, reject, tell: options.tell, timer: undefined };
+      this.#waiting.set(id, waiting);
+      // Patience begins once the engine stands ready.
+      void this.#ready.then(() => {
+        if (this.#waiting.get(id) !== waiting) return;
+        if (options.patience !== undefined) {
+          waiting.timer = setTimeout(() => this.#lose(new Lost("This takes too long and was stopped.", "slow")), options.patience);
+        }
+        worker.postMessage({ id, call, args }, options.move ?? []);
+      });
     });
   }
 }

@@ -1,6 +1,5 @@
 /** A worker with one instance of the engine. It answers one call after the other and keeps what calls refer to by name. */
 import init, * as engine from "./pkg/extrados_workbench.js";
-import module from "./pkg/extrados_workbench_bg.wasm?url";
 import type { LiveAnswer, PlacingAbout, ReadingOut, ResultOut } from "./types";
 
 type Call = { id: number; call: string; args: Record<string, unknown> };
@@ -281,11 +280,13 @@ function frame(ended: string) {
   };
 }
 
-const ready = init({ module_or_path: new URL(module, scope.location.href) }).then(() =>
-  engine.start((message: string) => scope.postMessage({ panic: message })),
-);
+let ready: Promise<void> | null = null;
 
-scope.onmessage = async (event: MessageEvent<Call>) => {
+scope.onmessage = async (event: MessageEvent<Call | { module: WebAssembly.Module }>) => {
+  if ("module" in event.data) {
+    ready = init({ module_or_path: event.data.module }).then(() => engine.start((message: string) => scope.postMessage({ panic: message })));
+    return;
+  }
   const { id, call, args } = event.data;
   try {
     await ready;

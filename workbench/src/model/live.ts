@@ -189,7 +189,7 @@ async function step(sheet: Sheet): Promise<boolean> {
     if (isBroken(atKey)) return false;
     const now = placed;
     try {
-      const answer = await engine.call<LiveAnswer>("at", { sheet: sheet.id, x }, { patience: 30_000 });
+      const answer = await engine.call<LiveAnswer>("at", { sheet: sheet.id, x }, { patience: 180_000 });
       answered = { placed: now, x };
       batch(() => {
         sheet.placeTrouble[1](null);

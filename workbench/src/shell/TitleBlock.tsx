@@ -86,6 +86,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
         text: `Joints slide: the smaller load without dilation leads; with dilation it would be ${sayFactor(props.sheet, found.dilatant_factor, system())}.`,
       });
     }
+    if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text });
     return list;
   }, [], {
