@@ -9,7 +9,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 export const SHOTS = join(here, "shots");
 mkdirSync(SHOTS, { recursive: true });
 
-const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const CHROMIUM = process.env.EXTRADOS_BROWSER ?? "/usr/bin/chromium";
 const FLAGS = [
   "--headless",
   "--no-sandbox",

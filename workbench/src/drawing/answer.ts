@@ -163,8 +163,8 @@ export function dispersed({ pen, view, ink }: Sheet, loads: Float64Array): void 
   pen.stroke();
 }
 
-/** Axles or patches on the road: an arrow each with the length that they press on. */
-export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, system: System): void {
+/** Axles or patches on the road: an arrow each with the length that they press on, and their forces where these are given and not sought. */
+export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, system: System, forces: boolean): void {
   const { pen, view, ink } = sheet;
   pen.font = `600 13px ${ink.font}`;
   pen.textAlign = "center";
@@ -189,7 +189,7 @@ export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, syste
     pen.lineTo(px + 5, py - 16);
     pen.closePath();
     pen.fill();
-    if (size > 1.5) {
+    if (forces) {
       const text = words(force(size, system));
       const width = pen.measureText(text).width;
       if (px - width / 2 > lastRight + 6) {
@@ -228,7 +228,7 @@ export function envelope(
   }
   if (leastAt < 0) return;
   const ceiling = Math.min(most, 3 * least) * 1.05;
-  const y = (factor: number) => bottom - ((bottom - top) * Math.min(factor, ceiling)) / ceiling;
+  const y = (factor: number) => bottom - ((bottom - top) * Math.min(factor, 3 * ceiling)) / ceiling;
   pen.strokeStyle = ink.line;
   pen.lineWidth = 0.8;
   const left = view.x(curve.xs[0]!);
@@ -242,6 +242,10 @@ export function envelope(
   pen.setLineDash([2, 3]);
   line(pen, left, y(least), right, y(least));
   pen.setLineDash([]);
+  pen.save();
+  pen.beginPath();
+  pen.rect(0, top - 2, width, bottom - top + 4);
+  pen.clip();
   pen.beginPath();
   let open = false;
   for (let k = 0; k < curve.xs.length; k += 1) {
@@ -256,7 +260,7 @@ export function envelope(
     else pen.moveTo(px, y(factor));
     open = true;
   }
-  pen.save();
+  // Much larger loads run out of the strip.
   pen.strokeStyle = ink.answer;
   pen.lineWidth = 1.6;
   pen.stroke();
@@ -275,7 +279,7 @@ export function envelope(
   const half = pen.measureText(text).width / 2;
   pen.textAlign = "center";
   label(pen, text, Math.min(width - half - 8, Math.max(half + 8, px)), y(least) + 13, ink.sheet);
-  if (here && here.factor !== null && Number.isFinite(here.factor)) {
+  if (here && here.factor !== null && Number.isFinite(here.factor) && y(here.factor) >= top - 4) {
     const hx = view.x(here.x);
     pen.beginPath();
     pen.arc(hx, y(here.factor), 4, 0, 2 * Math.PI);

@@ -125,7 +125,7 @@ export function Board(props: BoardProps): JSX.Element {
     // The load stands where the hand is; the answer may be a picture behind.
     const axles = answer.axles.slice();
     if (x !== null) for (let k = 0; k < axles.length; k += 4) axles[k] = axles[k]! + (x - answer.x);
-    answers.axles(sheet, seen, axles, system());
+    answers.axles(sheet, seen, axles, system(), props.sheet.vehicle[0]() !== "");
     if (pointerAt > 0 && x === answer.x) {
       fromPointer("pointer-to-picture", pointerAt);
       pointerAt = 0;

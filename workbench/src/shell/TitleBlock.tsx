@@ -128,7 +128,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
       <div>
         <span class="cap">By</span>
         <Show when={about()} fallback={<span>no load</span>}>
-          <b>{about()!.name}</b>
+          <b>{about()!.name.replace(/^./, (c) => c.toUpperCase())}</b>
           <div class="under">
             at <span class="num" data-testid="place">{words(place(props.sheet.x[0]() ?? 0, system()))}</span>, {how()}
           </div>
