@@ -162,10 +162,11 @@ export type Placed = { dimension: Dimension; index: number; from: Point; to: Poi
 
 export function placeDimensions(picture: Picture, view: View, system: System, small: boolean): Placed[] {
   const counts = new Map<string, number>();
+  const said = new Set<string>();
   const box = boundsOf(picture);
   const spans = picture.dimensions.filter((one) => one.measure === "Span");
   const lowest = Math.min(...spans.map((one) => Math.min(one.from[1], one.to[1])), Infinity);
-  return picture.dimensions.map((one) => {
+  return picture.dimensions.flatMap((one) => {
     const index = (counts.get(one.measure) ?? 0) + 1;
     counts.set(one.measure, index);
     const length = one.measure === "Span" ? Math.abs(one.to[0] - one.from[0])
@@ -183,7 +184,11 @@ export function placeDimensions(picture: Picture, view: View, system: System, sm
     } else if (one.measure === "Height") {
       from = [to[0], from[1]];
     }
-    return { dimension: one, index, from, to, text, anchor: view.at(one.to) };
+    // On a small sheet what repeats is said once, spans apart.
+    const repeated = said.has(one.measure + text);
+    said.add(one.measure + text);
+    if (view.scale < 16 && repeated && one.measure !== "Span") return [];
+    return [{ dimension: one, index, from, to, text, anchor: view.at(one.to) }];
   });
 }
 
@@ -218,7 +223,7 @@ export function dimensions({ pen, view, ink }: Sheet, placed: Placed[]): void {
       tick(pen, x, one.to[1]);
       pen.textAlign = "left";
       pen.textBaseline = "middle";
-      if (Math.abs(one.from[1] - one.to[1]) > 22) label(pen, one.text, x + 8, (one.from[1] + one.to[1]) / 2, ink.sheet);
+      if (Math.abs(one.from[1] - one.to[1]) > (measure === "Height" ? 46 : 22)) label(pen, one.text, x + 8, (one.from[1] + one.to[1]) / 2, ink.sheet);
     } else if (measure === "Width") {
       thick.push(one);
     } else {
@@ -240,7 +245,7 @@ export function dimensions({ pen, view, ink }: Sheet, placed: Placed[]): void {
       tick(pen, b[0], b[1]);
       pen.textAlign = "center";
       pen.textBaseline = "top";
-      label(pen, one.text, (a[0] + b[0]) / 2, Math.max(a[1], b[1]) + 6, ink.sheet);
+      if (Math.abs(b[0] - a[0]) > 20) label(pen, one.text, (a[0] + b[0]) / 2, Math.max(a[1], b[1]) + 6, ink.sheet);
       continue;
     }
     const side = one.dimension.measure === "Depth" ? -1 : 1;

@@ -3,6 +3,7 @@ import { batch } from "solid-js";
 import { Engine, Lost, Refused } from "../engine/client";
 import type { LiveAnswer, PlacingAbout, ReadingOut, Refusal } from "../engine/types";
 import type { Sheet } from "./sheet";
+import { wantZone } from "./zone";
 
 /** A text that takes longer to read than this [ms] is not read on. */
 const PATIENCE = 10_000;
@@ -19,7 +20,6 @@ let placed: Placed | null = null;
 let answered: { placed: Placed; x: number } | null = null;
 let zoned: LiveAnswer | null = null;
 let running = false;
-let zoneWanted = true;
 const sets = new Map<string, { literal: string; mark: string; failed: ((error: Refusal) => void) | undefined }>();
 /** What broke the engine: it is not tried again until something changes. */
 const broken = new Map<string, number>();
@@ -32,13 +32,6 @@ export function lookAt(sheet: Sheet): void {
 export function poke(): void {
   void pump();
 }
-export function wantZone(wanted: boolean): void {
-  zoneWanted = wanted;
-  if (!wanted) active?.zone[1](null);
-  zoned = null;
-  void pump();
-}
-
 /** One quantity by its path; comments and everything else of the text stay. A newer value of the same path replaces an older one. */
 export function setQuantity(path: string, literal: string, mark = "", failed?: (error: Refusal) => void): void {
   sets.set(path, { literal, mark: mark || `set ${path}`, failed });
@@ -167,7 +160,7 @@ async function step(sheet: Sheet): Promise<boolean> {
         sheet.placeTrouble[1](null);
         sheet.about[1](about);
         const x = sheet.x[0]();
-        if (x === null || x < about.from || x > about.to) sheet.x[1](startOf(about, x));
+        if (x === null || x < about.from || x > about.to) sheet.x[1](startOf(about, x, vehicle === "" ? (sheet.picture[0]()?.surface_loads[0]?.[0]?.[0] ?? null) : null));
       });
     } catch (error) {
       if (!note(placeKey, error) || isBroken(placeKey)) {
@@ -211,30 +204,15 @@ async function step(sheet: Sheet): Promise<boolean> {
 
   // The zone costs more than the line: only where the load has come to rest.
   const answer = sheet.answer[0]();
-  if (zoneWanted && answer && answer !== zoned && answer.words.factor !== null) {
+  if (answer && answer !== zoned && answer.words.factor !== null) {
+    zoned = answer;
     clearTimeout(quiet);
-    quiet = setTimeout(() => void findZone(sheet, answer), 140);
+    quiet = setTimeout(() => wantZone({ sheet, answer, vehicle, rule, leftward, key: placeKey }), 160);
   }
   return false;
 }
 
-async function findZone(sheet: Sheet, answer: LiveAnswer): Promise<void> {
-  if (running || sheet !== active || sheet.answer[0]() !== answer || !placed || zoned === answer) return;
-  running = true;
-  zoned = answer;
-  try {
-    // Half of what is carried: at the load itself the zone is a line.
-    const zone = await engine.call<Float64Array>("zone", { sheet: sheet.id, x: answer.x, factor: 0.5 * (answer.words.factor ?? 0) }, { patience: 30_000 });
-    if (sheet.answer[0]() === answer) sheet.zone[1](zone);
-  } catch (error) {
-    note("zone", error);
-  } finally {
-    running = false;
-  }
-  void pump();
-}
-
-function startOf(about: PlacingAbout, before: number | null): number {
-  if (before !== null) return Math.min(about.to, Math.max(about.from, before));
-  return about.from + 0.25 * (about.to - about.from);
+/** Where a load first stands: where it was, where the file places its own, else a quarter of the way. */
+function startOf(about: PlacingAbout, before: number | null, own: number | null): number {
+  return Math.min(about.to, Math.max(about.from, before ?? own ?? about.from + 0.25 * (about.to - about.from)));
 }

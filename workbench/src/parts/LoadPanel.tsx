@@ -1,5 +1,5 @@
 /** Which load stands on the bridge, where, and what other methods say of it at this place. */
-import { createMemo, createSignal, For, on, createEffect, Show, type JSX } from "solid-js";
+import { batch, createMemo, createSignal, For, on, createEffect, Show, type JSX } from "solid-js";
 import { analyse, background } from "../model/background";
 import { Lost, Refused } from "../engine/client";
 import { library } from "../model/library";
@@ -20,8 +20,17 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
     return (library()?.rules ?? []).filter((rule) => model?.rules.includes(rule.code));
   });
   const choose = (vehicle: string): void => {
-    props.sheet.rule[1]("");
-    props.sheet.vehicle[1](vehicle);
+    // The file's own rule where it is made for this vehicle, else the one without factors.
+    const model = library()?.models.find((one) => one.vehicles.some((each) => each.code === vehicle));
+    const written = /^\s*\[sweep\][^[]*?^\s*rule\s*=\s*"([^"]*)"/ms.exec(props.sheet.text())?.[1] ?? null;
+    const fits = written === null || (model?.rules.includes(written) ?? true);
+    batch(() => {
+      props.sheet.rule[1](fits ? "" : model!.rules.includes("characteristic") ? "characteristic" : (model!.rules[0] ?? ""));
+      props.sheet.answer[1](null);
+      props.sheet.zone[1](null);
+      props.sheet.about[1](null);
+      props.sheet.vehicle[1](vehicle);
+    });
     poke();
   };
   return (
