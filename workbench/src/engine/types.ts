@@ -104,6 +104,8 @@ export type Picture = {
 
 export type PlacingAbout = {
   name: string;
+  /** Title of the rule that gives factors and spread; empty for the file's own loads. */
+  rule?: string;
   /** False where the bridge does not stand under its own weight. */
   stands?: boolean;
   axles: { force: number; offset: number }[];
@@ -149,6 +151,7 @@ export type LibraryModel = {
   rules: string[];
   source: string;
   confidence: string;
+  longest_span: number | null;
 };
 export type LibraryRule = { code: string; title: string };
 

@@ -15,10 +15,8 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
   const about = () => props.sheet.about[0]();
   const x = () => props.sheet.x[0]();
   const loads = () => props.sheet.reading[0]()?.sections?.loads ?? 0;
-  const rules = createMemo(() => {
-    const model = library()?.models.find((one) => one.vehicles.some((vehicle) => vehicle.code === props.sheet.vehicle[0]()));
-    return (library()?.rules ?? []).filter((rule) => model?.rules.includes(rule.code));
-  });
+  const model = createMemo(() => library()?.models.find((one) => one.vehicles.some((vehicle) => vehicle.code === props.sheet.vehicle[0]())));
+  const rules = createMemo(() => (library()?.rules ?? []).filter((rule) => model()?.rules.includes(rule.code)));
   const choose = (vehicle: string): void => {
     // The file's own rule where it is made for this vehicle, else the one without factors.
     const model = library()?.models.find((one) => one.vehicles.some((each) => each.code === vehicle));
@@ -38,7 +36,7 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
       <Show when={props.sheet.reading[0]()?.kind === "blocks"}>
         <p>This is a block model: its loads stand in its text, and are not moved. “Verdict” finds the load at which its blocks collapse.</p>
       </Show>
-      <div class="field">
+      <div class="field wide">
         <label for="vehicle">Load</label>
         <select id="vehicle" class="plain" onChange={(event) => choose(event.currentTarget.value)}>
           <Show when={loads() > 0}>
@@ -60,7 +58,7 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
         </select>
       </div>
       <Show when={isVehicle(props.sheet)}>
-        <div class="field">
+        <div class="field wide">
           <label for="rule">Factors and spread by</label>
           <select id="rule" class="plain" onChange={(event) => {
             props.sheet.rule[1](event.currentTarget.value);
@@ -72,6 +70,13 @@ export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
             </For>
           </select>
         </div>
+        <Show when={model()}>
+          {(one) => (
+            <p class="soft">
+              {one().source} ({one().confidence}).{one().longest_span !== null ? ` Not for spans above ${words(place(one().longest_span!, system()))}.` : ""}
+            </p>
+          )}
+        </Show>
         <p>
           <label>
             <input type="checkbox" checked={props.sheet.leftward[0]()} onChange={(event) => {

@@ -49,7 +49,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
       const said = lineLoad(found.load, system());
       return { ...said, whole: width ? `${words(force(found.load * width, system()))} over the whole width` : "per metre of width" };
     }
-    return { value: figures(found.factor, 3), unit: "× the vehicle", whole: "adequacy factor at this place" };
+    return { value: figures(found.factor, 3), unit: "× the vehicle", whole: "adequacy factor" };
   });
   const how = createMemo(() => {
     const found = answer()?.words;
@@ -112,7 +112,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   return (
     <section class="block" aria-label="Answer" id="answer" tabindex="-1">
       <div>
-        <span class="cap">Carried{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
+        <span class="cap">Carried at this place{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
         <Show when={headline()} fallback={<span class="headline" data-none>–</span>}>
           {(head) => (
             <>
@@ -121,6 +121,14 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
                 <span class="unit">{head().unit}</span>
               </span>
               <span class="under">{head().whole}</span>
+              <Show when={least()}>
+                {(found) => (
+                  <div class="under least" data-testid="least">
+                    Least along the road {sayFactor(props.sheet, found().factor, system())} at {words(place(found().x, system()))}
+                    {found().done < found().of ? ` (${found().done} of ${found().of} places)` : ""}
+                  </div>
+                )}
+              </Show>
             </>
           )}
         </Show>
@@ -132,14 +140,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
           <div class="under">
             at <span class="num" data-testid="place">{words(place(props.sheet.x[0]() ?? 0, system()))}</span>, {how()}
           </div>
-          <Show when={least()}>
-            {(found) => (
-              <div class="under" data-testid="least">
-                Least along the road {sayFactor(props.sheet, found().factor, system())} at {words(place(found().x, system()))}
-                {found().done < found().of ? ` (${found().done} of ${found().of} places)` : ""}
-              </div>
-            )}
-          </Show>
+          <Show when={about()!.rule}><div class="under">{about()!.rule}</div></Show>
           <div class="under soft">
             Rigid blocks, limit analysis, {answer()?.words.friction === "non-associated" ? "friction without dilation" : "lower bound"}
           </div>
