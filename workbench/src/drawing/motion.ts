@@ -91,8 +91,9 @@ export function moved(sheet: Sheet, picture: Picture, bodies: Bodies, centroids:
   }
 
   if (look.forces) {
-    chains(sheet, frame);
-    contacts(sheet, frame);
+    // Forces of the fill are known where its particles are, not where they are drawn when displacements are enlarged.
+    if (look.times === 1) chains(sheet, frame);
+    contacts(sheet, frame, centroids, look.times);
   }
   return { top };
 }
@@ -122,35 +123,63 @@ function chains({ pen, view, ink }: Sheet, frame: Frame): void {
   }
 }
 
-/** Forces in the joints: a stroke along the force through each closed contact, its length by its size. */
-function contacts({ pen, view, ink }: Sheet, frame: Frame): void {
+/** Forces in the joints: a short stroke along the force at each closed contact, the thicker the larger; those that slide are dashed. */
+function contacts({ pen, view, ink }: Sheet, frame: Frame, centroids: Float64Array, times: number): void {
   const list = frame.contacts;
   let most = 0;
   for (let k = 0; k + 7 < list.length; k += 8) most = Math.max(most, list[k + 4]!);
   if (most <= 0) return;
-  const reach = 34;
   pen.strokeStyle = ink.answer;
-  for (const slides of [0, 1]) {
-    pen.lineWidth = slides ? 3 : 1.6;
-    pen.beginPath();
-    for (let k = 0; k + 7 < list.length; k += 8) {
-      if ((list[k + 7]! > 0.5 ? 1 : 0) !== slides) continue;
-      const nx = list[k + 2]!;
-      const ny = list[k + 3]!;
-      const normal = list[k + 4]!;
-      const shear = list[k + 5]!;
-      const fx = nx * normal - ny * shear;
-      const fy = ny * normal + nx * shear;
-      const size = Math.hypot(fx, fy);
-      if (size < 0.01 * most) continue;
-      const half = (reach * Math.min(1.2, size / most)) / 2 / size;
-      const x = view.x(list[k]!);
-      const y = view.y(list[k + 1]!);
-      pen.moveTo(x - fx * half, y + fy * half);
-      pen.lineTo(x + fx * half, y - fy * half);
+  for (const [low, high, width] of [[0.02, 0.2, 1.2], [0.2, 0.45, 2.6], [0.45, 0.7, 4], [0.7, Infinity, 5.5]] as const) {
+    for (const slides of [false, true]) {
+      pen.lineWidth = width;
+      pen.setLineDash(slides ? [2, 2] : []);
+      pen.beginPath();
+      for (let k = 0; k + 7 < list.length; k += 8) {
+        if (list[k + 7]! > 0.5 !== slides) continue;
+        const normal = list[k + 4]!;
+        const shear = list[k + 5]!;
+        const size = Math.hypot(normal, shear);
+        if (size < low * most || size >= high * most) continue;
+        const fx = (list[k + 2]! * normal - list[k + 3]! * shear) / size;
+        const fy = (list[k + 3]! * normal + list[k + 2]! * shear) / size;
+        const [px, py] = times === 1 ? [list[k]!, list[k + 1]!] : enlarged(list[k]!, list[k + 1]!, frame, centroids, times);
+        const x = view.x(px);
+        const y = view.y(py);
+        pen.moveTo(x - 5 * fx, y + 5 * fy);
+        pen.lineTo(x + 5 * fx, y - 5 * fy);
+      }
+      pen.stroke();
     }
-    pen.stroke();
   }
+  pen.setLineDash([]);
+}
+
+/** Where a point of the nearest block stands when displacements are enlarged. */
+function enlarged(x: number, y: number, frame: Frame, centroids: Float64Array, times: number): [number, number] {
+  let best = 0;
+  let least = Infinity;
+  for (let k = 0; 3 * k < frame.poses.length; k += 1) {
+    const distance = (frame.poses[3 * k]! - x) ** 2 + (frame.poses[3 * k + 1]! - y) ** 2;
+    if (distance < least) {
+      least = distance;
+      best = k;
+    }
+  }
+  const angle = frame.poses[3 * best + 2]!;
+  const rx = x - frame.poses[3 * best]!;
+  const ry = y - frame.poses[3 * best + 1]!;
+  // Back to the block as built, then on with the enlarged movement.
+  const bx = Math.cos(angle) * rx + Math.sin(angle) * ry;
+  const by = -Math.sin(angle) * rx + Math.cos(angle) * ry;
+  const c = Math.cos(times * angle);
+  const s = Math.sin(times * angle);
+  const cx = centroids[2 * best]!;
+  const cy = centroids[2 * best + 1]!;
+  return [
+    cx + times * (frame.poses[3 * best]! - cx) + c * bx - s * by,
+    cy + times * (frame.poses[3 * best + 1]! - cy) + s * bx + c * by,
+  ];
 }
 
 /** The scale of stress in a corner of the sheet. */

@@ -63,8 +63,10 @@ function Report(props: { html: string; hold: (frame: HTMLIFrameElement) => void 
   let frame!: HTMLIFrameElement;
   const fill = (): void => {
     const inside = frame.contentDocument;
-    if (!inside) return;
-    const parsed = new DOMParser().parseFromString(props.html, "text/html");
+    const window = frame.contentWindow as (Window & typeof globalThis) | null;
+    if (!inside || !window) return;
+    // Parsed by the frame, whose policy lets a report have its styles.
+    const parsed = new window.DOMParser().parseFromString(props.html, "text/html");
     for (const element of parsed.querySelectorAll("script, iframe, object, embed, link, base, meta, form")) element.remove();
     inside.replaceChild(inside.adoptNode(parsed.documentElement), inside.documentElement);
   };
