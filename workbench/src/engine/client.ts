@@ -114,6 +114,8 @@ export class Engine {
   #lose(error: Lost): void {
     this.#worker?.terminate();
     this.#worker = null;
+    // What was open is gone, before the next worker starts.
+    this.generation += 1;
     if (error.why !== "stopped") this.deaths += 1;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();

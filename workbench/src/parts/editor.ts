@@ -143,7 +143,7 @@ export class TomlEditor {
           ]),
           // Tab leaves the editor, as everywhere else on the page; Ctrl-M and the like are CodeMirror's own.
           keymap.of([{ key: "Ctrl-Alt-Tab", run: indentWithTab.run! }]),
-          EditorView.contentAttributes.of({ "aria-label": "Bridge file as text" }),
+          EditorView.contentAttributes.of({ "aria-label": "Bridge file as text", tabindex: "0" }),
           EditorState.tabSize.of(4),
           look,
           EditorView.updateListener.of((update) => {

@@ -21,15 +21,17 @@ thickness = "0.35 m"
 voussoirs = 20
 ${extra}
 [[cover]]
-layer = '${name}'
+layer = "fill"
 thickness = "0.3 m"
 density = "1800 kg/m^3"
 
 [masonry]
 density = "2200 kg/m^3"
+compressive_strength = "5 MPa"
 
 [joint]
 friction_angle = "31 deg"
+cohesion = "0 kPa"
 
 [dispersal]
 rule = "uniform"
@@ -49,9 +51,10 @@ method = "limit"
 async function alive(page) {
   assert.equal(await page.evaluate(() => window.hurt), undefined, "no script of the input has run");
   assert.equal(await page.evaluate(() => document.querySelectorAll(".desk img[src='x'], .desk script").length), 0);
-  await page.getByRole("button", { name: "Open a bridge" }).first().click();
-  await page.locator("dialog").waitFor();
+  if (!(await page.locator("dialog").isVisible())) await page.getByRole("button", { name: "Open a bridge" }).first().click();
+  await page.locator("[data-example=tiny]").waitFor();
   await page.keyboard.press("Escape");
+  await until("the dialog is closed", async () => !(await page.locator("dialog").isVisible()));
 }
 
 test("scripts in names stay letters, in the drawing, the form, the report", async () => {

@@ -53,7 +53,6 @@ test("a bridge is opened, changed, loaded and undone by keys alone", async () =>
   await page.locator(".cm-content").waitFor();
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Tab");
-  assert.notEqual(await page.evaluate(() => document.activeElement?.tagName), "BODY");
   assert.equal(await page.locator(".cm-content").evaluate((element) => element.getRootNode().activeElement === element), false);
   assert.deepEqual(complaints, []);
   await context.close();
