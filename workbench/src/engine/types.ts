@@ -123,6 +123,8 @@ export type AnswerWords = {
   load: number | null;
   friction: "associated" | "non-associated";
   slides: boolean;
+  /** True where less may be carried without dilation, which has not been asked yet. */
+  open?: boolean;
   hinges: Hinge[];
   sliding: Point[];
 };

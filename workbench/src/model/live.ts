@@ -18,6 +18,10 @@ let active: Sheet | null = null;
 let held: Held | null = null;
 let placed: Placed | null = null;
 let answered: { placed: Placed; x: number } | null = null;
+/** The answer that settles an open one, once the load has rested. */
+let settled: LiveAnswer | null = null;
+let resting: ReturnType<typeof setTimeout> | undefined;
+let rested = false;
 let zoned: LiveAnswer | null = null;
 let running = false;
 const sets = new Map<string, { literal: string; mark: string; failed: ((error: Refusal) => void) | undefined }>();
@@ -182,8 +186,9 @@ async function step(sheet: Sheet): Promise<boolean> {
     if (isBroken(atKey)) return false;
     const now = placed;
     try {
-      const answer = await engine.call<LiveAnswer>("at", { sheet: sheet.id, x }, { patience: 180_000 });
+      const answer = await engine.call<LiveAnswer>("at", { sheet: sheet.id, x, quick: true }, { patience: 180_000 });
       answered = { placed: now, x };
+      rested = false;
       batch(() => {
         sheet.placeTrouble[1](null);
         sheet.answer[1](answer);
@@ -198,6 +203,27 @@ async function step(sheet: Sheet): Promise<boolean> {
           sheet.answer[1](null);
         });
       }
+    }
+    return true;
+  }
+
+  // An open answer is settled once the load has rested for a moment.
+  const open = sheet.answer[0]();
+  if (open?.words.open && x !== null && open.x === x && settled !== open) {
+    if (!rested) {
+      clearTimeout(resting);
+      resting = setTimeout(() => {
+        rested = true;
+        void pump();
+      }, 100);
+      return false;
+    }
+    settled = open;
+    try {
+      const answer = await engine.call<LiveAnswer>("at", { sheet: sheet.id, x, quick: false }, { patience: 180_000 });
+      if (sheet.answer[0]() === open) sheet.answer[1](answer);
+    } catch (error) {
+      note(`at ${x} ${placeKey}`, error);
     }
     return true;
   }

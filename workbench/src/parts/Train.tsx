@@ -105,8 +105,9 @@ function paintJoints({ pen, view, ink }: Paper, joints: Float32Array): number {
       if (state === 1) open += 1;
       const x = view.x(joints[k]!);
       const y = view.y(joints[k + 1]!);
-      pen.moveTo(x + 2.6, y);
-      pen.arc(x, y, 2.6, 0, 2 * Math.PI);
+      const r = state === 1 ? 2.8 : 1.3;
+      pen.moveTo(x + r, y);
+      pen.arc(x, y, r, 0, 2 * Math.PI);
     }
     pen.fill();
   }
@@ -143,6 +144,12 @@ export function TrainScene(props: { sheet: Sheet }): JSX.Element {
     kept = Math.max(kept, largest());
     return exaggeration(kept, area.right - area.left);
   });
+  /** How many sensors at the same place come before this one, so that none hides another. */
+  const before = (k: number): number => {
+    const all = set()?.sensors ?? [];
+    const here = all[k]?.at;
+    return here ? all.slice(0, k).filter((one) => one.at && Math.hypot(one.at[0] - here[0], one.at[1] - here[1]) < 0.3).length : 0;
+  };
   const click = (x: number, y: number): void => {
     if (!placing()) return;
     const count = (props.sheet.text().match(/^\s*\[\[sensor\]\]/gm) ?? []).length + 1;
@@ -182,7 +189,7 @@ export function TrainScene(props: { sheet: Sheet }): JSX.Element {
                   aria-pressed={chosen() === k()}
                   aria-label={`Sensor ${k() + 1}: ${sensor.name}`}
                   title={sensor.about}
-                  style={{ transform: `translate(${view.x(at()[0])}px, ${view.y(at()[1])}px)` }}
+                  style={{ transform: `translate(${view.x(at()[0]) + 20 * before(k())}px, ${view.y(at()[1]) + 20}px)` }}
                   onClick={() => setChosen(k())}
                 >
                   {k() + 1}

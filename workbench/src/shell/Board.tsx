@@ -33,12 +33,13 @@ export function Board(props: BoardProps): JSX.Element {
   const [user, setUser] = createSignal<View | null>(null);
   const [dragged, setDragged] = createSignal(false);
   let ink: Ink | null = null;
-  let pointerAt = 0;
+  /** When the pointer asked for a place, until its picture is there. */
+  const asked = new Map<number, number>();
 
   const picture = () => props.sheet.picture[0]();
   const margins = (): Margins =>
     isSmall()
-      ? { left: 10, right: 10, top: props.load ? 84 : 34, bottom: 34 }
+      ? { left: 10, right: 10, top: props.load ? 128 : 60, bottom: 34 }
       : { left: 34, right: 34, top: props.load ? 190 : 84, bottom: 56 };
 
   const fitted = createMemo<View | null>((before) => {
@@ -98,11 +99,12 @@ export function Board(props: BoardProps): JSX.Element {
     const seen = picture();
     const sheet = paper(over);
     if (!seen || !sheet) return;
+    clearTimeout(late);
     const answer = props.sheet.answer[0]();
     const curve = props.sheet.envelope[0]();
     const x = props.sheet.x[0]();
     if (props.load && answer && curve) {
-      const top = isSmall() ? 30 : 44;
+      const top = isSmall() ? 60 : 44;
       const bottom = Math.max(top + 30, Math.min(sheet.view.y(boundsOf(seen).top) - 70, sheet.height * 0.45));
       answers.envelope(sheet, curve, 1, props.sayLoad, top, bottom, x === null ? null : { x, factor: answer.words.factor });
     }
@@ -126,9 +128,10 @@ export function Board(props: BoardProps): JSX.Element {
     const axles = answer.axles.slice();
     if (x !== null) for (let k = 0; k < axles.length; k += 4) axles[k] = axles[k]! + (x - answer.x);
     answers.axles(sheet, seen, axles, system(), props.sheet.vehicle[0]() !== "");
-    if (pointerAt > 0 && x === answer.x) {
-      fromPointer("pointer-to-picture", pointerAt);
-      pointerAt = 0;
+    const since = asked.get(answer.x);
+    if (since !== undefined) {
+      fromPointer("pointer-to-picture", since);
+      asked.delete(answer.x);
     }
     fromPointer("frame", performance.now());
   }
@@ -141,9 +144,17 @@ export function Board(props: BoardProps): JSX.Element {
   createEffect(on([picture, view, system, theme, placed], soonUnder));
   createEffect(
     on(
-      [picture, view, system, theme, placed, props.sheet.answer[0], props.sheet.zone[0], props.sheet.envelope[0], props.sheet.x[0], () => props.load, () => props.reach],
+      [picture, view, system, theme, placed, props.sheet.answer[0], props.sheet.zone[0], props.sheet.envelope[0], () => props.load, () => props.reach],
       soonOver,
     ),
+  );
+  // The load alone moves on only where its answer is late: one picture for both otherwise.
+  let late: ReturnType<typeof setTimeout> | undefined;
+  createEffect(
+    on(props.sheet.x[0], () => {
+      clearTimeout(late);
+      late = setTimeout(soonOver, 40);
+    }),
   );
   createEffect(
     on(theme, () => {
@@ -171,6 +182,7 @@ export function Board(props: BoardProps): JSX.Element {
     });
   });
   onCleanup(() => {
+    clearTimeout(late);
     cancelAnimationFrame(askedUnder);
     cancelAnimationFrame(askedOver);
   });
@@ -246,7 +258,8 @@ export function Board(props: BoardProps): JSX.Element {
     if (!about) return;
     const to = Math.min(about.to, Math.max(about.from, x));
     if (to === props.sheet.x[0]()) return;
-    pointerAt = time;
+    asked.set(to, time);
+    if (asked.size > 200) asked.delete(asked.keys().next().value!);
     props.sheet.moves += 1;
     props.sheet.x[1](to);
     poke();

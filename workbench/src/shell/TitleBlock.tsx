@@ -86,6 +86,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
         text: `Joints slide: the smaller load without dilation leads; with dilation it would be ${sayFactor(props.sheet, found.dilatant_factor, system())}.`,
       });
     }
+    if (found?.open) list.push({ kind: "warn", text: "Joints slide here: less may be carried without dilation. The answer settles when the load rests." });
     if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text });
     return list;
@@ -112,7 +113,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   return (
     <section class="block" aria-label="Answer" id="answer" tabindex="-1">
       <div>
-        <span class="cap">Carried at this place{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
+        <span class="cap">{answer()?.words.open ? "Carried at this place, at most" : "Carried at this place"}{isVehicle(props.sheet) ? "" : ", per metre of width"}</span>
         <Show when={headline()} fallback={<span class="headline" data-none>–</span>}>
           {(head) => (
             <>
