@@ -96,6 +96,7 @@ export function Board(props: BoardProps): JSX.Element {
   }
 
   function drawOver(): void {
+    const begin = performance.now();
     const seen = picture();
     const sheet = paper(over);
     if (!seen || !sheet) return;
@@ -133,7 +134,7 @@ export function Board(props: BoardProps): JSX.Element {
       fromPointer("pointer-to-picture", since);
       asked.delete(answer.x);
     }
-    fromPointer("frame", performance.now());
+    fromPointer("frame", begin);
   }
 
   let askedUnder = 0;

@@ -3,6 +3,7 @@ import { createEffect, createMemo, createSignal, on, onCleanup, onMount, Show, t
 import { ready } from "../drawing/canvas";
 import type { Sheet as Paper } from "../drawing/elevation";
 import { inkOf, type Ink } from "../drawing/ink";
+import { fromPointer } from "../drawing/measure";
 import { View, type Box, type Margins } from "../drawing/view";
 import { isSmall, system, theme } from "./settings";
 
@@ -42,7 +43,9 @@ export function Scene(props: SceneProps): JSX.Element {
     const pen = ready(canvas, width, height, Math.min(2, devicePixelRatio || 1));
     if (!pen) return;
     ink ??= inkOf(host);
+    const begin = performance.now();
     props.paint({ pen, view: now, ink, width, height, system: system() });
+    fromPointer("frame", begin);
   };
   const soon = () => (asked ||= requestAnimationFrame(() => ((asked = 0), paint())));
   createEffect(on(theme, () => (ink = null)));

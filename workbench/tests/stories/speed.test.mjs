@@ -10,10 +10,14 @@ const quantile = (list, q) => [...list].sort((a, b) => a - b)[Math.min(list.leng
 
 async function drag(page) {
   await page.evaluate(() => {
-    window.seen = { frames: [], answers: [], long: [], gaps: [] };
+    window.seen = { frames: [], answers: [], long: [], painting: [], moves: 0 };
+    addEventListener("pointermove", () => (window.seen.moves += 1), true);
     new PerformanceObserver((list) => {
       for (const entry of list.getEntries()) {
-        if (entry.name === "frame") window.seen.frames.push(entry.startTime);
+        if (entry.name === "frame") {
+          window.seen.frames.push(entry.startTime);
+          window.seen.painting.push(entry.duration);
+        }
         if (entry.name === "pointer-to-picture") window.seen.answers.push(entry.duration);
       }
     }).observe({ type: "measure" });
@@ -54,7 +58,7 @@ for (const [name, file] of [["bridgemill", ""], ["viaduct", ""]]) {
     const long = seen.long.filter((duration) => duration > 100);
     console.log(
       `${name}: ${rate.toFixed(0)} pictures a second (median), pointer to picture ${quantile(seen.answers, 0.5).toFixed(0)} ms (median), ${late.toFixed(0)} ms (95 %), ` +
-        `${seen.answers.length} answers, ${seen.long.length} long tasks, ${long.length} above 100 ms`,
+        `${seen.moves} movements of the hand, ${seen.answers.length} of them answered in a picture, painting ${quantile(seen.painting, 0.5).toFixed(1)} ms (median), ${seen.long.length} long tasks, ${long.length} above 100 ms`,
     );
     assert.ok(seen.answers.length > 10, "answers follow");
     if (strict) {
@@ -65,6 +69,36 @@ for (const [name, file] of [["bridgemill", ""], ["viaduct", ""]]) {
     await context.close();
   });
 }
+
+test("1984 particles are watched while they are stepped", async () => {
+  const { page, context } = await visit();
+  await openExample(page, "bridgemill", "case-3.toml");
+  await headline(page).catch(() => undefined);
+  await part(page, "Collapse");
+  await page.getByRole("button", { name: "Load until it falls" }).click();
+  await until("the fill is packed", async () => Number(/of (\d+)/.exec(await page.locator("label[for=scrub]").innerText())[1]) > 3, 500);
+  await page.evaluate(() => {
+    window.seen = { frames: [], painting: [], long: [] };
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) {
+        if (entry.name !== "frame") continue;
+        window.seen.frames.push(entry.startTime);
+        window.seen.painting.push(entry.duration);
+      }
+    }).observe({ type: "measure" });
+    new PerformanceObserver((list) => window.seen.long.push(...list.getEntries().map((entry) => entry.duration))).observe({ type: "longtask" });
+  });
+  await page.waitForTimeout(10_000);
+  const seen = await page.evaluate(() => window.seen);
+  const gaps = seen.frames.slice(1).map((time, k) => time - seen.frames[k]);
+  console.log(
+    `case 3: ${(1000 / quantile(gaps, 0.5)).toFixed(0)} pictures a second (median), painting ${quantile(seen.painting, 0.5).toFixed(0)} ms (median), ` +
+      `${seen.long.filter((duration) => duration > 100).length} long tasks above 100 ms in 10 s`,
+  );
+  assert.ok(seen.frames.length > 10);
+  if (strict) assert.ok(1000 / quantile(gaps, 0.5) >= 20);
+  await context.close();
+});
 
 test("first picture, weight", async () => {
   const begin = Date.now();
