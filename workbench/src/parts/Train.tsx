@@ -206,7 +206,7 @@ export function TrainScene(props: { sheet: Sheet }): JSX.Element {
             when={passage().mode[0]() === "setting-up"}
             fallback={
               <div>
-                <p>{props.sheet.reading[0]()?.sections?.passage ? "The train of the file crosses the bridge; finite elements with joints that open." : "This file has no train and no passage. The example “railway-arch” has both."}</p>
+                <p>{props.sheet.reading[0]()?.sections?.passage ? "The train of the file crosses the bridge; finite elements with joints that open." : "This file has no train and no passage. The example “Railway arch” has both."}</p>
                 <button type="button" class="btn main" onClick={() => void passage().start()} disabled={!props.sheet.reading[0]()?.usable || !props.sheet.reading[0]()?.sections?.passage}>Let the train cross</button>
                 <Show when={passage().trouble[0]()}><p class="complaint" role="alert">{passage().trouble[0]()}</p></Show>
               </div>

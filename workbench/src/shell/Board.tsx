@@ -59,13 +59,13 @@ export function Board(props: BoardProps): JSX.Element {
   });
   const handles = createMemo<Handle[]>(() => (props.handles ? handlesOf(placed(), props.sheet.quantities[0]()) : []));
 
+  let lastBodies: { picture: Picture; bodies: answers.Bodies } | null = null;
   const bodies = createMemo(() => {
     const seen = picture();
     const answer = props.sheet.answer[0]();
     if (!seen || !answer || answer.centroids.length !== 2 * seen.shapes.length) return null;
     return cached(seen, answer.centroids);
   });
-  let lastBodies: { picture: Picture; bodies: answers.Bodies } | null = null;
   function cached(seen: Picture, centroids: Float64Array): answers.Bodies {
     if (lastBodies?.picture !== seen) lastBodies = { picture: seen, bodies: answers.bodiesOf(seen, centroids) };
     return lastBodies.bodies;

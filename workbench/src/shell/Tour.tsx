@@ -21,7 +21,7 @@ const STOPS: Stop[] = [
   {
     part: "bridge",
     title: "A bridge is a drawing",
-    words: "Bridgemill, tested to collapse in 1984: 18.3 m of span, drawn to scale. Hold the small square at the end of the dimension line of the rise and pull it up a little, or focus it and press the arrow up.",
+    words: "Bridgemill, a bridge that was tested to collapse: 18.3 m of span, drawn to scale. Hold the small square at the end of the dimension line of the rise and pull it up a little, or focus it and press the arrow up.",
     at: '.grip[data-path="span[1].rise"]',
     done: () => (active()?.steps().back ?? 0) > 0,
   },

@@ -81,6 +81,20 @@ test("a mistake is told at its place in the engineer's words, and the drawing st
   await context.close();
 });
 
+test("parts are visited in any order, and show the bridge again", async () => {
+  const { page, complaints, context } = await visit();
+  await openExample(page, "tiny");
+  const before = await headline(page);
+  for (const name of ["Train", "Load", "Collapse", "Bridge", "Verdict", "Load", "Train", "Bridge", "Load"]) {
+    await part(page, name);
+    await until(`${name} is there`, async () => (await page.locator(".index [aria-current]").innerText()).includes(name));
+  }
+  assert.equal(await headline(page), before);
+  assert.ok(await page.locator(".grip.load").isVisible());
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("several spans, imperial units, both themes, a phone", async () => {
   for (const [width, height, theme] of [[1280, 800, "light"], [1280, 800, "dark"], [390, 844, "light"], [390, 844, "dark"]]) {
     const { page, complaints, context } = await visit({ width, height, theme, touch: width < 800 });
