@@ -57,7 +57,14 @@ function paletted(pictures) {
   const decoded = pictures.map(pixels);
   const counts = new Map();
   const key = (out, at) => ((out[at] >> 2) << 12) | ((out[at + 1] >> 2) << 6) | (out[at + 2] >> 2);
-  for (const { channels, out } of decoded) for (let at = 0; at < out.length; at += channels) counts.set(key(out, at), (counts.get(key(out, at)) ?? 0) + 1);
+  const exact = new Map();
+  for (const { channels, out } of decoded) {
+    for (let at = 0; at < out.length; at += channels) {
+      const one = key(out, at);
+      counts.set(one, (counts.get(one) ?? 0) + 1);
+      if (!exact.has(one)) exact.set(one, [out[at], out[at + 1], out[at + 2]]);
+    }
+  }
   const colours = [...counts].sort((a, b) => b[1] - a[1]).slice(0, 255).map(([one]) => [(one >> 12) & 63, (one >> 6) & 63, one & 63]);
   const nearest = new Map();
   const index = (one) => {
@@ -73,7 +80,7 @@ function paletted(pictures) {
     }
     return nearest.get(one);
   };
-  const palette = Buffer.from(colours.flat().map((part) => (part << 2) | (part >> 4)));
+  const palette = Buffer.from(colours.flatMap(([r, g, b]) => exact.get((r << 12) | (g << 6) | b)));
   return decoded.map(({ width, height, channels, out }) => {
     const rows = Buffer.alloc((width + 1) * height);
     for (let y = 0; y < height; y += 1) for (let x = 0; x < width; x += 1) rows[y * (width + 1) + 1 + x] = index(key(out, (y * width + x) * channels));
