@@ -64,6 +64,5 @@ fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
 }
 
 fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
-    let mut files = figures::passage(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
     results::publish(desk, report, folder, &results::files(folder, written::passage(found))?)
 }
