@@ -27,12 +27,14 @@ pub mod road;
 pub mod schema;
 mod sensor;
 pub mod service;
+pub mod survey;
 pub mod text;
 pub mod train;
 mod tree;
 pub mod update;
 mod values;
 pub mod vary;
+pub mod whereabouts;
 
 pub use ::findings::Severity;
 pub use diagnostic::{Diagnostic, TextRange};

@@ -65,6 +65,8 @@ pub enum Command {
     Verify(Verify),
     /// Predict every field test of a folder by every method from one set of prior values: table and figure of prediction over test
     Validate(Validate),
+    /// Open the page where the load is dragged and the bridge answers, in the browser of this machine
+    Workbench(Workbench),
     /// Measure the speed of one method on this machine
     Bench(Bench),
 }
@@ -434,6 +436,17 @@ pub struct Validate {
     /// Only these methods, with commas [default: all but particles, which take hours]
     #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = one_of(PREDICTORS))]
     pub methods: Vec<Predictor>,
+}
+
+/// `extrados workbench`.
+#[derive(Debug, Args)]
+pub struct Workbench {
+    /// Port on 127.0.0.1; 0 for a free one
+    #[arg(long, value_name = "N", default_value_t = 7717)]
+    pub port: u16,
+    /// Only print the address
+    #[arg(long)]
+    pub no_browser: bool,
 }
 
 /// `extrados bench`.

@@ -132,6 +132,12 @@ findings::cards! {
         "The curve was fitted, and the message says what may be wrong with it: points that were left out, a stretch without points, steps or a \
         kink that a smooth curve rounds off, ends that are not level. `extrados convert SECTION.csv SECTION.svg` draws every point with \
         its distance from the curve.";
+    "F140", "the program has no workbench",
+        "The page of the workbench is a part of the program only where it was built with the feature `workbench`, after the page itself. \
+        `.ci/workbench build` does both; docs/tutorials/workbench.md has every step. The page works from any web server as well.";
+    "F141", "the port of the workbench cannot be had",
+        "Another program listens there, or ports so low are not yours to take. `extrados workbench --port 0` lets the system choose one, and \
+        prints the address.";
 }
 
 impl Failure {

@@ -4,7 +4,6 @@ mod args;
 mod checkpoint;
 mod clock;
 mod commands;
-mod examples;
 mod failure;
 mod folder;
 mod host;
@@ -20,6 +19,8 @@ mod signs;
 mod status;
 mod summary;
 mod watcher;
+#[cfg(feature = "workbench")]
+mod workbench;
 mod workbook;
 
 use std::process::ExitCode;

@@ -60,7 +60,7 @@ impl Report {
     /// Adds what was found in a file.
     pub fn add_findings(&mut self, name: &str, text: &[u8], list: &[Diagnostic]) {
         for finding in list {
-            let value = finding_value(name, text, finding);
+            let value = extrados::written::finding(name, text, finding);
             match finding.severity {
                 Severity::Error => self.errors.push(value),
                 Severity::Warning | Severity::Note => self.warnings.push(value),
@@ -72,7 +72,7 @@ impl Report {
     pub fn add_drawing(&mut self, name: &str, list: &[drawing::Finding]) {
         let mut notes = Vec::new();
         for finding in list {
-            let value = drawing_value(name, finding);
+            let value = extrados::written::finding_in_drawing(name, finding);
             match finding.severity {
                 Severity::Error => self.errors.push(value),
                 Severity::Warning => self.warnings.push(value),
@@ -130,38 +130,3 @@ impl Report {
 
 /// Fields that every object has.
 const COMMON: [&str; 6] = ["schema", "status", "warnings", "errors", "wall_seconds", "threads"];
-
-/// A finding as an object.
-fn finding_value(name: &str, text: &[u8], finding: &Diagnostic) -> Value {
-    let place = bridge::text::position(text, finding.range.start);
-    let mut value = json!({
-        "code": finding.code,
-        "message": finding.message,
-        "file": name,
-        "line": place.line,
-        "column": place.column,
-        "label": finding.label,
-    });
-    for (key, words) in [("note", &finding.note), ("help", &finding.help)] {
-        if let Some(words) = words {
-            value[key] = json!(words);
-        }
-    }
-    value
-}
-
-/// A finding in a drawing as an object: its place is a layer, an entity and coordinates instead of a line.
-fn drawing_value(name: &str, finding: &drawing::Finding) -> Value {
-    let place = &finding.place;
-    let mut value = json!({ "code": finding.code, "message": finding.message, "file": name });
-    for (key, words) in [("layer", &place.layer), ("entity", &place.entity), ("help", &finding.help)] {
-        if !words.is_empty() {
-            value[key] = json!(words);
-        }
-    }
-    if let Some([x, y]) = place.at {
-        value["x_m"] = json!(x);
-        value["y_m"] = json!(y);
-    }
-    value
-}

@@ -8,6 +8,8 @@ use crate::status::Status;
 use crate::workbook;
 use assess::analysis::AnalysisError;
 use extrados::Refusal;
+use extrados::written::Written;
+pub use extrados::written::tables;
 use figures::RasterError;
 use serde_json::json;
 use std::fs;
@@ -110,10 +112,14 @@ fn written(files: &[figures::File]) -> String {
     filled.map(|(what, names)| format!("  {what}: {}\n", names.join(", "))).collect()
 }
 
-/// Tables (name without extension, text) as files; those without a row are left out.
-pub fn tables<'a>(all: impl IntoIterator<Item = (&'a str, String)>) -> impl Iterator<Item = figures::File> {
-    let filled = all.into_iter().filter(|(_, text)| text.lines().nth(1).is_some());
-    filled.map(|(name, text)| figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() })
+/// Every file of an answer; each drawing as SVG and as PNG.
+pub fn files(folder: &Folder, written: Written) -> Result<Vec<figures::File>, Failure> {
+    let mut files = Vec::new();
+    for (name, svg) in &written.drawings {
+        files.extend(figures::both(name, svg).map_err(|error| not_drawn(folder.path(), &error))?);
+    }
+    files.extend(written.files);
+    Ok(files)
 }
 
 /// The status of an analysis as a status of the command.

@@ -53,6 +53,12 @@ impl Memory {
         self.0.insert(path.into(), bytes.into());
         self
     }
+
+    /// Without a file.
+    pub fn without(mut self, path: &Path) -> Memory {
+        self.0.remove(path);
+        self
+    }
 }
 
 impl Files for Memory {

@@ -34,16 +34,19 @@
 
 mod assess;
 mod blocks;
+mod built;
 mod calibrate_fill;
 mod cases;
 mod choice;
 mod collapse;
 mod companions;
 mod compare;
+pub mod examples;
 pub mod files;
 pub mod means;
 mod names;
 mod passing;
+mod placing;
 mod project;
 mod refusal;
 mod respond;
@@ -53,9 +56,11 @@ mod sweep;
 mod update;
 mod vary;
 mod watch;
+pub mod written;
 
 pub use crate::assess::{AssessOptions, Assessed, StageName, assess};
 pub use crate::blocks::{Blocks, collapse_of_blocks};
+pub use crate::built::{as_built, library, of_drawing};
 pub use crate::calibrate_fill::{CalibrateFillOptions, calibrate_fill};
 pub use crate::cases::{CaseAnswer, Cases, cases};
 pub use crate::choice::Choice;
@@ -64,6 +69,7 @@ pub use crate::compare::{Answered, Compared, Difference, compare};
 pub use crate::files::{Disk, Files, Memory};
 pub use crate::means::Means;
 pub use crate::passing::Passing;
+pub use crate::placing::{Carried, Placed, Placing, VehicleChoice};
 pub use crate::project::Project;
 pub use crate::refusal::{Refusal, reason};
 pub use crate::respond::{RespondOptions, respond};
@@ -77,5 +83,9 @@ pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};
 pub use ::outcome as results;
 /// The bridge as its file describes it.
 pub use bridge;
+/// Drawings (DXF) as outlines.
+pub use drawing;
 /// Drawings, pictures and ParaView files of results.
 pub use figures;
+/// Blocks and particles as the block engine has them, which [`Stepping`] shows.
+pub use mechanics::dem;

@@ -4,10 +4,13 @@ use crate::project::Project;
 use crate::refusal::Refusal;
 use crate::respond::{RespondOptions, crossed};
 use crate::watch::{Looking, Watch};
+use assess::analysis::passage::sensors::{Placed, Reading};
 use assess::analysis::passage::{Setup, report, setup};
 use assess::analysis::{AnalysisError, passage};
 use bridge::Bridge;
+use mechanics::ids::NodeId;
 use outcome::passage::{Moment, Passage, PassageStatus};
+use outcome::picture::Point;
 use std::borrow::Cow;
 
 /// A passage that goes on when it is told to. Its numbers are those of [`respond`](crate::respond()), by either path.
@@ -58,6 +61,28 @@ impl Passing {
     /// Mesh, positions and sensors.
     pub fn setup(&self) -> &Setup {
         self.run.setup()
+    }
+
+    /// How many positions are done.
+    pub fn done(&self) -> usize {
+        self.run.done()
+    }
+
+    /// Where each sensor reads, as built [m]: the middle of the nodes or of the element that it reads; none where it reads nothing.
+    pub fn sensor_places(&self) -> Vec<Option<Point>> {
+        let setup = self.setup();
+        let mesh = &setup.meshed.mesh;
+        let middle = |points: Vec<Point>| {
+            let count = points.len() as f64;
+            let sum = points.iter().fold([0.0; 2], |sum, point| [sum[0] + point[0], sum[1] + point[1]]);
+            (!points.is_empty()).then(|| sum.map(|value| value / count))
+        };
+        let node = |node: &NodeId| [mesh.nodes[*node].x, mesh.nodes[*node].y];
+        let place = |sensor: &Placed| match &sensor.reading {
+            Reading::Displacements(parts) => middle(parts.iter().map(|(of, _)| node(of)).collect()),
+            Reading::Stress { quad, .. } => middle(mesh.quads[*quad].nodes.iter().map(node).collect()),
+        };
+        setup.sensors.iter().map(place).collect()
     }
 
     /// Makes the pictures and influence lines of the passage so far; one that is left before its end was cancelled.

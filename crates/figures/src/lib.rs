@@ -70,7 +70,7 @@ pub use load_path::load_displacement;
 pub use mechanism::mechanism;
 pub use mesh::mesh;
 pub use packing::packing;
-pub use passage::{passage, passage_drawings, passage_records, passage_ring};
+pub use passage::{passage, passage_drawings, passage_paraview, passage_records, passage_ring};
 pub use raster::{RasterError, png};
 pub use section::section_drawing;
 pub use soil::mechanism::soil_mechanism;

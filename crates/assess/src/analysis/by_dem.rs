@@ -186,7 +186,12 @@ fn round_down(value: f64) -> f64 {
 
 /// How a run ended, for an engineer, and where it broke off.
 pub fn status(outcome: &dem::Outcome) -> (Status, Option<(Body, u64)>) {
-    match outcome.status {
+    ended(outcome.status)
+}
+
+/// The same of the status alone.
+pub fn ended(status: dem::Status) -> (Status, Option<(Body, u64)>) {
+    match status {
         dem::Status::Collapsed => (Status::Collapsed, None),
         dem::Status::StableToLastLoad => (Status::StableToLastLoad, None),
         dem::Status::Stalled => (Status::Stalled, None),

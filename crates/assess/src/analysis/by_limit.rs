@@ -148,7 +148,7 @@ pub fn watched(
 
 /// Beside a load so many times the weight of all blocks, weight is less than what the solver can see: geometry and
 /// friction alone carry the load, and would carry any other.
-const LOCKED: f64 = 1e3;
+pub(super) const LOCKED: f64 = 1e3;
 
 /// The limit load of the model. Where only the iteration without dilation finds one, and it is beyond all bounds, the
 /// blocks lock.
@@ -163,7 +163,7 @@ pub fn solve(d: &Discretised, settings: &limit::Settings, pace: &Pace) -> Result
 }
 
 /// The flow rule that numbers belong to.
-fn flow_rule(friction: limit::Friction) -> FlowRule {
+pub(super) fn flow_rule(friction: limit::Friction) -> FlowRule {
     match friction {
         limit::Friction::NonAssociated => FlowRule::NonAssociated,
         _ => FlowRule::Associated,

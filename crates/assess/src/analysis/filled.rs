@@ -30,10 +30,7 @@ pub fn collapse_filled(
     if d.loading.variable.is_empty() {
         return Err(AnalysisError::NoLoad);
     }
-    let load_step = bridge.plan.load_step.ok_or(AnalysisError::Missing {
-        what: "load_step",
-        why: "limit analysis, from which it would be chosen, knows no particles",
-    })?;
+    let load_step = bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
     fits(&region, &particles.grains)?;
     let kept = resume.map(Kept::read).transpose()?;
     let grains = match &kept {
@@ -68,6 +65,49 @@ pub fn collapse_filled(
     notes::crushed_under_particles(bridge, crushing_takes(bridge), &mut c);
     Ok(c)
 }
+
+/// The same in the hands of its caller, from the first load on: the fill is packed and at rest, the loading blocks stand on it. None where
+/// the onlooker wished to stop.
+pub fn stepping(
+    bridge: &Bridge,
+    particles: &Particles,
+    watch: &mut dyn Watch,
+) -> Result<Option<(Discretised, dem::Stepping)>, AnalysisError> {
+    require_stiffness(bridge)?;
+    let mut d = discretise(bridge)?;
+    let Some(region) = d.fill.clone() else { return Err(AnalysisError::NoLoad) };
+    d.loading.movements.clear();
+    if d.loading.variable.is_empty() {
+        return Err(AnalysisError::NoLoad);
+    }
+    let load_step = bridge.plan.load_step.ok_or(NO_LOAD_STEP)?;
+    fits(&region, &particles.grains)?;
+    let grains = match packing(bridge, &d, &region, particles, watch) {
+        Ok(grains) => grains,
+        Err(PackingError::Stopped) => return Ok(None),
+        Err(error) => return Err(error.into()),
+    };
+    fill(&mut d, &region, &grains);
+    let Before::Rested(rested) = Before::rest(bridge, &d, &grains, None, watch)? else { return Ok(None) };
+    match rested.outcome.status {
+        dem::Status::StableToLastLoad => {}
+        dem::Status::Cancelled => return Ok(None),
+        _ => return Err(AnalysisError::FillNotAtRest { seed: bridge.plan.seed }),
+    }
+    let lifts = lifts(&d, &rested.frame());
+    lift(&mut d, &lifts);
+    let model = Model::new(&d.model, &d.loading)?;
+    let settings = settings(bridge);
+    let state = take_over(&model, &settings, (&rested.model, &rested.outcome.state));
+    let run = dem::Stepping::from(model, state, &program(bridge, &d, load_step), &settings)?;
+    Ok(Some((d, run)))
+}
+
+/// What a plan without a load step lacks.
+const NO_LOAD_STEP: AnalysisError = AnalysisError::Missing {
+    what: "load_step",
+    why: "limit analysis, from which it would be chosen, knows no particles",
+};
 
 /// The share that crushing takes off the limit load of the same rings under the same fill as weight.
 fn crushing_takes(bridge: &Bridge) -> Option<f64> {
@@ -236,13 +276,7 @@ fn load(
 ) -> Result<dem::Outcome, AnalysisError> {
     let model = Model::new(&d.model, &d.loading)?;
     let settings = settings(bridge);
-    let limit = bridge.plan.load_limit.unwrap_or(MOST_STEPS * load_step);
-    let program = dem::Program {
-        increment: load_step / d.reference_load,
-        limit: (limit - d.counted_weight).max(0.0) / d.reference_load,
-        resolution: bridge.plan.resolution.map(|r| r / d.reference_load),
-        watched: d.watched,
-    };
+    let program = program(bridge, d, load_step);
     let state = || match settled {
         Some(s) => take_over(&model, &settings, (&s.model, &s.outcome.state)),
         None => begin(&model, &settings),
@@ -250,6 +284,17 @@ fn load(
     let words = if let Before::Loaded { words, .. } = before { Some(&words[..]) } else { None };
     let mut part = Part { watch, stage: "loading", grains, lifts: Some(lifts) };
     Ok(dem::collapse_from(&model, &state, &program, &settings, words, &mut part)?)
+}
+
+/// The load steps of a plan.
+fn program(bridge: &Bridge, d: &Discretised, load_step: f64) -> dem::Program {
+    let limit = bridge.plan.load_limit.unwrap_or(MOST_STEPS * load_step);
+    dem::Program {
+        increment: load_step / d.reference_load,
+        limit: (limit - d.counted_weight).max(0.0) / d.reference_load,
+        resolution: bridge.plan.resolution.map(|r| r / d.reference_load),
+        watched: d.watched,
+    }
 }
 
 /// Load steps tried where the file gives no limit.

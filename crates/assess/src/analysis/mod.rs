@@ -23,6 +23,7 @@ pub mod passage;
 mod picture;
 pub(crate) mod pieces;
 mod places;
+pub mod placing;
 mod planned;
 mod softened;
 mod statics;
@@ -55,7 +56,7 @@ use mechanics::dem::PackingError;
 use mechanics::watch::Watch;
 use outcome::collapse::Collapse;
 use outcome::picture::Picture;
-use structure::discretise::{DiscretiseError, fill};
+use structure::discretise::{DiscretiseError, Discretised, fill};
 use thiserror::Error;
 
 /// Why an analysis cannot be set up. What the file must change is in the words.
@@ -198,6 +199,23 @@ pub fn collapse(bridge: &Bridge, resume: Option<&[u64]>, watch: &mut dyn Watch) 
     found.picture.moves_supports = found.support().is_some();
     found.picture.collapse_load = found.support().map_or(found.collapse_load, |support| support.collapse);
     Ok(found)
+}
+
+/// A collapse by discrete elements that goes on when it is told to, with the fill packed and at rest where it is particles; none where the
+/// onlooker wished to stop before.
+pub fn stepping(
+    bridge: &Bridge,
+    watch: &mut dyn Watch,
+) -> Result<Option<(Discretised, mechanics::dem::Stepping)>, AnalysisError> {
+    match fill::wanted(bridge) {
+        Some(particles) => filled::stepping(bridge, particles, watch),
+        None => by_dem::stepping(bridge).map(Some),
+    }
+}
+
+/// A discretised bridge with its picture as built, particles where they were packed.
+pub fn built(bridge: &Bridge, d: &Discretised) -> Picture {
+    picture::built(bridge, d, "as built")
 }
 
 #[cfg(test)]

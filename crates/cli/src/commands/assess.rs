@@ -84,8 +84,7 @@ pub fn answer(done: &Assessed, source: &Source) -> Report {
 
 /// Report and tables.
 pub fn files(done: &Assessed) -> Vec<figures::File> {
-    let page = figures::File { name: "report.html".to_owned(), bytes: done.html().into_bytes() };
-    [page].into_iter().chain(results::tables([("checks", done.table())])).collect()
+    extrados::written::assessed(done).files
 }
 
 /// Makes the chain of one bridge; none where somebody asked to stop.

@@ -10,12 +10,12 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::{Spectator, Watcher};
 use crate::{quantities, summary};
-use extrados::{Choice, CollapseOptions, SweepOptions, Swept};
+use extrados::{Choice, CollapseOptions, SweepOptions, Swept, written};
 use outcome::collapse::Collapse;
+use outcome::published;
 use outcome::sweep::Ended;
-use outcome::sweep::{Sweep, SweepPoint};
+use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
-use outcome::{published, warning};
 use std::time::Duration;
 
 /// Reads the file, makes the analysis, writes its results.
@@ -109,44 +109,16 @@ fn write(
     mut report: Report,
     folder: &Folder,
 ) -> Result<Report, Failure> {
-    report.warn_of(&mut desk.screen, &found.warnings);
-    for warning in found.wall_strip.iter().flat_map(|wall| &wall.warnings) {
-        // What is said of the other strip already need not be repeated.
-        if !found.warnings.contains(warning) {
-            let message = format!("strip of the walls: {}", warning.message);
-            report.warn(&mut desk.screen, warning.code, &message);
-        }
-    }
-    if let Some(words) = figures::left_out(&found.picture) {
-        report.warn(&mut desk.screen, warning::NOT_DRAWN, &words);
-    }
+    report.warn_of(&mut desk.screen, &written::warnings_of(found));
     report.fields.extend(published::collapse(found));
     report.summary = summary::collapse(found, &folder.path().display().to_string());
-    let mut files = figures::all(&found.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    files.extend(figures::dxf::drawings(&found.picture, arguments.displacement_scale));
-    files.extend(tables(found));
-    if let Some(wall) = &found.wall_strip {
-        let mut own = figures::all(&wall.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
-        own.extend(figures::dxf::drawings(&wall.picture, arguments.displacement_scale));
-        own.extend(tables(wall));
-        files.extend(own.into_iter().map(|file| figures::File { name: format!("wall/{}", file.name), ..file }));
+    let mut files = results::files(folder, written::collapse(found, arguments.displacement_scale))?;
+    let not_drawn = |error| results::not_drawn(folder.path(), &error);
+    for (folder, one) in std::iter::once(("", found)).chain(found.wall_strip.iter().map(|wall| ("wall/", &**wall))) {
+        let moving = figures::animation(&one.picture).map_err(not_drawn)?;
+        files.extend(moving.map(|bytes| figures::File { name: format!("{folder}animation.png"), bytes }));
     }
     results::publish(desk, report, folder, &files)
-}
-
-/// Every table that has rows.
-fn tables(found: &Collapse) -> Vec<figures::File> {
-    let all = [
-        ("path", published::path(found)),
-        ("hinges", published::hinges(found)),
-        ("thrust-line", published::thrust_line(found)),
-        ("blocks", published::blocks(found)),
-        ("contacts", published::contacts(found)),
-        ("particles", published::particles(found)),
-        ("particle-contacts", published::particle_contacts(found)),
-        ("packing", structure::packing_file::write(found)),
-    ];
-    results::tables(all).collect()
 }
 
 /// The vehicles of the file's [sweep] moved over the bridge, or its loads where it has none.
@@ -175,16 +147,12 @@ fn vehicles_moved(desk: &mut Desk, source: &Source, found: &VehicleSweep, folder
     report.warn_of(&mut desk.screen, &found.warnings);
     report.fields = published::vehicle_sweep(found);
     report.summary = summary::vehicles(found, &folder.path().display().to_string());
-    let mut files = Vec::new();
+    let mut files = results::files(folder, written::vehicles_moved(found))?;
     if let Some(collapse) = &found.collapse {
-        files = figures::all(&collapse.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+        let moving =
+            figures::animation(&collapse.picture).map_err(|error| results::not_drawn(folder.path(), &error))?;
+        files.extend(moving.map(|bytes| figures::File { name: "animation.png".to_owned(), bytes }));
     }
-    for (name, svg) in figures::vehicles(found) {
-        files.extend(figures::both(name, &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
-    }
-    files.push(table("vehicles", published::vehicles_table(found)));
-    files.push(table("sweep", published::vehicle_envelope_table(found)));
-    files.push(table("sections", published::vehicle_sections_table(found)));
     results::publish(desk, report, folder, &files)
 }
 
@@ -195,30 +163,8 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
     report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());
-    let factors: &[(&str, Factor)] = match found.is_deformable() {
-        _ if found.points.iter().any(|p| p.upper_factor.is_some()) => &[
-            ("lower bound", |p| p.load_factor),
-            ("upper bound", |p| p.upper_factor),
-            ("fill as weight", |p| p.rigid_factor),
-        ],
-        true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
-        false => &[("load factor", |p| p.load_factor)],
-    };
-    let curves: Vec<figures::Sweep> = factors.iter().map(|(name, factor)| curve(name, found, *factor)).collect();
-    let mut files = Vec::new();
-    if let Some(svg) = figures::envelope(name, figures::Ordinate::Factor, &curves, None) {
-        files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
-    }
-    files.push(table("sweep", published::sweep_table(found)));
+    let files = results::files(folder, written::loads_moved(name, found))?;
     results::publish(desk, report, folder, &files)
-}
-
-/// One of the factors at a position.
-type Factor = fn(&SweepPoint) -> Option<f64>;
-
-fn curve(name: &str, found: &Sweep, factor: Factor) -> figures::Sweep {
-    let points = found.points.iter().map(|point| (point.position, factor(point).unwrap_or(f64::NAN)));
-    figures::Sweep { label: name.to_owned(), points: points.collect() }
 }
 
 /// How a sweep ended, for the command.
@@ -228,8 +174,4 @@ fn ended(sweep: Ended) -> Status {
         Ended::Undetermined => Status::Undetermined,
         Ended::Cancelled => Status::Cancelled,
     }
-}
-
-fn table(name: &str, text: String) -> figures::File {
-    figures::File { name: format!("{name}.csv"), bytes: text.into_bytes() }
 }

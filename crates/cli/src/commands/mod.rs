@@ -18,6 +18,7 @@ mod validate;
 mod vary;
 mod vehicles;
 mod verify;
+mod workbench;
 
 use crate::args::{Arguments, Command};
 use crate::clock::Clock;
@@ -127,6 +128,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
         Command::Validate(arguments) => validate::run(desk, arguments).map(Answer::from),
+        Command::Workbench(arguments) => workbench::run(desk, arguments).map(Answer::from),
         Command::Bench(arguments) => bench::run(desk, arguments).map(Answer::from),
     }
 }

@@ -1,11 +1,11 @@
 //! `extrados new`: a working example to edit.
 
 use crate::args::New;
-use crate::examples::{self, Example};
 use crate::failure::Failure;
 use crate::folder;
 use crate::report::Report;
 use crate::status::Status;
+use extrados::examples::{self, Example};
 use std::fmt::Write;
 use std::fs;
 use std::io;

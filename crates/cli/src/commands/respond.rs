@@ -12,7 +12,7 @@ use crate::results;
 use crate::status::Status;
 use crate::watcher::Watcher;
 use crate::{quantities, summary};
-use extrados::RespondOptions;
+use extrados::{RespondOptions, written};
 use outcome::passage::{Passage, PassageStatus};
 use outcome::published;
 use serde_json::json;
@@ -64,14 +64,5 @@ fn options(arguments: &Arguments) -> Result<RespondOptions, Failure> {
 }
 
 fn write(desk: &mut Desk, found: &Passage, report: Report, folder: &Folder) -> Result<Report, Failure> {
-    let mut files = figures::passage(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    let tables = [
-        ("influence", published::influence_table(found)),
-        ("channels", published::channels_table(found)),
-        ("log", published::passage_log(found)),
-        ("joints", published::joint_states(found)),
-        ("thrust-lines", published::thrust_lines(found)),
-    ];
-    files.extend(results::tables(tables));
-    results::publish(desk, report, folder, &files)
+    results::publish(desk, report, folder, &results::files(folder, written::passage(found))?)
 }

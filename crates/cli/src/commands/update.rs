@@ -12,7 +12,7 @@ use crate::shelf::{FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::Spectator;
-use extrados::{Means, UpdateOptions};
+use extrados::{Means, UpdateOptions, written};
 use outcome::published;
 use outcome::update::{Update, UpdateStatus};
 use serde_json::json;
@@ -84,12 +84,5 @@ fn doubts(desk: &mut Desk, found: &Update, report: &mut Report) {
 }
 
 fn write(desk: &mut Desk, found: &Update, report: Report, folder: &Folder) -> Result<Report, Failure> {
-    let tables = [
-        ("histories", published::histories_table(found)),
-        ("sweeps", published::sweeps_table(found)),
-        ("samples", published::samples_table(found)),
-    ];
-    let mut files = figures::update(found).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    files.extend(results::tables(tables));
-    results::publish(desk, report, folder, &files)
+    results::publish(desk, report, folder, &results::files(folder, written::update(found))?)
 }

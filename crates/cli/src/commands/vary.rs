@@ -16,7 +16,7 @@ use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::Spectator;
-use extrados::{Means, Refusal, Studied, VaryOptions, VaryPlan};
+use extrados::{Means, Refusal, Studied, VaryOptions, VaryPlan, written};
 use outcome::published;
 use outcome::study::Study;
 use serde_json::json;
@@ -117,7 +117,6 @@ fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) ->
     let settings = std::mem::replace(&mut report.fields, published::vary(study));
     report.fields.extend(settings);
     report.summary = summary::vary(study, &folder.path().display().to_string());
-    let mut files = figures::study(study).map_err(|error| results::not_drawn(folder.path(), &error))?;
-    files.push(figures::File { name: "vary.csv".to_owned(), bytes: published::vary_table(study).into_bytes() });
+    let files = results::files(folder, written::study(study))?;
     results::publish(desk, report, folder, &files)
 }

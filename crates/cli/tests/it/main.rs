@@ -40,5 +40,6 @@ mod varying;
 mod vehicle_files;
 mod verdict;
 mod walls;
+mod workbench;
 mod workbook;
 mod wrong_files;

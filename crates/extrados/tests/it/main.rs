@@ -1,6 +1,8 @@
 //! The door as programs use it.
 
+mod placing;
 mod random;
+mod turning_back;
 mod written;
 
 use ::assess::analysis::passage::sensors::Placed;

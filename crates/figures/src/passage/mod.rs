@@ -37,6 +37,11 @@ pub fn passage_ring(passage: &Passage, moment: usize) -> Option<String> {
     if moment < passage.moments.len() { ring::ring(passage, moment) } else { None }
 }
 
+/// The ParaView files of a passage.
+pub fn passage_paraview(passage: &Passage) -> Vec<File> {
+    vtu::files(passage)
+}
+
 /// Every figure and ParaView file of a passage.
 pub fn passage(passage: &Passage) -> Result<Vec<File>, RasterError> {
     let mut files = Vec::new();

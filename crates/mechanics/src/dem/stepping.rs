@@ -1,13 +1,16 @@
 //! A run in the hands of its caller: some steps at a time, with a look at the blocks in between.
 
 use super::account::frame;
+use super::fingerprint::fingerprint;
 use super::model::Model;
+use super::outcome::PathPoint;
 use super::outcome::{Frame, Outcome, Status};
 use super::relax::Settled;
 use super::run::{Run, advance, decide, finish, record, start};
 use super::settings::{Program, Settings};
 use super::state::State;
 use super::step::{Workspace, begin};
+use super::words;
 use crate::blocks::{BlockModel, Loading, ModelError};
 
 /// A quasi-static run that goes on when it is told to. Its numbers are those of [`collapse`](super::collapse), however many steps
@@ -33,8 +36,17 @@ impl Stepping {
         settings: &Settings,
     ) -> Result<Stepping, ModelError> {
         let model = Model::new(model, loading)?;
+        let state = begin(&model, settings);
+        Stepping::from(model, state, program, settings)
+    }
+
+    /// From a state of a model that is set up: where another run has left it.
+    ///
+    /// # Errors
+    /// A watched block that is not there.
+    pub fn from(model: Model, state: State, program: &Program, settings: &Settings) -> Result<Stepping, ModelError> {
         model.check_block(program.watched.0)?;
-        let run = start(&model, begin(&model, settings), settings);
+        let run = start(&model, state, settings);
         let (program, settings, work) = (program.clone(), settings.clone(), Workspace::default());
         Ok(Stepping { model, program, settings, run, work, status: None })
     }
@@ -61,6 +73,42 @@ impl Stepping {
     /// Positions, velocities and forces as they lie in memory.
     pub fn state(&self) -> &State {
         &self.run.state
+    }
+
+    /// Steps since the blocks were let go.
+    pub fn steps(&self) -> u64 {
+        self.run.state.steps
+    }
+
+    /// Out-of-balance force over acting force when the run looked last.
+    pub fn unbalanced_ratio(&self) -> f64 {
+        self.run.stage.ratio
+    }
+
+    /// Load steps that have ended.
+    pub fn path(&self) -> &[PathPoint] {
+        &self.run.path
+    }
+
+    /// How the run ended; none while it goes on.
+    pub fn status(&self) -> Option<&Status> {
+        self.status.as_ref()
+    }
+
+    /// The state of the run, from which [`take_up`](Self::take_up) goes on to the same bits.
+    pub fn words(&self) -> Vec<u64> {
+        words::encode(&self.run, fingerprint(&self.model, &self.program, &self.settings))
+    }
+
+    /// Goes back, or on, to a state of the same run.
+    ///
+    /// # Errors
+    /// Words of another run, or none.
+    pub fn take_up(&mut self, words: &[u64]) -> Result<(), ModelError> {
+        let belongs = fingerprint(&self.model, &self.program, &self.settings);
+        self.run = words::decode(&self.model, words, belongs).ok_or(ModelError::ForeignState)?;
+        (self.work, self.status) = (Workspace::default(), None);
+        Ok(())
     }
 
     /// Blocks, contacts and particles as they are now.

@@ -71,7 +71,7 @@ pub fn collapse_load_while(
 }
 
 /// Puts the non-associated answer in place of the associated one.
-fn relax(
+pub(super) fn relax(
     model: &BlockModel,
     equilibrium: &Equilibrium,
     joints: &[Joint],

@@ -9,10 +9,11 @@ use super::reduced::{Elastic, Row, alike, rows, self_stress};
 use super::settings::Settings;
 use super::simplex::Rows;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
+use std::borrow::Cow;
 
 /// What all loads have in common.
 pub struct Ground<'a> {
-    pub(super) model: &'a BlockModel,
+    pub(super) model: Cow<'a, BlockModel>,
     pub(super) interfaces: Vec<Interface>,
     pub(super) joints: Vec<Joint>,
     pub(super) strengths: Vec<Strength>,
@@ -138,12 +139,21 @@ impl Effect {
 impl<'a> Ground<'a> {
     /// Sets up the joints and the permanent loads of a model. The variable loads of `loading` take no part.
     pub fn new(model: &'a BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'a>, ModelError> {
+        Ground::of(Cow::Borrowed(model), loading, settings)
+    }
+
+    /// The same of a model that it keeps.
+    pub fn owning(model: BlockModel, loading: &Loading, settings: &Settings) -> Result<Ground<'static>, ModelError> {
+        Ground::of(Cow::Owned(model), loading, settings)
+    }
+
+    fn of<'m>(model: Cow<'m, BlockModel>, loading: &Loading, settings: &Settings) -> Result<Ground<'m>, ModelError> {
         if model.blocks.iter().all(|b| b.held.is_fixed()) {
             return Err(ModelError::NothingFree);
         }
-        let (interfaces, joints) = joints(model, settings)?;
+        let (interfaces, joints) = joints(&model, settings)?;
         let permanent = Loading { variable: Vec::new(), ..loading.clone() };
-        let equilibrium = Equilibrium::new(model, &permanent, &joints);
+        let equilibrium = Equilibrium::new(&model, &permanent, &joints);
         let strengths: Vec<Strength> = joints.iter().map(|j| j.strength).collect();
         let stands = carried(&equilibrium, &joints, &strengths);
         let resistances = alike(&joints);
@@ -155,7 +165,7 @@ impl<'a> Ground<'a> {
                 .and_then(|mut elastic| Reduced::new(&equilibrium, &mut elastic, limits, &stands)),
             false => None,
         };
-        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(model, &equilibrium, &joints, &reduced.states));
+        let bedded = reduced.as_ref().and_then(|reduced| Bedded::new(&model, &equilibrium, &joints, &reduced.states));
         let resting = resting.map(|forces| bedded.as_ref().map_or(forces.clone(), |bedded| bedded.relaxed(&forces)));
         Ok(Ground { model, interfaces, joints, strengths, resistances, equilibrium, stands, reduced, resting, bedded })
     }
@@ -179,7 +189,7 @@ impl<'a> Ground<'a> {
 
     /// A load in the equations' units of force.
     pub(super) fn scaled(&self, load: &[PointForce]) -> Vec<f64> {
-        let loads = self.equilibrium.of_load(self.model, load);
+        let loads = self.equilibrium.of_load(&self.model, load);
         loads.iter().map(|p| p / self.equilibrium.force).collect()
     }
 

@@ -3,12 +3,13 @@
 
 use super::bounds;
 use super::boxed::{Bounded, greatest_between};
-use super::collapse::{Found, largest_factor_of_carried, report};
+use super::collapse::{Found, largest_factor_of_carried, relax, report};
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
 use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
 use super::reduced::{Elastic, tangents};
+use super::settings::Friction;
 use super::simplex::{Corner, Ended, Member};
 use crate::blocks::PointForce;
 use crate::watch::Pace;
@@ -48,21 +49,28 @@ pub struct Factor {
 impl Ground<'_> {
     /// A sweep over loads. Results do not depend on other sweepers of the same ground.
     pub fn sweeper(&self) -> Sweeper<'_> {
+        self.sweeper_with(Experience::default())
+    }
+
+    /// The same with what an earlier sweeper of this ground learnt.
+    pub fn sweeper_with(&self, learnt: Experience) -> Sweeper<'_> {
         // Also where the fast method has nothing to work on: what joints carry is told all the same.
         let elastic = Elastic::new(&self.equilibrium, &self.joints, &self.resistances);
-        let reduced = self.reduced.as_ref().filter(|_| elastic.is_some()).cloned();
-        Sweeper {
-            ground: self,
-            elastic,
-            reduced,
-            kept: Vec::new(),
-            next: 0,
-            given: Vec::new(),
-            moved: Vec::new(),
-            oldest: 0,
-            pace: Pace::default(),
-        }
+        let Experience { reduced, kept, next, given, moved, oldest } = learnt;
+        let reduced = reduced.or_else(|| self.reduced.clone()).filter(|_| elastic.is_some());
+        Sweeper { ground: self, elastic, reduced, kept, next, given, moved, oldest, pace: Pace::default() }
     }
+}
+
+/// What a sweeper has learnt: mechanisms to start from, motions to bound loads by. It belongs to its ground.
+#[derive(Default)]
+pub struct Experience {
+    reduced: Option<Reduced>,
+    kept: Vec<Kept>,
+    next: usize,
+    given: Vec<Moved>,
+    moved: Vec<Moved>,
+    oldest: usize,
 }
 
 /// A mechanism to start from.
@@ -126,6 +134,12 @@ impl Sweeper<'_> {
         self.pace.goes_on()
     }
 
+    /// What it has learnt, for [`Ground::sweeper_with`].
+    pub fn learnt(self) -> Experience {
+        let Sweeper { reduced, kept, next, given, moved, oldest, .. } = self;
+        Experience { reduced, kept, next, given, moved, oldest }
+    }
+
     /// What a load does.
     pub fn effect(&mut self, load: &[PointForce]) -> Effect {
         let ground = self.ground;
@@ -183,8 +197,12 @@ impl Sweeper<'_> {
                 let ground = self.ground;
                 let solved = found.status == Status::Solved;
                 let scale = equilibrium.factor_scale;
-                let mechanism =
-                    super::mechanism::mechanism(ground.model, &equilibrium, &ground.joints, &found.solution.velocities);
+                let mechanism = super::mechanism::mechanism(
+                    &ground.model,
+                    &equilibrium,
+                    &ground.joints,
+                    &found.solution.velocities,
+                );
                 let upper = solved.then(|| {
                     let s = &found.solution;
                     bounds::least_upper(&equilibrium, &ground.joints, &ground.strengths, &s.forces, &s.velocities)
@@ -258,7 +276,29 @@ impl Sweeper<'_> {
     pub fn outcome(&mut self, effect: &Effect) -> Outcome {
         let ground = self.ground;
         let (equilibrium, found) = self.found(effect);
-        report(ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
+        report(&ground.model, &equilibrium, &ground.joints, &ground.strengths, ground.interfaces.clone(), &found)
+    }
+
+    /// The same by the friction of [`Sweeper::place`]: where joints slide in the mechanism with dilation, or lock, without it.
+    pub fn outcome_by(&mut self, effect: &Effect, friction: Friction) -> Outcome {
+        let ground = self.ground;
+        let (equilibrium, found) = self.found(effect);
+        let (model, joints, strengths) = (&ground.model, &ground.joints, &ground.strengths);
+        let mut outcome = report(model, &equilibrium, joints, strengths, ground.interfaces.clone(), &found);
+        let slides = outcome.mechanism.as_ref().is_some_and(|m| !m.sliding.is_empty()) || found.status == Status::Locks;
+        let level = match friction {
+            Friction::Associated => false,
+            Friction::NonAssociated => true,
+            Friction::Automatic => slides,
+        };
+        if level && matches!(found.status, Status::Solved | Status::Locks) {
+            relax(model, &equilibrium, joints, strengths, &found, &mut outcome);
+        }
+        if !self.pace.goes_on() {
+            let Outcome { interfaces, iterations, friction, .. } = outcome;
+            return Outcome::without_numbers(Status::Cancelled, friction, interfaces, iterations);
+        }
+        outcome
     }
 
     /// Scaled velocities of the mechanism at that factor.

@@ -13,6 +13,7 @@ mod continuum;
 mod cracked;
 mod deformable;
 mod discrete;
+mod driven;
 mod factored;
 mod limits;
 #[cfg(test)]
@@ -27,6 +28,7 @@ mod told;
 mod twins;
 mod weights;
 
+pub use driven::Driven;
 pub use outcome::vehicles::Across;
 pub use outcome::vehicles::ByDiscreteElements;
 pub use outcome::vehicles::Weights;

@@ -3,7 +3,6 @@
 use crate::args::Bench;
 use crate::clock::Clock;
 use crate::commands::Desk;
-use crate::examples;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::results;
@@ -12,6 +11,7 @@ use crate::watcher::{Spectator, asked_to_stop};
 use assess::analysis::passage::{Setup, Solution, records, setup};
 use bridge::Bridge;
 use bridge::passage::PassagePath;
+use extrados::examples;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::PassageStatus;
 

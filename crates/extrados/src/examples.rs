@@ -1,12 +1,15 @@
-//! The examples that come with the program, as they stand in `examples/`.
+//! The examples that come with the library, as they stand in `examples/`.
 
 /// A file of an example.
 #[derive(Debug)]
 pub struct File {
+    /// Its name, with a folder before it where there is one.
     pub name: &'static str,
+    /// What it contains.
     pub text: &'static str,
 }
 
+/// A bridge with its files.
 #[derive(Debug)]
 pub struct Example {
     /// What it is called.
@@ -15,6 +18,7 @@ pub struct Example {
     pub about: &'static str,
     /// The file to start with.
     pub main: &'static str,
+    /// All of its files.
     pub files: &'static [File],
 }
 
@@ -135,6 +139,7 @@ pub const ALL: &[Example] = &[
     },
 ];
 
+/// The example of this name.
 pub fn named(name: &str) -> Option<&'static Example> {
     ALL.iter().find(|example| example.name == name)
 }

@@ -1,0 +1,52 @@
+//! `extrados workbench`: the page where the load is dragged and the bridge answers, from files inside the program.
+
+use super::Desk;
+use crate::args::Workbench;
+use crate::failure::Failure;
+use crate::report::Report;
+#[cfg(feature = "workbench")]
+use {
+    crate::status::Status,
+    crate::watcher::asked_to_stop,
+    crate::workbench::{FILES, server::Server},
+    std::io,
+};
+
+/// How a program with the workbench is made.
+const BUILD: &str = "build the page and the program with `.ci/workbench build`, or the page as docs/tutorials/workbench.md says and then \
+                     `cargo install --path crates/cli --features workbench`";
+
+/// This program was built without the page.
+#[cfg(not(feature = "workbench"))]
+pub fn run(_: &mut Desk, _: &Workbench) -> Result<Report, Failure> {
+    Err(Failure::input("F140", "this program was built without the workbench", BUILD))
+}
+
+/// Serves the page until somebody stops it.
+#[cfg(feature = "workbench")]
+pub fn run(desk: &mut Desk, arguments: &Workbench) -> Result<Report, Failure> {
+    if FILES.is_empty() {
+        let message = "this program was built with the feature `workbench`, but before there was a page";
+        return Err(Failure::input("F140", message, BUILD));
+    }
+    let server = Server::bind(arguments.port, FILES).map_err(|error| taken(arguments.port, &error))?;
+    let address = server.address();
+    desk.screen.remark(&format!(
+        "the workbench is at {address}\nit runs until you stop it with Ctrl-C; nothing leaves this machine\n"
+    ));
+    if !arguments.no_browser && open::that_detached(&address).is_err() {
+        desk.screen.remark("no browser could be opened: open that address yourself\n");
+    }
+    server.run(asked_to_stop).map_err(|error| taken(arguments.port, &error))?;
+    Ok(Report::new(Status::Completed).with("address", address).saying("the workbench was stopped\n"))
+}
+
+/// A port that cannot be had.
+#[cfg(feature = "workbench")]
+fn taken(port: u16, error: &io::Error) -> Failure {
+    let message = match error.kind() {
+        io::ErrorKind::AddrInUse => format!("port {port} is in use by another program"),
+        _ => format!("port {port} cannot be had: {}", extrados::reason(error)),
+    };
+    Failure::input("F141", message, "name another one with --port, or let the system choose with --port 0")
+}

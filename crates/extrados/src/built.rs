@@ -1,0 +1,31 @@
+//! Bridges and drawings before anything is computed.
+
+use crate::project::Project;
+use crate::refusal::Refusal;
+use assess::analysis;
+use assess::vehicles::{Library, library as whole};
+use drawing::Drawing;
+use outcome::picture::Picture;
+use structure::blocks::{Skeleton, skeleton};
+
+/// The bridge as its file describes it, for drawing.
+///
+/// # Errors
+/// A file that cannot be used, or a bridge that cannot be cut into blocks (F108).
+pub fn as_built(project: &Project) -> Result<Picture, Refusal> {
+    analysis::as_built(project.bridge()?).map_err(|error| Refusal::not_set_up(&error))
+}
+
+/// A block model file from a drawing: what the drawing does not say stands there as a line to fill in, which the reader refuses until that
+/// is done.
+pub fn of_drawing(name: &str, drawing: &Drawing) -> String {
+    skeleton(&Skeleton { name, drawing })
+}
+
+/// The vehicles and rules of the library, with the trains of passages, whose axles weigh by standard gravity.
+///
+/// # Errors
+/// A file of the library that cannot be read (F108).
+pub fn library() -> Result<Library, Refusal> {
+    whole(bridge::quantity::STANDARD_GRAVITY).map_err(|unknown| Refusal::not_set_up(&unknown))
+}

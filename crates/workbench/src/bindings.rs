@@ -1,0 +1,557 @@
+//! What a page calls: the functions of this crate with JavaScript's types. Nothing is decided here.
+
+// The functions that the macro makes for the host are unsafe by their nature; none is written by hand.
+#![allow(unsafe_code)]
+// JavaScript hands over owned texts.
+#![allow(clippy::needless_pass_by_value)]
+
+use crate::{analyses, cards, document, live, records as measured, result, stepped, train};
+use extrados::bridge::schema as schemas;
+use extrados::{Progress, Watch, Wish};
+use js_sys::{Error, Function, Reflect};
+use std::cell::RefCell;
+use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// Who hears how far a long analysis is; one at a time, as functions do not overlap in a worker.
+    static TELL: RefCell<Option<Function>> = const { RefCell::new(None) };
+}
+
+/// Hands progress to the page; `true` from there stops the work.
+struct Telling;
+
+impl Telling {
+    fn to(function: &Function) -> Telling {
+        TELL.with(|tell| tell.replace(Some(function.clone())));
+        Telling
+    }
+}
+
+impl Watch for Telling {
+    fn look(&mut self, progress: &Progress) -> Wish {
+        let fraction = JsValue::from_f64(progress.fraction.unwrap_or(f64::NAN));
+        let said = TELL.with(|tell| {
+            let tell = tell.borrow();
+            tell.as_ref()
+                .and_then(|tell| tell.call2(&JsValue::NULL, &JsValue::from_str(&progress.stage), &fraction).ok())
+        });
+        if said.and_then(|said| said.as_bool()) == Some(true) { Wish::Stop } else { Wish::GoOn }
+    }
+}
+
+/// A refusal as an exception.
+fn thrown(refusal: extrados::Refusal) -> JsValue {
+    let error = Error::new(&refusal.message);
+    error.set_name("Refusal");
+    for (key, text) in [("code", refusal.code), ("help", &refusal.help)] {
+        let _ = Reflect::set(&error, &JsValue::from_str(key), &JsValue::from_str(text));
+    }
+    error.into()
+}
+
+type Thrown<T> = Result<T, JsValue>;
+
+/// Begins: panics are told to this function before they end the instance.
+#[wasm_bindgen]
+pub fn start(on_panic: Function) {
+    thread_local! {
+        static ON_PANIC: RefCell<Option<Function>> = const { RefCell::new(None) };
+    }
+    ON_PANIC.with(|known| known.replace(Some(on_panic)));
+    std::panic::set_hook(Box::new(|panic| {
+        let words = JsValue::from_str(&panic.to_string());
+        ON_PANIC
+            .with(|known| known.try_borrow().ok().and_then(|known| known.as_ref()?.call1(&JsValue::NULL, &words).ok()));
+    }));
+}
+
+/// The version.
+#[wasm_bindgen]
+pub fn build() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// Panics, for the test of what a page does then.
+#[wasm_bindgen]
+pub fn fail(words: &str) {
+    panic!("{words}");
+}
+
+/// The examples.
+#[wasm_bindgen]
+pub fn examples() -> String {
+    cards::list_of_examples().to_string()
+}
+
+/// A file of an example.
+#[wasm_bindgen]
+pub fn example_file(example: &str, file: &str) -> Thrown<Vec<u8>> {
+    cards::example_file(example, file).map_err(thrown)
+}
+
+/// The JSON Schema of bridge files.
+#[wasm_bindgen]
+pub fn schema() -> String {
+    schemas::schema().to_string()
+}
+
+/// The cards of all keys.
+#[wasm_bindgen]
+pub fn keys() -> String {
+    cards::keys().to_string()
+}
+
+/// The card of a code.
+#[wasm_bindgen]
+pub fn explain(code: &str) -> String {
+    cards::explained(code).to_string()
+}
+
+/// Every card.
+#[wasm_bindgen]
+pub fn codes() -> String {
+    cards::codes().to_string()
+}
+
+/// Vehicles and rules.
+#[wasm_bindgen]
+pub fn library() -> Thrown<String> {
+    cards::library().map(|library| library.to_string()).map_err(thrown)
+}
+
+/// The ten numbers of a survey.
+#[wasm_bindgen]
+pub fn survey_questions() -> String {
+    cards::survey_questions().to_string()
+}
+
+/// A bridge file from answers.
+#[wasm_bindgen]
+pub fn from_survey(answers: &str) -> Thrown<String> {
+    cards::from_survey(answers).map_err(thrown)
+}
+
+/// A block model file from a drawing.
+#[wasm_bindgen]
+pub fn from_dxf(name: &str, bytes: &[u8]) -> Thrown<String> {
+    cards::from_drawing(name, bytes).map_err(thrown)
+}
+
+/// Measured channels.
+#[wasm_bindgen]
+pub fn records(name: &str, bytes: &[u8]) -> String {
+    measured::records(name, bytes).to_string()
+}
+
+/// One bridge with the files beside it.
+#[wasm_bindgen]
+pub struct Document(document::Document);
+
+#[wasm_bindgen]
+impl Document {
+    /// Of a text at a path.
+    #[wasm_bindgen(constructor)]
+    pub fn new(path: &str, text: &str) -> Document {
+        Document(document::Document::new(path, text))
+    }
+
+    /// A file beside it.
+    pub fn put(&mut self, path: &str, bytes: Vec<u8>) {
+        self.0.put(path, bytes);
+    }
+
+    /// Takes a file beside it away.
+    #[wasm_bindgen(js_name = drop)]
+    pub fn take_away(&mut self, path: &str) {
+        self.0.take_away(path);
+    }
+
+    /// Another text.
+    pub fn set_text(&mut self, text: &str) {
+        self.0.set_text(text);
+    }
+
+    /// The text.
+    pub fn text(&self) -> String {
+        self.0.text().to_owned()
+    }
+
+    /// Findings.
+    pub fn reading(&self) -> String {
+        self.0.reading().to_string()
+    }
+
+    /// The bridge as built.
+    pub fn picture(&self) -> String {
+        serde_json::to_string(&self.0.picture()).unwrap_or_else(|_| "null".to_owned())
+    }
+
+    /// The same as SVG.
+    pub fn drawing(&self) -> String {
+        self.0.drawing()
+    }
+
+    /// Values with units, ranges and places.
+    pub fn quantities(&self) -> String {
+        self.0.quantities().to_string()
+    }
+
+    /// Writes one value.
+    pub fn set(&mut self, path: &str, literal: &str) -> Thrown<()> {
+        self.0.set(path, literal).map_err(thrown)
+    }
+}
+
+/// What an analysis gave.
+#[wasm_bindgen(js_name = Result)]
+pub struct Outcome(result::Answer);
+
+#[wasm_bindgen(js_class = Result)]
+impl Outcome {
+    /// How it ended.
+    #[wasm_bindgen(getter)]
+    pub fn status(&self) -> String {
+        self.0.status().to_owned()
+    }
+
+    /// result.json.
+    #[wasm_bindgen(getter)]
+    pub fn json(&self) -> String {
+        self.0.json()
+    }
+
+    /// What figures are made from.
+    #[wasm_bindgen(getter)]
+    pub fn picture(&self) -> String {
+        self.0.picture()
+    }
+
+    /// The passage.
+    #[wasm_bindgen(getter)]
+    pub fn passage(&self) -> String {
+        self.0.whole_passage()
+    }
+
+    /// The drawings.
+    #[wasm_bindgen(getter)]
+    pub fn figures(&self) -> String {
+        self.0.figures()
+    }
+
+    /// Names of all files.
+    pub fn files(&self) -> String {
+        serde_json::json!(self.0.names()).to_string()
+    }
+
+    /// One of them.
+    pub fn file(&self, name: &str) -> Thrown<Vec<u8>> {
+        self.0.file(name).map_err(thrown)
+    }
+
+    /// All of them.
+    pub fn zip(&self) -> Thrown<Vec<u8>> {
+        self.0.zip().map_err(thrown)
+    }
+}
+
+/// The load that makes a mechanism.
+#[wasm_bindgen]
+pub fn collapse(document: &Document, choice: &str, tell: &Function) -> Thrown<Outcome> {
+    analyses::collapse(&document.0, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// Loads or vehicles at every position.
+#[wasm_bindgen]
+pub fn sweep(document: &Document, choice: &str, step: f64, tell: &Function) -> Thrown<Outcome> {
+    analyses::sweep(&document.0, choice, step, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// Every named case.
+#[wasm_bindgen]
+pub fn cases(document: &Document, choice: &str, tell: &Function) -> Thrown<Outcome> {
+    analyses::cases(&document.0, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// The passage of a train.
+#[wasm_bindgen]
+pub fn respond(document: &Document, tell: &Function) -> Thrown<Outcome> {
+    analyses::respond(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// Parameters from records.
+#[wasm_bindgen]
+pub fn update(document: &Document, tell: &Function) -> Thrown<Outcome> {
+    analyses::update(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// The records alone.
+#[wasm_bindgen]
+pub fn judge(document: &Document, tell: &Function) -> Thrown<Outcome> {
+    analyses::judge(&document.0, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// The collapse over ranges.
+#[wasm_bindgen]
+pub fn vary(document: &Document, settings: &str, choice: &str, tell: &Function) -> Thrown<Outcome> {
+    analyses::vary(&document.0, settings, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// Each quantity a tenth down and up.
+#[wasm_bindgen]
+pub fn tornado(document: &Document, paths: &str, choice: &str, tell: &Function) -> Thrown<Outcome> {
+    analyses::tornado(&document.0, paths, choice, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// The whole chain; the day as year-month-day stands in the report.
+#[wasm_bindgen]
+pub fn assess(document: &Document, day: &str, tell: &Function) -> Thrown<Outcome> {
+    analyses::assess(&document.0, day, &mut Telling::to(tell)).map(Outcome).map_err(thrown)
+}
+
+/// A load under the pointer.
+#[wasm_bindgen]
+pub struct Placing(live::Placing);
+
+#[wasm_bindgen]
+impl Placing {
+    /// The bridge prepared once.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &Document, vehicle: &str, rule: &str, leftward: bool) -> Thrown<Placing> {
+        live::Placing::new(&document.0, vehicle, rule, leftward).map(Placing).map_err(thrown)
+    }
+
+    /// What is put where.
+    pub fn about(&self) -> String {
+        self.0.about().to_string()
+    }
+
+    /// What is carried at a place, and how.
+    pub fn at(&mut self, x: f64) -> Answer {
+        Answer(self.0.at(x))
+    }
+
+    /// The same with dilatant friction alone.
+    pub fn quickly(&mut self, x: f64) -> Answer {
+        Answer(self.0.quickly(x))
+    }
+
+    /// What is carried at a place.
+    pub fn factor(&mut self, x: f64) -> Vec<f64> {
+        self.0.factor(x).to_vec()
+    }
+
+    /// The zone of the line of thrust.
+    pub fn zone(&self, x: f64, factor: f64) -> Thrown<Vec<f64>> {
+        self.0.zone(x, factor).map_err(thrown)
+    }
+}
+
+/// What is carried at a place, for drawing.
+#[wasm_bindgen]
+pub struct Answer(live::Answer);
+
+#[wasm_bindgen]
+impl Answer {
+    /// Everything but geometry.
+    #[wasm_bindgen(getter)]
+    pub fn json(&self) -> String {
+        self.0.json().to_string()
+    }
+
+    /// Points of the lines of thrust.
+    #[wasm_bindgen(getter)]
+    pub fn thrust(&self) -> Vec<f64> {
+        self.0.thrust()
+    }
+
+    /// Where each line begins.
+    #[wasm_bindgen(getter)]
+    pub fn thrust_starts(&self) -> Vec<u32> {
+        self.0.thrust_starts()
+    }
+
+    /// Motion of each shape.
+    #[wasm_bindgen(getter)]
+    pub fn mechanism(&self) -> Vec<f64> {
+        self.0.mechanism()
+    }
+
+    /// Centroid of each shape.
+    #[wasm_bindgen(getter)]
+    pub fn centroids(&self) -> Vec<f64> {
+        self.0.centroids()
+    }
+
+    /// Forces on the blocks.
+    #[wasm_bindgen(getter)]
+    pub fn loads(&self) -> Vec<f64> {
+        self.0.loads()
+    }
+
+    /// What stands on the road.
+    #[wasm_bindgen(getter)]
+    pub fn axles(&self) -> Vec<f64> {
+        self.0.axles()
+    }
+}
+
+/// The block engine, a few steps at a time.
+#[wasm_bindgen]
+pub struct Stepping(stepped::Stepping);
+
+#[wasm_bindgen]
+impl Stepping {
+    /// The bridge with its loads.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &Document, choice: &str, tell: &Function) -> Thrown<Stepping> {
+        stepped::Stepping::new(&document.0, choice, &mut Telling::to(tell)).map(Stepping).map_err(thrown)
+    }
+
+    /// Goes on.
+    pub fn advance(&mut self, steps: u32) -> String {
+        self.0.advance(steps).to_owned()
+    }
+
+    /// The state as bytes.
+    pub fn state(&self) -> Vec<u8> {
+        self.0.state()
+    }
+
+    /// Goes back, or on, to a state.
+    pub fn restore(&mut self, state: &[u8]) -> Thrown<()> {
+        self.0.restore(state).map_err(thrown)
+    }
+
+    /// The load that acts.
+    #[wasm_bindgen(getter)]
+    pub fn load(&self) -> f64 {
+        self.0.load()
+    }
+
+    /// Steps so far.
+    #[wasm_bindgen(getter)]
+    pub fn steps(&self) -> f64 {
+        self.0.progress().0 as f64
+    }
+
+    /// Out-of-balance force over acting force.
+    #[wasm_bindgen(getter)]
+    pub fn unbalanced(&self) -> f64 {
+        self.0.progress().1
+    }
+
+    /// Shapes and particles before they moved.
+    pub fn picture(&self) -> String {
+        serde_json::to_string(self.0.picture()).unwrap_or_else(|_| "null".to_owned())
+    }
+
+    /// Poses of the shapes.
+    pub fn poses(&self) -> Vec<f64> {
+        self.0.poses()
+    }
+
+    /// Centroids as built.
+    pub fn centroids(&self) -> Vec<f64> {
+        self.0.centroids()
+    }
+
+    /// The particles.
+    pub fn particles(&self) -> Vec<f32> {
+        self.0.particles()
+    }
+
+    /// Contacts of blocks.
+    pub fn contacts(&self) -> Vec<f32> {
+        self.0.contacts()
+    }
+
+    /// Contacts of particles.
+    pub fn chains(&self) -> Vec<f32> {
+        self.0.chains()
+    }
+
+    /// Stresses of the shapes.
+    pub fn stresses(&self) -> Vec<f32> {
+        self.0.stresses()
+    }
+
+    /// Load and displacement.
+    pub fn path(&self) -> Vec<f64> {
+        self.0.path()
+    }
+}
+
+/// A train, a few positions at a time.
+#[wasm_bindgen]
+pub struct Passing(train::Passing);
+
+#[wasm_bindgen]
+impl Passing {
+    /// The bridge under its own weight.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &Document, tell: &Function) -> Thrown<Passing> {
+        train::Passing::new(&document.0, &mut Telling::to(tell)).map(Passing).map_err(thrown)
+    }
+
+    /// Moves the train on.
+    pub fn advance(&mut self, positions: u32) -> Thrown<String> {
+        self.0.advance(positions).map(str::to_owned).map_err(thrown)
+    }
+
+    /// Positions in all.
+    #[wasm_bindgen(getter)]
+    pub fn count(&self) -> u32 {
+        self.0.counts()[0] as u32
+    }
+
+    /// Positions that are done.
+    #[wasm_bindgen(getter)]
+    pub fn done(&self) -> u32 {
+        self.0.counts()[1] as u32
+    }
+
+    /// Times and places.
+    pub fn places(&self) -> Vec<f64> {
+        self.0.places()
+    }
+
+    /// What is recorded.
+    pub fn sensors(&self) -> String {
+        self.0.sensors().to_string()
+    }
+
+    /// Values of the sensors.
+    pub fn values(&self) -> Vec<f64> {
+        self.0.values()
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> String {
+        self.0.mesh().to_string()
+    }
+
+    /// Displacements of the nodes.
+    pub fn displacements(&self) -> Vec<f32> {
+        self.0.displacements()
+    }
+
+    /// Pairs of facing points.
+    pub fn joints(&self) -> Vec<f32> {
+        self.0.joints()
+    }
+
+    /// Stresses of the quadrilaterals.
+    pub fn stresses(&self) -> Vec<f32> {
+        self.0.stresses()
+    }
+
+    /// Axles above the mesh.
+    pub fn axles(&self) -> Vec<f64> {
+        self.0.axles()
+    }
+
+    /// The passage as a whole.
+    pub fn finish(self, tell: &Function) -> Thrown<Outcome> {
+        self.0.finish(&mut Telling::to(tell)).map(Outcome).map_err(thrown)
+    }
+}

@@ -1,0 +1,173 @@
+//! What the engine knows of files, codes, vehicles and examples, for completion and menus.
+
+use crate::reading::words;
+use extrados::bridge::explain::{self, FileCard};
+use extrados::bridge::fields::{FILE, Field, Kind, Need, Section};
+use extrados::bridge::survey;
+use extrados::{Refusal, drawing, examples};
+use serde_json::{Value, json};
+
+/// The examples.
+pub fn list_of_examples() -> Value {
+    let one = |example: &examples::Example| {
+        let files: Vec<Value> =
+            example.files.iter().map(|file| json!({ "name": file.name, "about": file.about() })).collect();
+        json!({
+            "name": example.name, "about": example.about, "main": example.main, "command": example.command(), "files": files,
+        })
+    };
+    examples::ALL.iter().map(one).collect()
+}
+
+/// A file of an example.
+///
+/// # Errors
+/// No such file (F104).
+pub fn example_file(example: &str, file: &str) -> Result<Vec<u8>, Refusal> {
+    let found = examples::named(example).and_then(|example| example.files.iter().find(|one| one.name == file));
+    let found = found.map(|file| file.text.as_bytes().to_vec());
+    found.ok_or_else(|| {
+        let names: Vec<&str> = examples::ALL.iter().map(|example| example.name).collect();
+        let message = format!("there is no file {file} of an example called {example}");
+        Refusal::new("F104", message, format!("the examples are {}", names.join(", ")))
+    })
+}
+
+/// The cards of all keys, section by section.
+pub fn keys() -> Value {
+    let mut all = Vec::new();
+    visit(&FILE, "", false, &mut all);
+    all.into()
+}
+
+fn visit(section: &'static Section, path: &str, list: bool, all: &mut Vec<Value>) {
+    let fields: Vec<Value> = section.fields.iter().map(field).collect();
+    all.push(json!({ "path": path, "list": list, "doc": section.doc, "fields": fields }));
+    for field in section.fields {
+        let below = if path.is_empty() { field.key.to_owned() } else { format!("{path}.{}", field.key) };
+        match field.kind {
+            Kind::Table(inner) => visit(inner, &below, false, all),
+            Kind::Tables(inner) => visit(inner, &below, true, all),
+            _ => {}
+        }
+    }
+}
+
+fn field(field: &Field) -> Value {
+    let kind = match field.kind {
+        Kind::Quantity(_) | Kind::QuantityOr(..) | Kind::LineLoad => "quantity",
+        Kind::Quantities(_) => "quantities",
+        Kind::Number => "number",
+        Kind::Count => "whole",
+        Kind::Flag => "truth",
+        Kind::Word(_) => "word",
+        Kind::Text => "text",
+        Kind::Table(_) => "table",
+        Kind::Tables(_) => "tables",
+        _ => "other",
+    };
+    let (need, default) = match field.need {
+        Need::Required => ("required", None),
+        Need::Optional(_) => ("optional", None),
+        Need::Default(value) => ("default", Some(value)),
+    };
+    json!({
+        "key": field.key, "kind": kind, "doc": field.doc, "need": need, "default": default, "words": words(field),
+        "example": field.example_line(), "form": field.form(),
+    })
+}
+
+fn card(card: &FileCard) -> Value {
+    json!({
+        "code": card.code, "title": card.title, "text": format!("{}\n\n{}", card.meaning, card.why), "instead_is": card.instead_is(),
+        "instead": card.instead(), "source": card.source,
+    })
+}
+
+/// The card of a code; null where there is none.
+pub fn explained(code: &str) -> Value {
+    explain::explain(code).map_or(Value::Null, card)
+}
+
+/// Every card about files.
+pub fn codes() -> Value {
+    explain::cards().map(card).collect()
+}
+
+/// The ten numbers of a survey.
+pub fn survey_questions() -> Value {
+    let one = |one: &survey::Question| json!({ "key": one.key, "doc": one.doc, "unit": one.unit, "example": one.example, "assumed": one.assumed });
+    survey::QUESTIONS.iter().map(one).collect()
+}
+
+/// A bridge file from answers, an object of texts or numbers.
+///
+/// # Errors
+/// Answers that are missing or no numbers (F108).
+pub fn from_survey(answers: &str) -> Result<String, Refusal> {
+    let refused = |message: String| Refusal::new("F108", message, "answer with numbers and units, such as 6.00 m");
+    let given: Value = serde_json::from_str(answers).map_err(|error| refused(error.to_string()))?;
+    let said = |key: &str| match given.get(key) {
+        Some(Value::String(text)) => Some(text.clone()),
+        Some(Value::Number(number)) => Some(number.to_string()),
+        _ => None,
+    };
+    let name = said("name").unwrap_or_else(|| "A bridge".to_owned());
+    survey::file(&name, &said).map_err(|wrong| {
+        let message: Vec<&str> = wrong.iter().map(|one| one.message.as_str()).collect();
+        let help: Vec<&str> = wrong.iter().map(|one| one.help.as_str()).collect();
+        Refusal::new("F108", message.join("; "), help.join("; "))
+    })
+}
+
+/// A block model file from a drawing; what the drawing does not say stands there to be filled in.
+///
+/// # Errors
+/// A drawing that cannot be used, with its findings (D101).
+pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Refusal> {
+    let read = drawing::read(bytes, &drawing::Options::default());
+    if !read.is_usable() {
+        let words: Vec<String> = read.findings.iter().take(8).map(drawing::Finding::words).collect();
+        return Err(Refusal::new("D101", words.join("; "), "mend the drawing and drop it again"));
+    }
+    Ok(extrados::of_drawing(name, &read.drawing))
+}
+
+/// Vehicles and rules of the library.
+///
+/// # Errors
+/// A file of the library that cannot be read.
+pub fn library() -> Result<Value, Refusal> {
+    let library = extrados::library()?;
+    let models: Vec<Value> = library
+        .models
+        .iter()
+        .map(|model| {
+            let vehicles: Vec<Value> = model
+                .vehicles
+                .iter()
+                .map(|one| {
+                    let pattern = one.patterns().into_iter().next();
+                    let axles = pattern.iter().flat_map(|pattern| &pattern.axles);
+                    let axles: Vec<Value> =
+                        axles.map(|axle| json!({ "force": axle.force, "offset": axle.offset })).collect();
+                    json!({ "code": one.code, "title": one.title, "axles": axles, "uniform": !one.uniform.is_empty() })
+                })
+                .collect();
+            let rules: Vec<&str> = library
+                .rules
+                .iter()
+                .filter(|rule| rule.acting(model).is_some())
+                .map(|rule| rule.code.as_str())
+                .collect();
+            json!({
+                "code": model.code, "title": model.title, "ways": model.ways, "vehicles": vehicles, "rules": rules,
+                "source": model.source.text, "confidence": model.source.confidence,
+                "longest_span": model.span_limit.as_ref().map(|limit| limit.longest_m),
+            })
+        })
+        .collect();
+    let rules: Vec<Value> =
+        library.rules.iter().map(|rule| json!({ "code": rule.code, "title": rule.title })).collect();
+    Ok(json!({ "models": models, "rules": rules }))
+}

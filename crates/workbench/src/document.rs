@@ -1,0 +1,149 @@
+//! One bridge with the files beside it, as somebody edits it.
+
+use crate::reading;
+use extrados::bridge::vary::{Spread, find, settle};
+use extrados::bridge::{edit, is_block_file};
+use extrados::figures::bridge_as_drawn;
+use extrados::results::picture::Picture;
+use extrados::{Blocks, Memory, Project, Refusal};
+use std::path::{Path, PathBuf};
+
+/// A bridge file or a block model file.
+pub struct Document {
+    path: PathBuf,
+    text: String,
+    files: Memory,
+    read: Read,
+}
+
+/// What the text means.
+enum Read {
+    Bridge(Box<Project>),
+    Blocks(Box<Blocks>),
+    /// It cannot be read, or a file beside it cannot.
+    Refused(Refusal),
+}
+
+impl Document {
+    /// Of a text at a path; companions are named relative to it.
+    pub fn new(path: &str, text: &str) -> Document {
+        let mut this = Document {
+            path: PathBuf::from(path),
+            text: text.to_owned(),
+            files: Memory::default(),
+            read: Read::Refused(Refusal::new("F101", "", "")),
+        };
+        this.read();
+        this
+    }
+
+    /// A file beside it.
+    pub fn put(&mut self, path: &str, bytes: Vec<u8>) {
+        self.files = std::mem::take(&mut self.files).with(path, bytes);
+        self.read();
+    }
+
+    /// Takes a file beside it away.
+    pub fn take_away(&mut self, path: &str) {
+        self.files = std::mem::take(&mut self.files).without(Path::new(path));
+        self.read();
+    }
+
+    /// Another text, whatever it says.
+    pub fn set_text(&mut self, text: &str) {
+        text.clone_into(&mut self.text);
+        self.read();
+    }
+
+    fn read(&mut self) {
+        let files = self.files.clone().with(&self.path, self.text.as_bytes());
+        self.read = match is_block_file(self.text.as_bytes()) {
+            true => {
+                Blocks::read(&self.path, &files).map_or_else(Read::Refused, |blocks| Read::Blocks(Box::new(blocks)))
+            }
+            false => {
+                Project::read(&self.path, &files).map_or_else(Read::Refused, |project| Read::Bridge(Box::new(project)))
+            }
+        };
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The bridge file that analyses take.
+    ///
+    /// # Errors
+    /// Why there is none: a file beside it, or a block model file, which only collapses.
+    pub fn project(&self) -> Result<&Project, Refusal> {
+        match &self.read {
+            Read::Bridge(project) => Ok(project),
+            Read::Refused(refusal) => Err(refusal.clone()),
+            Read::Blocks(blocks) => {
+                let message = format!("{} is a block model file: its blocks collapse, and nothing else", blocks.name());
+                Err(Refusal::new("F108", message, "write a bridge file, which has spans and rings"))
+            }
+        }
+    }
+
+    /// The block model file, where it is one.
+    pub fn blocks(&self) -> Option<&Blocks> {
+        match &self.read {
+            Read::Blocks(blocks) => Some(blocks),
+            _ => None,
+        }
+    }
+
+    /// Why the file could not be read.
+    pub fn refusal(&self) -> Option<&Refusal> {
+        match &self.read {
+            Read::Refused(refusal) => Some(refusal),
+            _ => None,
+        }
+    }
+
+    /// Findings, what there is to analyse.
+    pub fn reading(&self) -> serde_json::Value {
+        reading::reading(self)
+    }
+
+    /// Values with their units, ranges and places.
+    pub fn quantities(&self) -> serde_json::Value {
+        reading::quantities(&self.text)
+    }
+
+    /// The bridge as its file describes it; none where it has errors.
+    pub fn picture(&self) -> Option<Picture> {
+        match &self.read {
+            Read::Bridge(project) => extrados::as_built(project).ok(),
+            Read::Blocks(blocks) => blocks.as_built(),
+            Read::Refused(_) => None,
+        }
+    }
+
+    /// The same as a drawing (SVG).
+    pub fn drawing(&self) -> String {
+        self.picture().as_ref().map(bridge_as_drawn).unwrap_or_default()
+    }
+
+    /// Writes one value at its path, in the place of the one that is there; every other byte stays.
+    ///
+    /// # Errors
+    /// A path that leads to no quantity, a value that does not fit (B501 to B503, F114).
+    pub fn set(&mut self, path: &str, literal: &str) -> Result<(), Refusal> {
+        let unfit = || {
+            let message = format!("{path}: the file has no place for it");
+            Refusal::new("F114", message, "mend the text first, or write the line by hand")
+        };
+        let mut document = edit::Document::parse(&self.text).ok_or_else(unfit)?;
+        let slip = |slip: extrados::bridge::vary::Slip| Refusal::new(slip.code, slip.message, slip.help);
+        let quantity = find(&document, path).map_err(slip)?;
+        let settled = settle(&quantity, &Spread::List(vec![reading::literal(literal)])).map_err(slip)?;
+        for value in &settled.values {
+            document.set(&settled.path, &value.literal).map_err(|_| unfit())?;
+        }
+        self.set_text(&document.text());
+        Ok(())
+    }
+}

@@ -1,0 +1,28 @@
+//! The engine of the workbench: Extrados behind functions that a page calls in a worker. `workbench/PROTOCOL.md` says what crosses the
+//! border and how; this crate is no interface for other programs, which take the crate `extrados`.
+//!
+//! Everything here works on texts and numbers and runs natively too; [`bindings`] alone knows of JavaScript.
+
+pub mod analyses;
+pub mod bindings;
+pub mod cards;
+pub mod document;
+pub mod live;
+pub mod reading;
+pub mod records;
+pub mod result;
+pub mod stepped;
+pub mod train;
+
+use extrados::Refusal;
+
+/// Several refusals as one, which is what an exception can carry.
+pub(crate) fn one(mut refusals: Vec<Refusal>) -> Refusal {
+    if refusals.len() == 1 {
+        return refusals.remove(0);
+    }
+    let code = refusals.first().map_or("F108", |first| first.code);
+    let message: Vec<&str> = refusals.iter().map(|refusal| refusal.message.as_str()).collect();
+    let help = refusals.first().map_or("", |first| first.help.as_str());
+    Refusal::new(code, message.join("; "), help)
+}

@@ -1,0 +1,237 @@
+//! What an analysis gave, with everything that the command would write of it.
+
+use extrados::bridge::Severity;
+use extrados::figures::File;
+use extrados::results::collapse::Collapse;
+use extrados::results::passage::{Passage, PassageStatus};
+use extrados::results::published::{self, Object};
+use extrados::results::study::Study;
+use extrados::results::sweep::Ended;
+use extrados::results::update::Update;
+use extrados::results::warning::Warning;
+use extrados::written::{self, Written};
+use extrados::{Assessed, Blocks, Cases, Project, Refusal, Swept};
+use serde_json::{Value, json};
+use std::io::{Cursor, Write};
+use zip::CompressionMethod;
+use zip::write::{SimpleFileOptions, ZipWriter};
+
+/// An answer, ready to be read, drawn and taken away.
+pub struct Answer {
+    status: String,
+    object: Object,
+    picture: Value,
+    passage: Value,
+    written: Written,
+    text: (String, Vec<u8>),
+}
+
+impl Answer {
+    fn new(
+        project: &Project,
+        (schema, status): (&str, &str),
+        fields: Object,
+        warnings: &[Warning],
+        written: Written,
+    ) -> Answer {
+        Answer {
+            status: status.to_owned(),
+            object: written::object(project, schema, status, fields, warnings),
+            picture: Value::Null,
+            passage: Value::Null,
+            written,
+            text: (project.name().to_owned(), project.text().to_vec()),
+        }
+    }
+
+    /// Of a collapse.
+    pub fn collapse(project: &Project, found: &Collapse) -> Answer {
+        let head = ("extrados.collapse/1", found.status.word());
+        let (fields, warnings) = (published::collapse(found), written::warnings_of(found));
+        let picture = json!(found.picture);
+        Answer { picture, ..Answer::new(project, head, fields, &warnings, written::collapse(found, None)) }
+    }
+
+    /// Of the collapse of a block model.
+    pub fn collapse_of_blocks(blocks: &Blocks, found: &Collapse) -> Answer {
+        let of_file = blocks.findings().iter().map(|one| written::finding(blocks.name(), blocks.text(), one));
+        let (place, in_drawing) = blocks.drawing().unzip();
+        let place = place.map(|place| place.display().to_string()).unwrap_or_default();
+        let in_drawing = in_drawing.unwrap_or_default().iter();
+        let (notes, doubts): (Vec<_>, Vec<_>) = in_drawing.partition(|one| one.severity == Severity::Note);
+        let value = |one: &extrados::drawing::Finding| written::finding_in_drawing(&place, one);
+        let of_analysis = written::warnings_of(found);
+        let of_analysis = of_analysis.iter().map(|one| json!({ "code": one.code, "message": one.message }));
+        let warnings: Vec<Value> = doubts.into_iter().map(value).chain(of_file).chain(of_analysis).collect();
+        let mut object = Object::new();
+        object.insert("schema".to_owned(), json!("extrados.collapse/1"));
+        object.insert("status".to_owned(), json!(found.status));
+        if !notes.is_empty() {
+            object.insert("notes".to_owned(), notes.into_iter().map(value).collect());
+        }
+        object.extend(published::collapse(found).into_iter().filter(|(key, _)| !object_keys(key)));
+        object.insert("warnings".to_owned(), json!(warnings));
+        Answer {
+            status: found.status.word().to_owned(),
+            object,
+            picture: json!(found.picture),
+            passage: Value::Null,
+            written: written::collapse(found, None),
+            text: (blocks.name().to_owned(), blocks.text().to_vec()),
+        }
+    }
+
+    /// Of a sweep.
+    pub fn sweep(project: &Project, found: &Swept) -> Result<Answer, Refusal> {
+        Ok(match found {
+            Swept::Loads(found) => {
+                let bridge = project.bridge()?;
+                let head = ("extrados.sweep/1", ended(found.ended()));
+                let fields = published::sweep(&bridge.name, bridge.width, found);
+                Answer::new(project, head, fields, &found.warnings, written::loads_moved(&bridge.name, found))
+            }
+            Swept::Vehicles(found) => {
+                let head = ("extrados.vehicle-sweep/1", ended(found.status()));
+                let picture = found.collapse.as_ref().map_or(Value::Null, |collapse| json!(collapse.picture));
+                let (fields, written) = (published::vehicle_sweep(found), written::vehicles_moved(found));
+                Answer { picture, ..Answer::new(project, head, fields, &found.warnings, written) }
+            }
+        })
+    }
+
+    /// Of the passage of a train.
+    pub fn passage(project: &Project, found: Passage) -> Answer {
+        let head = ("extrados.respond/1", found.status.word());
+        let passage = if found.status == PassageStatus::Cancelled { Value::Null } else { json!(found) };
+        let made = Answer::new(project, head, published::passage(&found), &found.warnings, written::passage(&found));
+        Answer { passage, ..made }
+    }
+
+    /// Of an update, or of records that were judged alone.
+    pub fn update(project: &Project, found: &Update, alone: bool) -> Answer {
+        let status = match alone {
+            true if found.records.doubted() => "inadequate",
+            _ => found.status.word(),
+        };
+        let head = ("extrados.update/1", status);
+        Answer::new(project, head, published::update(found), &found.warnings, written::update(found))
+    }
+
+    /// Of a study.
+    pub fn study(project: &Project, found: &Study) -> Answer {
+        let open = found.rows.iter().all(|row| found.number(row).is_none());
+        let head = ("extrados.vary/1", if open { "undetermined" } else { "completed" });
+        Answer::new(project, head, published::vary(found), &[], written::study(found))
+    }
+
+    /// Of an assessment.
+    pub fn assessed(project: &Project, found: &Assessed) -> Answer {
+        let head = ("extrados.assess/1", found.assessment.verdict.status.word());
+        Answer::new(project, head, found.object(), &found.warnings(), written::assessed(found))
+    }
+
+    /// Of named cases.
+    pub fn cases(project: &Project, found: &Cases) -> Answer {
+        let case = |one: &extrados::CaseAnswer| {
+            json!({
+                "name": one.name, "acts": one.told, "load_factor": one.factor(), "result": published::collapse(&one.collapse),
+            })
+        };
+        let mut fields = Object::new();
+        fields.insert("governing_case".to_owned(), json!(found.governing().map(|one| &one.name)));
+        fields.insert("load_factor".to_owned(), json!(found.governing().and_then(extrados::CaseAnswer::factor)));
+        fields.insert("load_factor_at_most".to_owned(), json!(found.least().and_then(extrados::CaseAnswer::factor)));
+        fields.insert("cases".to_owned(), found.answers.iter().map(case).collect());
+        let mut written = Written::default();
+        for (k, one) in found.answers.iter().enumerate() {
+            let drawn = extrados::figures::drawings(&one.collapse.picture).into_iter();
+            written.drawings.extend(drawn.map(|(name, svg)| (format!("case-{}/{name}", k + 1), svg)));
+        }
+        let picture = found.least().map_or(Value::Null, |one| json!(one.collapse.picture));
+        let known = found.answers.iter().all(extrados::CaseAnswer::is_known);
+        let head = ("extrados.cases/1", if known { "completed" } else { "undetermined" });
+        Answer { picture, ..Answer::new(project, head, fields, &[], written) }
+    }
+
+    /// How it ended.
+    pub fn status(&self) -> &str {
+        &self.status
+    }
+
+    /// result.json, but for what only the command knows: wall clock, threads, names of files, where they are.
+    pub fn json(&self) -> String {
+        published::json(&self.object)
+    }
+
+    /// What figures are made from; null where there is none.
+    pub fn picture(&self) -> String {
+        self.picture.to_string()
+    }
+
+    /// The passage; null where there is none.
+    pub fn whole_passage(&self) -> String {
+        self.passage.to_string()
+    }
+
+    /// The drawings.
+    pub fn figures(&self) -> String {
+        let one = |(name, svg): &(String, String)| json!({ "name": name, "svg": svg });
+        Value::from_iter(self.written.drawings.iter().map(one)).to_string()
+    }
+
+    /// Every file but result.json: drawings as SVG, and the rest as the command writes it.
+    fn all(&self) -> Vec<File> {
+        let drawn = self.written.drawings.iter();
+        let drawn = drawn.map(|(name, svg)| File { name: format!("{name}.svg"), bytes: svg.clone().into_bytes() });
+        let name = self.text.0.rsplit('/').next().unwrap_or("bridge.toml").to_owned();
+        let own = File { name, bytes: self.text.1.clone() };
+        std::iter::once(own).chain(drawn).chain(self.written.files.iter().cloned()).collect()
+    }
+
+    /// The names of all files, result.json last.
+    pub fn names(&self) -> Vec<String> {
+        self.all().into_iter().map(|file| file.name).chain(["result.json".to_owned()]).collect()
+    }
+
+    /// A file by its name.
+    ///
+    /// # Errors
+    /// No such file (F101).
+    pub fn file(&self, name: &str) -> Result<Vec<u8>, Refusal> {
+        if name == "result.json" {
+            return Ok(self.json().into_bytes());
+        }
+        let found = self.all().into_iter().find(|file| file.name == name).map(|file| file.bytes);
+        found.ok_or_else(|| Refusal::new("F101", format!("there is no file {name}"), self.names().join(", ")))
+    }
+
+    /// All files in one archive, stored: who sends it over a wire compresses it there.
+    ///
+    /// # Errors
+    /// An archive that cannot be made (F106).
+    pub fn zip(&self) -> Result<Vec<u8>, Refusal> {
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        let failed =
+            |error: &dyn std::fmt::Display| Refusal::new("F106", error.to_string(), "take the files one by one");
+        let result = File { name: "result.json".to_owned(), bytes: self.json().into_bytes() };
+        for file in self.all().into_iter().chain([result]) {
+            archive.start_file(file.name, options).map_err(|error| failed(&error))?;
+            archive.write_all(&file.bytes).map_err(|error| failed(&error))?;
+        }
+        archive.finish().map(Cursor::into_inner).map_err(|error| failed(&error))
+    }
+}
+
+/// Keys that stand before and after the others.
+fn object_keys(key: &str) -> bool {
+    ["schema", "status", "warnings"].contains(&key)
+}
+
+fn ended(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Completed => "completed",
+        Ended::Undetermined => "undetermined",
+        Ended::Cancelled => "cancelled",
+    }
+}

@@ -1,0 +1,176 @@
+//! The engine of the page, natively: what crosses the border is right before it crosses.
+
+use extrados::{Unwatched, examples};
+use serde_json::Value;
+use workbench::document::Document;
+use workbench::{analyses, cards, live, records, stepped};
+
+fn tiny() -> Document {
+    Document::new("bridge.toml", include_str!("../../../../examples/tiny/bridge.toml"))
+}
+
+fn quantity(document: &Document, path: &str) -> Value {
+    let all = document.quantities();
+    let found = all.as_array().and_then(|all| all.iter().find(|one| one["path"] == path));
+    found.cloned().unwrap_or_else(|| panic!("{path} is none of {all}"))
+}
+
+#[test]
+fn every_example_opens_draws_and_lists_its_quantities() {
+    for example in examples::ALL {
+        for file in example.files.iter().filter(|file| file.name.ends_with(".toml")) {
+            let mut document = Document::new(file.name, file.text);
+            for other in example.files.iter().filter(|other| other.name != file.name) {
+                document.put(other.name, other.text.as_bytes().to_vec());
+            }
+            let (name, reading) = (format!("{}/{}", example.name, file.name), document.reading());
+            assert_eq!(
+                (&reading["usable"], &reading["refusal"]),
+                (&Value::Bool(true), &Value::Null),
+                "{name}: {reading}"
+            );
+            let picture = document.picture().unwrap_or_else(|| panic!("{name} has no picture"));
+            assert!(picture.shapes.len() > 5 && document.drawing().starts_with("<svg"), "{name}");
+            if reading["kind"] == "bridge" {
+                assert!(document.quantities().as_array().is_some_and(|all| all.len() > 8), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_value_is_edited_at_its_place_and_everything_else_stays() {
+    let text = "# ä comment with a two-unit sign: \u{1f309}\n".to_owned()
+        + include_str!("../../../../examples/bridgemill/case-1.toml");
+    let mut document = Document::new("bridge.toml", &text);
+    let rise = quantity(&document, "span[1].rise");
+    assert_eq!((&rise["number"], &rise["unit"], &rise["by_default"]), (&2.85.into(), &"m".into(), &false.into()));
+    // Offsets are those of an editor in a browser.
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let place = ["start", "end"].map(|key| rise[key].as_u64().unwrap() as usize);
+    assert_eq!(String::from_utf16_lossy(&units[place[0]..place[1]]), "\"2.85 m\"");
+    document.set("span[1].rise", "3.00 m").unwrap();
+    assert_eq!(document.text(), text.replace("rise = \"2.85 m\"", "rise = \"3.00 m\""));
+    document.set("analysis.method", "limit").unwrap();
+    assert!(document.text().contains("method = \"limit\""));
+    let before = document.text().to_owned();
+    for (path, literal) in [("span[7].rise", "3 m"), ("nowhere", "1"), ("span", "1"), ("bridge.name", "x")] {
+        let refused = document.set(path, literal).unwrap_err();
+        assert!(refused.code.starts_with('B') && !refused.help.is_empty(), "{path}: {refused}");
+        assert_eq!(document.text(), before);
+    }
+    // What is no length is found by the reader, at its place, as if it were typed.
+    document.set("span[1].rise", "3 kN").unwrap();
+    let reading = document.reading();
+    assert_eq!((&reading["usable"], &reading["findings"][0]["code"]), (&false.into(), &"B104".into()));
+}
+
+#[test]
+fn findings_stand_at_their_place() {
+    let text = include_str!("../../../../examples/tiny/bridge.toml").replace("rise = \"1.0 m\"", "rise = \"1.0 kN\"");
+    let document = Document::new("bridge.toml", &text);
+    let reading = document.reading();
+    assert_eq!(reading["usable"], false);
+    let finding = &reading["findings"][0];
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let place = ["start", "end"].map(|key| finding[key].as_u64().unwrap() as usize);
+    assert_eq!(String::from_utf16_lossy(&units[place[0]..place[1]]), "\"1.0 kN\"");
+    assert_eq!((finding["severity"].as_str(), finding["line"].as_u64()), (Some("error"), Some(8)));
+    assert!(document.picture().is_none() && document.drawing().is_empty());
+    assert!(!cards::explained(finding["code"].as_str().unwrap()).is_null());
+    assert!(live::Placing::new(&document, "", "", false).is_err());
+}
+
+#[test]
+fn hostile_texts_do_nothing_worse_than_findings() {
+    let deep = format!("a = {}1{}", "[".repeat(5000), "]".repeat(5000));
+    let many = "[[span]]\nspan = \"1 m\"\n".repeat(20_000);
+    let name = "bridge = { name = \"<script>alert(1)</script>\", width = \"3.0 m\" }";
+    let tiny = include_str!("../../../../examples/tiny/bridge.toml")
+        .replace("bridge = { name = \"Tiny\", width = \"3.0 m\" }", name);
+    for text in [&deep, &many, "\u{0}\u{1}", "span = 1e999", "=", "[a]\n[a]\n", &tiny] {
+        let document = Document::new("bridge.toml", text);
+        let reading = document.reading().to_string();
+        assert!(reading.len() < 4_000_000, "{}", reading.len());
+        document.quantities();
+        assert!(!document.drawing().contains("<script"), "{}", document.drawing());
+    }
+    for bytes in [&b"0\nSECTION\n2\nENTITIES\n"[..], b"", b"\xff\xfe\x00", b"AutoCAD Binary DXF\r\n\x1a\x00"] {
+        assert!(cards::from_drawing("a", bytes).is_err());
+        assert!(records::records("a.csv", bytes)["findings"].as_array().is_some_and(|all| !all.is_empty()));
+    }
+}
+
+#[test]
+fn a_survey_becomes_a_bridge_that_answers() {
+    let answers = r#"{ "name": "Mill Lane", "span": "6 m", "rise": 1.5, "thickness": "450 mm", "width": "5 m", "cover": "0.5 m" }"#;
+    let text = cards::from_survey(answers).unwrap();
+    let document = Document::new("mill-lane.toml", &text);
+    assert_eq!(document.reading()["usable"], true, "{}", document.reading());
+    let mut placing = live::Placing::new(&document, "", "", false).unwrap();
+    let [factor, dilatant, ended, _] = placing.factor(1.5);
+    assert!(factor > 1.0 && factor <= dilatant && ended == 0.0, "{factor} {dilatant} {ended}");
+    assert_eq!(cards::survey_questions().as_array().map(Vec::len), Some(10));
+    assert!(cards::from_survey("{}").unwrap_err().message.contains("span"));
+}
+
+#[test]
+fn an_answer_at_a_place_has_flat_numbers_that_fit_its_picture() {
+    let document = tiny();
+    let mut placing = live::Placing::new(&document, "", "", false).unwrap();
+    let answer = placing.at(1.0);
+    let shapes = document.picture().unwrap().shapes.len();
+    assert_eq!((answer.mechanism().len(), answer.centroids().len()), (3 * shapes, 2 * shapes));
+    assert_eq!(answer.thrust().len() % 3, 0);
+    assert_eq!(answer.thrust_starts(), [0]);
+    assert_eq!(answer.axles().len(), 4);
+    assert!(answer.loads().len() >= 8 && answer.json()["hinges"].as_array().is_some_and(|hinges| hinges.len() >= 4));
+    let zone = placing.zone(1.0, 0.5 * answer.json()["factor"].as_f64().unwrap()).unwrap();
+    assert_eq!(zone.len(), answer.thrust().len() / 3 * 4);
+    let about = live::Placing::new(&document, "hl-93-truck", "", true).unwrap().about();
+    assert_eq!(about["axles"].as_array().map(Vec::len), Some(3), "{about}");
+}
+
+#[test]
+fn results_hold_every_file_and_an_archive_of_them() {
+    let answer = analyses::collapse(&tiny(), "{}", &mut Unwatched).unwrap();
+    let result: Value = serde_json::from_str(&answer.json()).unwrap();
+    assert_eq!((result["schema"].as_str(), answer.status()), (Some("extrados.collapse/1"), "collapsed"));
+    let names = answer.names();
+    for name in ["result.json", "mechanism.svg", "model.dxf", "hinges.csv", "bridge.toml", "paraview/mechanism.vtu"] {
+        assert!(names.iter().any(|one| one == name), "{name} in {names:?}");
+        assert!(!answer.file(name).unwrap().is_empty());
+    }
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(answer.zip().unwrap())).unwrap();
+    assert_eq!(archive.len(), names.len());
+    let mut inside = String::new();
+    std::io::Read::read_to_string(&mut archive.by_name("result.json").unwrap(), &mut inside).unwrap();
+    assert_eq!(inside, answer.json());
+    assert!(answer.file("../secret").is_err());
+    assert!(analyses::choice("{\"method\": \"magic\"}").unwrap_err().message.contains("magic"));
+}
+
+#[test]
+fn a_tornado_moves_what_a_survey_doubts() {
+    let answer = analyses::tornado(&tiny(), "[]", "{}", &mut Unwatched).unwrap();
+    let result: Value = serde_json::from_str(&answer.json()).unwrap();
+    assert_eq!(result["schema"], "extrados.vary/1");
+    assert!(answer.names().iter().any(|name| name == "tornado.svg"), "{:?}", answer.names());
+}
+
+#[test]
+fn steps_have_flat_numbers_and_can_be_taken_back() {
+    let text = include_str!("../../../../examples/bridgemill/case-1.toml");
+    let document = Document::new("case-1.toml", text);
+    let mut run = stepped::Stepping::new(&document, "{\"method\": \"dem\"}", &mut Unwatched).unwrap();
+    let shapes = run.picture().shapes.len();
+    assert_eq!(run.advance(500), "");
+    assert_eq!((run.poses().len(), run.centroids().len(), run.stresses().len()), (3 * shapes, 2 * shapes, 3 * shapes));
+    assert!(!run.contacts().is_empty() && run.contacts().len() % 8 == 0 && run.particles().is_empty());
+    let (state, then) = (run.state(), run.poses());
+    run.advance(500);
+    assert_ne!(run.poses(), then);
+    run.restore(&state).unwrap();
+    assert_eq!((run.poses(), run.progress().0), (then, 500));
+    assert!(run.restore(&state[8..]).is_err());
+}

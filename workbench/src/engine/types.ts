@@ -1,0 +1,167 @@
+/** What passes between page and engine; PROTOCOL.md is the reference. SI units throughout. */
+
+export type Point = [number, number];
+export type Pose = { translation: Point; rotation: number };
+
+export type Example = {
+  name: string;
+  about: string;
+  main: string;
+  command: "collapse" | "respond" | "cases";
+  files: { name: string; about: string }[];
+};
+export type Word = { word: string; doc: string };
+export type Field = {
+  key: string;
+  kind: "quantity" | "quantities" | "number" | "whole" | "word" | "text" | "truth" | "table" | "tables" | "other";
+  doc: string;
+  need: "required" | "optional" | "default";
+  default: string | null;
+  words: Word[];
+  example: string;
+};
+export type Section = { path: string; list: boolean; fields: Field[] };
+export type Card = { code: string; title: string; text: string };
+export type Finding = {
+  code: string;
+  severity: "error" | "warning" | "note";
+  message: string;
+  label: string;
+  note: string | null;
+  help: string | null;
+  start: number;
+  end: number;
+  line: number;
+  column: number;
+};
+export type Reading = {
+  kind: "bridge" | "blocks";
+  usable: boolean;
+  name: string;
+  width_m: number | null;
+  sections: {
+    loads: number;
+    sweep: boolean;
+    passage: boolean;
+    update: boolean;
+    assess: boolean;
+    vary: boolean;
+    cases: number;
+    particles: boolean;
+    continuum: boolean;
+    method: "dem" | "limit" | "path" | "fe";
+    analysis: "load" | "thickness" | "support-movement";
+    stiffness?: boolean;
+    spans?: number;
+  } | null;
+  refusal: { code: string; message: string; help: string } | null;
+  findings: Finding[];
+  inputs: string[];
+};
+export type Quantity = {
+  path: string;
+  value: string;
+  by_default: boolean;
+  doc: string;
+  text: string;
+  number: number | null;
+  unit: string;
+  words: Word[];
+  least: number | null;
+  most: number | null;
+  start: number | null;
+  end: number | null;
+};
+export type Question = { key: string; doc: string; unit: string; example: string; assumed: string };
+
+export type Shape = { outline: Point[]; role: string; held: boolean };
+export type Hinge = { point: Point; edge: string; between: [number, number]; rotation: number };
+export type Measure = "Span" | "Rise" | "Thickness" | "Height" | "Width" | "Depth";
+export type Dimension = { measure: Measure; from: Point; to: Point };
+export type Picture = {
+  title: string;
+  shapes: Shape[];
+  particles: { centre: Point; radius: number; layer: number }[];
+  layers: string[];
+  fill: Point[];
+  bands: { name: string; size: string; outlines: Point[][] }[];
+  defects: { words: string; line: Point[] }[];
+  case: string | null;
+  surface: Point[];
+  surface_loads: [Point, number][];
+  loads: { at: Point; force: Point }[];
+  mechanism: Pose[] | null;
+  hinges: Hinge[];
+  sliding: Point[];
+  thrust_lines: { point: Point; thrust: number }[][];
+  path: { load: number; displacement: Point; iterations: number; unbalanced_ratio: number; at_rest: boolean }[];
+  dimensions: Dimension[];
+  collapse_load: number | null;
+  last_stable: number | null;
+  stalls: boolean;
+  moves_supports: boolean;
+};
+
+export type PlacingAbout = {
+  name: string;
+  /** Title of the rule that gives factors and spread; empty for the file's own loads. */
+  rule?: string;
+  /** False where the bridge does not stand under its own weight. */
+  stands?: boolean;
+  axles: { force: number; offset: number }[];
+  from: number;
+  to: number;
+  fast: boolean;
+  assumptions: string[];
+};
+export type AnswerWords = {
+  status: string;
+  factor: number | null;
+  dilatant_factor: number | null;
+  lower_bound: number | null;
+  upper_bound: number | null;
+  load: number | null;
+  friction: "associated" | "non-associated";
+  slides: boolean;
+  /** True where less may be carried without dilation, which has not been asked yet. */
+  open?: boolean;
+  hinges: Hinge[];
+  sliding: Point[];
+};
+/** The answer at one place, as typed arrays that the worker hands over. */
+export type LiveAnswer = {
+  x: number;
+  words: AnswerWords;
+  thrust: Float64Array;
+  thrustStarts: Uint32Array;
+  mechanism: Float64Array;
+  centroids: Float64Array;
+  loads: Float64Array;
+  axles: Float64Array;
+  milliseconds: number;
+};
+
+export type Refusal = { message: string; code: string; help: string };
+
+export type Library = { models: LibraryModel[]; rules: LibraryRule[] };
+export type LibraryModel = {
+  code: string;
+  title: string;
+  ways: string;
+  vehicles: { code: string; title: string }[];
+  /** Codes of the rules that say how the model is used. */
+  rules: string[];
+  source: string;
+  confidence: string;
+  longest_span: number | null;
+};
+export type LibraryRule = { code: string; title: string };
+
+export type ReadingOut = { reading: Reading; picture: Picture | null; quantities: Quantity[]; text: string };
+export type ResultOut = {
+  status: string;
+  json: string;
+  picture: string;
+  figures: { name: string; svg: string }[];
+  files: string[];
+};

@@ -1,0 +1,150 @@
+/** One bridge on the board: its text, which is the truth, and what the engine has said of it so far. */
+import { batch, createSignal } from "solid-js";
+import type { Envelope } from "../drawing/answer";
+import type { LiveAnswer, Picture, PlacingAbout, Quantity, Reading, Refusal } from "../engine/types";
+
+type Past = { text: string; mark: string; at: number };
+
+/** Steps that are kept for undoing. */
+const MOST_STEPS = 400;
+/** Changes of one kind within this time [ms] are one step. */
+const TOGETHER = 900;
+
+export type Kept = {
+  id: string;
+  path: string;
+  text: string;
+  vehicle: string;
+  rule: string;
+  leftward: boolean;
+  x: number | null;
+  survey?: Record<string, string> | null;
+};
+
+export class Sheet {
+  readonly id: string;
+  readonly path: string;
+  readonly files = new Map<string, Uint8Array>();
+
+  #text = createSignal("");
+  #files = createSignal(0);
+  #past: Past[] = [];
+  #future: string[] = [];
+  #lastMark = "";
+  #lastAt = 0;
+  #steps = createSignal({ back: 0, forth: 0 });
+
+  readonly reading = createSignal<Reading | null>(null);
+  readonly picture = createSignal<Picture | null>(null);
+  readonly quantities = createSignal<Quantity[]>([]);
+  /** Why there is no reading, where there is none. */
+  readonly trouble = createSignal<Refusal | null>(null);
+
+  readonly vehicle = createSignal("");
+  readonly rule = createSignal("");
+  readonly leftward = createSignal(false);
+  readonly x = createSignal<number | null>(null);
+  readonly about = createSignal<PlacingAbout | null>(null);
+  readonly answer = createSignal<LiveAnswer | null>(null);
+  readonly zone = createSignal<Float64Array | null>(null);
+  readonly envelope = createSignal<Envelope | null>(null);
+  /** What the envelope was asked for. */
+  envelopeKey = "";
+  /** How often the load has been moved by hand. */
+  moves = 0;
+  readonly placeTrouble = createSignal<Refusal | null>(null);
+
+  /** Answers of a survey sheet, where the bridge began with one, and the text that they made. */
+  readonly survey = createSignal<Record<string, string> | null>(null);
+  readonly surveyed = createSignal("");
+
+  constructor(kept: Partial<Kept> & { path: string; text: string }) {
+    this.id = kept.id ?? crypto.randomUUID();
+    this.path = kept.path;
+    this.#text[1](kept.text);
+    if (kept.vehicle) this.vehicle[1](kept.vehicle);
+    if (kept.rule) this.rule[1](kept.rule);
+    if (kept.leftward) this.leftward[1](true);
+    if (kept.survey && typeof kept.survey === "object") {
+      this.survey[1](Object.fromEntries(Object.entries(kept.survey).filter(([, value]) => typeof value === "string")));
+    }
+    if (typeof kept.x === "number" && Number.isFinite(kept.x)) this.x[1](kept.x);
+  }
+
+  text(): string {
+    return this.#text[0]();
+  }
+  /** Counts changes of the companions. */
+  filesVersion(): number {
+    return this.#files[0]();
+  }
+  name(): string {
+    return this.reading[0]()?.name || this.path;
+  }
+
+  put(name: string, bytes: Uint8Array): void {
+    this.files.set(name, bytes);
+    this.#files[1]((count) => count + 1);
+  }
+
+  /** Writes the text; changes with the same mark in quick succession are one step of undo. */
+  change(text: string, mark: string): void {
+    const before = this.#text[0]();
+    if (text === before) return;
+    const now = performance.now();
+    const same = mark !== "" && mark === this.#lastMark && now - this.#lastAt < TOGETHER;
+    batch(() => {
+      if (!same) {
+        this.#past.push({ text: before, mark, at: now });
+        if (this.#past.length > MOST_STEPS) this.#past.shift();
+      }
+      this.#future = [];
+      this.#lastMark = mark;
+      this.#lastAt = now;
+      this.#text[1](text);
+      this.#count();
+    });
+  }
+
+  undo(): void {
+    const step = this.#past.pop();
+    if (!step) return;
+    batch(() => {
+      this.#future.push(this.#text[0]());
+      this.#lastMark = "";
+      this.#text[1](step.text);
+      this.#count();
+    });
+  }
+
+  redo(): void {
+    const text = this.#future.pop();
+    if (text === undefined) return;
+    batch(() => {
+      this.#past.push({ text: this.#text[0](), mark: "", at: 0 });
+      this.#lastMark = "";
+      this.#text[1](text);
+      this.#count();
+    });
+  }
+
+  steps(): { back: number; forth: number } {
+    return this.#steps[0]();
+  }
+  #count(): void {
+    this.#steps[1]({ back: this.#past.length, forth: this.#future.length });
+  }
+
+  kept(): Kept {
+    return {
+      id: this.id,
+      path: this.path,
+      text: this.text(),
+      vehicle: this.vehicle[0](),
+      rule: this.rule[0](),
+      leftward: this.leftward[0](),
+      x: this.x[0](),
+      survey: this.survey[0](),
+    };
+  }
+}

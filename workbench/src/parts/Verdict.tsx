@@ -1,0 +1,265 @@
+/** Verdict: whole analyses as the command makes them, their report, and every file that the command would write. */
+import { createMemo, createSignal, For, onCleanup, Show, type JSX } from "solid-js";
+import { Lost, Refused } from "../engine/client";
+import type { Reading, ResultOut } from "../engine/types";
+import { download } from "../drawing/film";
+import { analyse, background } from "../model/background";
+import type { Sheet } from "../model/sheet";
+import { say } from "../model/workspace";
+import { system } from "../shell/settings";
+import { figures, force, lineLoad, words } from "../units";
+
+type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
+
+const KINDS: Kind[] = [
+  { call: "assess", title: "Assessment with report", about: "Every check that the file asks for, and the verdict", offered: (r) => r.kind === "bridge", args: {} },
+  { call: "collapse", title: "Collapse load", about: "By the method of the file", offered: (r) => r.kind === "blocks" || (r.sections?.loads ?? 0) > 0, args: { choice: "{}" } },
+  { call: "sweep", title: "Load moved along the bridge", about: "The least load, or vehicles of a rule", offered: (r) => (r.sections?.loads ?? 0) > 0 || r.sections?.sweep === true, args: { choice: "{}", step: NaN } },
+  { call: "cases", title: "Named cases side by side", about: "Each case of the file", offered: (r) => (r.sections?.cases ?? 0) > 0, args: { choice: "{}" } },
+  { call: "respond", title: "Passage of a train", about: "Displacements, strains and stresses", offered: (r) => r.sections?.passage === true, args: {} },
+];
+
+type Verdict = {
+  mode: "idle" | "runs" | "done" | "failed";
+  kind: Kind | null;
+  words: string;
+  fraction: number;
+  result: (ResultOut & { report: string | null; object: Record<string, unknown> }) | null;
+  text: string;
+  trouble: string;
+};
+
+const verdicts = new WeakMap<Sheet, ReturnType<typeof createSignal<Verdict>>>();
+function verdictOf(sheet: Sheet) {
+  let found = verdicts.get(sheet);
+  if (!found) {
+    found = createSignal<Verdict>({ mode: "idle", kind: null, words: "", fraction: NaN, result: null, text: "", trouble: "" });
+    verdicts.set(sheet, found);
+  }
+  return found;
+}
+
+const runName = (sheet: Sheet): string => `verdict-${sheet.id}`;
+
+async function run(sheet: Sheet, kind: Kind): Promise<void> {
+  const [, set] = verdictOf(sheet);
+  const text = sheet.text();
+  set({ mode: "runs", kind, words: "", fraction: NaN, result: null, text, trouble: "" });
+  try {
+    const out = await analyse(sheet, kind.call, { run: runName(sheet), ...kind.args }, (stage, fraction) => set((old) => ({ ...old, words: stage, fraction })));
+    let report: string | null = null;
+    if (out.files.includes("report.html")) {
+      report = new TextDecoder().decode(await background.call<Uint8Array>("file", { run: runName(sheet), name: "report.html" }));
+    }
+    set((old) => ({ ...old, mode: "done", result: { ...out, report, object: JSON.parse(out.json) } }));
+  } catch (error) {
+    const trouble = error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "" : `The engine broke down and was started again. ${(error as Error).message}`;
+    set((old) => ({ ...old, mode: trouble ? "failed" : "idle", trouble }));
+  }
+}
+
+/** The report in a frame that runs no script; its own page has its own policy. */
+function Report(props: { html: string; hold: (frame: HTMLIFrameElement) => void }): JSX.Element {
+  let frame!: HTMLIFrameElement;
+  const fill = (): void => {
+    const inside = frame.contentDocument;
+    const window = frame.contentWindow as (Window & typeof globalThis) | null;
+    if (!inside || !window) return;
+    // Parsed by the frame, whose policy lets a report have its styles.
+    const parsed = new window.DOMParser().parseFromString(props.html, "text/html");
+    for (const element of parsed.querySelectorAll("script, iframe, object, embed, link, base, meta, form")) element.remove();
+    inside.replaceChild(inside.adoptNode(parsed.documentElement), inside.documentElement);
+  };
+  return (
+    <iframe
+      ref={(made) => {
+        frame = made;
+        props.hold(made);
+      }}
+      class="report"
+      title="Report of the assessment"
+      sandbox="allow-same-origin allow-modals"
+      src="./report.html"
+      onLoad={fill}
+    />
+  );
+}
+
+/** A drawing of the engine as an image: nothing in it can run or reach out. */
+export function Svg(props: { svg: string; name: string }): JSX.Element {
+  const url = createMemo(() => {
+    const made = URL.createObjectURL(new Blob([props.svg], { type: "image/svg+xml" }));
+    onCleanup(() => URL.revokeObjectURL(made));
+    return made;
+  });
+  return <img src={url()} alt={props.name.replace(/-/g, " ")} />;
+}
+
+let frame: HTMLIFrameElement | null = null;
+
+export function VerdictScene(props: { sheet: Sheet }): JSX.Element {
+  const verdict = () => verdictOf(props.sheet)[0]();
+  return (
+    <div class="scene sheet-of-paper" tabindex="0" role="region" aria-label="Result">
+      <Show
+        when={verdict().result}
+        fallback={
+          <div class="veil">
+            <Show
+              when={verdict().mode === "runs"}
+              fallback={
+                <div>
+                  <p>Choose what is computed. It is the same analysis as by the command, with the same numbers.</p>
+                  <Show when={verdict().trouble}>
+                    <p class="complaint" role="alert">{verdict().trouble}</p>
+                  </Show>
+                </div>
+              }
+            >
+              <div role="status">
+                <p>{verdict().kind?.title}: {verdict().words || "begins"} …</p>
+                <div class="bar"><i style={{ transform: `scaleX(${Number.isFinite(verdict().fraction) ? verdict().fraction : 0.05})` }} /></div>
+              </div>
+            </Show>
+          </div>
+        }
+      >
+        {(result) => (
+          <Show when={result().report} fallback={
+            <div class="figures">
+              <For each={result().figures}>{(figure) => <figure><Svg svg={figure.svg} name={figure.name} /><figcaption>{figure.name.replace(/-/g, " ")}</figcaption></figure>}</For>
+            </div>
+          }>
+            {(html) => <Report html={html()} hold={(made) => (frame = made)} />}
+          </Show>
+        )}
+      </Show>
+    </div>
+  );
+}
+
+const STATUS: Record<string, string> = {
+  adequate: "Adequate",
+  inadequate: "Not adequate",
+  undetermined: "Undetermined",
+  collapsed: "Carried",
+  completed: "Completed",
+};
+
+export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
+  const verdict = () => verdictOf(props.sheet)[0]();
+  const object = () => verdict().result?.object ?? null;
+  const load = () => {
+    const value = object()?.["headline_kn_per_m"];
+    return typeof value === "number" ? value * 1e3 : null;
+  };
+  const whole = () => {
+    const value = object()?.["headline_kn"];
+    return typeof value === "number" ? value * 1e3 : null;
+  };
+  const notes = createMemo(() => {
+    const found = object();
+    if (!found) return [];
+    const list: { kind: string; text: string }[] = [];
+    for (const text of (found["missing"] as string[] | undefined) ?? []) list.push({ kind: "warn", text: `Missing: ${text}` });
+    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${one.message ?? ""}` });
+    for (const text of (found["assumptions"] as string[] | undefined) ?? []) list.push({ kind: "", text });
+    return list;
+  });
+  const status = () => verdict().result?.status ?? "";
+  const governing = () => {
+    const factor = object()?.["adequacy_factor"] ?? object()?.["load_factor"];
+    return typeof factor === "number" ? factor : null;
+  };
+  return (
+    <section class="block" aria-label="Answer" id="answer" tabindex="-1">
+      <div>
+        <span class="cap">{verdict().kind?.title ?? "Verdict"}</span>
+        <Show when={load() !== null} fallback={<span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>}>
+          <span class="headline num" data-testid="verdict">
+            {lineLoad(load()!, system()).value}
+            <span class="unit">{lineLoad(load()!, system()).unit}</span>
+          </span>
+          <Show when={whole() !== null}><span class="under">{words(force(whole()!, system()))} over the whole width</span></Show>
+        </Show>
+      </div>
+      <div>
+        <span class="cap">By</span>
+        <b>{String(object()?.["headline_from"] ?? verdict().kind?.about ?? "")}</b>
+        <div class="under">{status() ? `Status: ${status()}` : ""}</div>
+        <Show when={governing() !== null}><div class="under">Factor {figures(governing()!, 3)}</div></Show>
+      </div>
+      <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">
+        <span class="cap">Warnings and assumptions</span>
+        <ul>
+          <Show when={verdict().result && verdict().text !== props.sheet.text()}><li class="warn">The bridge has changed since this was computed.</li></Show>
+          <For each={notes()} fallback={<li>None so far.</li>}>{(one) => <li class={one.kind}>{one.text}</li>}</For>
+        </ul>
+      </div>
+    </section>
+  );
+}
+
+export function saveBridge(sheet: Sheet): void {
+  download(new TextEncoder().encode(sheet.text()), sheet.path, "application/toml");
+}
+
+export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
+  const verdict = () => verdictOf(props.sheet)[0]();
+  const stem = () => props.sheet.path.replace(/\.\w+$/, "");
+  const [busy, setBusy] = createSignal("");
+  const get = async (name: string): Promise<void> => {
+    setBusy(name);
+    try {
+      if (name === "") download(await background.call<Uint8Array>("zip", { run: runName(props.sheet) }), `${stem()}.zip`, "application/zip");
+      else download(await background.call<Uint8Array>("file", { run: runName(props.sheet), name }), name.split("/").pop()!);
+    } catch (error) {
+      say(`${name || "The archive"} could not be made: ${(error as Error).message}`, true);
+    }
+    setBusy("");
+  };
+  return (
+    <div class="panel-body" tabindex="-1">
+      <h2>Compute</h2>
+      <div class="choices spaced">
+        <For each={KINDS.filter((kind) => props.sheet.reading[0]() && kind.offered(props.sheet.reading[0]()!))}>
+          {(kind) => (
+            <button type="button" disabled={verdict().mode === "runs" || !props.sheet.reading[0]()?.usable} onClick={() => void run(props.sheet, kind)}>
+              <b>{kind.title}</b>
+              <span>{kind.about}</span>
+            </button>
+          )}
+        </For>
+      </div>
+      <Show when={verdict().mode === "runs"}>
+        <button type="button" class="btn" onClick={() => background.stop()}>Stop</button>
+      </Show>
+      <Show when={verdict().result?.report}>
+        <div class="row spaced">
+          <button type="button" class="btn" onClick={() => frame?.contentWindow?.print()}>Print the report</button>
+        </div>
+      </Show>
+      <h2 class="spaced">Files</h2>
+      <div class="row">
+        <button type="button" class="btn small" onClick={() => saveBridge(props.sheet)}>The bridge file, {props.sheet.path}</button>
+        <Show when={verdict().result}>
+          <button type="button" class="btn small" disabled={busy() !== ""} onClick={() => void get("")}>Everything, as a zip</button>
+        </Show>
+      </div>
+      <Show when={verdict().result}>
+        {(result) => (
+          <ul class="files">
+            <For each={result().files}>
+              {(name) => (
+                <li>
+                  <button type="button" class="link" disabled={busy() !== ""} onClick={() => void get(name)}>{name}</button>
+                </li>
+              )}
+            </For>
+          </ul>
+        )}
+      </Show>
+      <p class="soft">The command gives the same numbers for the same file: <code>extrados {verdict().kind?.call === "sweep" ? "collapse --sweep" : (verdict().kind?.call ?? "assess")} {props.sheet.path}</code></p>
+    </div>
+  );
+}

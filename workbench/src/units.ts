@@ -1,0 +1,115 @@
+/** Numbers as an engineer writes them, metric or imperial. The engine and the file stay in the units they were written in. */
+export type System = "metric" | "imperial";
+
+const THIN = "\u2009";
+
+/** Whole digits in groups of three, a real minus sign. */
+export function grouped(value: number, decimals: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const [whole, rest] = Math.abs(value).toFixed(decimals).split(".");
+  const digits = whole!.replace(/\B(?=(\d{3})+(?!\d))/g, THIN);
+  const minus = value < 0 && Number(value.toFixed(decimals)) !== 0 ? "−" : "";
+  return `${minus}${digits}${rest ? `.${rest}` : ""}`;
+}
+
+/** Four significant figures at most, and no more decimals than the size needs. */
+export function figures(value: number, count = 4): string {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const decimals = Math.max(0, Math.min(6, count - 1 - Math.floor(Math.log10(Math.abs(value)))));
+  return grouped(value, decimals);
+}
+
+export type Said = { value: string; unit: string };
+
+/** Load per metre of width from N/m. */
+export function lineLoad(newtons: number, system: System): Said {
+  return system === "metric"
+    ? { value: figures(newtons / 1e3), unit: "kN/m" }
+    : { value: figures(newtons / 1e3 / 14.593903), unit: "kip/ft" };
+}
+/** Force from N. */
+export function force(newtons: number, system: System): Said {
+  return system === "metric"
+    ? { value: figures(newtons / 1e3), unit: "kN" }
+    : { value: figures(newtons / 4448.2216), unit: "kip" };
+}
+/** What a weight means on a weighbridge, from N. */
+export function tonnes(newtons: number, system: System): Said {
+  return system === "metric"
+    ? { value: figures(newtons / 9806.65, 3), unit: "t" }
+    : { value: figures(newtons / 9964.0164, 3), unit: "ton" };
+}
+/** A place along the bridge from m. */
+export function place(metres: number, system: System): Said {
+  return system === "metric" ? { value: grouped(metres, 2), unit: "m" } : { value: grouped(metres / 0.3048, 2), unit: "ft" };
+}
+/** A small movement from m. */
+export function small(metres: number, system: System): Said {
+  return system === "metric"
+    ? { value: figures(metres * 1e3, 3), unit: "mm" }
+    : { value: figures(metres / 0.0254, 3), unit: "in" };
+}
+export function stress(pascals: number, system: System): Said {
+  return system === "metric" ? { value: figures(pascals / 1e6, 3), unit: "MPa" } : { value: figures(pascals / 6894.757, 3), unit: "psi" };
+}
+
+/** A dimension as it stands on a drawing: whole millimetres without a unit, or feet and inches. */
+export function dimension(metres: number, system: System): string {
+  if (system === "metric") return grouped(metres * 1e3, 0);
+  const inches = metres / 0.0254;
+  let feet = Math.floor(inches / 12 + 1e-9);
+  let rest = Math.round((inches - 12 * feet) * 4) / 4;
+  if (rest >= 12) {
+    feet += 1;
+    rest -= 12;
+  }
+  return `${feet}′${THIN}${rest}″`;
+}
+
+export function words({ value, unit }: Said): string {
+  return `${value}\u00a0${unit}`;
+}
+
+type Conversion = { to: string; times: number };
+/** Units of fields, metric to imperial. Those that are not listed stay as they are. */
+const IMPERIAL: Record<string, Conversion> = {
+  m: { to: "ft", times: 1 / 0.3048 },
+  mm: { to: "in", times: 1 / 25.4 },
+  cm: { to: "in", times: 1 / 2.54 },
+  "kg/m^3": { to: "lb/ft^3", times: 1 / 16.018463 },
+  "t/m^3": { to: "lb/ft^3", times: 1000 / 16.018463 },
+  MPa: { to: "psi", times: 145.03774 },
+  kPa: { to: "psf", times: 20.885434 },
+  GPa: { to: "ksi", times: 145.03774 },
+  "kN/m^2": { to: "psf", times: 20.885434 },
+  "N/mm^2": { to: "psi", times: 145.03774 },
+  kN: { to: "kip", times: 1 / 4.4482216 },
+  MN: { to: "kip", times: 1000 / 4.4482216 },
+  "kN/m": { to: "kip/ft", times: 1 / 14.593903 },
+  "km/h": { to: "mph", times: 1 / 1.609344 },
+  t: { to: "lb", times: 2204.6226 },
+  kg: { to: "lb", times: 2.2046226 },
+  "GPa/m": { to: "pci", times: 3683.9586 },
+  "MPa/mm": { to: "pci", times: 3683.9586 },
+};
+
+const QUANTITY = /^\s*([+-]?(?:\d[\d_ \u2009]*)?(?:\.\d+)?(?:[eE][+-]?\d+)?)\s*(\D.*)?$/;
+
+/** A quantity as written ("18.30 m") shown in the wanted system; its text where it is metric anyway or no number. */
+export function shown(written: string, system: System): { text: string; unit: string } {
+  const match = QUANTITY.exec(written);
+  if (!match || match[1] === "") return { text: written, unit: "" };
+  const unit = (match[2] ?? "").trim();
+  const number = Number(match[1]!.replace(/[_ \u2009]/g, ""));
+  if (!Number.isFinite(number)) return { text: written, unit: "" };
+  const conversion = system === "imperial" ? IMPERIAL[unit] : undefined;
+  if (!conversion) return { text: match[1]!.trim(), unit };
+  return { text: Number((number * conversion.times).toPrecision(6)).toString(), unit: conversion.to };
+}
+
+/** What a person typed, as a quantity of the file: a bare number takes the unit that was shown. */
+export function meant(typed: string, unit: string): string {
+  const trimmed = typed.trim().replace(/,/g, ".");
+  return /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(trimmed) && unit !== "" ? `${trimmed} ${unit}` : trimmed;
+}

@@ -1,0 +1,53 @@
+// Verdict: the report as by the command, every file, the same numbers.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, test } from "node:test";
+import { end, headline, openExample, part, shot, textOf, until, visit } from "../browser.mjs";
+
+after(end);
+
+async function saved(page, name) {
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name, exact: typeof name === "string" }).click();
+  return readFileSync(await (await download).path());
+}
+
+test("an assessment gives a report that prints, and files to take away", async () => {
+  const { page, complaints, context } = await visit();
+  await openExample(page, "tiny");
+  await headline(page);
+  await part(page, "Verdict");
+  await page.getByRole("button", { name: /^Assessment with report/ }).click();
+  const report = page.frameLocator("iframe.report");
+  await report.locator("h1").waitFor({ timeout: 300_000 });
+  assert.ok((await report.locator("svg, img").count()) > 0, "figures are in the report");
+  const styled = await report.locator("h1").evaluate((element) => getComputedStyle(element).fontFamily);
+  assert.ok(!/^"?Times/.test(styled), "the report has its style");
+  await page.waitForTimeout(500);
+  await shot(page, "verdict-1280-light");
+  const html = (await saved(page, "report.html")).toString();
+  assert.match(html, /<!doctype html>/i);
+  const bridge = (await saved(page, /^The bridge file/)).toString();
+  assert.equal(bridge, await textOf(page));
+  const zip = await saved(page, /as a zip/);
+  assert.equal(zip.subarray(0, 2).toString(), "PK");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("a collapse load has figures, DXF and VTU", async () => {
+  const { page, complaints, context } = await visit();
+  await openExample(page, "tiny");
+  await headline(page);
+  await part(page, "Verdict");
+  await page.getByRole("button", { name: /^Collapse load/ }).click();
+  await page.locator(".figures img").first().waitFor({ timeout: 240_000 });
+  await until("figures are drawn", () => page.locator(".figures img").first().evaluate((image) => image.complete && image.naturalWidth > 0));
+  const names = await page.locator(".files li").allInnerTexts();
+  for (const ending of [".json", ".svg", ".dxf", ".vtu"]) assert.ok(names.some((name) => name.endsWith(ending)), `${ending} among ${names.join(", ")}`);
+  const result = JSON.parse((await saved(page, "result.json")).toString());
+  assert.ok(Math.abs(result.headline_kn_per_m - (await headline(page, "verdict"))) < 0.06);
+  await shot(page, "verdict-collapse-1280-light");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
