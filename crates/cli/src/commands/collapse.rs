@@ -13,7 +13,7 @@ use crate::{quantities, summary};
 use extrados::{Choice, CollapseOptions, SweepOptions, Swept};
 use outcome::collapse::Collapse;
 use outcome::sweep::Ended;
-use outcome::sweep::{Sweep, SweepPoint};
+use outcome::sweep::Sweep;
 use outcome::vehicles::VehicleSweep;
 use outcome::{published, warning};
 use std::time::Duration;
@@ -195,30 +195,12 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     let (name, width) = source.bridge().map_or(("", 1.0), |bridge| (bridge.name.as_str(), bridge.width));
     report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());
-    let factors: &[(&str, Factor)] = match found.is_deformable() {
-        _ if found.points.iter().any(|p| p.upper_factor.is_some()) => &[
-            ("lower bound", |p| p.load_factor),
-            ("upper bound", |p| p.upper_factor),
-            ("fill as weight", |p| p.rigid_factor),
-        ],
-        true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
-        false => &[("load factor", |p| p.load_factor)],
-    };
-    let curves: Vec<figures::Sweep> = factors.iter().map(|(name, factor)| curve(name, found, *factor)).collect();
     let mut files = Vec::new();
-    if let Some(svg) = figures::envelope(name, figures::Ordinate::Factor, &curves, None) {
+    if let Some(svg) = figures::sweep_drawing(name, found) {
         files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
     }
     files.push(table("sweep", published::sweep_table(found)));
     results::publish(desk, report, folder, &files)
-}
-
-/// One of the factors at a position.
-type Factor = fn(&SweepPoint) -> Option<f64>;
-
-fn curve(name: &str, found: &Sweep, factor: Factor) -> figures::Sweep {
-    let points = found.points.iter().map(|point| (point.position, factor(point).unwrap_or(f64::NAN)));
-    figures::Sweep { label: name.to_owned(), points: points.collect() }
 }
 
 /// How a sweep ended, for the command.
