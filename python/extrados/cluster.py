@@ -129,10 +129,9 @@ def _connected(client: Any) -> Iterator[Any]:
         return
     from dask.distributed import Client, LocalCluster
 
-    with (
-        LocalCluster(n_workers=os.cpu_count() or 1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster,
-        Client(cluster) as own,
-    ):
+    # Without a dashboard, and for this machine alone.
+    settings: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": None, "host": "127.0.0.1"}
+    with LocalCluster(n_workers=os.cpu_count() or 1, **settings) as cluster, Client(cluster) as own:
         yield own
 
 
