@@ -8,6 +8,8 @@ use crate::watch::Watch;
 use bridge::case::Case;
 use outcome::collapse::{Collapse, Status};
 use outcome::facts::{CaseFacts, CasesFacts};
+use outcome::published;
+use serde_json::{Value, json};
 
 /// A case with its answer.
 #[derive(Debug, Clone)]
@@ -85,6 +87,44 @@ impl Cases {
             }
         }
         facts
+    }
+
+    /// The answer for scripts.
+    pub fn object(&self) -> published::Object {
+        let case = |one: &CaseAnswer| {
+            json!({
+                "name": one.name,
+                "acts": one.told,
+                "load_factor": one.factor(),
+                "result": Value::Object(published::collapse(&one.collapse)),
+            })
+        };
+        let mut fields = published::Object::new();
+        fields.insert("governing_case".into(), json!(self.governing().map(|one| &one.name)));
+        fields.insert("load_factor".into(), json!(self.governing().and_then(CaseAnswer::factor)));
+        fields.insert("load_factor_at_most".into(), json!(self.least().and_then(CaseAnswer::factor)));
+        fields.insert("cases".into(), self.answers.iter().map(case).collect());
+        fields
+    }
+
+    /// Warnings of all cases, each once, with the cases that it concerns.
+    pub fn warnings(&self) -> Vec<(&'static str, String)> {
+        let mut all: Vec<(&'static str, String, Vec<&str>)> = Vec::new();
+        for one in &self.answers {
+            for warning in &one.collapse.warnings {
+                match all.iter_mut().find(|known| known.0 == warning.code && known.1 == warning.message) {
+                    Some(known) => known.2.push(&one.name),
+                    None => all.push((warning.code, warning.message.clone(), vec![&one.name])),
+                }
+            }
+        }
+        let every = self.answers.len();
+        all.into_iter()
+            .map(|(code, message, names)| match names.len() == every {
+                true => (code, message),
+                false => (code, format!("{}: {message}", names.join(", "))),
+            })
+            .collect()
     }
 
     /// The least factor of those that are known.

@@ -8,6 +8,8 @@ use crate::watch::Watch;
 use bridge::inputs::{Input, inputs};
 use bridge::quantity;
 use outcome::collapse::{Collapse, Status};
+use outcome::published;
+use serde_json::{Value, json};
 
 /// A value that stands in one file alone, or differs.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,6 +55,53 @@ pub struct Compared {
     pub cautions: Vec<String>,
     /// Assumptions that the first result alone makes, and the second alone.
     pub assumptions: [Vec<String>; 2],
+}
+
+impl Compared {
+    /// The answer for scripts.
+    pub fn object(&self) -> published::Object {
+        let mut fields = published::Object::new();
+        fields.insert("verdict".into(), json!(self.verdict()));
+        fields.insert("cautions".into(), json!(self.cautions));
+        fields.insert("differences".into(), self.differences.iter().map(difference).collect());
+        fields.insert("numbers".into(), self.numbers.iter().map(number).collect());
+        fields.insert("assumptions_before_only".into(), json!(self.assumptions[0]));
+        fields.insert("assumptions_after_only".into(), json!(self.assumptions[1]));
+        fields.insert("before".into(), Value::Object(published::collapse(&self.answers[0])));
+        fields.insert("after".into(), Value::Object(published::collapse(&self.answers[1])));
+        fields
+    }
+
+    /// Which of the two carries more, in a sentence.
+    pub fn verdict(&self) -> String {
+        let Some(headline) = self.numbers.iter().find(|number| number.name == "headline_kn_per_m") else {
+            return "no load is known to be carried by either".to_owned();
+        };
+        match (headline.before, headline.after, headline.change()) {
+            (Some(before), Some(after), Some(change)) if change.abs() < 5e-4 => {
+                format!("both carry the same: {before:.2} and {after:.2} kN/m")
+            }
+            (Some(before), Some(after), Some(change)) => {
+                let word = if change > 0.0 { "more" } else { "less" };
+                format!("the second carries {:.1} % {word}: {after:.2} against {before:.2} kN/m", 100.0 * change.abs())
+            }
+            (Some(before), None, _) => {
+                format!("the first carries {before:.2} kN/m; no load is known to be carried by the second")
+            }
+            (_, Some(after), _) => {
+                format!("the second carries {after:.2} kN/m; no load is known to be carried by the first")
+            }
+            _ => "no load is known to be carried by either".to_owned(),
+        }
+    }
+}
+
+fn difference(one: &Difference) -> Value {
+    json!({ "path": one.path, "before": one.before, "after": one.after })
+}
+
+fn number(one: &Answered) -> Value {
+    json!({ "name": one.name, "before": one.before, "after": one.after, "change_percent": one.change().map(|c| 100.0 * c) })
 }
 
 /// Makes the analysis that each file plans, with the same choice in place of either plan, and puts input and answers side by side.

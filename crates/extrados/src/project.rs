@@ -9,6 +9,7 @@ use bridge::edit::Document;
 use bridge::path::Path as QuantityPath;
 use bridge::vary::{Setting, find, parse_setting, settle};
 use bridge::{Bridge, Diagnostic, Read, Severity};
+use outcome::picture::Picture;
 use report::Photograph;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -88,6 +89,14 @@ impl Project {
             let message = format!("{} cannot be used: {}", self.name, told.join("; "));
             Refusal::new("F108", message, "extrados check FILE shows every error with its place")
         })
+    }
+
+    /// The bridge as its file describes it, for drawing: what `figures::bridge_as_drawn` takes.
+    ///
+    /// # Errors
+    /// A file that cannot be used, or blocks that cannot be built (F108).
+    pub fn as_built(&self) -> Result<Picture, Refusal> {
+        assess::analysis::as_built(self.bridge()?).map_err(|error| Refusal::not_set_up(&error))
     }
 
     /// The records that the file names; empty where it names none.
@@ -178,6 +187,16 @@ impl Project {
     /// # Errors
     /// Every edit that names no quantity or gives no value that fits (B501 to B503), or what the reader says of the edited text.
     pub fn with<E: AsRef<str>>(&self, edits: &[E]) -> Result<Project, Vec<Refusal>> {
+        let varied = self.edited(edits)?;
+        varied.bridge().map_err(|refusal| vec![refusal])?;
+        Ok(varied)
+    }
+
+    /// The same, where the edited text may be one that the reader has something against: that is among its findings then.
+    ///
+    /// # Errors
+    /// Every edit that names no quantity or gives no value that fits (B501 to B503).
+    pub fn edited<E: AsRef<str>>(&self, edits: &[E]) -> Result<Project, Vec<Refusal>> {
         let mut document = self.document(&[]).map_err(|refusal| vec![refusal])?;
         let mut refusals = Vec::new();
         for edit in edits {
@@ -194,10 +213,7 @@ impl Project {
             return Err(refusals);
         }
         let text = document.text().into_bytes();
-        let read = self.read_again(&text);
-        let varied = Project { text, read, ..self.clone() };
-        varied.bridge().map_err(|refusal| vec![refusal])?;
-        Ok(varied)
+        Ok(self.reworded(text))
     }
 }
 

@@ -28,6 +28,26 @@ pub struct Sweep {
     pub points: Vec<(f64, f64)>,
 }
 
+/// The load factors of a sweep of a bridge's loads over their position: what every method that was followed gives. None without a
+/// finite point.
+pub fn sweep_drawing(name: &str, found: &outcome::sweep::Sweep) -> Option<String> {
+    type Factor = fn(&outcome::sweep::SweepPoint) -> Option<f64>;
+    let factors: &[(&str, Factor)] = match found.is_deformable() {
+        _ if found.points.iter().any(|p| p.upper_factor.is_some()) => &[
+            ("lower bound", |p| p.load_factor),
+            ("upper bound", |p| p.upper_factor),
+            ("fill as weight", |p| p.rigid_factor),
+        ],
+        true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
+        false => &[("load factor", |p| p.load_factor)],
+    };
+    let curve = |(label, factor): &(&str, Factor)| {
+        let points = found.points.iter().map(|point| (point.position, factor(point).unwrap_or(f64::NAN)));
+        Sweep { label: (*label).to_owned(), points: points.collect() }
+    };
+    envelope(name, Ordinate::Factor, &factors.iter().map(curve).collect::<Vec<_>>(), None)
+}
+
 /// Line colours and dashes, told apart in grey print by their dashes.
 const STYLES: [(&str, &str); 4] = [("#0b5394", ""), ("#a02020", "9 4"), ("#3d3d3d", "2.5 3"), ("#7a6a00", "10 3 2 3")];
 const HEIGHT: f64 = 340.0;

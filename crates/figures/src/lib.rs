@@ -60,7 +60,7 @@ pub use chains::force_chains;
 pub use discs::left_out;
 pub use displaced::displacement;
 pub use drawn::bridge_as_drawn;
-pub use envelope::{Ordinate, Sweep, envelope};
+pub use envelope::{Ordinate, Sweep, envelope, sweep_drawing};
 pub use factor_bars::case_factors;
 pub use figure::Figure;
 pub use fill_stress::fill_stress;

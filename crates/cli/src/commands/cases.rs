@@ -8,9 +8,7 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::Spectator;
-use extrados::{CaseAnswer, Cases};
-use outcome::published;
-use serde_json::{Value, json};
+use extrados::Cases;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -26,9 +24,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     spectator.finish();
     let found = found?;
     let mut report = source.report(status(&found));
-    fields(&mut report, &found);
-    for warning in warnings(&found) {
-        report.warn(&mut desk.screen, warning.0, &warning.1);
+    report.fields = found.object();
+    for (code, message) in found.warnings() {
+        report.warn(&mut desk.screen, code, &message);
     }
     let mut files: Vec<figures::File> = results::tables([("cases", table(&found))]).collect();
     let mut draw = |name: &str, svg: &str| {
@@ -54,41 +52,6 @@ fn status(found: &Cases) -> Status {
     let ended = found.answers.iter().map(|one| results::status(one.collapse.status));
     let worst = ended.max_by_key(|status| status.exit_code()).unwrap_or(Status::Completed);
     if worst.exit_code() == 0 { Status::Completed } else { worst }
-}
-
-fn fields(report: &mut Report, found: &Cases) {
-    report.fields.insert("governing_case".into(), json!(found.governing().map(|one| &one.name)));
-    report.fields.insert("load_factor".into(), json!(found.governing().and_then(CaseAnswer::factor)));
-    report.fields.insert("load_factor_at_most".into(), json!(found.least().and_then(CaseAnswer::factor)));
-    let case = |one: &CaseAnswer| {
-        json!({
-            "name": one.name,
-            "acts": one.told,
-            "load_factor": one.factor(),
-            "result": Value::Object(published::collapse(&one.collapse)),
-        })
-    };
-    report.fields.insert("cases".into(), found.answers.iter().map(case).collect());
-}
-
-/// Warnings of all cases, each once, with the cases that it concerns.
-fn warnings(found: &Cases) -> Vec<(&'static str, String)> {
-    let mut all: Vec<(&'static str, String, Vec<&str>)> = Vec::new();
-    for one in &found.answers {
-        for warning in &one.collapse.warnings {
-            match all.iter_mut().find(|known| known.0 == warning.code && known.1 == warning.message) {
-                Some(known) => known.2.push(&one.name),
-                None => all.push((warning.code, warning.message.clone(), vec![&one.name])),
-            }
-        }
-    }
-    let every = found.answers.len();
-    all.into_iter()
-        .map(|(code, message, names)| match names.len() == every {
-            true => (code, message),
-            false => (code, format!("{}: {message}", names.join(", "))),
-        })
-        .collect()
 }
 
 /// Text of a cell: quoted where it has what divides cells.

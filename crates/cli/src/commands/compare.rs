@@ -8,9 +8,8 @@ use crate::report::Report;
 use crate::results;
 use crate::status::Status;
 use crate::watcher::Spectator;
-use extrados::{Answered, Compared, Difference};
-use outcome::published;
-use serde_json::{Value, json};
+use extrados::Compared;
+use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -67,14 +66,7 @@ fn write(
     let named = [&arguments.before, &arguments.after].map(|file| file.display().to_string());
     report.fields.insert("before_file".into(), json!(named[0]));
     report.fields.insert("after_file".into(), json!(named[1]));
-    report.fields.insert("verdict".into(), json!(verdict(found)));
-    report.fields.insert("cautions".into(), json!(found.cautions));
-    report.fields.insert("differences".into(), found.differences.iter().map(difference).collect());
-    report.fields.insert("numbers".into(), found.numbers.iter().map(number).collect());
-    report.fields.insert("assumptions_before_only".into(), json!(found.assumptions[0]));
-    report.fields.insert("assumptions_after_only".into(), json!(found.assumptions[1]));
-    report.fields.insert("before".into(), Value::Object(published::collapse(before)));
-    report.fields.insert("after".into(), Value::Object(published::collapse(after)));
+    report.fields.extend(found.object());
     let mut files: Vec<figures::File> =
         results::tables([("differences", differences(found)), ("answers", answers(found))]).collect();
     for (name, answer) in [("before", before), ("after", after)] {
@@ -85,37 +77,6 @@ fn write(
     }
     report.summary = summary(found, &named, folder.path());
     results::publish(desk, report, folder, &files)
-}
-
-/// Which of the two carries more, in a sentence.
-fn verdict(found: &Compared) -> String {
-    let Some(headline) = found.numbers.iter().find(|number| number.name == "headline_kn_per_m") else {
-        return "no load is known to be carried by either".to_owned();
-    };
-    match (headline.before, headline.after, headline.change()) {
-        (Some(before), Some(after), Some(change)) if change.abs() < 5e-4 => {
-            format!("both carry the same: {before:.2} and {after:.2} kN/m")
-        }
-        (Some(before), Some(after), Some(change)) => {
-            let word = if change > 0.0 { "more" } else { "less" };
-            format!("the second carries {:.1} % {word}: {after:.2} against {before:.2} kN/m", 100.0 * change.abs())
-        }
-        (Some(before), None, _) => {
-            format!("the first carries {before:.2} kN/m; no load is known to be carried by the second")
-        }
-        (_, Some(after), _) => {
-            format!("the second carries {after:.2} kN/m; no load is known to be carried by the first")
-        }
-        _ => "no load is known to be carried by either".to_owned(),
-    }
-}
-
-fn difference(one: &Difference) -> Value {
-    json!({ "path": one.path, "before": one.before, "after": one.after })
-}
-
-fn number(one: &Answered) -> Value {
-    json!({ "name": one.name, "before": one.before, "after": one.after, "change_percent": one.change().map(|c| 100.0 * c) })
 }
 
 /// Text of a cell: quoted where it has what divides cells.
@@ -144,7 +105,7 @@ fn answers(found: &Compared) -> String {
 }
 
 fn summary(found: &Compared, named: &[String; 2], folder: &Path) -> String {
-    let mut page = format!("{} and {}: {}\n", named[0], named[1], verdict(found));
+    let mut page = format!("{} and {}: {}\n", named[0], named[1], found.verdict());
     for caution in &found.cautions {
         let _ = writeln!(page, "  careful: {caution}");
     }

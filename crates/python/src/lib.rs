@@ -1,0 +1,118 @@
+//! The extension module of the Python package `extrados`: the crate of the same name, typed on the other side by
+//! `python/extrados/`. Nothing here computes; `run` keeps work away from the interpreter, `view` lets NumPy look into results.
+
+mod answer;
+mod arrays;
+mod errors;
+mod examples;
+mod kept;
+mod object;
+mod options;
+mod project;
+mod run;
+mod stepping;
+mod view;
+
+use pyo3::prelude::*;
+
+/// The version of the program.
+#[pyfunction]
+fn version() -> &'static str {
+    env!("CARGO_PKG_VERSION")
+}
+
+/// How many threads analyses use; `EXTRADOS_THREADS` sets it before the first analysis.
+#[pyfunction]
+fn threads() -> usize {
+    run::threads()
+}
+
+/// An example: the text of its bridge file, and the files beside it.
+#[pyfunction]
+fn example(name: &str) -> Option<(&'static str, Vec<(&'static str, &'static [u8])>)> {
+    examples::named(name)
+}
+
+/// Names of the examples.
+#[pyfunction]
+fn examples_known() -> Vec<&'static str> {
+    examples::NAMES.to_vec()
+}
+
+/// Breaks, for the tests of what happens then.
+#[pyfunction]
+#[pyo3(signature = (deep = false))]
+fn _break(py: Python<'_>, deep: bool) -> PyResult<()> {
+    let broken = run::run(py, None, move |_| match deep {
+        true => rayon::join(|| panic!("a test breaks on a thread of the pool"), || ()).1,
+        false => panic!("a test breaks"),
+    })?;
+    broken.result.map_or(Ok(()), Ok)
+}
+
+/// Does nothing for a while, in steps of a millisecond that can be interrupted, for tests of interruption.
+#[pyfunction]
+#[pyo3(signature = (seconds, progress = None))]
+fn _wait(py: Python<'_>, seconds: f64, progress: Option<&Bound<'_, PyAny>>) -> PyResult<u64> {
+    let done = run::run(py, progress, move |watch| {
+        let begun = std::time::Instant::now();
+        let mut looks = 0;
+        while begun.elapsed().as_secs_f64() < seconds {
+            looks += 1;
+            let fraction = Some(begun.elapsed().as_secs_f64() / seconds);
+            let told = extrados::Progress { stage: "waiting".to_owned(), fraction, steps: looks };
+            if extrados::Watch::look(watch, &told) == extrados::Wish::Stop {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        looks
+    })?;
+    match (done.interrupted, done.result) {
+        (Some(cause), _) => Err(run::interruption(py, cause, None, None, None)),
+        (None, looks) => Ok(looks.unwrap_or(0)),
+    }
+}
+
+/// The sum of the limit loads [kN/m] of bridges that differ in a friction angle, from a loop in Rust: what a loop in Python is held against.
+#[pyfunction]
+fn _limit_loads(py: Python<'_>, path: std::path::PathBuf, count: u32) -> PyResult<f64> {
+    use extrados::{Choice, CollapseOptions, Disk, Refusal, Unwatched};
+    let sum = move || -> Result<f64, Vec<Refusal>> {
+        let one = |refusal: Refusal| vec![refusal];
+        let project = extrados::Project::read(path, &Disk).map_err(one)?;
+        let choice = Choice { method: Some(bridge::Method::Limit), ..Choice::default() };
+        let mut sum = 0.0;
+        for k in 0..count {
+            let angle = 25.0 + 15.0 * f64::from(k) / f64::from(count);
+            let edited = project.with(&[format!("joint.friction_angle={angle} deg")])?;
+            let options = CollapseOptions { choice, resume: None };
+            sum += extrados::collapse(&edited, &options, &mut Unwatched).map_err(one)?.last_stable_load.unwrap_or(0.0)
+                / 1e3;
+        }
+        Ok(sum)
+    };
+    let done = run::run(py, None, move |_| sum())?;
+    done.result.unwrap_or(Ok(0.0)).map_err(|refusals| errors::refused(py, &refusals))
+}
+
+/// The extension module.
+#[pymodule]
+fn _extrados(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    run::keep_panics();
+    module.add_class::<project::Project>()?;
+    module.add_class::<project::BlockModel>()?;
+    module.add_class::<answer::Answer>()?;
+    module.add_class::<kept::State>()?;
+    module.add_class::<stepping::CollapseRun>()?;
+    module.add_class::<stepping::PassageRun>()?;
+    module.add_class::<stepping::PassageMoment>()?;
+    module.add_function(wrap_pyfunction!(version, module)?)?;
+    module.add_function(wrap_pyfunction!(threads, module)?)?;
+    module.add_function(wrap_pyfunction!(example, module)?)?;
+    module.add_function(wrap_pyfunction!(examples_known, module)?)?;
+    module.add_function(wrap_pyfunction!(_break, module)?)?;
+    module.add_function(wrap_pyfunction!(_wait, module)?)?;
+    module.add_function(wrap_pyfunction!(_limit_loads, module)?)?;
+    Ok(())
+}

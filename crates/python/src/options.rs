@@ -1,0 +1,185 @@
+//! Arguments of calls: words and quantities with units, each refused by its name.
+
+use crate::errors;
+use bridge::choice::Choice as Words;
+use bridge::quantity::{self, Dimension};
+use extrados::bridge::Damping;
+use extrados::{Choice, StageName};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+/// Arguments by name, each taken once; what nobody takes is refused.
+pub struct Options<'py> {
+    given: Bound<'py, PyDict>,
+}
+
+impl<'py> Options<'py> {
+    /// A copy of the dictionary; entries of `None` are as if they were not there.
+    pub fn new(given: &Bound<'py, PyDict>) -> PyResult<Options<'py>> {
+        let own = PyDict::new(given.py());
+        for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
+            own.set_item(key, value)?;
+        }
+        Ok(Options { given: own })
+    }
+
+    fn take(&self, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let value = self.given.get_item(name)?;
+        if value.is_some() {
+            self.given.del_item(name)?;
+        }
+        Ok(value)
+    }
+
+    fn wrong(&self, name: &str, value: &Bound<'py, PyAny>, wanted: &str) -> PyErr {
+        let shown = value.repr().map_or_else(|_| "its value".to_owned(), |words| words.to_string());
+        let shown: String = shown.chars().take(80).collect();
+        errors::argument(self.given.py(), format!("{name} = {shown} cannot be used"), wanted)
+    }
+
+    /// A text.
+    pub fn text(&self, name: &str, wanted: &str) -> PyResult<Option<String>> {
+        let Some(value) = self.take(name)? else { return Ok(None) };
+        value.extract::<String>().map(Some).map_err(|_| self.wrong(name, &value, wanted))
+    }
+
+    /// A word of a list.
+    pub fn word<T: Words>(&self, name: &str) -> PyResult<Option<T>> {
+        let Some(value) = self.take(name)? else { return Ok(None) };
+        let word = value.extract::<String>().ok().and_then(|word| T::named(&word));
+        word.map(Some).ok_or_else(|| {
+            let known: Vec<String> = T::WORDS.iter().map(|one| format!("\"{}\"", one.word)).collect();
+            self.wrong(name, &value, &format!("write {}", known.join(", ")))
+        })
+    }
+
+    /// A quantity above zero in one of these dimensions, with its unit.
+    fn quantity(&self, name: &str, of: &[Dimension], example: &str) -> PyResult<Option<quantity::Quantity>> {
+        let Some(value) = self.take(name)? else { return Ok(None) };
+        let read = value.extract::<String>().ok().and_then(|text| quantity::parse(&text).ok());
+        let fits = read.filter(|read| of.contains(&read.unit.dimension) && read.si() > 0.0 && read.si().is_finite());
+        fits.map(Some).ok_or_else(|| {
+            let names: Vec<&str> = of.iter().map(|dimension| dimension.name()).collect();
+            self.wrong(name, &value, &format!("write {} above zero with its unit: \"{example}\"", names.join(" or ")))
+        })
+    }
+
+    /// A length [m].
+    pub fn length(&self, name: &str) -> PyResult<Option<f64>> {
+        Ok(self.quantity(name, &[Dimension::Length], "0.25 m")?.map(|read| read.si()))
+    }
+
+    /// A speed [m/s].
+    pub fn speed(&self, name: &str) -> PyResult<Option<f64>> {
+        Ok(self.quantity(name, &[Dimension::Speed], "45 km/h")?.map(|read| read.si()))
+    }
+
+    /// A number within bounds.
+    fn number(&self, name: &str, fits: impl FnOnce(f64) -> bool, wanted: &str) -> PyResult<Option<f64>> {
+        let Some(value) = self.take(name)? else { return Ok(None) };
+        let number = value.extract::<f64>().ok().filter(|number| fits(*number));
+        number.map(Some).ok_or_else(|| self.wrong(name, &value, wanted))
+    }
+
+    /// A count of at least one.
+    pub fn count(&self, name: &str) -> PyResult<Option<u64>> {
+        let Some(value) = self.take(name)? else { return Ok(None) };
+        let count = value.extract::<u64>().ok().filter(|count| *count > 0);
+        count.map(Some).ok_or_else(|| self.wrong(name, &value, "write a whole number of at least 1"))
+    }
+
+    /// True or false.
+    pub fn flag(&self, name: &str) -> PyResult<bool> {
+        let Some(value) = self.take(name)? else { return Ok(false) };
+        value.extract::<bool>().map_err(|_| self.wrong(name, &value, "write True or False"))
+    }
+
+    /// Texts of a list.
+    pub fn texts(&self, name: &str, wanted: &str) -> PyResult<Vec<String>> {
+        let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
+        value.extract::<Vec<String>>().map_err(|_| self.wrong(name, &value, wanted))
+    }
+
+    fn damping(&self) -> PyResult<Option<Damping>> {
+        let Some(value) = self.take("damping")? else { return Ok(None) };
+        let text = value.extract::<String>().unwrap_or_default();
+        let (kind, share) = text.split_once(':').map_or((text.as_str(), None), |(kind, share)| (kind, Some(share)));
+        let share = match share.map(str::parse::<f64>) {
+            None => Some(0.8),
+            Some(Ok(share)) if share > 0.0 && share <= 1.0 => Some(share),
+            Some(_) => None,
+        };
+        match (kind, share) {
+            ("local", Some(share)) => Ok(Some(Damping::Local(share))),
+            ("viscous", Some(share)) => Ok(Some(Damping::Viscous(share))),
+            ("adaptive", Some(_)) if !text.contains(':') => Ok(Some(Damping::Adaptive)),
+            _ => Err(self.wrong("damping", &value, "write \"local:0.8\", \"viscous:0.8\" or \"adaptive\"")),
+        }
+    }
+
+    /// What takes the place of the file's plan, for a bridge of this width [m].
+    pub fn choice(&self, width: f64) -> PyResult<Choice> {
+        let resolution = self.quantity("resolution", &[Dimension::LineLoad, Dimension::Force], "1 kN/m")?;
+        Ok(Choice {
+            analysis: self.word("analysis")?,
+            method: self.word("method")?,
+            resolution: resolution.map(|read| match read.unit.dimension {
+                Dimension::Force => read.si() / width,
+                _ => read.si(),
+            }),
+            damping: self.damping()?,
+            contact: self.word("contact")?,
+            contact_length: self.word("contact_length")?,
+            friction: self.word("friction")?,
+            contact_points: self.word("contact_points")?,
+            tolerance: self.number(
+                "tolerance",
+                |ratio| ratio > 0.0 && ratio <= 0.1,
+                "write a ratio above 0 and up to 0.1, such as 1e-5",
+            )?,
+            step_limit: self.count("step_limit")?,
+        })
+    }
+
+    /// Stages that an assessment leaves out.
+    pub fn stages(&self, name: &str) -> PyResult<Vec<StageName>> {
+        const ALL: [(&str, StageName); 7] = [
+            ("update", StageName::Update),
+            ("service", StageName::Service),
+            ("collapse", StageName::Collapse),
+            ("vehicles", StageName::Vehicles),
+            ("cases", StageName::Cases),
+            ("support-movement", StageName::SupportMovement),
+            ("sensitivity", StageName::Sensitivity),
+        ];
+        let known = || ALL.map(|(word, _)| format!("\"{word}\"")).join(", ");
+        let Some(value) = self.take(name)? else { return Ok(Vec::new()) };
+        let words = value.extract::<Vec<String>>().unwrap_or_else(|_| vec![String::new()]);
+        let stages = words.iter().map(|word| ALL.iter().find(|(own, _)| own == word).map(|(_, stage)| *stage));
+        stages
+            .collect::<Option<Vec<StageName>>>()
+            .ok_or_else(|| self.wrong(name, &value, &format!("write a list of {}", known())))
+    }
+
+    /// Refuses what is left.
+    pub fn end(&self) -> PyResult<()> {
+        let left: Vec<String> = self.given.keys().iter().map(|key| key.to_string()).collect();
+        if left.is_empty() {
+            return Ok(());
+        }
+        let message = format!("there is no argument {}", left.join(", "));
+        Err(errors::argument(self.given.py(), message, "the documentation of the call lists its arguments"))
+    }
+}
+
+/// Files that are given as bytes beside those of the disk.
+pub fn files(given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(std::path::PathBuf, Vec<u8>)>> {
+    let Some(given) = given else { return Ok(Vec::new()) };
+    let all = given.iter().map(|(path, bytes)| Ok((path.extract()?, bytes.extract::<Vec<u8>>()?)));
+    all.collect()
+}
+
+/// A list of texts, as Python has it.
+pub fn list<'py>(py: Python<'py>, all: &[[String; 4]]) -> PyResult<Bound<'py, PyList>> {
+    PyList::new(py, all.iter().map(|[a, b, c, d]| (a, b, c, d)))
+}

@@ -1,0 +1,533 @@
+//! A bridge file in the hands of Python, and every analysis of it.
+
+use crate::answer::{Answer, Found};
+use crate::errors;
+use crate::kept::{Kept, State};
+use crate::object;
+use crate::options::{self, Options};
+use crate::run::{self, Finished};
+use bridge::update::{Search, Start, Variant};
+use extrados::means::Clock;
+use extrados::results::published;
+use extrados::{
+    AssessOptions, CollapseOptions, Disk, Files, Means, Project as File, Refusal, RespondOptions, SweepOptions, Swept,
+    UpdateOptions, VaryOptions,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Files that a caller holds, and those of the disk where it holds none.
+#[derive(Clone, Default)]
+struct Beside(Arc<BTreeMap<PathBuf, Vec<u8>>>);
+
+impl Files for Beside {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        self.0.get(path).map_or_else(|| Disk.read(path), |bytes| Ok(bytes.clone()))
+    }
+
+    fn list(&self, folder: &Path) -> io::Result<Option<Vec<PathBuf>>> {
+        let inside: Vec<PathBuf> = self.0.keys().filter(|path| path.parent() == Some(folder)).cloned().collect();
+        if inside.is_empty() { Disk.list(folder) } else { Ok(Some(inside)) }
+    }
+}
+
+/// A clock that starts when it is made.
+struct Watch(Instant);
+
+impl Clock for Watch {
+    fn seconds(&self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
+}
+
+/// A bridge file that was read. It does not change.
+#[pyclass(frozen, module = "extrados")]
+pub struct Project {
+    file: Arc<File>,
+    beside: Beside,
+}
+
+#[pymethods]
+impl Project {
+    /// Reads a file and those that it names. `files` are held in memory and take the place of those of the disk.
+    #[staticmethod]
+    #[pyo3(signature = (path, files = None))]
+    fn read(py: Python<'_>, path: PathBuf, files: Option<&Bound<'_, PyDict>>) -> PyResult<Project> {
+        let beside = Beside(Arc::new(options::files(files)?.into_iter().collect()));
+        Project::open(py, path, beside)
+    }
+
+    /// The path of the file, as it was given.
+    fn name(&self) -> &str {
+        self.file.name()
+    }
+
+    /// The text of the file.
+    fn text(&self) -> String {
+        String::from_utf8_lossy(self.file.text()).into_owned()
+    }
+
+    /// Files that are held in memory.
+    fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for (path, bytes) in &*self.beside.0 {
+            all.set_item(path.to_string_lossy(), pyo3::types::PyBytes::new(py, bytes))?;
+        }
+        Ok(all)
+    }
+
+    /// Everything that was found in it.
+    fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let all = run::guarded(py, || errors::findings(&self.file))?;
+        object::value(py, &serde_json::Value::Array(all))
+    }
+
+    /// Whether an analysis can be made of it.
+    fn is_usable(&self) -> bool {
+        self.file.meaning().bridge.is_some()
+    }
+
+    /// Path of the table or folder of records that it names, as it stands in the file.
+    fn records_place(&self) -> Option<String> {
+        self.file.meaning().update.as_ref().map(|asked| asked.records.place.clone())
+    }
+
+    /// Names of the cases that it has.
+    fn case_names(&self) -> Vec<String> {
+        self.file.meaning().cases.iter().map(|case| case.name.clone()).collect()
+    }
+
+    /// Path, value, meaning and, where it is the default's, "default", of every quantity that it has.
+    fn quantities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let found =
+            run::guarded(py, || self.file.document_without_ranges().map(|document| bridge::vary::known(&document)))?;
+        let all = found.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        let rows: Vec<[String; 4]> = all
+            .into_iter()
+            .map(|one| {
+                let origin = if one.by_default { "default" } else { "file" };
+                [one.path, one.value, one.doc.to_owned(), origin.to_owned()]
+            })
+            .collect();
+        options::list(py, &rows)
+    }
+
+    /// The same file with other values: `joint.friction_angle=30deg`.
+    fn edited(&self, py: Python<'_>, edits: Vec<String>) -> PyResult<Project> {
+        self.usable(py)?;
+        let made = run::guarded(py, || self.file.edited(&edits))?;
+        let file = made.map_err(|refusals| errors::of_kind(py, "bridge", &refusals))?;
+        if file.meaning().bridge.is_none() {
+            return Err(errors::unusable(py, &file));
+        }
+        Ok(Project { file: Arc::new(file), beside: self.beside.clone() })
+    }
+
+    /// The bridge as its file describes it, as SVG.
+    fn drawing(&self, py: Python<'_>) -> PyResult<String> {
+        self.usable(py)?;
+        let drawn = run::guarded(py, || self.file.as_built().map(|picture| figures::bridge_as_drawn(&picture)))?;
+        drawn.map_err(|refusal| errors::refused(py, &[refusal]))
+    }
+
+    /// A hash of everything that the numbers of an analysis follow from: what the file means, the analysis and its options, and the
+    /// build. The text does not count: a comment changes nothing.
+    fn key(&self, py: Python<'_>, analysis: &str, options: &Bound<'_, PyDict>, program: &str) -> PyResult<String> {
+        self.usable(py)?;
+        let read = self.file.meaning();
+        let mut pairs: Vec<(String, String)> = Vec::new();
+        for (name, value) in options.iter().filter(|(_, value)| !value.is_none()) {
+            pairs.push((name.to_string(), value.repr()?.to_string()));
+        }
+        pairs.sort();
+        run::guarded(py, || {
+            let mut hasher = blake3::Hasher::new();
+            let meaning = (&read.bridge, &read.cases, &read.update, &read.vary);
+            hasher.update(format!("{program}\n{analysis}\n{pairs:?}\n{meaning:?}").as_bytes());
+            if let Ok(records) = self.file.records() {
+                for file in records {
+                    hasher.update(&file.bytes);
+                }
+            }
+            hasher.finalize().to_hex().to_string()
+        })
+    }
+
+    #[pyo3(signature = (options, progress = None, resume = None))]
+    fn collapse(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        progress: Option<&Bound<'_, PyAny>>,
+        resume: Option<&State>,
+    ) -> PyResult<Answer> {
+        let width = self.usable(py)?.width;
+        let given = Options::new(options)?;
+        let choice = given.choice(width)?;
+        given.end()?;
+        let resume = words(py, resume)?;
+        self.answered(py, progress, None, move |file, watch| {
+            extrados::collapse(file, &CollapseOptions { choice, resume }, watch)
+                .map(|found| Found::Collapse(Box::new(found)))
+                .map_err(|refusal| vec![refusal])
+        })
+    }
+
+    #[pyo3(signature = (options, progress = None))]
+    fn sweep(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let width = self.usable(py)?.width;
+        let given = Options::new(options)?;
+        let (step, choice) = (given.length("step")?, given.choice(width)?);
+        given.end()?;
+        if let Some(method) = choice.method.filter(|method| !extrados::sweeps(*method)) {
+            let message = format!("method = \"{}\" cannot be used: a sweep is limit analysis", method.word());
+            let help = "leave method out, or write \"limit\", or \"path\" for joints that give too";
+            return Err(errors::argument(py, message, help));
+        }
+        self.answered(py, progress, None, move |file, watch| {
+            let found =
+                extrados::sweep(file, &SweepOptions { choice, step }, watch).map_err(|refusal| vec![refusal])?;
+            Ok(match found {
+                Swept::Vehicles(found) => Found::Vehicles(found),
+                Swept::Loads(found) => {
+                    let name = file.bridge().map_or("", |bridge| bridge.name.as_str()).to_owned();
+                    Found::Sweep(name, width, found)
+                }
+            })
+        })
+    }
+
+    #[pyo3(signature = (options, progress = None))]
+    fn respond(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        self.usable(py)?;
+        let given = Options::new(options)?;
+        let options = passage_options(&given)?;
+        given.end()?;
+        self.answered(py, progress, None, move |file, watch| {
+            extrados::respond(file, &options, watch)
+                .map(|found| Found::Passage(Box::new(found)))
+                .map_err(|refusal| vec![refusal])
+        })
+    }
+
+    #[pyo3(signature = (options, program, progress = None, resume = None))]
+    fn update(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        program: String,
+        progress: Option<&Bound<'_, PyAny>>,
+        resume: Option<&State>,
+    ) -> PyResult<Answer> {
+        self.usable(py)?;
+        let given = Options::new(options)?;
+        let records_only = given.flag("records_only")?;
+        let options = UpdateOptions {
+            search: given.word::<Search>("search")?,
+            variant: given.word::<Variant>("variant")?,
+            start: given.word::<Start>("start")?,
+        };
+        given.end()?;
+        let kept = kept(resume);
+        let shelf = Arc::clone(&kept);
+        self.answered(py, progress, Some(kept), move |file, watch| {
+            let clock = Watch(Instant::now());
+            let means = Means { shelf: &*shelf, clock: &clock, program: &program };
+            let taken_up = if records_only { 0 } else { shelf.lines() };
+            let found = match records_only {
+                true => extrados::judge(file, &means, watch),
+                false => extrados::update(file, &options, &means, watch),
+            };
+            found.map(|found| Found::Update(Box::new(found), taken_up)).map_err(|refusal| vec![refusal])
+        })
+    }
+
+    #[pyo3(signature = (options, program, progress = None, resume = None))]
+    fn vary(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        program: String,
+        progress: Option<&Bound<'_, PyAny>>,
+        resume: Option<&State>,
+    ) -> PyResult<Answer> {
+        let width = self.usable(py)?.width;
+        let given = Options::new(options)?;
+        let ranges = given.texts("ranges", "write a list such as [\"joint.friction_angle=30deg..40deg:5\"]")?;
+        let options = VaryOptions {
+            sweep: given.flag("sweep")?,
+            grid: given.flag("grid")?,
+            outcome: given.text("outcome", "write the name of a number, such as \"headline_kn_per_m\"")?,
+            most_runs: given.count("most_runs")?.map_or(1000, |count| count as usize),
+            choice: given.choice(width)?,
+        };
+        given.end()?;
+        let kept = kept(resume);
+        let shelf = Arc::clone(&kept);
+        let plan = extrados::planned(&self.file, &options.choice).map_err(|refusal| errors::refused(py, &[refusal]))?;
+        let plan = plan.plan;
+        let name = self.file.name().to_owned();
+        self.maybe_answered(py, progress, Some(kept), move |file, watch| {
+            let requests =
+                if ranges.is_empty() { file.meaning().vary.clone() } else { extrados::settings(file, &ranges)? };
+            if requests.is_empty() {
+                let help = "add [[vary]] tables, or give ranges=[\"joint.friction_angle=30deg..40deg:5\"]";
+                return Err(vec![Refusal::new("F113", format!("{name} says nothing of what to vary"), help)]);
+            }
+            let clock = Watch(Instant::now());
+            let means = Means { shelf: &*shelf, clock: &clock, program: &program };
+            let found = extrados::vary(file, &requests, &options, &means, watch)?;
+            Ok(found.study.map(|study| Found::Study(Box::new(study), plan.tolerance, plan.seed)))
+        })
+    }
+
+    #[pyo3(signature = (options, program, progress = None, resume = None))]
+    fn assess(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        program: String,
+        progress: Option<&Bound<'_, PyAny>>,
+        resume: Option<&State>,
+    ) -> PyResult<Answer> {
+        self.usable(py)?;
+        let given = Options::new(options)?;
+        let options = AssessOptions {
+            skip: given.stages("skip")?,
+            command: "extrados.Bridge.assess".to_owned(),
+            day: given.text("day", "write the day as \"2026-01-31\"")?.unwrap_or_default(),
+        };
+        given.end()?;
+        let kept = kept(resume);
+        let shelf = Arc::clone(&kept);
+        self.maybe_answered(py, progress, Some(kept), move |file, watch| {
+            let clock = Watch(Instant::now());
+            let means = Means { shelf: &*shelf, clock: &clock, program: &program };
+            let done = extrados::assess(file, &options, &means, watch).map_err(|refusal| vec![refusal])?;
+            Ok(done.map(|done| Found::Assessed(Box::new(done))))
+        })
+    }
+
+    #[pyo3(signature = (options, progress = None))]
+    fn cases(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let width = self.usable(py)?.width;
+        let given = Options::new(options)?;
+        let choice = given.choice(width)?;
+        given.end()?;
+        self.answered(py, progress, None, move |file, watch| {
+            extrados::cases(file, choice, watch).map(Found::Cases).map_err(|refusal| vec![refusal])
+        })
+    }
+
+    #[pyo3(signature = (other, options, progress = None))]
+    fn compare(
+        &self,
+        py: Python<'_>,
+        other: &Project,
+        options: &Bound<'_, PyDict>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Answer> {
+        let width = self.usable(py)?.width;
+        other.usable(py)?;
+        let given = Options::new(options)?;
+        let choice = given.choice(width)?;
+        given.end()?;
+        let after = Arc::clone(&other.file);
+        let files = vec![Arc::clone(&self.file), Arc::clone(&after)];
+        let found = self.worked(py, progress, None, files, move |file, watch| {
+            extrados::compare(file, &after, choice, watch)
+                .map(|found| Some(Found::Compared(Box::new(found))))
+                .map_err(|refusal| vec![refusal])
+        })?;
+        found.ok_or_else(|| errors::argument(py, "the work was stopped".to_owned(), "run it again"))
+    }
+
+    /// Numbers of a collapse by name, as studies have them: for loops over many bridges.
+    fn collapse_numbers<'py>(&self, py: Python<'py>, options: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
+        let answer = self.collapse(py, options, None, None)?;
+        let all = PyDict::new(py);
+        if let Found::Collapse(found) = answer.found() {
+            for (name, number) in published::collapse_numbers(found) {
+                all.set_item(name, number)?;
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// How a train crosses.
+pub fn passage_options(given: &Options<'_>) -> PyResult<RespondOptions> {
+    Ok(RespondOptions { speed: given.speed("speed")?, analysis: given.word("analysis")?, path: given.word("path")? })
+}
+
+fn words(py: Python<'_>, resume: Option<&State>) -> PyResult<Option<Vec<u64>>> {
+    resume.map_or(Ok(None), |state| state.words(py))
+}
+
+fn kept(resume: Option<&State>) -> Arc<Kept> {
+    resume.and_then(|state| state.kept.clone()).unwrap_or_default()
+}
+
+/// Work on a file: what it gave, nothing where it was stopped, or why it cannot begin.
+type Gave = Result<Option<Found>, Vec<Refusal>>;
+
+impl Project {
+    fn open(py: Python<'_>, path: PathBuf, beside: Beside) -> PyResult<Project> {
+        let own = beside.clone();
+        let done = run::run(py, None, move |_| File::read(&path, &own))?;
+        match (done.result, done.interrupted) {
+            (_, Some(cause)) => Err(run::interruption(py, cause, None, None, None)),
+            (Some(read), None) => {
+                let file = read.map_err(|refusal| errors::refused(py, &[refusal]))?;
+                Ok(Project { file: Arc::new(file), beside })
+            }
+            (None, None) => Err(errors::argument(py, "the file was not read".to_owned(), "read it again")),
+        }
+    }
+
+    /// The file itself.
+    pub fn file(&self) -> &Arc<File> {
+        &self.file
+    }
+
+    /// The bridge, or everything that is wrong with its file.
+    pub fn usable(&self, py: Python<'_>) -> PyResult<&bridge::Bridge> {
+        match &self.file.meaning().bridge {
+            Some(bridge) => Ok(bridge),
+            None if bridge::is_block_file(self.file.text()) => {
+                let message = format!("{} is a block model file", self.file.name());
+                Err(errors::argument(py, message, "read it with extrados.Blocks.read"))
+            }
+            None => Err(errors::unusable(py, &self.file)),
+        }
+    }
+
+    fn answered(
+        &self,
+        py: Python<'_>,
+        progress: Option<&Bound<'_, PyAny>>,
+        kept: Option<Arc<Kept>>,
+        work: impl FnOnce(&File, &mut run::Looker) -> Result<Found, Vec<Refusal>> + Send + 'static,
+    ) -> PyResult<Answer> {
+        self.maybe_answered(py, progress, kept, move |file, watch| work(file, watch).map(Some))
+    }
+
+    fn maybe_answered(
+        &self,
+        py: Python<'_>,
+        progress: Option<&Bound<'_, PyAny>>,
+        kept: Option<Arc<Kept>>,
+        work: impl FnOnce(&File, &mut run::Looker) -> Gave + Send + 'static,
+    ) -> PyResult<Answer> {
+        let found = self.worked(py, progress, kept, vec![Arc::clone(&self.file)], work)?;
+        found.ok_or_else(|| errors::argument(py, "the work was stopped".to_owned(), "run it again"))
+    }
+
+    /// Runs the work on the file; an interruption becomes an exception that holds what there is.
+    fn worked(
+        &self,
+        py: Python<'_>,
+        progress: Option<&Bound<'_, PyAny>>,
+        kept: Option<Arc<Kept>>,
+        files: Vec<Arc<File>>,
+        work: impl FnOnce(&File, &mut run::Looker) -> Gave + Send + 'static,
+    ) -> PyResult<Option<Answer>> {
+        let (file, begun) = (Arc::clone(&self.file), Instant::now());
+        let Finished { result, interrupted, shared } = run::run(py, progress, move |watch| work(&file, watch))?;
+        let seconds = begun.elapsed().as_secs_f64();
+        if let Some(cause) = interrupted {
+            let found = result.and_then(Result::ok).flatten();
+            let answer = match found {
+                Some(found) => Some(Bound::new(py, Answer::new(found, files, seconds))?.into_any()),
+                None => None,
+            };
+            return Err(run::interruption(py, cause, answer, Some(shared), kept));
+        }
+        match result {
+            Some(Ok(found)) => Ok(found.map(|found| Answer::new(found, files, seconds))),
+            Some(Err(refusals)) => Err(errors::refused(py, &refusals)),
+            None => Ok(None),
+        }
+    }
+}
+
+/// A block model file with its drawing.
+#[pyclass(frozen, module = "extrados")]
+pub struct BlockModel {
+    blocks: Arc<extrados::Blocks>,
+}
+
+#[pymethods]
+impl BlockModel {
+    /// Reads a block model file and its drawing.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<BlockModel> {
+        let done = run::run(py, None, move |_| extrados::Blocks::read(&path, &Disk))?;
+        let read = done.result.ok_or_else(|| errors::argument(py, "the file was not read".to_owned(), "read it again"));
+        let blocks = read?.map_err(|refusal| errors::refused(py, &[refusal]))?;
+        if blocks.scene().is_none() {
+            let own = blocks.findings().iter().map(|finding| {
+                let text = extrados::finding_in_words(blocks.name(), blocks.text(), finding);
+                serde_json::json!({ "code": finding.code, "severity": finding.severity.word(), "message": finding.message,
+                    "help": finding.help, "text": text })
+            });
+            let drawn = blocks.drawing().into_iter().flat_map(|(_, all)| all).map(|finding| {
+                serde_json::json!({ "code": finding.code, "severity": finding.severity.word(), "message": finding.message,
+                    "help": finding.help, "text": format!("{}[{}]: {}: {}", finding.severity.word(), finding.code, finding.message, finding.place) })
+            });
+            let all: Vec<serde_json::Value> = own.chain(drawn).collect();
+            let text: Vec<&str> = all.iter().filter_map(|one| one["text"].as_str()).collect();
+            return Err(errors::exception(py, "bridge", &all, &text.join("\n")));
+        }
+        Ok(BlockModel { blocks: Arc::new(blocks) })
+    }
+
+    #[pyo3(signature = (options, progress = None, resume = None))]
+    fn collapse(
+        &self,
+        py: Python<'_>,
+        options: &Bound<'_, PyDict>,
+        progress: Option<&Bound<'_, PyAny>>,
+        resume: Option<&State>,
+    ) -> PyResult<Answer> {
+        let given = Options::new(options)?;
+        let choice = given.choice(1.0)?;
+        given.end()?;
+        let (blocks, begun) = (Arc::clone(&self.blocks), Instant::now());
+        let options = CollapseOptions { choice, resume: words(py, resume)? };
+        let done = run::run(py, progress, move |watch| extrados::collapse_of_blocks(&blocks, &options, watch))?;
+        let seconds = begun.elapsed().as_secs_f64();
+        let answer = |found| Answer::new(Found::Collapse(Box::new(found)), Vec::new(), seconds);
+        if let Some(cause) = done.interrupted {
+            let found = match done.result.and_then(Result::ok) {
+                Some(found) => Some(Bound::new(py, answer(found))?.into_any()),
+                None => None,
+            };
+            return Err(run::interruption(py, cause, found, Some(done.shared), None));
+        }
+        match done.result {
+            Some(found) => found.map(answer).map_err(|refusal| errors::refused(py, &[refusal])),
+            None => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),
+        }
+    }
+}

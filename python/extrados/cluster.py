@@ -1,0 +1,205 @@
+"""Many analyses over many processes and machines, on Dask: `pip install "extrados[cluster]"`.
+
+```
+from extrados import cluster
+report = cluster.fleet(sorted(Path("bridges").glob("*.toml")), "collapse", store="results", method="limit")
+report.to_pandas()
+```
+
+Every task is an analysis of one bridge. Its result is a file of the store, named by the hash of everything that its numbers follow from: the meaning
+of the bridge file, the analysis, the options and this build. Each worker writes it as soon as it is finished, whole or not at all, so that a worker
+that is killed, a scheduler that is killed or a second call repeat nothing that was finished. Results are not gathered: the report is a Parquet file
+written in batches. A bridge file that cannot be used is a row with its reason, and the run goes on.
+
+Without `client` a cluster of local processes is started, one for each core, each with one thread; a `dask.distributed.Client` of any other cluster
+(SLURM through dask-jobqueue, Kubernetes) is used as it is, with a store that all of its machines see.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .bridge import Bridge
+from .errors import Error, argument
+
+__all__ = ["Report", "fleet", "vary"]
+
+_ANALYSES = ("assess", "cases", "collapse", "respond", "sweep", "update")
+_BATCH = 1000
+
+
+@dataclass(frozen=True)
+class Report:
+    """What came of many analyses."""
+
+    path: Path
+    """The Parquet file: a row for each task, in the order in which they were asked for."""
+    tasks: int
+    computed: int
+    """Tasks that this call computed."""
+    taken_up: int
+    """Tasks whose results an earlier call, or another task with the same meaning, had finished."""
+    failed: list[tuple[str, str]]
+    """Name and reason of each task that could not be done."""
+
+    def to_pandas(self) -> Any:
+        """The rows as a data frame of pandas."""
+        import pandas
+
+        return pandas.read_parquet(self.path)
+
+    def result(self, key: str) -> dict[str, Any]:
+        """The whole object of a task, by the `key` of its row."""
+        return json.loads((self.path.parent / "results" / f"{key}.json").read_text(encoding="utf-8"))
+
+
+def fleet(
+    bridges: Sequence[str | os.PathLike[str] | Bridge],
+    analysis: str = "collapse",
+    *,
+    store: str | os.PathLike[str],
+    client: Any = None,
+    **options: Any,
+) -> Report:
+    """An analysis of every bridge: paths of files, or bridges. Options are those of the analysis."""
+    if analysis not in _ANALYSES:
+        raise argument(f"analysis = {analysis!r} cannot be used", f"write one of {', '.join(_ANALYSES)}")
+    tasks = []
+    for number, one in enumerate(bridges):
+        if isinstance(one, Bridge):
+            tasks.append((f"{number}: {one.name}", one))
+        else:
+            tasks.append((os.fspath(one), os.path.abspath(one)))
+    return _run(tasks, analysis, Path(store), client, options)
+
+
+def vary(
+    bridge: Bridge,
+    values: Sequence[Mapping[str, Any]],
+    analysis: str = "collapse",
+    *,
+    store: str | os.PathLike[str],
+    client: Any = None,
+    **options: Any,
+) -> Report:
+    """An analysis of a bridge with each of these sets of values, as :meth:`extrados.Bridge.with_` takes them: samples, a grid, a design."""
+    if analysis not in _ANALYSES:
+        raise argument(f"analysis = {analysis!r} cannot be used", f"write one of {', '.join(_ANALYSES)}")
+    tasks = [(json.dumps(dict(one), default=str), (bridge, dict(one))) for one in values]
+    return _run(tasks, analysis, Path(store), client, options)
+
+
+def _run(tasks: list[tuple[str, Any]], analysis: str, store: Path, client: Any, options: dict[str, Any]) -> Report:
+    if not tasks:
+        raise argument("there is nothing to do", "give at least one bridge")
+    (store / "results").mkdir(parents=True, exist_ok=True)
+    with _connected(client) as cluster:
+        from dask.distributed import as_completed
+
+        futures = {
+            cluster.submit(_one, name, what, analysis, options, str(store / "results"), pure=False, retries=20): number
+            for number, (name, what) in enumerate(tasks)
+        }
+        rows: list[dict[str, Any] | None] = [None] * len(tasks)
+        for future in as_completed(futures):
+            number = futures[future]
+            try:
+                rows[number] = future.result()
+            except Exception as error:  # A task that killed every worker that took it up.
+                rows[number] = _row(tasks[number][0], "", "failed", f"{type(error).__name__}: {error}", False)
+            future.release()
+    path = store / "report.parquet"
+    done = [one for one in rows if one is not None]
+    _write(done, path)
+    failed = [(one["name"], one["reason"]) for one in done if one["reason"]]
+    computed = sum(one["computed"] for one in done)
+    return Report(path, len(tasks), computed, len(tasks) - computed - len(failed), failed)
+
+
+@contextmanager
+def _connected(client: Any) -> Iterator[Any]:
+    if client is not None:
+        yield client
+        return
+    from dask.distributed import Client, LocalCluster
+
+    # Without a dashboard, and for this machine alone.
+    settings: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": None, "host": "127.0.0.1"}
+    with LocalCluster(n_workers=os.cpu_count() or 1, **settings) as cluster, Client(cluster) as own:
+        yield own
+
+
+def _row(name: str, key: str, status: str, reason: str, computed: bool) -> dict[str, Any]:
+    return {"name": name, "key": key, "status": status, "reason": reason, "computed": computed, "seconds": 0.0}
+
+
+def _one(name: str, what: Any, analysis: str, options: dict[str, Any], store: str) -> dict[str, Any]:
+    """A task, on a worker: takes up its result, or computes and keeps it."""
+    try:
+        if isinstance(what, str):
+            bridge = Bridge.read(what)
+        elif isinstance(what, tuple):
+            bridge = what[0].with_(what[1])
+        else:
+            bridge = what
+        key = bridge.key(analysis, **options)
+        path = Path(store) / f"{key}.json"
+        try:
+            found = json.loads(path.read_text(encoding="utf-8"))
+            computed = False
+        except (OSError, ValueError):
+            found = getattr(bridge, analysis)(**options).to_dict()
+            _keep(path, found)
+            computed = True
+    except Error as error:
+        first = next((one for one in error.findings if one.severity == "error"), None)
+        place = f"line {first.line}: " if first and first.line else ""
+        return _row(name, "", "refused", f"{place}{first.message} ({first.code})" if first else str(error), False)
+    except OSError as error:
+        return _row(name, "", "failed", f"{type(error).__name__}: {error}", False)
+    row = _row(name, key, found["status"], "", computed)
+    row["seconds"] = found["wall_seconds"]
+    numbers = {**found, **{f"governing_{k}": v for k, v in (found.get("governing") or {}).items()}} if analysis != "assess" else found
+    row |= {k: float(v) for k, v in numbers.items() if isinstance(v, (int, float)) and not isinstance(v, bool) and k not in row}
+    return row
+
+
+def _keep(path: Path, found: dict[str, Any]) -> None:
+    """Writes a result whole or not at all."""
+    import tempfile
+
+    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".part")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            json.dump(found, file)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    except BaseException:
+        if os.path.exists(temporary):
+            os.unlink(temporary)
+        raise
+
+
+def _write(rows: list[dict[str, Any]], path: Path) -> None:
+    import pyarrow
+    import pyarrow.parquet
+
+    kinds = {"name": pyarrow.string(), "key": pyarrow.string(), "status": pyarrow.string(), "reason": pyarrow.string()}
+    kinds |= {"computed": pyarrow.bool_(), "seconds": pyarrow.float64()}
+    for row in rows:
+        kinds |= {name: pyarrow.float64() for name in row if name not in kinds}
+    schema = pyarrow.schema(list(kinds.items()))
+    temporary = path.with_suffix(".part")
+    with pyarrow.parquet.ParquetWriter(temporary, schema) as writer:
+        for start in range(0, len(rows), _BATCH):
+            batch = rows[start : start + _BATCH]
+            columns = [pyarrow.array([row.get(name) for row in batch], kind) for name, kind in kinds.items()]
+            writer.write_table(pyarrow.Table.from_arrays(columns, schema=schema))
+    os.replace(temporary, path)

@@ -1,0 +1,815 @@
+"""Results. Numbers have the names that they have in the command's `result.json`, with the unit at the end; columns are NumPy arrays in SI
+units that look into the result's memory.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping, Sequence
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ._extrados import Answer, PassageMoment
+from .errors import argument
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Numbers = npt.NDArray[np.float64]
+    Counts = npt.NDArray[np.uint64]
+    Flags = npt.NDArray[np.bool_]
+
+__all__ = [
+    "Assessment",
+    "Cases",
+    "Channel",
+    "Collapse",
+    "Comparison",
+    "Figure",
+    "Moment",
+    "Passage",
+    "Result",
+    "Snapshot",
+    "Study",
+    "Sweep",
+    "Update",
+    "VehicleSweep",
+]
+
+
+class Figure(str):
+    """A drawing as SVG: a text that notebooks show as a picture."""
+
+    def _repr_html_(self) -> str:
+        # Within a page there is no declaration of XML, and the drawing is as wide as there is room.
+        return f'<div style="max-width:720px;background:#fff">{self[self.find("<svg"):]}</div>'
+
+    def _repr_svg_(self) -> str:
+        return str(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Writes the drawing to a file, and gives its path."""
+        path = Path(path)
+        path.write_text(self, encoding="utf-8")
+        return path
+
+
+class Result:
+    """What an analysis found. Every field of the command's `result.json` is an attribute of the same name."""
+
+    status: str
+    """How the analysis ended: "collapsed", "completed", "not-converged" and so on; `extrados explain STATUS` tells more."""
+    warnings: list[dict[str, Any]]
+    """What a reader should look at: objects with `code` and `message`, and a place where they come from a file."""
+    assumptions: list[str]
+    """What the result rests on, in words."""
+    wall_seconds: float
+    """How long the call took [s]."""
+    threads: int
+    """On how many threads."""
+    schema: str
+    """Name and version of the object."""
+    bridge: str
+    """Name of the bridge."""
+
+    _main: tuple[str, ...] = ()
+    _shown: tuple[str, ...] = ("status",)
+
+    def __init__(self, answer: Answer) -> None:
+        self._answer = answer
+        self._object: dict[str, Any] | None = None
+
+    def _whole(self) -> dict[str, Any]:
+        if self._object is None:
+            self._object = self._answer.object()
+        return self._object
+
+    # Unknown names are mistakes for the type checker: every field is declared.
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_"):
+                raise AttributeError(name)
+            number = self._answer.number(name)
+            if number is not None:
+                return number
+            try:
+                return self._whole()[name]
+            except KeyError:
+                known = ", ".join(sorted(self._whole()))
+                raise AttributeError(f"this result has no `{name}`; it has {known}") from None
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._whole()})
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object of the command's `result.json`, without the places of its files."""
+        return dict(self._whole())
+
+    # ---- figures
+
+    def figure(self, name: str) -> Figure:
+        """A drawing by its name, such as "mechanism"; `figures` lists them."""
+        drawn = self._answer.figure(name)
+        if drawn is None:
+            raise argument(f"this result has no figure {name!r}", f"it has {', '.join(self.figures) or 'none'}")
+        return Figure(drawn)
+
+    @property
+    def figures(self) -> Mapping[str, Figure]:
+        """All drawings, by their names."""
+        return {name: Figure(svg) for name, svg in self._answer.figures().items()}
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for name in self._shown:
+            value = getattr(self, name)
+            if value is not None:
+                text = f"{value:.6g}" if isinstance(value, float) else str(value)
+                rows.append(f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(text)}</td></tr>")
+        figures = [drawn for drawn in map(self._answer.figure, self._main) if drawn is not None][:1]
+        drawing = "".join(Figure(svg)._repr_html_() for svg in figures)
+        count = len(self.warnings)
+        warned = f"<p>{count} warning{'s' if count != 1 else ''}: <code>.warnings</code></p>" if count else ""
+        return f"<table>{''.join(rows)}</table>{warned}{drawing}"
+
+    def __repr__(self) -> str:
+        shown = ((name, getattr(self, name)) for name in self._shown)
+        told = ", ".join(
+            f"{name}={value:.6g}" if isinstance(value, float) else f"{name}={value!r}"
+            for name, value in shown
+            if value is not None
+        )
+        return f"<extrados.{type(self).__name__}: {told}>"
+
+    # ---- tables
+
+    @property
+    def tables(self) -> Mapping[str, str]:
+        """The command's tables as CSV, by their names; those without a row are left out."""
+        return {name: text for name, text in self._answer.tables().items() if text.count("\n") > 1}
+
+    def _columns(self, table: str | None) -> dict[str, list[Any]]:
+        tables = self.tables
+        if table is None:
+            table = next(iter(tables), None)
+        if table is None or table not in tables:
+            raise argument(f"this result has no table {table!r}", f"it has {', '.join(tables) or 'none'}")
+        rows = list(csv.reader(io.StringIO(tables[table])))
+        return {name: [_cell(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
+
+    def to_pandas(self, table: str | None = None) -> Any:
+        """A table as a data frame of pandas; the first of `tables` where none is named."""
+        import pandas
+
+        return pandas.DataFrame(self._columns(table))
+
+    def to_polars(self, table: str | None = None) -> Any:
+        """A table as a data frame of polars."""
+        import polars
+
+        return polars.DataFrame(self._columns(table), strict=False)
+
+    def to_xarray(self, table: str | None = None) -> Any:
+        """A table as a dataset of xarray over its first column."""
+        import xarray
+
+        columns = self._columns(table)
+        first, *others = columns
+        data = {name: (first, columns[name]) for name in others}
+        return xarray.Dataset(data, coords={first: columns[first]}, attrs={"bridge": self._whole().get("bridge", "")})
+
+
+def _cell(text: str) -> Any:
+    if text == "":
+        return None
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return {"true": True, "false": False}.get(text, text)
+
+
+class Snapshot:
+    """The blocks under one load. Arrays look into the result and cannot be written."""
+
+    def __init__(self, answer: Answer, number: int, load_kn_per_m: float) -> None:
+        self._answer, self._number = answer, number
+        self.load_kn_per_m = load_kn_per_m
+        """The load [kN/m]; a support movement in m where supports are moved."""
+
+    def _array(self, name: str) -> Any:
+        return self._answer.array(name, self._number)
+
+    @property
+    def translations_m(self) -> Numbers:
+        """Movement of each block's centroid, (blocks, 2)."""
+        return self._array("translation")
+
+    @property
+    def rotations_rad(self) -> Numbers:
+        """Rotation of each block, anticlockwise, (blocks,)."""
+        return self._array("rotation")
+
+    @property
+    def velocities_m_per_s(self) -> Numbers:
+        """Velocity of each block's centroid, (blocks, 2)."""
+        return self._array("velocity")
+
+    @property
+    def block_stresses_pa(self) -> Numbers:
+        """Average stress xx, yy, xy of each block, tension positive, (blocks, 3)."""
+        return self._array("block_stress")
+
+    @property
+    def contact_blocks(self) -> Counts:
+        """The two blocks of each contact, (contacts, 2)."""
+        return self._array("contact_blocks")
+
+    @property
+    def contact_points_m(self) -> Numbers:
+        """Where contacts are, (contacts, 2)."""
+        return self._array("contact_point")
+
+    @property
+    def contact_normals(self) -> Numbers:
+        """Unit normal from the first block to the second, (contacts, 2)."""
+        return self._array("contact_normal")
+
+    @property
+    def contact_compressions_n_per_m(self) -> Numbers:
+        """Compression per metre of width, (contacts,)."""
+        return self._array("contact_compression")
+
+    @property
+    def contact_shears_n_per_m(self) -> Numbers:
+        """Shear per metre of width, (contacts,)."""
+        return self._array("contact_shear")
+
+    @property
+    def contact_stresses_pa(self) -> Numbers:
+        """Compressive stress, (contacts,)."""
+        return self._array("contact_stress")
+
+    @property
+    def contact_sliding(self) -> Flags:
+        """Whether a contact slides, (contacts,)."""
+        return self._array("contact_sliding")
+
+    @property
+    def particle_centres_m(self) -> Numbers:
+        """Centres of the particles, (particles, 2)."""
+        return self._array("disc_centre")
+
+    @property
+    def particle_angles_rad(self) -> Numbers:
+        """Angle turned since a particle was packed, (particles,)."""
+        return self._array("disc_angle")
+
+    @property
+    def particle_velocities_m_per_s(self) -> Numbers:
+        """Velocities of the particles, (particles, 2)."""
+        return self._array("disc_velocity")
+
+    @property
+    def particle_stresses_pa(self) -> Numbers:
+        """Average stress xx, yy, xy of each particle, tension positive, (particles, 3)."""
+        return self._array("disc_stress")
+
+    @property
+    def force_particles(self) -> Counts:
+        """The particle on which each force acts, (forces,)."""
+        return self._array("force_particle")
+
+    @property
+    def force_points_m(self) -> Numbers:
+        """Where forces act, (forces, 2)."""
+        return self._array("force_point")
+
+    @property
+    def force_compressions_n_per_m(self) -> Numbers:
+        """Compression per metre of width, (forces,)."""
+        return self._array("force_compression")
+
+    @property
+    def force_shears_n_per_m(self) -> Numbers:
+        """Shear per metre of width, (forces,)."""
+        return self._array("force_shear")
+
+
+class Collapse(Result):
+    """The load, the thickness or the support movement that makes a mechanism.
+
+    >>> import extrados
+    >>> found = extrados.Bridge.example("tiny").collapse(method="limit")
+    >>> found.status, round(found.last_stable_load_kn_per_m, 1)
+    ('collapsed', 160.2)
+    >>> found.outline_m(3).shape, found.outline_m(3).flags.writeable
+    ((4, 2), False)
+    """
+
+    method: str
+    """"dem", "limit", "path" or "fe"."""
+    analysis: str
+    """"load", "thickness" or "support-movement"."""
+    headline_kn_per_m: float | None
+    """The load that is carried, by the method that gives least [kN/m]."""
+    headline_kn: float | None
+    """The same on the whole width [kN]."""
+    headline_from: str | None
+    """Which method gives it."""
+    last_stable_load_kn_per_m: float | None
+    """Largest load that was carried [kN/m]; None where none is known."""
+    last_stable_load_kn: float | None
+    collapse_load_kn_per_m: float | None
+    """First load that makes a mechanism [kN/m]."""
+    collapse_load_kn: float | None
+    stalled_load_kn_per_m: float | None
+    load_step_kn_per_m: float | None
+    load_step_kn: float | None
+    reference_load_kn_per_m: float
+    """Load of the file: a load factor of one [kN/m]."""
+    limit_load_kn_per_m: float | None
+    """Limit load of the same blocks, rigid and without crushing [kN/m]."""
+    crushing_limit_load_kn_per_m: float | None
+    width_m: float
+    load_factor: float | None
+    """How often the loads of the file are carried."""
+    axles: list[dict[str, Any]]
+    hinges: list[dict[str, Any]]
+    """Hinges of the mechanism: `x_m`, `y_m`, `edge`, `between`, `rotation`."""
+    sliding_joints: list[dict[str, float]]
+    max_compressive_stress_mpa: float | None
+    blocks: int
+    particles: int
+    contacts: int
+    path: list[dict[str, Any]]
+    iterations_total: int
+    time_step_s: float
+    critical_time_step_s: float
+    single_mass_time_step_s: float
+    damping: str
+    contact_length: str
+    energy_drift: float
+    friction: str
+    lower_bound_kn_per_m: float | None
+    upper_bound_kn_per_m: float | None
+    associated_load_kn_per_m: float | None
+    non_associated_load_kn_per_m: float | None
+    non_associated_spread_kn_per_m: list[float] | None
+    without_fill_pressure_load_kn_per_m: float | None
+    full_fill_pressure_load_kn_per_m: float | None
+    unlimited_strength_load_kn_per_m: float | None
+    equilibrium_residual: float | None
+    yield_violation: float | None
+    solver_iterations: int
+    thrust_line: list[dict[str, float]]
+    bound_ratio: float | None
+    elements: int
+    mobilised_share: float
+    dilatancy_angle_deg: float
+    associated_bounds_kn_per_m: list[float] | None
+    iterated_load_kn_per_m: float | None
+    plane_strain_load_kn_per_m: float | None
+    wall_gives: str | None
+    wall_gives_at: Any
+    range_shares: Any
+    range_kn_per_m: list[float] | None
+    permanent_share: float | None
+    load_left_out: Any
+    flow_violation: float | None
+    meshes: list[dict[str, Any]]
+    peak_load_kn_per_m: float | None
+    ended: str
+    contact: str | None
+    permissible: list[dict[str, Any]]
+    over_stiffness: list[dict[str, Any]] | None
+    snaps: int
+    degrees_of_freedom: int
+    springs_per_joint: int
+    softening: float | None
+    minimum_thickness_m: float
+    minimum_thickness_factor: float
+    thickness_factor_that_falls: float
+    minimum_thickness_over_mean_radius: float | None
+    last_stable_movement_m: float | None
+    collapse_movement_m: float | None
+    movement_step_m: float
+    packing: dict[str, Any] | None
+    combination: dict[str, Any] | None
+    wall_strip: dict[str, Any] | None
+    tolerance: float
+    seed: int
+
+    _main = ("mechanism", "stress", "bridge")
+    _shown = ("status", "method", "headline_kn_per_m", "last_stable_load_kn_per_m", "collapse_load_kn_per_m", "load_factor")
+
+    def outline_m(self, block: int) -> Numbers:
+        """Outline of a block as built, anticlockwise, (corners, 2)."""
+        outline = self._answer.array("outline", block)
+        if outline is None:
+            raise argument(f"block = {block} cannot be used", f"there are {self._answer.count('blocks')} blocks, from 0")
+        return outline
+
+    @property
+    def block_names(self) -> list[str]:
+        """Names of the blocks, in the order of all arrays."""
+        return self._answer.words("block_names")
+
+    @property
+    def block_roles(self) -> list[str]:
+        """What the blocks are: "voussoir", "abutment", "pier", "backing", "wall", "block"."""
+        return self._answer.words("block_roles")
+
+    @property
+    def mechanism_translations_m(self) -> Numbers | None:
+        """Movement of each block in the mechanism, scaled so that the largest is 1 m, (blocks, 2); None without a mechanism."""
+        return self._answer.array("mechanism_translation")
+
+    @property
+    def mechanism_rotations_rad(self) -> Numbers | None:
+        """Rotation of each block in the mechanism, (blocks,)."""
+        return self._answer.array("mechanism_rotation")
+
+    @property
+    def hinge_points_m(self) -> Numbers:
+        """Where hinges are, (hinges, 2)."""
+        return self._answer.array("hinge_point")
+
+    @property
+    def hinge_blocks(self) -> Counts:
+        """The two blocks of each hinge, (hinges, 2)."""
+        return self._answer.array("hinge_blocks")
+
+    @property
+    def path_loads_n_per_m(self) -> Numbers:
+        """Load of every step of the load path, (steps,)."""
+        return self._answer.array("path_load")
+
+    @property
+    def path_displacements_m(self) -> Numbers:
+        """Movement of the watched point at every step, (steps, 2)."""
+        return self._answer.array("path_displacement")
+
+    @property
+    def thrust_points_m(self) -> list[Numbers]:
+        """Line of thrust of every span, (joints, 2) each."""
+        return [self._answer.array("thrust_point", k) for k in range(self._answer.count("thrust_lines"))]
+
+    @property
+    def thrusts_n_per_m(self) -> list[Numbers]:
+        """Size of the thrust there, (joints,) each."""
+        return [self._answer.array("thrust", k) for k in range(self._answer.count("thrust_lines"))]
+
+    @property
+    def particle_centres_m(self) -> Numbers:
+        """Centres of the particles as packed, (particles, 2)."""
+        return self._answer.array("particle_centre")
+
+    @property
+    def particle_radii_m(self) -> Numbers:
+        """Radii of the particles, (particles,)."""
+        return self._answer.array("particle_radius")
+
+    @property
+    def snapshots(self) -> Sequence[Snapshot]:
+        """The bridge at rest under each load, and on its way down."""
+        loads = self._answer.words("snapshot_loads")
+        return [Snapshot(self._answer, k, float(load) / 1e3) for k, load in enumerate(loads)]
+
+
+class Sweep(Result):
+    """The loads of the file at every position."""
+
+    governing: dict[str, Any] | None
+    """The position with the least load factor."""
+    positions: list[dict[str, Any]]
+    """Every position: `position_m`, `load_factor`, `status` and so on."""
+    positions_not_converged: int
+    step_m: float
+
+    _main = ("envelope",)
+    _shown = ("status",)
+
+
+class VehicleSweep(Result):
+    """The vehicles of `[sweep]` at every position."""
+
+    rule: dict[str, Any]
+    """The rule with its factors and their sources."""
+    weight_combinations: list[dict[str, Any]]
+    step_m: float
+    positions_not_converged: int
+    grades: list[dict[str, Any]] | None
+    governing: dict[str, Any] | None
+    """The governing vehicle with its position and `adequacy_factor`."""
+    vehicles: list[dict[str, Any]]
+    """Every vehicle: `code`, `adequacy_factor`, its case and its envelope."""
+    discrete_elements: dict[str, Any] | None
+    collapse: dict[str, Any] | None
+
+    _main = ("adequacy", "envelope")
+    _shown = ("status", "adequacy_factor")
+
+    @property
+    def adequacy_factor(self) -> float | None:
+        """What the governing vehicle may be multiplied by; None where it is not known."""
+        governing = self._whole().get("governing")
+        return governing and governing.get("adequacy_factor")
+
+
+class Channel:
+    """The record of a sensor."""
+
+    def __init__(self, answer: Answer, number: int, name: str, unit: str, scale: float) -> None:
+        self._answer, self._number = answer, number
+        self.name = name
+        self.unit = unit
+        """Unit of tables and figures."""
+        self.units_per_si = scale
+        """How many of that unit an SI unit is."""
+
+    @property
+    def values_si(self) -> Numbers:
+        """Values at every time in m, in strain or in Pa, self-weight taken off."""
+        return self._answer.array("channel", self._number)
+
+    @property
+    def influence_si(self) -> Numbers | None:
+        """Values for one axle at `influence_positions_m`; None where influence lines were not computed."""
+        return self._answer.array("influence", self._number)
+
+    @property
+    def values(self) -> Numbers:
+        """Values in `unit`: an array of its own."""
+        return self.values_si * self.units_per_si
+
+    def __repr__(self) -> str:
+        return f"<extrados.Channel: {self.name} [{self.unit}]>"
+
+
+class Moment:
+    """The bridge at one moment of a passage."""
+
+    def __init__(self, held: Answer | PassageMoment, name: str, number: int = 0) -> None:
+        self._held, self._number = held, number
+        self.name = name
+
+    def _array(self, name: str, within: int = 0) -> Any:
+        if isinstance(self._held, PassageMoment):
+            return self._held.array(name, within)
+        return self._held.array(name, self._number, within)
+
+    @property
+    def displacements_m(self) -> Numbers:
+        """Displacement of every node, self-weight included, (nodes, 2)."""
+        return self._array("displacement")
+
+    @property
+    def stresses_pa(self) -> Numbers:
+        """Stress xx, yy, xy, zz of every element, tension positive, (elements, 4)."""
+        return self._array("stress")
+
+    @property
+    def yielding(self) -> Flags:
+        """Whether a point of an element yields, (elements,)."""
+        return self._array("yielding")
+
+    def joint(self, number: int) -> dict[str, Numbers]:
+        """A joint or a contact of masonry with fill: points, tractions, openings and slidings of its pairs."""
+        names = {"points_m": "point", "normal_pa": "normal", "shear_pa": "shear", "opening_m": "opening", "sliding_m": "sliding"}
+        arrays = {key: self._array(f"pair_{name}", number) for key, name in names.items()}
+        if arrays["points_m"] is None:
+            raise argument(f"number = {number} cannot be used", "joints are numbered from 0")
+        return arrays
+
+
+class Passage(Result):
+    """Displacements, strains and stresses as a train crosses."""
+
+    train: str
+    speed_km_per_h: float
+    analysis: str
+    kinematics: str
+    path: str
+    channels: list[dict[str, Any]]
+    """Every sensor: `name`, `unit`, `minimum`, `maximum`, `peak`, `time_of_peak_s` and so on."""
+    degrees_of_freedom: int
+    condensed_degrees_of_freedom: int | None
+    load_positions: int
+    iterations_total: int
+    open_joints: int
+    plastic_points: int
+    locking_elements: int
+    effective_width_m: float
+    tolerance: float
+    time_step_s: float | None
+    first_position_m: float
+    last_position_m: float
+    nodes: int
+    elements: int
+    zones: list[dict[str, Any]]
+    moments: list[dict[str, Any]]
+    reason: str | None
+
+    _main = ("records",)
+    _shown = ("status", "train", "speed_km_per_h", "degrees_of_freedom", "load_positions")
+
+    @property
+    def records(self) -> dict[str, Channel]:
+        """Records of the sensors, by their names."""
+        words = self._answer.words
+        rows = zip(words("channels"), words("channel_units"), words("channel_scales"))
+        return {name: Channel(self._answer, k, name, unit, float(scale)) for k, (name, unit, scale) in enumerate(rows)}
+
+    @property
+    def times_s(self) -> Numbers:
+        """Times of the records."""
+        return self._answer.array("time")
+
+    @property
+    def positions_m(self) -> Numbers:
+        """Position of the first axle at these times."""
+        return self._answer.array("position")
+
+    @property
+    def influence_positions_m(self) -> Numbers | None:
+        """Places of the axle of influence lines."""
+        return self._answer.array("influence_position")
+
+    @property
+    def nodes_m(self) -> Numbers:
+        """Nodes of the mesh, (nodes, 2)."""
+        return self._answer.array("node")
+
+    @property
+    def element_nodes(self) -> Counts:
+        """Corners of every quadrilateral, anticlockwise, (elements, 4)."""
+        return self._answer.array("element")
+
+    @property
+    def fields(self) -> Sequence[Moment]:
+        """The bridge at the moments that are kept: under self-weight, and at peaks."""
+        return [Moment(self._answer, name, k) for k, name in enumerate(self._answer.words("moments"))]
+
+    def to_xarray(self, table: str | None = None) -> Any:
+        """The records as a dataset of xarray over time, with units; another table where one is named."""
+        if table is not None:
+            return super().to_xarray(table)
+        import xarray
+
+        data = {
+            name: ("time_s", one.values, {"unit": one.unit}) for name, one in self.records.items()
+        }
+        return xarray.Dataset(data, coords={"time_s": self.times_s, "position_m": ("time_s", self.positions_m)})
+
+
+class Update(Result):
+    """Parameters from records of a passage."""
+
+    train: str
+    search: str | None
+    reason: str | None
+    error_norm_in_search: float | None
+    evaluations_computed: int
+    evaluations_taken_up: int
+    searches: list[dict[str, Any]]
+    naive_error_norm: float | None
+    rank: int | None
+    condition: float | None
+    told: Any
+    model_error: Any
+    posterior: dict[str, Any] | None
+    records: dict[str, Any]
+    load_positions: int
+    parameters: list[dict[str, Any]]
+    """Every parameter: `name`, `value`, `unit`, `interval_95`, `identifiable` and so on."""
+    correlation: list[list[float]]
+    error_norm: float
+    initial_error_norm: float
+    evaluations: int
+    channels: list[dict[str, Any]]
+    sensitivity: list[dict[str, Any]]
+    stages: list[dict[str, Any]]
+    uncertainty_from: str | None
+
+    _main = ("histories",)
+    _shown = ("status", "error_norm", "initial_error_norm", "evaluations")
+
+    @property
+    def times_s(self) -> Numbers:
+        """Times of the histories."""
+        return self._answer.array("time")
+
+    @property
+    def histories(self) -> dict[str, dict[str, Numbers]]:
+        """By channel: what was measured, and what the start and the updated model give [m, strain or Pa]."""
+        names = self._answer.words("channels")
+        kinds = ("measured", "start", "updated")
+        return {name: {kind: self._answer.array(kind, k) for kind in kinds} for k, name in enumerate(names)}
+
+    @property
+    def samples(self) -> Numbers | None:
+        """Samples of the posterior, (samples, parameters), an array of its own; None where it was not sampled."""
+        count = self._answer.count("samples")
+        if count == 0:
+            return None
+        import numpy
+
+        return numpy.stack([self._answer.array("sample", k) for k in range(count)])
+
+
+class Study(Result):
+    """An analysis over ranges of the file's quantities."""
+
+    command: str
+    method: str
+    analysis: str
+    design: str
+    outcome: str
+    """Name of the number that sensitivities are about."""
+    outcome_resolution: float
+    quantities: list[dict[str, Any]]
+    baseline: dict[str, Any]
+    """The bridge as its file has it."""
+    rows: list[dict[str, Any]]
+    """Every run: `values`, `status`, `outcomes`."""
+    sensitivity: list[dict[str, Any]]
+    runs: int
+    runs_from_cache: int
+    tolerance: float
+    seed: int
+
+    _main = ("tornado", "response")
+    _shown = ("status", "outcome", "runs", "runs_from_cache")
+
+
+class Assessment(Result):
+    """The bridge against the limits of its file."""
+
+    verdict: str
+    headline: Any
+    strength_assessed: bool
+    missing: list[str]
+    qualifications: list[str]
+    statics: dict[str, Any] | None
+    service: Any
+    collapse: dict[str, Any] | None
+    vehicles: Any
+    cases: Any
+    support_movement: dict[str, Any] | None
+    update: dict[str, Any] | None
+    sensitivity: Any
+    checks: list[dict[str, Any]]
+    """Every comparison: `code`, `title`, `value`, `limit`, `unit`, `utilisation`, `met`."""
+    not_made: list[dict[str, Any]]
+    governing: dict[str, Any] | None
+    condition: list[dict[str, Any]]
+    stages: list[dict[str, Any]]
+    input_hash: str
+
+    _shown = ("status", "verdict")
+
+    @property
+    def report_html(self) -> str:
+        """The report as one self-contained page."""
+        return self._answer.report() or ""
+
+
+class Cases(Result):
+    """The named cases of a file, side by side."""
+
+    governing_case: str | None
+    """The case with the least factor; None where a case has no answer."""
+    load_factor: float | None
+    """Its factor."""
+    load_factor_at_most: float | None
+    cases: list[dict[str, Any]]
+    """Every case: `name`, `acts`, `load_factor`, `result`."""
+
+    _main = ("cases",)
+    _shown = ("status", "governing_case", "load_factor", "load_factor_at_most")
+
+
+class Comparison(Result):
+    """Two files: what they say differently, and both answers."""
+
+    before_file: str
+    after_file: str
+    verdict: str
+    """Which of the two carries more, in a sentence."""
+    cautions: list[str]
+    differences: list[dict[str, Any]]
+    numbers: list[dict[str, Any]]
+    assumptions_before_only: list[str]
+    assumptions_after_only: list[str]
+    before: dict[str, Any]
+    after: dict[str, Any]
+
+    _main = ("after/mechanism",)
+    _shown = ("status", "verdict")
+
