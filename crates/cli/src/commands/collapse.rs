@@ -164,11 +164,6 @@ fn loads_moved(desk: &mut Desk, source: &Source, found: &Sweep, folder: &Folder)
     report.fields = published::sweep(name, width, found);
     report.summary = summary::sweep(found, &folder.path().display().to_string());
     let files = results::files(folder, written::loads_moved(name, found))?;
-    let mut files = Vec::new();
-    if let Some(svg) = figures::sweep_drawing(name, found) {
-        files.extend(figures::both("envelope", &svg).map_err(|error| results::not_drawn(folder.path(), &error))?);
-    }
-    files.push(table("sweep", published::sweep_table(found)));
     results::publish(desk, report, folder, &files)
 }
 
