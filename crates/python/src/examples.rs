@@ -4,7 +4,7 @@
 pub const NAMES: [&str; 7] = ["tiny", "bridgemill", "semicircle", "packhorse", "vehicles", "passage", "update"];
 
 /// A file of an example: its name and its bytes.
-type Companion = (&'static str, &'static [u8]);
+pub type Companion = (&'static str, &'static [u8]);
 
 macro_rules! file {
     ($path:literal) => {
@@ -12,8 +12,11 @@ macro_rules! file {
     };
 }
 
-/// The text of an example and the files beside it.
-pub fn named(name: &str) -> Option<(&'static str, Vec<Companion>)> {
+/// The text of a bridge file and the files beside it.
+pub type Example = (&'static str, Vec<Companion>);
+
+/// The example of this name.
+pub fn named(name: &str) -> Option<Example> {
     let alone = |text| Some((text, Vec::new()));
     match name {
         "tiny" => alone(file!("tiny/bridge.toml")),

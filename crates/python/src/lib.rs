@@ -29,7 +29,7 @@ fn threads() -> usize {
 
 /// An example: the text of its bridge file, and the files beside it.
 #[pyfunction]
-fn example(name: &str) -> Option<(&'static str, Vec<(&'static str, &'static [u8])>)> {
+fn example(name: &str) -> Option<examples::Example> {
     examples::named(name)
 }
 

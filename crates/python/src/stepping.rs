@@ -38,6 +38,9 @@ fn moved<S: Send + 'static, T: Send + 'static>(
     done.result.ok_or_else(|| errors::argument(py, "the work was stopped".to_owned(), "call it again"))
 }
 
+/// Last stable load and collapse load [kN/m], and all iterations.
+type Loads = (Option<f64>, Option<f64>, u64);
+
 /// A collapse by discrete elements that goes on when it is told to.
 #[pyclass(frozen, module = "extrados")]
 pub struct CollapseRun {
@@ -116,7 +119,7 @@ impl CollapseRun {
     }
 
     /// Ends the run: the last stable load and the load that made it collapse [kN/m], and all iterations.
-    fn finish(&self, py: Python<'_>) -> PyResult<Option<(Option<f64>, Option<f64>, u64)>> {
+    fn finish(&self, py: Python<'_>) -> PyResult<Option<Loads>> {
         let Some(run) = locked(&self.held).take() else { return Ok(None) };
         let loads = self.loads;
         let found = run::guarded(py, || run.finish())?;
