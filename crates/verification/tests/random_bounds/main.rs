@@ -42,6 +42,7 @@ fn word(bounds: &Bounds) -> &'static str {
             "bounded, one mesh not solved"
         }
         BoundsStatus::Bounded => "bounded",
+        BoundsStatus::LowerAlone => "a lower bound alone",
         BoundsStatus::NoEquilibrium => "proven not to stand",
         BoundsStatus::Locks => "locks",
         BoundsStatus::NotConverged => "not converged",
