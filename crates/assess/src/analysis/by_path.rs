@@ -309,7 +309,7 @@ mod tests {
     fn a_path_that_breaks_off_says_what_is_carried_and_what_is_not_known() {
         let mut b = crate::samples::bridgemill();
         b.plan.method = bridge::Method::Path;
-        let mut c = collapse_by_path(&b, &mut Unwatched).unwrap();
+        let mut c = collapse_by_path(&b, None, &mut Unwatched).unwrap();
         assert_eq!(broken_off(&c), None);
         c.status = Status::NotConverged;
         let load = format!("{:.2} kN/m", c.last_stable_load.unwrap() / 1e3);

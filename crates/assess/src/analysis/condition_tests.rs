@@ -194,6 +194,7 @@ fn semicircle() -> Bridge {
     let mut b = sound();
     let ring = Ring { crown_thickness: 0.9, springing_thickness: 0.9, voussoirs: 36 };
     b.spans[0] = Span {
+        right_springing: 0.0,
         profile: Profile::Semicircular,
         span: 9.0,
         rise: 4.5,
@@ -317,6 +318,7 @@ fn water_that_helps_is_not_counted() {
         mobilisation: 0.5,
         cohesion_mobilisation: 0.0,
         least: bridge::LeastPressure::AtRest,
+        half_movement: 0.02,
     });
     let level = 100.0;
     // Under water throughout, fill of saturated density s presses as drained fill of density s - 1000, beside the water itself.

@@ -49,7 +49,7 @@ pub const CONDITION: &str = include_str!("files/condition.toml");
 pub const SERVICE: &str = include_str!("files/service.toml");
 
 /// All of them.
-pub const GOOD: [&str; 18] = [
+pub const GOOD: [&str; 19] = [
     CASE_1,
     GRADIENT,
     CASES,

@@ -3,7 +3,7 @@
 use super::dem_bridgemill::{bridgemill, program as blocks_program};
 use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Restraint, Stiffness};
 use mechanics::contact::ContactLength;
-use mechanics::ids::{BlockId, Id, Table};
+use mechanics::ids::{BlockId, Table};
 use mechanics::limit;
 use mechanics::path::{Outcome, Program, Settings, Status, collapse};
 use mechanics::plane::{Polygon, vec2};

@@ -27,6 +27,7 @@ fn sloping(profile: Profile, rise: f64, right: f64) -> Bridge {
         mobilisation: 0.5,
         cohesion_mobilisation: 0.05,
         least: LeastPressure::AtRest,
+        half_movement: 0.02,
     });
     b
 }
