@@ -134,7 +134,8 @@ fn a_vertical_cut_in_clay_without_tension_stands_a_little_higher_than_half_of_th
             assert!(beyond.norm() < 1e-4, "{a:?} {b:?}: {beyond:?}");
         }
     }
-    assert!(below.equilibrium_residual < 1e-7);
+    // What is left of it is taken off the bound.
+    assert!(below.equilibrium_residual < 1e-6, "{}", below.equilibrium_residual);
     // Without those lines the motion cannot topple so thin a slice.
     let plain = torn_cut(&[]).bounds(Wanted { ratio: 1.02, elements: 400, first: 200, ..Wanted::default() });
     let [low, high] = ends(&plain);
