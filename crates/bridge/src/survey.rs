@@ -138,11 +138,10 @@ fn answer(question: &'static Question, said: Option<String>) -> Result<(String, 
     let wanted = quantity::parse(question.example).map(|example| example.unit.dimension).unwrap_or(Dimension::Length);
     match quantity::parse(&text) {
         Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
-            Ok((text.replace(['"', '\\'], ""), found.si(), assumed)).and_then(|found| match found.0 == text {
-                true => Ok(found),
-                // Feet and inches are written with marks that end a text in the file.
-                false => Ok((format!("{} m", found.1), found.1, assumed)),
-            })
+            // Feet and inches are written with marks that end a text in the file.
+            let marked = text.contains(['"', '\\']);
+            let written = if marked { format!("{} m", found.si()) } else { text };
+            Ok((written, found.si(), assumed))
         }
         Ok(found) => {
             let (is, want) = (found.unit.dimension.name(), wanted.name());

@@ -23,7 +23,7 @@ impl<'t> Whereabouts<'t> {
             if depth > 0 {
                 table = match found?.get_ref() {
                     DeValue::Table(table) => table,
-                    DeValue::Array(list) if list.len() == 1 => list.get(0)?.get_ref().as_table()?,
+                    DeValue::Array(list) if list.len() == 1 => list.first()?.get_ref().as_table()?,
                     _ => return None,
                 };
             }

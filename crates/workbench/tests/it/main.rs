@@ -166,7 +166,7 @@ fn steps_have_flat_numbers_and_can_be_taken_back() {
     let shapes = run.picture().shapes.len();
     assert_eq!(run.advance(500), "");
     assert_eq!((run.poses().len(), run.centroids().len(), run.stresses().len()), (3 * shapes, 2 * shapes, 3 * shapes));
-    assert!(!run.contacts().is_empty() && run.contacts().len() % 8 == 0 && run.particles().is_empty());
+    assert!(!run.contacts().is_empty() && run.contacts().len().is_multiple_of(8) && run.particles().is_empty());
     let (state, then) = (run.state(), run.poses());
     run.advance(500);
     assert_ne!(run.poses(), then);
