@@ -23,4 +23,5 @@ pub mod limit;
 pub mod path;
 pub mod plane;
 pub mod watch;
+mod wide;
 mod words;

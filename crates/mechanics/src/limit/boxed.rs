@@ -5,7 +5,8 @@
 //! solved, and forces whose bound the mechanism contradicts are set free, until none is left. What is found is the corner of
 //! the whole program, with the multipliers of all rows. Without a start all stand at their least, then at their most.
 
-use super::simplex::{Corner, Ended, Member, Rows, greatest};
+use super::rows::Rows;
+use super::simplex::{Corner, Ended, Member, greatest};
 use crate::watch::Pace;
 
 /// The last unknowns of a program: `-x <= b` and `x <= b` stand one after the other for each.
@@ -125,17 +126,17 @@ impl Held<'_> {
     }
 
     fn plain(&self) -> usize {
-        self.rows.width - self.bounded.count
+        self.rows.width() - self.bounded.count
     }
 
     /// Where an unknown that is held stands.
     fn value(&self, j: usize, at: At) -> f64 {
-        let b = self.rows.b[self.bound(j, at)];
+        let b = self.rows.b(self.bound(j, at));
         if at == At::Most { b } else { -b }
     }
 
     fn few(&self, at: &[At]) -> Few {
-        let (plain, width) = (self.plain(), self.rows.width);
+        let plain = self.plain();
         let free: Vec<usize> = (0..at.len()).filter(|&j| at[j] == At::Free).collect();
         let held: Vec<(usize, f64)> = (0..at.len())
             .filter(|&j| at[j] != At::Free)
@@ -143,18 +144,18 @@ impl Held<'_> {
             .filter(|held| held.1 != 0.0)
             .collect();
         let mut few = Few {
-            rows: Rows { width: plain + free.len(), ..Rows::default() },
+            rows: Rows::new(plain + free.len()),
             last: Vec::with_capacity(self.last.len()),
             places: Vec::with_capacity(self.last.len()),
             free,
         };
-        for (k, row) in self.rows.a.chunks_exact(width).enumerate() {
+        for k in 0..self.rows.count() {
             if self.bound_of(k).is_some_and(|(j, _)| at[j] != At::Free) {
                 continue;
             }
-            few.rows.a.extend_from_slice(&row[..plain]);
-            few.rows.a.extend(few.free.iter().map(|&j| row[plain + j]));
-            few.rows.b.push(self.rows.b[k] - held.iter().map(|&(c, x)| row[c] * x).sum::<f64>());
+            let entry = |unknown| self.rows.entry(k, unknown);
+            let own = self.rows.row(k).take(plain).chain(few.free.iter().map(|&j| entry(plain + j)));
+            few.rows.push(own, self.rows.b(k) - held.iter().map(|&(c, x)| entry(c) * x).sum::<f64>());
             few.last.push(self.last[k]);
             few.places.push(k);
         }
@@ -166,8 +167,7 @@ impl Held<'_> {
         let plain = self.plain();
         let mut sums = vec![0.0; self.bounded.count];
         for &(k, y) in corner.basis.iter().filter(|m| m.1 != 0.0) {
-            let from = few.places[k] * self.rows.width + plain;
-            for (sum, a) in sums.iter_mut().zip(&self.rows.a[from..from + self.bounded.count]) {
+            for (sum, a) in sums.iter_mut().zip(self.rows.row(few.places[k]).skip(plain)) {
                 *sum += y * a;
             }
         }
@@ -214,7 +214,7 @@ impl Few {
             Member::Far => Some(Member::Far),
         };
         let own: Vec<Member> = members.iter().map(own).collect::<Option<_>>()?;
-        (own.len() == self.rows.width + 1).then_some(own)
+        (own.len() == self.rows.width() + 1).then_some(own)
     }
 
     fn whole(&self, member: Member, held: &Held<'_>) -> Member {
@@ -240,18 +240,17 @@ mod tests {
             (seed >> 33) as f64 / (1u64 << 31) as f64 - 0.5
         };
         let (plain, count, many) = (2, 12, 30);
-        let mut rows = Rows { width: plain + count, ..Rows::default() };
+        let mut rows = Rows::new(plain + count);
         for _ in 0..many {
-            rows.a.extend((0..rows.width).map(|_| random()));
-            rows.b.push(1.0 + random());
+            let row: Vec<f64> = (0..rows.width()).map(|_| random()).collect();
+            rows.push(row, 1.0 + random());
         }
         let bounded = Bounded { first: many, count };
         for j in 0..count {
             for sign in [-1.0, 1.0] {
-                let mut row = vec![0.0; rows.width];
+                let mut row = vec![0.0; rows.width()];
                 row[plain + j] = sign;
-                rows.a.extend(row);
-                rows.b.push(if sign < 0.0 { 0.1 } else { 0.3 });
+                rows.push(row, if sign < 0.0 { 0.1 } else { 0.3 });
             }
         }
         let mut start: Option<Vec<Member>> = None;
@@ -268,11 +267,11 @@ mod tests {
             assert!((a - b).abs() < 1e-9 * (1.0 + a.abs()), "{a} {b}");
             assert!((held.upper - a).abs() < 1e-9 * (1.0 + a.abs()));
             // The multipliers of all rows balance in every unknown.
-            for j in 0..rows.width {
-                let sum: f64 = held.basis.iter().map(|&(k, y)| y * rows.a[k * rows.width + j]).sum();
+            for j in 0..rows.width() {
+                let sum: f64 = held.basis.iter().map(|&(k, y)| y * rows.entry(k, j)).sum();
                 assert!(sum.abs() < 1e-8, "{sum}");
             }
-            assert_eq!(held.members.len(), rows.width + 1);
+            assert_eq!(held.members.len(), rows.width() + 1);
             start = Some(held.members);
         }
         assert!(start.is_some());

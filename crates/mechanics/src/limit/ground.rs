@@ -6,8 +6,8 @@ use super::compliance::Resistance;
 use super::equilibrium::Equilibrium;
 use super::joints::{Joint, Strength, joints};
 use super::reduced::{Elastic, Row, alike, rows, self_stress};
+use super::rows::Rows;
 use super::settings::Settings;
-use super::simplex::Rows;
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use std::borrow::Cow;
 
@@ -62,41 +62,34 @@ impl Reduced {
         for (f, d) in start.iter_mut().zip(elastic.balance(&left)?) {
             *f += d;
         }
-        let mut this = Reduced {
-            start,
-            rows: Rows { width: states.len(), ..Rows::default() },
-            states,
-            limits: Vec::new(),
-            standing: limits.len(),
-        };
+        let mut this =
+            Reduced { start, rows: Rows::new(states.len()), states, limits: Vec::new(), standing: limits.len() };
         this.extend(limits);
         Some(this)
     }
 
     pub(super) fn extend(&mut self, limits: Vec<Row>) {
         for row in limits {
-            self.rows.a.extend(self.states.iter().map(|state| -row.of(state)));
-            self.rows.b.push(row.of(&self.start) + row.constant);
+            let a = self.states.iter().map(|state| -row.of(state));
+            self.rows.push(a, row.of(&self.start) + row.constant);
             self.limits.push(row);
         }
     }
 
     /// Drops the tangents that are not wanted; gives every row's new place.
     pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) -> Vec<Option<usize>> {
-        let (width, old) = (self.rows.width, std::mem::take(&mut self.rows));
-        self.rows.width = width;
-        let mut places = Vec::with_capacity(old.b.len());
-        let mut limits = Vec::with_capacity(old.b.len());
+        let mut rows = Rows::new(self.rows.width());
+        let mut places = Vec::with_capacity(self.limits.len());
+        let mut limits = Vec::with_capacity(self.limits.len());
         for (k, row) in std::mem::take(&mut self.limits).into_iter().enumerate() {
             let stays = k < self.standing || wanted(k);
             places.push(stays.then_some(limits.len()));
             if stays {
                 limits.push(row);
-                self.rows.b.push(old.b[k]);
-                self.rows.a.extend_from_slice(&old.a[k * width..(k + 1) * width]);
+                rows.push(self.rows.row(k), self.rows.b(k));
             }
         }
-        self.limits = limits;
+        (self.limits, self.rows) = (limits, rows);
         places
     }
 

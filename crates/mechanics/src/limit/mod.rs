@@ -29,6 +29,7 @@ mod outcome;
 mod program;
 mod proven;
 mod reduced;
+mod rows;
 mod settings;
 mod simplex;
 mod smooth;

@@ -5,24 +5,8 @@
 //! both bounds meet. The mechanism's multipliers depend on the load only through one number, the work of the load. So a
 //! basis that was best for one load is a start for every other load that does work on it.
 
+use super::rows::Rows;
 use crate::watch::Pace;
-
-/// Rows `a z <= b`, `a` without its last column: what does not depend on the load.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Rows {
-    /// Unknowns but the last.
-    pub width: usize,
-    /// Row after row.
-    pub a: Vec<f64>,
-    /// Right sides.
-    pub b: Vec<f64>,
-}
-
-impl Rows {
-    fn row(&self, k: usize) -> &[f64] {
-        &self.a[k * self.width..(k + 1) * self.width]
-    }
-}
 
 /// The best corner.
 #[derive(Debug, Clone)]
@@ -88,7 +72,7 @@ pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>, pace
             }
         }
     }
-    let mut members: Vec<Member> = (0..rows.width).map(Member::Fixed).collect();
+    let mut members: Vec<Member> = (0..rows.width()).map(Member::Fixed).collect();
     members.push(Member::Far);
     Search::new(rows, last, members, pace).map_or(Ended::Lost, Search::run)
 }
@@ -108,7 +92,7 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(rows: &'a Rows, last: &'a [f64], members: Vec<Member>, pace: &'a Pace) -> Option<Self> {
-        let size = rows.width + 1;
+        let size = rows.width() + 1;
         let mut this = Search { rows, last, size, members, inverse: Vec::new(), y: Vec::new(), pivots: 0, pace };
         this.refresh()?;
         Some(this)
@@ -118,7 +102,7 @@ impl<'a> Search<'a> {
         let mut row = vec![0.0; self.size];
         match member {
             Member::Row(k) => {
-                row[..self.size - 1].copy_from_slice(self.rows.row(k));
+                row.iter_mut().zip(self.rows.row(k)).for_each(|(to, a)| *to = a);
                 row[self.size - 1] = self.last[k];
             }
             Member::Fixed(j) => row[j] = 1.0,
@@ -129,7 +113,7 @@ impl<'a> Search<'a> {
 
     fn right_side(&self, member: Member) -> f64 {
         match member {
-            Member::Row(k) => self.rows.b[k],
+            Member::Row(k) => self.rows.b(k),
             Member::Fixed(_) => 0.0,
             Member::Far => FAR,
         }
@@ -211,24 +195,8 @@ impl<'a> Search<'a> {
     /// The row that the corner violates most; with `careful`, the first, so that no circle can close.
     fn violated(&self, z: &[f64], careful: bool) -> Option<usize> {
         let (x, factor) = (&z[..self.size - 1], z[self.size - 1]);
-        let (mut worst, mut found) = (-SLACK * (1.0 + factor.abs()), None);
-        let rows = self.rows.a.chunks_exact(self.rows.width.max(1));
-        for (k, ((row, &b), &last)) in rows.zip(&self.rows.b).zip(self.last).enumerate() {
-            let mut slack = b - last * factor;
-            for (a, x) in row.iter().zip(x) {
-                slack -= a * x;
-            }
-            if slack < worst {
-                if self.members.contains(&Member::Row(k)) {
-                    continue;
-                }
-                (worst, found) = (slack, Some(k));
-                if careful {
-                    break;
-                }
-            }
-        }
-        found
+        let may = |k| !self.members.contains(&Member::Row(k));
+        self.rows.violated(self.last, (x, factor), -SLACK * (1.0 + factor.abs()), careful, may)
     }
 
     /// Lets a row into the basis; false where no member can leave.
@@ -288,7 +256,7 @@ impl<'a> Search<'a> {
                         return Ended::Lost;
                     }
                     basis.push((k, y.max(0.0)));
-                    upper += y.max(0.0) * self.rows.b[k];
+                    upper += y.max(0.0) * self.rows.b(k);
                 }
                 Member::Far if y > 1e-9 => return Ended::Unbounded,
                 Member::Far => {}
@@ -305,7 +273,8 @@ mod tests {
     use super::*;
 
     fn rows(list: &[([f64; 2], f64)]) -> (Rows, Vec<f64>) {
-        let rows = Rows { width: 1, a: list.iter().map(|r| r.0[0]).collect(), b: list.iter().map(|r| r.1).collect() };
+        let mut rows = Rows::new(1);
+        list.iter().for_each(|(a, b)| rows.push([a[0]], *b));
         (rows, list.iter().map(|r| r.0[1]).collect())
     }
 

@@ -388,7 +388,7 @@ impl Sweeper<'_> {
         let (mut least, mut best) = (f64::INFINITY, None);
         for (index, Kept { mechanism, .. }) in self.kept.iter().enumerate() {
             let work: f64 = mechanism.iter().map(|&(k, y)| -y * reduced.limits[k].of(&effect.forces)).sum();
-            let resistance: f64 = mechanism.iter().map(|&(k, y)| y * reduced.rows.b[k]).sum();
+            let resistance: f64 = mechanism.iter().map(|&(k, y)| y * reduced.rows.b(k)).sum();
             if work > 1e-9 * sum_of_sizes(&effect.load) && resistance / work < least {
                 (least, best) = (resistance / work, Some(index));
             }

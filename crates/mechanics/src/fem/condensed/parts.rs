@@ -2,7 +2,6 @@
 //! which it carries less than the linear system assumes.
 
 use super::quad_check::QuadCheck;
-use super::rows::widest;
 use super::spring_check::SpringCheck;
 use crate::fem::assemble::moved;
 use crate::fem::dofs::{HELD, dof};
@@ -12,6 +11,7 @@ use crate::fem::joint::{PairLaw, PairMemory};
 use crate::fem::model::Model;
 use crate::fem::state::{Bond, Point, State};
 use crate::ids::{Id, QuadId};
+use crate::wide::widest;
 
 /// Largest number of rows of a part: the displacement components of a quadrilateral.
 pub(super) const ROWS: usize = 8;

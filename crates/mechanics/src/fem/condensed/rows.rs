@@ -7,6 +7,7 @@ use crate::fem::many::WIDEST;
 use crate::fem::model::Model;
 use crate::fem::workspace::Workspace;
 use crate::watch::Asking;
+use crate::wide::widest;
 
 /// A weighted sum of displacement components.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -231,20 +232,6 @@ impl Rows {
 /// a factor of zero are not read. The code is as wide as the processor's registers, with the same bits for any width.
 pub(super) fn add_multiples<'c>(sums: &mut [f64], columns: impl Iterator<Item = (&'c [f64], f64)>) {
     widest(Multiples { sums, columns });
-}
-
-/// Runs `work` compiled for the widest registers of the processor.
-pub(super) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if let Some(v4) = pulp::x86::V4::try_new() {
-            return v4.vectorize(work);
-        }
-        if let Some(v3) = pulp::x86::V3::try_new() {
-            return v3.vectorize(work);
-        }
-    }
-    work.call()
 }
 
 struct Multiples<'s, I> {

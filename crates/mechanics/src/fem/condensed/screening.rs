@@ -6,11 +6,11 @@
 
 use super::hourglass::HourglassBound;
 use super::parts::Part;
-use super::rows::widest;
 use super::spring_check::SpringCheck;
 use crate::fem::factor::Block;
 use crate::fem::joint::PairMemory;
 use crate::fem::model::Model;
+use crate::wide::widest;
 
 /// The tests of all parts.
 #[derive(Debug, Default)]

@@ -4,7 +4,7 @@
 //! rows [m²/N].
 
 use super::dense::{Dense, Precision};
-use super::rows::widest;
+use crate::wide::widest;
 use std::ops::Range;
 
 /// One entry of `S`: row, column, derivative [N/m²]; rows and columns are counted within the system at hand.

@@ -1,0 +1,16 @@
+//! Code as wide as the processor's registers.
+
+/// Runs `work` compiled for the widest registers of the processor: what is marked `#[inline(always)]` in it is compiled so too.
+/// The bits are the same for any width, unless `work` itself multiplies and adds in one.
+pub(crate) fn widest<W: pulp::NullaryFnOnce>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if let Some(v4) = pulp::x86::V4::try_new() {
+            return v4.vectorize(work);
+        }
+        if let Some(v3) = pulp::x86::V3::try_new() {
+            return v3.vectorize(work);
+        }
+    }
+    work.call()
+}
