@@ -3,7 +3,7 @@
 use super::vehicles::vehicle_sweep;
 use super::*;
 use crate::samples;
-use bridge::{Directions, Ring, Span, SweepPlan};
+use bridge::{Directions, JointContact, Ring, Span, SweepPlan};
 use mechanics::watch::{Progress, Unwatched, Wish};
 use outcome::collapse::Status;
 use outcome::sweep::Ended;
@@ -74,6 +74,11 @@ fn discrete_elements_say_that_joints_bear_on_two_points_and_that_crushing_is_lef
     );
     let by_limit = limit(&weak());
     assert!(!codes(&by_limit.warnings).contains(&warning::TWO_POINT_JOINTS));
+    let mut distributed = weak();
+    distributed.plan.contact = Some(JointContact::Distributed);
+    let found = collapse(&distributed, None, &mut Unwatched).unwrap();
+    assert!(!codes(&found.warnings).contains(&warning::TWO_POINT_JOINTS));
+    assert!(found.assumptions.iter().any(|said| said.contains("distributed contact")));
 }
 
 #[test]

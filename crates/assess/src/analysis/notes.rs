@@ -1,6 +1,6 @@
 //! What a reader of a result must know: warnings with numbers, and what was assumed.
 
-use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule};
+use bridge::{BackingBody, Bridge, ContactPoints, DispersalRule, JointContact, Plan};
 use mechanics::limit;
 use outcome::collapse::By;
 use outcome::collapse::FlowRule;
@@ -181,15 +181,7 @@ pub fn dem(bridge: &Bridge, d: &Discretised, c: &mut Collapse) {
                 .into(),
         );
     }
-    c.assumptions.push(
-        "Rigid blocks in deformable point contact; loads follow their blocks and keep their direction; displacements are \
-         large."
-            .into(),
-    );
-    c.assumptions.push(
-        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
-    );
-    two_points(c);
+    discrete_elements(&bridge.plan, c);
     if bridge.masonry.rounding > 0.0 {
         c.warnings.push(inset(bridge));
     }
@@ -345,12 +337,22 @@ fn wedged(largest: f64, depth: f64) -> Option<String> {
     (largest > depth).then(message)
 }
 
-/// Says what two contact points a joint mean for every load that they give.
-pub fn two_points(c: &mut Collapse) {
-    c.warnings.push(of_two_points());
+/// What a run of discrete elements assumes, and what two contact points a joint mean for its loads where joints have them.
+pub fn discrete_elements(plan: &Plan, c: &mut Collapse) {
+    let distributed = plan.contact == Some(JointContact::Distributed);
+    let contact = if distributed { "distributed" } else { "point" };
+    c.assumptions.push(format!(
+        "Rigid blocks in deformable {contact} contact; loads follow their blocks and keep their direction; displacements are large."
+    ));
+    c.assumptions.push(
+        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
+    );
+    if !distributed {
+        c.warnings.push(of_two_points());
+    }
 }
 
-/// The same for an object that is no collapse.
+/// What two contact points a joint mean for every load that they give.
 pub fn of_two_points() -> Warning {
     Warning::new(
         warning::TWO_POINT_JOINTS,

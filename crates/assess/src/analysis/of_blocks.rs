@@ -75,14 +75,7 @@ fn dem(
     c.limit_load = rigid.as_ref().and_then(|rigid| rigid.factor).map(|f| d.load(f));
     c.tolerance = scene.plan.tolerance;
     c.warnings.extend(chosen.into_iter().map(|m| Warning::new(warning::CHOSEN, m)));
-    c.assumptions.push(
-        "Rigid blocks in deformable point contact; loads follow their blocks and keep their direction; displacements are large."
-            .into(),
-    );
-    c.assumptions.push(
-        "collapse_load is the first load step that collapsed; last_stable_load is the last that came to rest.".into(),
-    );
-    super::notes::two_points(&mut c);
+    super::notes::discrete_elements(&scene.plan, &mut c);
     if let Some(rigid) = rigid {
         super::notes::apart(rigid.status, &mut c);
         if crushes(scene) {

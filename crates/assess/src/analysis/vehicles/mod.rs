@@ -38,7 +38,7 @@ pub(super) use search::{DILATANCY, REFINEMENTS};
 use super::pieces::Portion;
 use super::{AnalysisError, stiffened};
 use crate::vehicles::{Chosen, chosen, left_out};
-use bridge::{Bridge, Method};
+use bridge::{Bridge, JointContact, Method};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::sweep::Ended;
@@ -219,7 +219,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     found.warnings.extend(told::broken_off(&found.vehicles));
     found.assumptions.push(told::assumed(&found.vehicles));
-    if found.discrete_elements.is_some() {
+    if found.discrete_elements.is_some() && bridge.plan.contact != Some(JointContact::Distributed) {
         found.warnings.push(super::notes::of_two_points());
     }
     if let Some(inset) = found.discrete_elements.as_ref().and_then(|c| c.inset) {
