@@ -182,6 +182,26 @@ fn thrust_lines_agree_at_half_the_limit_load() {
     }
 }
 
+/// Discrete elements of stiff joints take as long as soft ones to come to rest, in many more steps, and end where the path does.
+#[test]
+#[ignore = "some minutes"]
+fn discrete_elements_of_stiff_joints_carry_the_same_along_the_path() {
+    for stiffer in [10.0, 100.0] {
+        let mut b = ring(stiffer, 7);
+        b.plan.contact = Some(JointContact::Distributed);
+        (b.plan.tolerance, b.plan.step_limit) = (1e-4, 20_000_000);
+        (b.plan.load_step, b.plan.resolution) = (Some(10e3), Some(200.0));
+        let path = collapse_by_path(&b, None, &mut Unwatched).expect("it can be set up").collapse_load.expect("a load");
+        let found = collapse_by_dem(&b, None, &mut Unwatched).expect("it can be set up");
+        let blocks = found.last_stable_load.expect("it stood");
+        assert!(
+            (blocks / path - 1.0).abs() < 0.01,
+            "{stiffer} times as stiff: {blocks} beside {path}, {:?}",
+            found.status
+        );
+    }
+}
+
 /// With stress over all that is closed finite elements of stiff stones carry what the path of equilibrium does, at any stiffness of the
 /// joints: two programs that share no line of the joint's law. Springs at nodes alone are 10 % above at the file's stiffness.
 #[test]

@@ -139,7 +139,7 @@ fn drive(
 pub(super) fn start(model: &Model, state: State, settings: &Settings) -> Run {
     let critical = reported_critical_time_step(model, &state, settings);
     Run {
-        stage: Stage::new(&state),
+        stage: Stage::new(model, &state),
         stable: None,
         low: None,
         high: None,
@@ -334,7 +334,7 @@ pub(super) fn decide(
         },
     };
     set_factor(model, &mut run.state, next);
-    run.stage = Stage::new(&run.state);
+    run.stage = Stage::new(model, &run.state);
     None
 }
 

@@ -16,7 +16,7 @@ use crate::plane::{Meeting, Pose};
 use crate::words::{Words, fields};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_4144_0005;
+const LAYOUT: u64 = 0x4558_5452_4144_0006;
 
 fields! {
     Memory { shear, crushed, length, compression, bonded, closed, sliding }
@@ -25,7 +25,7 @@ fields! {
     Frame { factor, iterations, poses, velocities, contacts, stresses, particles, particle_contacts }
     ParticleState { centre, radius, angle, velocity, spin, stress }
     ParticleContact { particle, partner, point, normal, compression, shear, length, sliding }
-    Stage { start, first_step, window_least, best, idle_windows, window_displacement, ratio, next_picture }
+    Stage { window, start, first_step, window_least, best, idle_windows, window_displacement, ratio, next_picture }
 }
 
 impl Words for ParticleId {
