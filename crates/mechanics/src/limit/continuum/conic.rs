@@ -102,7 +102,7 @@ pub(super) struct Solved {
 /// certificate to say. At Bridgemill the quick way takes two thirds of the time of the careful one.
 pub(super) const EFFORTS: [Accuracy; 2] = [
     Accuracy { tolerance: 1e-8, nearly: 1e-5, iterations: 200, refinements: 0 },
-    Accuracy { tolerance: 1e-8, nearly: 1e-5, iterations: 200, refinements: 10 },
+    Accuracy { tolerance: 1e-10, nearly: 1e-5, iterations: 200, refinements: 10 },
 ];
 
 impl Conic {

@@ -102,7 +102,9 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
     bear(&mut program, panels, &pressures, unit);
     for (t, stress) in stresses.iter().enumerate() {
         let soil = strengths.soils[t][0];
-        let (area, gradients) = (mesh.area(t), gradients(mesh.corners(t)));
+        // As stresses, not as forces: what small triangles and edges leave out of balance is then as small as anywhere.
+        let (area, size) = (mesh.area(t), mesh.area(t).sqrt());
+        let gradients = gradients(mesh.corners(t)).map(|g| g * (1.0 / size));
         for (axis, weights) in
             [[soil.weight.x, soil.variable_weight.x], [soil.weight.y, soil.variable_weight.y]].into_iter().enumerate()
         {
@@ -111,8 +113,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 program.add(row, g.x, &s[if axis == 0 { 0 } else { 2 }]);
                 program.add(row, g.y, &s[if axis == 0 { 2 } else { 1 }]);
             }
-            program.add(row, area * weights[0], &permanent);
-            program.add(row, area * weights[1], &variable);
+            program.add(row, area / size * weights[0], &permanent);
+            program.add(row, area / size * weights[1], &variable);
         }
     }
     for e in 0..mesh.edges.len() {
@@ -124,8 +126,8 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 let (a, b) = (traction(inside[k], at.normal), traction(outside[k], at.normal));
                 for axis in 0..2 {
                     let row = program.equation(0.0);
-                    program.add(row, at.length, &a[axis]);
-                    program.add(row, -at.length, &b[axis]);
+                    program.add(row, 1.0, &a[axis]);
+                    program.add(row, -1.0, &b[axis]);
                 }
             }
             continue;
@@ -136,9 +138,9 @@ pub(super) fn asked(setting: &Setting<'_>, mesh: &Mesh, strengths: &Strengths, q
                 let t = traction(stress, at.normal);
                 for (axis, loads) in [[p.x, v.x], [p.y, v.y]].into_iter().enumerate() {
                     let row = program.equation(0.0);
-                    program.add(row, at.length, &t[axis]);
-                    program.add(row, -at.length * loads[0], &permanent);
-                    program.add(row, -at.length * loads[1], &variable);
+                    program.add(row, 1.0, &t[axis]);
+                    program.add(row, -loads[0], &permanent);
+                    program.add(row, -loads[1], &variable);
                 }
             }
             continue;
