@@ -325,7 +325,10 @@ fn of_weights(found: &VehicleSweep) -> String {
     let least = found.governing.and_then(|k| found.vehicles.get(k)).or(found.vehicles.first());
     let governs = match least.and_then(|v| v.weights.map(|w| (v, w))) {
         Some((v, w)) if v.adequacy.is_some() => format!("{} governs with {}", v.code, w.told()),
-        Some((_, w)) => format!("with {} the bridge does not stand", w.told()),
+        Some((v, w)) if v.status == Status::UnstableUnderSelfWeight => {
+            format!("with {} the bridge does not stand", w.told())
+        }
+        Some((v, _)) => format!("{} is not answered everywhere", v.code),
         None => "no combination governs".to_owned(),
     };
     format!(
