@@ -3,46 +3,16 @@
 //! `cargo test --release -p assess --test random_passages` draws the first fifty bridges, `-- --ignored` a thousand. Ground that flows under
 //! its own weight takes Newton's method minutes; whoever looks on loses patience then, and being stopped is an ending with a name too.
 
+mod random;
+
 use assess::analysis::passage::passage;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::passage::{Part, Passage, PassageStatus};
+use random::{Dice, begin_span, pier, quantities};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
-
-/// Numbers that look random and are the same every time: splitmix64.
-struct Dice(u64);
-
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    /// Evenly over the decades.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-    fn count(&mut self, low: usize, high: usize) -> usize {
-        low + ((high - low + 1) as f64 * self.unit()) as usize
-    }
-    fn often(&mut self, share: f64) -> bool {
-        self.unit() < share
-    }
-    fn of<'a>(&mut self, words: &[&'a str]) -> &'a str {
-        words[self.count(0, words.len() - 1)]
-    }
-    /// What engineers write for the most part, anything that is legal every fourth time.
-    fn usual(&mut self, [low, high]: [f64; 2], [least, most]: [f64; 2]) -> f64 {
-        if self.often(0.75) { self.decades(low, high) } else { self.decades(least, most) }
-    }
-}
 
 /// A bridge file with a train.
 fn draw(seed: u64) -> String {
@@ -52,28 +22,17 @@ fn draw(seed: u64) -> String {
     let _ = writeln!(page, "[bridge]\nname = \"random {seed}\"\nwidth = \"{width:.2} m\"\n");
     let span = dice.usual([2.0, 20.0], [0.6, 80.0]);
     let profile = dice.of(&["segmental", "semicircular", "parabolic", "elliptical", "pointed"]);
-    let ratio = match profile {
-        "segmental" => dice.between(0.08, 0.5),
-        "semicircular" => 0.5,
-        "pointed" => dice.between(0.55, 0.9),
-        _ => dice.between(0.1, 0.6),
-    };
+    let flattest = if profile == "segmental" { [0.08, 0.5] } else { [0.1, 0.6] };
+    let ratio = dice.rise(profile, flattest, 0.9);
     let thickness = span * dice.usual([0.04, 0.15], [0.01, 0.3]);
     let repeat = dice.count(1, 3);
     let voussoirs = dice.count(3, 15);
-    let _ = writeln!(page, "[[span]]\nprofile = \"{profile}\"\nspan = \"{span:.3} m\"");
-    if profile != "semicircular" {
-        let _ = writeln!(page, "rise = \"{:.3} m\"", ratio * span);
-    }
+    begin_span(profile, span, ratio * span, &mut page);
     let _ = writeln!(page, "thickness = \"{thickness:.4} m\"\nvoussoirs = {voussoirs}\nrepeat = {repeat}\n");
     if repeat > 1 {
-        let pier = 2.0 * thickness + span * dice.usual([0.15, 0.4], [0.05, 1.5]);
+        let width = 2.0 * thickness + span * dice.usual([0.15, 0.4], [0.05, 1.5]);
         let height = span * dice.usual([0.2, 1.0], [0.02, 4.0]);
-        let _ = writeln!(
-            page,
-            "[[pier]]\nwidth = \"{pier:.3} m\"\nheight = \"{height:.3} m\"\ncourses = {}\n",
-            dice.count(1, 4)
-        );
+        pier(width, height, dice.count(1, 4), &mut page);
     }
     let [top, height] = [0.3, 0.5].map(|share| span * share * dice.usual([0.5, 2.0], [0.1, 6.0]));
     let _ = writeln!(page, "[abutment]\ntop_width = \"{top:.3} m\"\nheight = \"{height:.3} m\"\n");
@@ -140,24 +99,20 @@ fn soil(dice: &mut Dice, table: &str, page: &mut String) {
 
 fn train(dice: &mut Dice, span: f64, page: &mut String) {
     let axles = dice.count(1, 4);
-    let loads: Vec<String> =
-        (0..axles).map(|_| format!("\"{:.3} t\"", dice.usual([5.0, 30.0], [0.01, 1000.0]))).collect();
-    let spacings: Vec<String> =
-        (1..axles).map(|_| format!("\"{:.3} m\"", dice.usual([1.5, 6.0], [0.3, 30.0]))).collect();
+    let loads = quantities((0..axles).map(|_| dice.usual([5.0, 30.0], [0.01, 1000.0])), 3, "t");
+    let spacings = quantities((1..axles).map(|_| dice.usual([1.5, 6.0], [0.3, 30.0])), 3, "m");
     let speed = dice.usual([5.0, 120.0], [0.5, 400.0]);
     // A few positions on the first span.
     let positions = dice.count(3, 6);
     let time_step = span / positions as f64 / (speed / 3.6);
     let _ = writeln!(
         page,
-        "[train]\n\n[[train.vehicle]]\naxle_loads = [{}]\naxle_spacings = [{}]\nfront_overhang = \"1 m\"\nrear_overhang = \"1 m\"\n\n\
+        "[train]\n\n[[train.vehicle]]\naxle_loads = [{loads}]\naxle_spacings = [{spacings}]\nfront_overhang = \"1 m\"\nrear_overhang = \"1 m\"\n\n\
          [track]\nrail_bending_stiffness = \"4.47 MNm^2\"\ntrack_modulus = \"{:.4} MPa\"\nsleeper_spacing = \"0.60 m\"\n\
          sleeper_breadth = \"0.25 m\"\nsleeper_length = \"2.75 m\"\nballast_depth = \"{:.3} m\"\nballast_slope = \"2:1\"\ndead_load = \"1.1 kPa\"\n\n\
          [passage]\nspeed = \"{speed:.3} km/h\"\nfrom = \"0 m\"\nto = \"{:.4} m\"\ntime_step = \"{:.6} s\"\nanalysis = \"{}\"\n\
          damping_ratio = 0.03\ndamping_frequencies = [\"5 Hz\", \"50 Hz\"]\nkinematics = \"{}\"\npath = \"{}\"\nload_steps = 10\n\
          iterations = 100\ntolerance = 1e-6",
-        loads.join(", "),
-        spacings.join(", "),
         dice.usual([10.0, 50.0], [0.5, 500.0]),
         dice.between(0.0, 0.05),
         span,

@@ -1,35 +1,7 @@
 //! Bridge files whose fill is a continuum, drawn by a seed.
 
+use crate::random::{Arch, Dice, pier, quantities};
 use std::fmt::Write;
-
-/// Numbers that look random and are the same every time: splitmix64.
-struct Dice(u64);
-
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    /// Evenly over the decades.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-    fn count(&mut self, low: usize, high: usize) -> usize {
-        low + ((high - low + 1) as f64 * self.unit()) as usize
-    }
-    fn often(&mut self, share: f64) -> bool {
-        self.unit() < share
-    }
-    fn of<'a>(&mut self, words: &[&'a str]) -> &'a str {
-        words[self.count(0, words.len() - 1)]
-    }
-}
 
 /// A bridge of one to three spans under soil, with a load on it and a mesh of no more than `elements` triangles.
 pub fn draw(seed: u64, elements: usize) -> String {
@@ -52,36 +24,20 @@ pub fn draw(seed: u64, elements: usize) -> String {
 /// The spans and the piers between them; returns the rise of the first span [m].
 fn arches(dice: &mut Dice, span: f64, spans: usize, page: &mut String) -> f64 {
     let profile = dice.of(&["segmental", "segmental", "semicircular", "parabolic", "elliptical", "pointed"]);
-    let ratio = match profile {
-        "semicircular" => 0.5,
-        "pointed" => dice.between(0.55, 0.9),
-        _ => dice.between(0.1, 0.45),
-    };
+    let ratio = dice.rise(profile, [0.1, 0.45], 0.9);
     let thickness = span * dice.decades(0.03, 0.12);
     let rings = dice.count(1, 3);
     let voussoirs = dice.count(6, 20);
     // Unlike spans differ in their rise.
     let unlike = dice.often(0.3) && !matches!(profile, "semicircular" | "pointed");
     for _ in 0..spans {
-        let _ = writeln!(page, "[[span]]\nprofile = \"{profile}\"\nspan = \"{span:.3} m\"");
         let ratio = if unlike { ratio * dice.between(0.7, 1.0) } else { ratio };
-        if profile != "semicircular" {
-            let _ = writeln!(page, "rise = \"{:.3} m\"", ratio * span);
-        }
-        for _ in 0..rings {
-            let each = thickness / rings as f64;
-            let _ = writeln!(page, "\n[[span.ring]]\nthickness = \"{each:.4} m\"\nvoussoirs = {voussoirs}");
-        }
-        let _ = writeln!(page);
+        Arch { profile, span, rings, thickness, voussoirs }.write(ratio * span, page);
     }
     for _ in 1..spans {
         let width = 2.2 * thickness + span * dice.decades(0.05, 0.4);
-        let _ = writeln!(
-            page,
-            "[[pier]]\nwidth = \"{width:.3} m\"\nheight = \"{:.3} m\"\ncourses = {}\n",
-            span * dice.decades(0.1, 1.0),
-            dice.count(1, 5)
-        );
+        let height = span * dice.decades(0.1, 1.0);
+        pier(width, height, dice.count(1, 5), page);
     }
     ratio * span
 }
@@ -181,14 +137,12 @@ fn load(dice: &mut Dice, spans: usize, page: &mut String) {
         );
     } else {
         let axles = dice.count(1, 3);
-        let forces: Vec<String> = (0..axles).map(|_| format!("\"{:.1} kN\"", dice.between(10.0, 100.0))).collect();
-        let spacings: Vec<String> = (1..axles).map(|_| format!("\"{:.2} m\"", dice.between(1.0, 4.0))).collect();
+        let forces = quantities((0..axles).map(|_| dice.between(10.0, 100.0)), 1, "kN");
+        let spacings = quantities((1..axles).map(|_| dice.between(1.0, 4.0)), 2, "m");
         let _ = writeln!(
             page,
-            "[[load]]\nname = \"axles\"\nkind = \"axles\"\naxle_forces = [{}]\naxle_spacings = [{}]\n\
-             contact_length = \"{length:.3} m\"\neffective_width = \"2.5 m\"\nat = \"{at}\"",
-            forces.join(", "),
-            spacings.join(", ")
+            "[[load]]\nname = \"axles\"\nkind = \"axles\"\naxle_forces = [{forces}]\naxle_spacings = [{spacings}]\n\
+             contact_length = \"{length:.3} m\"\neffective_width = \"2.5 m\"\nat = \"{at}\""
         );
     }
     let _ = writeln!(page, "\n[analysis]\nmethod = \"limit\"");

@@ -1,9 +1,12 @@
 //! Bounds of random bridges whose fill is a continuum: whatever the file can express ends in two bounds in order, with certificates that
 //! hold, or in a named status, and never in a panic.
 //!
-//! `cargo test --release -p verification --test random_bounds` draws a few, `-- --ignored --nocapture` five hundred and tells how they ended.
+//! `cargo test --release -p verification --test random_bounds` draws a few, `-- --ignored --nocapture` those that the variable
+//! `EXTRADOS_RANDOM_BOUNDS` names (0..500 without it) and tells how they ended.
 
 mod drawn;
+#[path = "../random/mod.rs"]
+mod random;
 
 use assess::analysis::by_bounds::bounds_alone;
 use bridge::Severity;
@@ -127,8 +130,8 @@ fn bounds_are_the_same_to_the_bit_every_time_and_on_every_thread() {
 #[test]
 #[ignore = "three quarters of an hour on a busy machine"]
 #[expect(clippy::print_stdout, reason = "the table of the page is made from it")]
-fn five_hundred_random_bridges_have_bounds_in_order_or_a_named_ending() {
-    let endings = all_end(0..500, 800);
+fn many_random_bridges_have_bounds_in_order_or_a_named_ending() {
+    let endings = all_end(random::seeds("EXTRADOS_RANDOM_BOUNDS", 0..500), 800);
     for (word, seeds) in &endings {
         let named = if seeds.len() <= 60 { format!(": {seeds:?}") } else { String::new() };
         println!("{:4} {word}{named}", seeds.len());

@@ -1,35 +1,7 @@
 //! Bridge files of one to five spans and rings, with and without walls, backing and bond, under vehicles, drawn by a seed.
 
+use crate::random::{Arch, Dice, pier, quantities};
 use std::fmt::Write;
-
-/// Numbers that look random and are the same every time: splitmix64.
-struct Dice(u64);
-
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    /// Evenly over the decades.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-    fn count(&mut self, low: usize, high: usize) -> usize {
-        low + ((high - low + 1) as f64 * self.unit()) as usize
-    }
-    fn often(&mut self, share: f64) -> bool {
-        self.unit() < share
-    }
-    fn of<'a>(&mut self, words: &[&'a str]) -> &'a str {
-        words[self.count(0, words.len() - 1)]
-    }
-}
 
 /// Half of the bridges have one ring, half of them one span, one in sixteen a strip of its walls, whose paths are long.
 pub fn draw(seed: u64) -> String {
@@ -71,33 +43,15 @@ pub fn draw(seed: u64) -> String {
 fn arches(dice: &mut Dice, (spans, rings): (usize, usize), span: f64, page: &mut String) -> f64 {
     let profile =
         dice.of(&["segmental", "segmental", "segmental", "semicircular", "parabolic", "elliptical", "pointed"]);
-    let rise = span
-        * match profile {
-            "semicircular" => 0.5,
-            "pointed" => dice.between(0.55, 0.8),
-            _ => dice.between(0.12, 0.45),
-        };
+    let rise = span * dice.rise(profile, [0.12, 0.45], 0.8);
     let depth = (span * dice.decades(0.04, 0.12)).max(0.2);
     let voussoirs = dice.count(12, 30);
-    for _ in 0..spans {
-        let _ = writeln!(page, "[[span]]\nprofile = \"{profile}\"\nspan = \"{span:.3} m\"");
-        if profile != "semicircular" {
-            let _ = writeln!(page, "rise = \"{rise:.3} m\"");
-        }
-        for _ in 0..rings {
-            let thickness = depth / rings as f64;
-            let _ = writeln!(page, "[[span.ring]]\nthickness = \"{thickness:.4} m\"\nvoussoirs = {voussoirs}");
-        }
-        page.push('\n');
-    }
+    (0..spans).for_each(|_| Arch { profile, span, rings, thickness: depth, voussoirs }.write(rise, page));
     let width = (2.5 * depth + 0.3).max(span * dice.between(0.1, 0.3)).max(0.8);
     for _ in 1..spans {
-        let _ = writeln!(
-            page,
-            "[[pier]]\nwidth = \"{width:.3} m\"\nheight = \"{:.2} m\"\ncourses = {}\n",
-            dice.between(1.0, 6.0),
-            dice.count(2, 8)
-        );
+        // To the centimetre.
+        let height = (100.0 * dice.between(1.0, 6.0)).round() / 100.0;
+        pier(width, height, dice.count(2, 8), page);
     }
     rise
 }
@@ -121,9 +75,8 @@ fn joints(dice: &mut Dice, rings: usize, page: &mut String) {
 /// One to thirteen axles somewhere on a span.
 fn vehicle(dice: &mut Dice, spans: usize, page: &mut String) {
     let axles = if dice.often(0.5) { dice.count(1, 2) } else { dice.count(3, 13) };
-    let list = |words: Vec<String>| words.join(", ");
-    let forces = list((0..axles).map(|_| format!("\"{:.0} kN\"", dice.between(40.0, 250.0))).collect());
-    let spacings = list((1..axles).map(|_| format!("\"{:.2} m\"", dice.between(1.1, 4.0))).collect());
+    let forces = quantities((0..axles).map(|_| dice.between(40.0, 250.0)), 0, "kN");
+    let spacings = quantities((1..axles).map(|_| dice.between(1.1, 4.0)), 2, "m");
     let _ = writeln!(
         page,
         "[[load]]\nkind = \"axles\"\naxle_forces = [{forces}]\naxle_spacings = [{spacings}]\ncontact_length = \"0.30 m\"\n\

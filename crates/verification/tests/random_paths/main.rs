@@ -6,6 +6,8 @@
 
 mod drawn;
 mod outside;
+#[path = "../random/mod.rs"]
+mod random;
 
 use bridge::{Bridge, ContactLength as PointLength, Severity};
 use mechanics::contact::ContactLength;
@@ -144,7 +146,5 @@ fn a_few_random_paths_end_with_a_name_and_hold_from_outside() {
 #[test]
 #[ignore = "a quarter of an hour for five hundred"]
 fn many_random_paths_end_with_a_name_and_hold_from_outside() {
-    let asked = std::env::var("EXTRADOS_RANDOM_PATHS").unwrap_or_else(|_| "0..2000".into());
-    let (from, to) = asked.split_once("..").expect("seeds are asked for as 0..500");
-    all_end(from.parse().expect("a number")..to.parse().expect("a number"));
+    all_end(random::seeds("EXTRADOS_RANDOM_PATHS", 0..2000));
 }
