@@ -1,9 +1,10 @@
 //! Bounds of loads at many places: the least of all is wanted closely, the rest only so far as they prove that they are not the least.
 //!
-//! Every eighth place of a row is refined until both bounds are known. The mesh of a place between two of these is made as fine as theirs, and its
-//! lower bound alone is sought: mostly that settles that it does not govern. What the bridge does at one place is also a motion for loads
-//! at another: an upper bound that costs next to nothing; where soil fails below the loads and leaves the bridge behind it says nothing, and a
-//! coarse mesh gives one. Places that neither settles are refined one mesh at a time, the least lower bound first.
+//! Every eighth place of a row is refined until both bounds are known. The mesh of a place between two of these is made as fine as theirs (of a row
+//! of few places as that of the nearest), and its lower bound alone is sought: mostly that settles that it does not govern. What the bridge does
+//! at one place is also a motion for loads at another: an upper bound that costs next to nothing; where soil fails below the loads and leaves
+//! the bridge behind it says nothing, and a coarse mesh gives one. Places that neither settles are refined one mesh at a time, the least lower
+//! bound first.
 
 use super::{Bracket, Moving};
 use crate::analysis::AnalysisError;
@@ -94,14 +95,20 @@ pub(in crate::analysis) fn all(
     Ok((work.answers, done))
 }
 
-/// Every eighth place of each row, and its last.
+/// Every eighth place of each row, and its last. A row of fewer places, as of axles that govern here and there, has none where its body has a longer
+/// one: meshes of that serve it.
 fn seeds(asked: &[Asked]) -> Vec<usize> {
     let mut found = Vec::new();
     let mut rows: Vec<usize> = asked.iter().map(|one| one.row).collect();
     rows.sort_unstable();
     rows.dedup();
-    for row in rows {
-        let of: Vec<usize> = (0..asked.len()).filter(|&k| asked[k].row == row).collect();
+    let rows: Vec<Vec<usize>> =
+        rows.into_iter().map(|row| (0..asked.len()).filter(|&k| asked[k].row == row).collect()).collect();
+    for of in &rows {
+        let is_long = |other: &&Vec<usize>| other.len() >= STRIDE && asked[other[0]].body == asked[of[0]].body;
+        if of.len() < STRIDE && rows.iter().any(|other| is_long(&other)) {
+            continue;
+        }
         found.extend(of.iter().copied().step_by(STRIDE));
         found.extend(of.last().copied().filter(|_| !(of.len() - 1).is_multiple_of(STRIDE)));
     }
@@ -203,11 +210,18 @@ impl Work<'_> {
         self.beside(k, of).into_iter().filter_map(|j| Some((&self.answers[j].as_ref()?.found, distance(j)))).collect()
     }
 
-    /// Of some places, those next to a place on its left and on its right in its row.
+    /// Of some places, those next to a place on its left and on its right in its row; where that has none, the nearest of its body.
     fn beside(&self, k: usize, of: &[usize]) -> Vec<usize> {
-        let row = || of.iter().copied().filter(|&j| j != k && self.asked[j].row == self.asked[k].row);
+        let own = &self.asked[k];
+        let row = || of.iter().copied().filter(|&j| j != k && self.asked[j].row == own.row);
         let (left, right) = (row().filter(|&j| j < k).max(), row().filter(|&j| j > k).min());
-        [left, right].into_iter().flatten().collect()
+        let apart = |j: usize| (self.asked[j].position - own.position).abs();
+        let others = of.iter().copied().filter(|&j| j != k && self.asked[j].body == own.body);
+        let nearest = || others.min_by(|&i, &j| apart(i).total_cmp(&apart(j)).then(i.abs_diff(k).cmp(&j.abs_diff(k))));
+        match [left, right] {
+            [None, None] => nearest().into_iter().collect(),
+            both => both.into_iter().flatten().collect(),
+        }
     }
 }
 
@@ -270,15 +284,22 @@ mod tests {
                 .flat_map(|l| structure::discretise::dispersal::strips(l, offset))
                 .collect::<Vec<Strip>>()
         };
-        let [here, there] =
-            [0.0, 0.4].map(|offset| moving.bracket(&at(offset), 1.2, &pieces::Pace::default()).unwrap());
+        let [here, near, there] =
+            [0.0, -0.2, 0.4].map(|offset| moving.bracket(&at(offset), 1.2, &pieces::Pace::default()).unwrap());
         let (lower, upper) = (there.lower.unwrap(), here.upper.unwrap());
         // The same place: the plate rides as it did.
         let same = moving.upper_from(&at(0.0), &here).unwrap().unwrap();
         assert!((same / upper - 1.0).abs() < 1e-4, "{same} {upper}");
-        let moved = moving.upper_from(&at(0.4), &here).unwrap().unwrap();
-        // Beside it the plate rides on what its neighbour heaves up: the bound is strict, and far from close.
-        assert!(lower < moved, "{lower} {moved}");
+        // Towards the springing the plate sinks less than it did, and the bound is 1.1 times the place's own; towards the crown it rides on what
+        // its neighbour heaves up.
+        let [left, right] = [-0.2, 0.4].map(|offset| moving.upper_from(&at(offset), &here).unwrap().unwrap());
+        assert!(
+            near.lower.unwrap() < left && left < 1.2 * near.upper.unwrap(),
+            "{left} {:?} {:?}",
+            near.lower,
+            near.upper
+        );
+        assert!(1.05 * same < left && lower < right, "{same} {left} {lower} {right}");
         // A mesh as fine as that of the neighbour has a lower bound no worse than its own but for a little, and an upper one above it.
         let like = [(&here, 0.4)];
         let beside = moving.beside(&at(0.4), &like, &pieces::Pace::default()).unwrap();
@@ -293,6 +314,12 @@ mod tests {
             (0..count).map(move |k| Asked { body: 0, row, position: k as f64, strips: Vec::new() })
         };
         let asked: Vec<Asked> = row(0, 18).chain(row(1, 2)).chain(row(2, 9)).collect();
-        assert_eq!(seeds(&asked), [0, 8, 16, 17, 18, 19, 20, 28]);
+        assert_eq!(seeds(&asked), [0, 8, 16, 17, 20, 28]);
+        // The short row is served by what is answered nearest to it.
+        let work = Work { bodies: &[], asked: &asked, answers: vec![None; asked.len()] };
+        assert_eq!([work.beside(18, &seeds(&asked)), work.beside(4, &seeds(&asked))], [vec![20], vec![0, 8]]);
+        // Alone it has its own.
+        let alone: Vec<Asked> = row(1, 2).collect();
+        assert_eq!(seeds(&alone), [0, 1]);
     }
 }
