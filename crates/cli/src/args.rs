@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::quantities;
+use crate::shards::Sharing;
 use bridge::choice::Choice as Words;
 use bridge::passage::{PassageAnalysis, PassagePath};
 use bridge::update::{Search, Start, Variant};
@@ -53,6 +54,8 @@ pub enum Command {
     Update(Update),
     /// Judge a bridge, or a folder of bridges, against the limits of its file, with a report
     Assess(Assess),
+    /// Put the shards of a command together, as if it had run alone
+    Merge(Merge),
     /// Find the contact stiffness of fill particles that gives the fill a wanted modulus
     CalibrateFill(CalibrateFill),
     /// Tell what an error, a warning or a status means
@@ -183,6 +186,9 @@ pub struct Vary {
     /// Only list the quantities that can be varied
     #[arg(long)]
     pub list: bool,
+    /// Whether it is one of several.
+    #[command(flatten)]
+    pub sharing: Sharing,
     /// Which analysis.
     #[command(flatten)]
     pub choice: Choice,
@@ -282,6 +288,20 @@ pub struct Assess {
     /// Take up the finished stages of an interrupted run; they are taken up without it too
     #[arg(long)]
     pub resume: bool,
+    /// Of a folder: whether it is one of several.
+    #[command(flatten)]
+    pub sharing: Sharing,
+}
+
+/// `extrados merge`.
+#[derive(Debug, Args)]
+pub struct Merge {
+    /// Folders of results of the shards
+    #[arg(required = true, value_name = "DIR")]
+    pub dirs: Vec<PathBuf>,
+    /// Folder for the results of the whole
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
 }
 
 /// `extrados calibrate-fill`.
@@ -436,6 +456,9 @@ pub struct Validate {
     /// Only these methods, with commas [default: all but particles, which take hours]
     #[arg(long, value_name = "METHOD", value_delimiter = ',', value_parser = one_of(PREDICTORS))]
     pub methods: Vec<Predictor>,
+    /// Whether it is one of several.
+    #[command(flatten)]
+    pub sharing: Sharing,
 }
 
 /// `extrados workbench`.

@@ -138,6 +138,23 @@ findings::cards! {
     "F141", "the port of the workbench cannot be had",
         "Another program listens there, or ports so low are not yours to take. `extrados workbench --port 0` lets the system choose one, and \
         prints the address.";
+    "F142", "a shard that is not finished",
+        "`extrados merge` needs folders in which a command with --shard I/N came to its end. The message names the folder, or pieces \
+        in it that are missing or changed since they were made. The same command, run again, makes what is missing and nothing else.";
+    "F143", "shards of different works",
+        "Shards belong together where they were made by the same command with the same settings, from the same files, by the same build \
+        of the program, and are of one number of shards. Otherwise the numbers would belong to none of them. The message names the folder \
+        and what differs from the first one.";
+    "F144", "shards that are missing or there twice",
+        "`extrados merge` needs each of the N shards once. The message lists those that are missing, and the folders of one that \
+        is named twice.";
+    "F145", "files that changed after their shards were made",
+        "`extrados merge` reads the bridge file again, to write the results as the whole command does. What it reads is no longer what the shards \
+        were made from. Run the commands of the shards again: only what changed is computed. Run `merge` in the folder in which the shards \
+        were run, since paths on their command line are relative to it.";
+    "F146", "work that cannot be cut into shards",
+        "`--shard I/N` cuts a list: the runs of `vary`, the predictions of `validate`, the bridge files of a folder for `assess`. One \
+        bridge alone is assessed by one command.";
 }
 
 impl Failure {

@@ -4,6 +4,7 @@ mod earlier;
 mod list;
 mod purpose;
 
+pub use list::{hash, is_inside};
 pub use purpose::Purpose;
 
 use crate::failure::Failure;

@@ -14,6 +14,7 @@ mod render;
 mod report;
 mod results;
 mod screen;
+mod shards;
 mod shelf;
 mod signs;
 mod status;

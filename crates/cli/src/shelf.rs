@@ -63,10 +63,15 @@ impl<'a> FolderShelf<'a> {
     }
 
     fn file(&self, name: &str) -> PathBuf {
-        match name.strip_prefix("runs/") {
-            Some(key) => self.runs().join(format!("{key}.json")),
-            None => self.folder.file(&format!("{name}.json")),
-        }
+        self.folder.file(&file(name))
+    }
+}
+
+/// The file of a piece of this name, below the folder of results.
+pub fn file(name: &str) -> String {
+    match name.strip_prefix("runs/") {
+        Some(key) => format!("cache/{key}.json"),
+        None => format!("{name}.json"),
     }
 }
 

@@ -50,6 +50,7 @@ mod placing;
 mod project;
 mod refusal;
 mod respond;
+pub mod shard;
 pub mod shelf;
 mod shown;
 mod stepping;
@@ -78,7 +79,7 @@ pub use crate::shown::{Excerpt, finding_in_words};
 pub use crate::stepping::Stepping;
 pub use crate::sweep::{SweepOptions, Swept, sweep, sweeps};
 pub use crate::update::{UpdateOptions, can_update, judge, update};
-pub use crate::vary::{Studied, VaryOptions, VaryPlan, settings, vary};
+pub use crate::vary::{Portion, Studied, VaryOptions, VaryPlan, settings, vary};
 pub use crate::watch::{Looking, Progress, Unwatched, Watch, Wish};
 
 /// Results as data, their objects for scripts and their tables.

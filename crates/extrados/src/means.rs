@@ -38,7 +38,7 @@ impl Default for Means<'_> {
 impl Means<'_> {
     /// The key of a piece: everything that its numbers follow from, as a hash in hexadecimal digits. The debug form of the input
     /// names every field and prints every number so that it can be read back exactly.
-    pub(crate) fn key(&self, piece: &str, input: &impl std::fmt::Debug) -> String {
+    pub fn key(&self, piece: &str, input: &impl std::fmt::Debug) -> String {
         let mut hasher = blake3::Hasher::new();
         hasher.update(self.program.as_bytes());
         hasher.update(format!("{piece}\n{input:?}").as_bytes());

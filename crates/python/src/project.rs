@@ -146,15 +146,10 @@ impl Project {
         }
         pairs.sort();
         run::guarded(py, || {
-            let mut hasher = blake3::Hasher::new();
             let meaning = (&read.bridge, &read.cases, &read.update, &read.vary);
-            hasher.update(format!("{program}\n{analysis}\n{pairs:?}\n{meaning:?}").as_bytes());
-            if let Ok(records) = self.file.records() {
-                for file in records {
-                    hasher.update(&file.bytes);
-                }
-            }
-            hasher.finalize().to_hex().to_string()
+            let records = self.file.records().unwrap_or_default();
+            let records: Vec<_> = records.iter().map(|file| blake3::hash(&file.bytes)).collect();
+            Means { program, ..Means::default() }.key(analysis, &(pairs, meaning, records))
         })
     }
 

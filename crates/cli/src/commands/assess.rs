@@ -24,6 +24,10 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     if arguments.file.is_dir() {
         return fleet::run(desk, arguments);
     }
+    if arguments.sharing.shard.is_some() {
+        let message = format!("{} is one bridge, and no work that can be cut into shards", arguments.file.display());
+        return Err(Failure::input("F146", message, "leave --shard away, or name a folder of bridge files"));
+    }
     let source = Source::open(desk, &arguments.file)?;
     if source.bridge().is_none() {
         return Ok(source.report(Status::UnusableInput));

@@ -9,6 +9,7 @@ mod collapse;
 mod compare;
 mod convert;
 mod explain;
+mod merge;
 mod model;
 mod new;
 mod respond;
@@ -32,7 +33,7 @@ use crate::signs;
 use crate::status::Status;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
-use extrados::{Disk, Files, Project};
+use extrados::{Disk, Files, Project, Refusal};
 use serde_json::json;
 use std::ffi::OsString;
 use std::path::Path;
@@ -42,6 +43,8 @@ pub struct Desk {
     pub screen: Screen,
     pub clock: Clock,
     pub schema: String,
+    /// The command line.
+    pub words: Vec<String>,
 }
 
 /// What a command answers.
@@ -68,7 +71,8 @@ pub fn run(words: Vec<OsString>) -> u8 {
         Err(error) => return misspoken(&words, &error, clock),
     };
     let schema = format!("extrados.{}/1", said.subcommand_name().unwrap_or("command"));
-    let mut desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema };
+    let words: Vec<String> = words.iter().map(|word| word.to_string_lossy().into_owned()).collect();
+    let mut desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema, words };
     // Speeds are compared core by core.
     let unasked = u16::from(matches!(command, Command::Bench(_)));
     let threads = usize::from(speech.threads.unwrap_or(unasked));
@@ -84,7 +88,7 @@ pub fn run(words: Vec<OsString>) -> u8 {
     let (mut desk, answer) = match host::wait(work, lines) {
         Ended::Whole(done) => done,
         Ended::CutOff => {
-            let desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema };
+            let desk = Desk { screen: Screen::new(speech.json, speech.quiet), clock, schema, words: Vec::new() };
             (desk, Ok(host::cut_off().into()))
         }
         Ended::Broken => return BROKEN,
@@ -123,6 +127,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Assess(arguments) => assess::run(desk, arguments).map(Answer::from),
         Command::Update(arguments) => update::run(desk, arguments).map(Answer::from),
         Command::CalibrateFill(arguments) => calibrate::run(desk, arguments).map(Answer::from),
+        Command::Merge(arguments) => merge::run(desk, arguments),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Vehicles(arguments) => vehicles::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
@@ -158,6 +163,16 @@ fn failed(failure: &Failure) -> Report {
     report
 }
 
+/// Everything that is wrong, shown and listed.
+fn refused(desk: &mut Desk, mut report: Report, refusals: Vec<Refusal>) -> Report {
+    report.status = Status::UnusableInput;
+    for failure in refusals.into_iter().map(Failure::from) {
+        desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
+        report.errors.push(json!({ "code": failure.code, "message": failure.message, "help": failure.help }));
+    }
+    report
+}
+
 /// A command line that cannot be understood, or one that asks for help.
 fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     let json = words.iter().any(|word| word == "--json");
@@ -176,7 +191,7 @@ fn misspoken(words: &[OsString], error: &clap::Error, clock: Clock) -> u8 {
     let failure = Failure::input("F107", message, "extrados --help lists commands and options");
     if json {
         let answer = failed(&failure).into();
-        let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned() };
+        let mut desk = Desk { screen, clock, schema: "extrados.command/1".to_owned(), words: Vec::new() };
         return speak(&mut desk, answer);
     }
     failure.status.exit_code()

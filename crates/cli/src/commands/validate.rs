@@ -4,16 +4,23 @@ use super::Desk;
 use crate::args::Validate;
 use crate::failure::Failure;
 use crate::folder::{Folder, Purpose};
+use crate::program;
 use crate::report::Report;
 use crate::results;
+use crate::shards;
+use crate::shelf::{self, FolderShelf, Resume};
 use crate::status::Status;
 use crate::summary;
 use crate::watcher;
+use extrados::Means;
+use extrados::shard::Shard;
 use mechanics::watch::{Progress, Watch, Wish};
 use outcome::published;
 use outcome::validation::{Predictor, Validation};
 use rayon::prelude::*;
 use serde_json::json;
+use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 use verification::validation::{Answer, Corpus, CorpusError, Job, gather, jobs, predict};
 
@@ -28,34 +35,78 @@ pub fn run(desk: &mut Desk, arguments: &Validate) -> Result<Report, Failure> {
         named => Predictor::ALL.iter().copied().filter(|one| named.contains(one)).collect(),
     };
     let corpus = Corpus::read(&arguments.folder, &arguments.only).map_err(unusable)?;
-    let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join("validate"));
-    let folder = Folder::prepare(&out, purpose(&arguments.folder, &corpus))?;
+    let shard = arguments.sharing.shard;
+    let whole = || shards::folder_of(PathBuf::from("out").join("validate"), shard);
+    let out = arguments.out.clone().unwrap_or_else(whole);
+    let folder = Folder::prepare(&out, purpose(&arguments.folder, &corpus, shard))?;
+    let shelf = FolderShelf::new(&folder, Resume::No);
+    let means = Means { shelf: &shelf, program: &program::hash(), ..Means::default() };
     let jobs = jobs(&corpus, &methods);
-    let effort = jobs.iter().map(Job::effort).sum();
-    let bar = watcher::count(desk.screen.quiet, effort);
-    let answers: Vec<Option<(Job, Answer)>> = jobs
+    let keys: Vec<String> = jobs.iter().map(|job| key(&means, &corpus, job)).collect();
+    let identity = means.key("validation", &(&keys, &corpus));
+    if let Some(merged) = &arguments.sharing.merged {
+        merged.bring(&identity, &folder)?;
+    }
+    let own: Vec<(&Job, &String)> = jobs.iter().zip(&keys).collect();
+    let own: Vec<(&Job, &String)> = match shard {
+        Some(shard) => {
+            own.into_iter().enumerate().filter(|(place, _)| shard.makes(*place)).map(|(_, one)| one).collect()
+        }
+        None => own,
+    };
+    let bar = watcher::count(desk.screen.quiet, own.iter().map(|(job, _)| job.effort()).sum());
+    let made: Vec<Result<Option<(Job, Answer)>, Failure>> = own
         .par_iter()
-        .map(|job| {
-            let answer = (!watcher::asked_to_stop()).then(|| (*job, predict(&corpus, job, &mut Stops)));
+        .map(|(job, key)| {
+            let answer = answered(&means, &corpus, job, key)
+                .map_err(|error| Failure::not_written(&shelf.runs(), &error))
+                .map(|answer| Some((**job, answer?)));
             watcher::counted_by(&bar, job.effort(), &corpus.tests[job.test].name);
             answer
         })
         .collect();
     bar.finish_and_clear();
-    if watcher::asked_to_stop() || answers.iter().any(Option::is_none) {
-        let words = "interrupted: not every prediction was made, and nothing is written\n";
-        return Ok(Report::new(Status::Cancelled).saying(words.to_owned()));
+    let made: Vec<Option<(Job, Answer)>> = made.into_iter().collect::<Result<_, Failure>>()?;
+    let Some(answers) = made.into_iter().collect::<Option<Vec<(Job, Answer)>>>() else {
+        return Ok(Report::new(Status::Cancelled).saying(shards::INTERRUPTED));
+    };
+    if let Some(shard) = shard {
+        let files = own.iter().map(|(_, key)| shelf::file(key)).collect();
+        let report = Report::new(Status::Completed);
+        return shards::publish(desk, report, &folder, shard, identity, BTreeMap::new(), files);
     }
-    let answers: Vec<(Job, Answer)> = answers.into_iter().flatten().collect();
     write(desk, &gather(&corpus, &methods, &answers), &folder, &arguments.folder)
 }
 
+/// The name of a prediction on the shelf, after everything that its numbers follow from.
+fn key(means: &Means<'_>, corpus: &Corpus, job: &Job) -> String {
+    let test = &corpus.tests[job.test];
+    format!("runs/{}", means.key("prediction", &(test, &corpus.priors, job.by, job.at, job.seed)))
+}
+
+/// A prediction from the shelf, or made and kept; nothing where somebody asked to stop.
+fn answered(means: &Means<'_>, corpus: &Corpus, job: &Job, key: &str) -> io::Result<Option<Answer>> {
+    if let Some(kept) = means.shelf.find(key).and_then(|bytes| serde_json::from_slice(&bytes).ok()) {
+        return Ok(Some(kept));
+    }
+    if watcher::asked_to_stop() {
+        return Ok(None);
+    }
+    let answer = predict(corpus, job, &mut Stops);
+    // One that was stopped on its way is no answer.
+    if watcher::asked_to_stop() {
+        return Ok(None);
+    }
+    means.shelf.put(key, &serde_json::to_vec(&answer)?)?;
+    Ok(Some(answer))
+}
+
 /// What it reads, so that no result replaces it.
-fn purpose(root: &Path, corpus: &Corpus) -> Purpose {
+fn purpose(root: &Path, corpus: &Corpus, shard: Option<Shard>) -> Purpose {
     let tests =
         corpus.tests.iter().flat_map(|test| ["bridge.toml", "test.toml"].map(|file| root.join(&test.name).join(file)));
     let inputs: Vec<PathBuf> = tests.chain([root.join("priors.toml")]).collect();
-    Purpose::new("validate", root, &inputs)
+    Purpose::new(&shards::kind("validate", shard), root, &inputs)
 }
 
 fn unusable(error: CorpusError) -> Failure {

@@ -3,23 +3,25 @@
 mod list;
 mod requests;
 
-use super::{Desk, Source};
+use super::{Desk, Source, refused};
 use crate::args::Vary as Arguments;
 use crate::failure::Failure;
 use crate::folder::Folder;
 use crate::program;
-use crate::render::{self, Paint};
 use crate::report::Report;
 use crate::results;
-use crate::shelf::{FolderShelf, Resume};
+use crate::shards;
+use crate::shelf::{self, FolderShelf, Resume};
 use crate::signs;
 use crate::status::Status;
 use crate::summary;
 use crate::watcher::Spectator;
-use extrados::{Means, Refusal, Studied, VaryOptions, VaryPlan, written};
+use extrados::shard::Shard;
+use extrados::{Means, Portion, Studied, VaryOptions, VaryPlan, written};
 use outcome::published;
 use outcome::study::Study;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Reads the file, checks every run, makes those that were not made yet, writes the study.
@@ -47,16 +49,32 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         Ok(plan) => plan,
         Err(refusals) => return Ok(refused(desk, report, refusals)),
     };
-    let out = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.file));
+    let shard = arguments.sharing.shard;
+    let out = arguments.out.clone().unwrap_or_else(|| shards::folder_of(default_folder(&arguments.file), shard));
     let kind = format!("vary-{}{}", plan.analysis().command, if arguments.grid { "-grid" } else { "" });
-    let folder = source.folder(&out, &kind)?;
+    let folder = source.folder(&out, &shards::kind(&kind, shard))?;
     let shelf = FolderShelf::new(&folder, Resume::No);
     let cache = shelf.runs();
     let kept = format!("finished runs are kept in {}\nthe same command takes them up by itself", cache.display());
     signs::keeps("cache", &cache, kept);
     let own = plan.own();
+    let clock = desk.clock;
+    let means = Means { shelf: &shelf, clock: &clock, program: &program::hash() };
+    if let Some(merged) = &arguments.sharing.merged {
+        match plan.identity(&means) {
+            Ok(identity) => merged.bring(&identity, &folder)?,
+            Err(refusals) => return Ok(refused(desk, report, refusals)),
+        }
+    }
     let mut spectator = Spectator::new(desk.screen.quiet);
-    let means = Means { shelf: &shelf, clock: &desk.clock, program: &program::hash() };
+    if let Some(shard) = shard {
+        let found = plan.share(shard, &means, &mut spectator);
+        spectator.finish();
+        return match found {
+            Ok(found) => share(desk, report, shard, found, &folder),
+            Err(refusals) => Ok(refused(desk, report, refusals)),
+        };
+    }
     let found = plan.run(&means, &mut spectator);
     spectator.finish();
     let found = match found {
@@ -90,16 +108,6 @@ fn default_folder(file: &Path) -> PathBuf {
     Path::new("out").join(name)
 }
 
-/// Everything that is wrong, shown and listed.
-fn refused(desk: &mut Desk, mut report: Report, refusals: Vec<Refusal>) -> Report {
-    report.status = Status::UnusableInput;
-    for failure in refusals.into_iter().map(Failure::from) {
-        desk.screen.remark(&render::failure(&failure, &Paint::for_stderr()));
-        report.errors.push(json!({ "code": failure.code, "message": failure.message, "help": failure.help }));
-    }
-    report
-}
-
 /// An interrupted command: what is finished is kept, and the same command goes on with the rest.
 fn interrupted(mut report: Report, found: &Studied, cache: &Path) -> Report {
     report.status = Status::Cancelled;
@@ -108,6 +116,26 @@ fn interrupted(mut report: Report, found: &Studied, cache: &Path) -> Report {
         "interrupted; {finished} of {runs} runs are kept in {shown}\ngo on with the same command: it takes them up by itself\n"
     );
     report.with("runs_finished", finished).with("runs", runs).with("cache", shown)
+}
+
+/// A shard: its runs are its results.
+fn share(
+    desk: &mut Desk,
+    mut report: Report,
+    shard: Shard,
+    found: Portion,
+    folder: &Folder,
+) -> Result<Report, Failure> {
+    if let Some(error) = &found.trouble {
+        return Err(Failure::not_written(&folder.file("cache"), error));
+    }
+    if !found.finished {
+        report.status = Status::Cancelled;
+        return Ok(report.saying(shards::INTERRUPTED));
+    }
+    report.fields.insert("runs_from_cache".to_owned(), json!(found.taken_up));
+    let files = found.kept.iter().map(|name| shelf::file(name)).collect();
+    shards::publish(desk, report, folder, shard, found.identity, BTreeMap::new(), files)
 }
 
 fn write(desk: &mut Desk, mut report: Report, study: &Study, folder: &Folder) -> Result<Report, Failure> {

@@ -126,7 +126,7 @@ pub fn hash(path: &Path) -> io::Result<String> {
 }
 
 /// A plain name below the folder.
-fn is_inside(name: &str) -> bool {
+pub fn is_inside(name: &str) -> bool {
     !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }
 

@@ -27,6 +27,7 @@ mod respond;
 mod rings;
 mod roads;
 mod sections;
+mod shards;
 mod signals;
 mod stage;
 mod table_1;

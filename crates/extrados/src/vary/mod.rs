@@ -7,12 +7,13 @@ use crate::choice::Choice;
 use crate::means::Means;
 use crate::project::Project;
 use crate::refusal::Refusal;
+use crate::shard::Shard;
 use crate::watch::Watch;
 use assess::vary::{self, Analysis};
 use bridge::Bridge;
 use bridge::vary::{Request, Slip, Varied, find, parse_setting, settle, twice};
 use outcome::study::{self, Design, Outcome, Row, Study};
-use runs::{Runs, Source};
+use runs::{Job, Runs, Source};
 use work::{Finished, Work};
 
 /// What is repeated, and how often at the most.
@@ -71,6 +72,21 @@ pub struct Studied {
     pub finished: usize,
     /// Runs there are.
     pub runs: usize,
+    /// What kept a finished run from being kept.
+    pub trouble: Option<std::io::Error>,
+}
+
+/// What came of a shard of a study: finished runs on the shelf.
+#[derive(Debug)]
+pub struct Portion {
+    /// The study that it belongs to, as [`VaryPlan::identity`] has it.
+    pub identity: String,
+    /// Names on the shelf of the runs that it made or found there.
+    pub kept: Vec<String>,
+    /// Those of them that were there already.
+    pub taken_up: usize,
+    /// Whether every run of the shard is finished: not where the work was stopped.
+    pub finished: bool,
     /// What kept a finished run from being kept.
     pub trouble: Option<std::io::Error>,
 }
@@ -162,21 +178,59 @@ impl<'a> VaryPlan<'a> {
     /// Too many runs (F115), values that only go together badly (F114), a bridge that the analysis cannot be made of (F108), a number
     /// that no run found (F117).
     pub fn run(self, means: &Means<'_>, watch: &mut dyn Watch) -> Result<Studied, Vec<Refusal>> {
-        let work = Work { analysis: &self.analysis, means };
         let one = |refusal: Refusal| vec![refusal];
-        let count = self.count().unwrap_or(usize::MAX);
-        if count > self.most_runs {
-            let own = self.source.alone(&self.analysis, means);
-            let seconds = work.all(&own, watch).map_err(one)?.rows.and_then(|rows| rows.first().map(|row| row.seconds));
-            return Err(vec![too_many(count, self.most_runs, seconds.filter(|seconds| *seconds > 0.0))]);
-        }
-        let runs = self.source.runs(&self.varied, &self.analysis, means)?;
-        let found = work.all(&runs, watch).map_err(one)?;
+        let runs = self.runs(means, watch)?;
+        let found = Work { analysis: &self.analysis, means }.all(&runs, watch).map_err(one)?;
         let study = match found.rows {
             Some(rows) => Some(self.study(runs, rows).map_err(one)?),
             None => None,
         };
         Ok(Studied { study, finished: found.finished, runs: found.runs, trouble: found.trouble })
+    }
+
+    /// Makes the runs of a shard that are not on the shelf yet. When all shards are there, [`run`](Self::run) finds every run on the shelf.
+    ///
+    /// # Errors
+    /// Too many runs (F115), values that only go together badly (F114).
+    pub fn share(&self, shard: Shard, means: &Means<'_>, watch: &mut dyn Watch) -> Result<Portion, Vec<Refusal>> {
+        let runs = self.runs(means, watch)?;
+        let work = Work { analysis: &self.analysis, means };
+        let jobs: Vec<&Job> =
+            runs.jobs.iter().enumerate().filter(|(place, _)| shard.makes(*place)).map(|(_, job)| job).collect();
+        let (made, trouble) = work.some(&jobs, watch);
+        let identity = self.identity_of(&runs, means);
+        let finished = made.iter().all(Option::is_some);
+        // What cannot be analysed is on no shelf: it is found out again.
+        let kept = jobs.iter().zip(made).filter_map(|(job, one)| Some((job.key.clone(), one?)));
+        let kept: Vec<_> = kept.filter(|(_, one)| one.outcome.message.is_none()).collect();
+        let taken_up = kept.iter().filter(|(_, one)| one.cached).count();
+        let kept = kept.into_iter().map(|(key, _)| key).collect();
+        Ok(Portion { identity, kept, taken_up, finished, trouble })
+    }
+
+    /// A hash of everything that the study follows from: every run with its bridge and its plan, what is asked of them, the build.
+    ///
+    /// # Errors
+    /// Values that only go together badly (F114).
+    pub fn identity(&self, means: &Means<'_>) -> Result<String, Vec<Refusal>> {
+        Ok(self.identity_of(&self.source.runs(&self.varied, &self.analysis, means)?, means))
+    }
+
+    fn identity_of(&self, runs: &Runs, means: &Means<'_>) -> String {
+        let keys: Vec<&str> = runs.job_of.iter().map(|job| runs.jobs[*job].key.as_str()).collect();
+        means.key("study", &(self.analysis.command.word(), &self.outcome, self.source.design, &self.varied, keys))
+    }
+
+    /// Every run, where there are not too many.
+    fn runs(&self, means: &Means<'_>, watch: &mut dyn Watch) -> Result<Runs, Vec<Refusal>> {
+        let count = self.count().unwrap_or(usize::MAX);
+        if count > self.most_runs {
+            let own = self.source.alone(&self.analysis, means);
+            let found = Work { analysis: &self.analysis, means }.all(&own, watch).map_err(|refusal| vec![refusal])?;
+            let seconds = found.rows.and_then(|rows| rows.first().map(|row| row.seconds));
+            return Err(vec![too_many(count, self.most_runs, seconds.filter(|seconds| *seconds > 0.0))]);
+        }
+        self.source.runs(&self.varied, &self.analysis, means)
     }
 
     fn study(self, runs: Runs, finished: Vec<Finished>) -> Result<Study, Refusal> {

@@ -44,18 +44,7 @@ pub struct Found {
 impl Work<'_> {
     /// All jobs, in any order; their answers in the order of the runs.
     pub fn all(&self, runs: &Runs, watch: &mut dyn Watch) -> Result<Found, Refusal> {
-        let crowd = Crowd::new(watch, runs.jobs.len());
-        let made: Vec<Option<(Finished, io::Result<()>)>> =
-            runs.jobs.par_iter().with_max_len(1).map(|job| self.one(job, &crowd)).collect();
-        let mut trouble = None;
-        let made: Vec<Option<Finished>> = made
-            .into_iter()
-            .map(|one| {
-                let (finished, kept) = one?;
-                trouble = trouble.take().or(kept.err());
-                Some(finished)
-            })
-            .collect();
+        let (made, trouble) = self.some(&runs.jobs.iter().collect::<Vec<_>>(), watch);
         let finished = runs.job_of.iter().filter(|job| made[**job].is_some()).count();
         let all: Option<Vec<Finished>> = made.into_iter().collect();
         // The file's own bridge must be one that the analysis can be made of; there is nothing to compare with otherwise.
@@ -64,6 +53,20 @@ impl Work<'_> {
         }
         let rows = all.map(|all| runs.job_of.iter().map(|job| all[*job].clone()).collect());
         Ok(Found { rows, finished, runs: runs.list.len(), trouble })
+    }
+
+    /// These jobs: what each gave, nothing where the work was stopped; and what kept a finished one from being kept.
+    pub fn some(&self, jobs: &[&Job], watch: &mut dyn Watch) -> (Vec<Option<Finished>>, Option<io::Error>) {
+        let crowd = Crowd::new(watch, jobs.len());
+        let made: Vec<Option<(Finished, io::Result<()>)>> =
+            jobs.par_iter().with_max_len(1).map(|job| self.one(job, &crowd)).collect();
+        let mut trouble = None;
+        let made = made.into_iter().map(|one| {
+            let (finished, kept) = one?;
+            trouble = trouble.take().or(kept.err());
+            Some(finished)
+        });
+        (made.collect(), trouble)
     }
 
     /// One job, from the shelf or computed; nothing where the work was stopped.

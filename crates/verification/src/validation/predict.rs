@@ -8,6 +8,7 @@ use assess::analysis;
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
 use outcome::validation::{Prediction, Predictor, Tested, Validation};
+use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
 /// One analysis.
@@ -24,7 +25,7 @@ pub struct Job {
 }
 
 /// What one analysis gave: loads on the whole width.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Answer {
     /// How it ended, or why it could not begin.
     pub ended: String,

@@ -5,29 +5,47 @@ use super::{answer, assessed, command, files};
 use crate::args::Assess as Arguments;
 use crate::commands::{Desk, Source};
 use crate::failure::Failure;
-use crate::folder::{Folder, Purpose};
+use crate::folder::{self, Folder, Purpose};
 use crate::program;
 use crate::report::Report;
 use crate::results;
+use crate::shards::{self, Merged};
 use crate::signs;
 use crate::status::Status;
 use crate::watcher;
 use ::report::FleetRow;
 use bridge::Severity;
+use extrados::Means;
+use extrados::shard::Shard;
 use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every bridge file of the folder, in the order of their names.
 pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     let paths = bridge_files(&arguments.file)?;
-    let out = arguments.out.clone().unwrap_or_else(|| default_for(&arguments.file));
-    let folder = Folder::prepare(&out, Purpose::new("fleet", &arguments.file, &paths))?;
+    let shard = arguments.sharing.shard;
+    let out = arguments.out.clone().unwrap_or_else(|| shards::folder_of(default_for(&arguments.file), shard));
+    let folder = Folder::prepare(&out, Purpose::new(&shards::kind("fleet", shard), &arguments.file, &paths))?;
     let program = program::hash();
+    let means = Means { program: &program, ..Means::default() };
+    let names: Vec<String> = paths.iter().map(|path| name_of(path)).collect();
+    let identity = means.key("fleet", &(names, &arguments.skip));
+    if let Some(merged) = &arguments.sharing.merged {
+        unchanged(&arguments.file, merged)?;
+        merged.bring(&identity, &folder)?;
+    }
+    let own: Vec<&PathBuf> = paths
+        .iter()
+        .enumerate()
+        .filter(|(place, _)| shard.is_none_or(|one| one.makes(*place)))
+        .map(|(_, path)| path)
+        .collect();
     signs::keeps("out", folder.path(), KEPT);
-    let bar = watcher::count(desk.screen.quiet, paths.len() as u64);
-    let rows: Vec<Option<FleetRow>> = paths
+    let bar = watcher::count(desk.screen.quiet, own.len() as u64);
+    let rows: Vec<Option<FleetRow>> = own
         .par_iter()
         .map(|file| {
             if watcher::asked_to_stop() {
@@ -44,6 +62,9 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
         return Ok(Report::new(Status::Cancelled).saying(format!("interrupted; {KEPT}\n")));
     }
     let rows: Vec<FleetRow> = rows.into_iter().flatten().collect();
+    if let Some(shard) = shard {
+        return share(desk, shard, identity, &arguments.file, &own, &paths, &folder);
+    }
     let count = |status: Status| rows.iter().filter(|row| row.status == status.name()).count();
     let (broken, open, met) = (count(Status::Inadequate), count(Status::Undetermined), count(Status::Adequate));
     let unusable: Vec<&FleetRow> =
@@ -86,6 +107,50 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     results::publish(desk, report, &folder, &tables)
 }
 
+/// A shard of a fleet: the finished stages of its bridges are its pieces, the bridge files its inputs.
+fn share(
+    desk: &mut Desk,
+    shard: Shard,
+    identity: String,
+    root: &Path,
+    own: &[&PathBuf],
+    all: &[PathBuf],
+    folder: &Folder,
+) -> Result<Report, Failure> {
+    let mut inputs = BTreeMap::new();
+    let mut files = Vec::new();
+    for path in own {
+        // A file that cannot be used has no others beside it.
+        let beside = Source::read(path).map_or(Vec::new(), |source| source.project.inputs().to_vec());
+        for input in beside.iter().filter(|input| input.is_file()).chain([*path]) {
+            let hash = folder::hash(input).map_err(|error| Failure::unreadable(input, &error))?;
+            inputs.insert(input.strip_prefix(root).unwrap_or(input).display().to_string(), hash);
+        }
+        let stages = format!("{}/stages", folder_of(path, all));
+        let Ok(entries) = fs::read_dir(folder.file(&stages)) else { continue };
+        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+        files.extend(names.filter(|name| !name.starts_with('.')).map(|name| format!("{stages}/{name}")));
+    }
+    files.sort();
+    shards::publish(desk, Report::new(Status::Completed), folder, shard, identity, inputs, files)
+}
+
+/// Refuses bridge files that are not those of which the shards were made.
+fn unchanged(root: &Path, merged: &Merged) -> Result<(), Failure> {
+    let changed = merged.inputs().filter(|(name, hash)| folder::hash(&root.join(name)).ok().as_ref() != Some(hash));
+    let names: Vec<&str> = changed.map(|(name, _)| name.as_str()).collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    let message = format!("files have changed since the shards were made: {}", names.join(", "));
+    Err(Failure::input("F145", message, "run the commands of the shards again: only what changed is computed"))
+}
+
+/// The name of a file, without its folder.
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
 /// What stays of a fleet that is interrupted.
 const KEPT: &str = "finished bridges are kept, and the same command takes them up";
 
@@ -120,13 +185,13 @@ fn folder_of(path: &Path, files: &[PathBuf]) -> String {
     let same = files.iter().filter(|other| stem(other).to_lowercase() == stem(path).to_lowercase());
     match same.count() {
         0 | 1 => stem(path),
-        _ => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+        _ => name_of(path),
     }
 }
 
 /// One bridge, into a folder of this name; none where somebody asked to stop.
 fn one(path: &Path, stem: &str, arguments: &Arguments, fleet: &Folder, program: &str) -> Option<FleetRow> {
-    let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let file = name_of(path);
     let blank = |status: Status, words: String| FleetRow {
         file: file.clone(),
         name: String::new(),

@@ -1,0 +1,169 @@
+//! Work that several processes share without speaking to one another: what a shard says of itself when it is finished, and shards that
+//! are brought together again. A shard makes some of the pieces that the whole command makes; `merge` gives all of them to that
+//! command, which then finds every piece finished. So keys, results and the way they are written are those of the command alone.
+
+use crate::commands::Desk;
+use crate::failure::Failure;
+use crate::folder::{self, Folder, SEAL, write_whole};
+use crate::program;
+use crate::report::Report;
+use crate::results;
+use extrados::shard::Shard;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Format of what a finished shard says of itself.
+pub const SCHEMA: &str = "extrados.shard/1";
+
+/// What stays of a shard that is interrupted.
+pub const INTERRUPTED: &str = "interrupted; finished pieces are kept, and the same command takes them up\n";
+
+/// How a command shares its work.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Sharing {
+    /// Make this part of the work alone, such as 2/8, into a folder of its own; `extrados merge` puts the parts together
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Shards whose pieces the command is to take up.
+    #[arg(skip)]
+    pub merged: Option<Merged>,
+}
+
+/// A finished piece of work: its file below the folder of results, and the hash of its bytes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Piece {
+    file: String,
+    hash: String,
+}
+
+/// What a shard made.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Portion {
+    /// The words of its command line.
+    pub words: Vec<String>,
+    /// Which part of the work it is.
+    pub shard: String,
+    /// The whole work: a hash of everything that its numbers follow from.
+    pub identity: String,
+    /// The build that made it.
+    pub program: String,
+    /// Files that it read where their content is no part of the identity, with hashes.
+    pub inputs: BTreeMap<String, String>,
+    /// What it made.
+    pub pieces: Vec<Piece>,
+}
+
+impl Portion {
+    /// What the shard in a folder made.
+    pub fn read(folder: &Path) -> Option<Portion> {
+        let value: serde_json::Value = serde_json::from_slice(&fs::read(folder.join(SEAL)).ok()?).ok()?;
+        if value["schema"] != SCHEMA { None } else { serde_json::from_value(value).ok() }
+    }
+
+    /// Its command.
+    pub fn command(&self) -> &str {
+        self.words.get(1).map_or("", String::as_str)
+    }
+
+    /// Which part it is.
+    pub fn part(&self) -> Option<Shard> {
+        self.shard.parse().ok()
+    }
+
+    /// Names of pieces that are missing, or are not as they were made.
+    pub fn damaged(&self, folder: &Path) -> Vec<String> {
+        let sound = |piece: &&Piece| {
+            folder::is_inside(&piece.file)
+                && folder::hash(&folder.join(&piece.file)).is_ok_and(|hash| hash == piece.hash)
+        };
+        self.pieces.iter().filter(|piece| !sound(piece)).map(|piece| piece.file.clone()).collect()
+    }
+}
+
+/// The folder of a shard where no other is named: that of the whole command with the number behind it.
+pub fn folder_of(whole: PathBuf, shard: Option<Shard>) -> PathBuf {
+    let Some(shard) = shard else { return whole };
+    let mut name = whole.into_os_string();
+    name.push(format!("-{}-of-{}", shard.number(), shard.of()));
+    name.into()
+}
+
+/// The kind of run that a folder is for.
+pub fn kind(whole: &str, shard: Option<Shard>) -> String {
+    shard.map_or_else(|| whole.to_owned(), |one| format!("{whole}-shard-{}-of-{}", one.number(), one.of()))
+}
+
+/// Seals a finished shard: its pieces are the files of these names.
+pub fn publish(
+    desk: &mut Desk,
+    mut report: Report,
+    folder: &Folder,
+    shard: Shard,
+    identity: String,
+    inputs: BTreeMap<String, String>,
+    files: Vec<String>,
+) -> Result<Report, Failure> {
+    let hashed = |file: String| {
+        let hash =
+            folder::hash(&folder.file(&file)).map_err(|error| Failure::not_written(&folder.file(&file), &error))?;
+        Ok(Piece { file, hash })
+    };
+    let pieces: Vec<Piece> = files.into_iter().map(hashed).collect::<Result<_, Failure>>()?;
+    let (count, words) = (pieces.len(), desk.words.clone());
+    let portion = Portion { words, shard: shard.to_string(), identity, program: program::hash(), inputs, pieces };
+    let own = serde_json::to_value(&portion)
+        .map_err(|error| Failure::not_written(folder.path(), &io::Error::other(error)))?;
+    report.fields.insert("command".to_owned(), json!(portion.command()));
+    report.fields.extend(own.as_object().cloned().unwrap_or_default());
+    let shown = folder.path().display();
+    report.summary = format!(
+        "shard {shard}: {count} finished pieces in {shown}\nextrados merge DIR... --out DIR puts all {} together\n",
+        shard.of()
+    );
+    desk.schema = SCHEMA.to_owned();
+    results::publish(desk, report, folder, &[])
+}
+
+/// Shards that belong together, and are all there.
+#[derive(Debug, Clone)]
+pub struct Merged {
+    identity: String,
+    shards: Vec<(PathBuf, Portion)>,
+}
+
+impl Merged {
+    /// Of these folders; they are all of one work.
+    pub fn new(identity: String, shards: Vec<(PathBuf, Portion)>) -> Merged {
+        Merged { identity, shards }
+    }
+
+    /// Files that the shards read, with their hashes.
+    pub fn inputs(&self) -> impl Iterator<Item = (&String, &String)> {
+        self.shards.iter().flat_map(|(_, portion)| &portion.inputs)
+    }
+
+    /// Copies every piece into the folder of the whole work, where that is still the work that the shards did.
+    pub fn bring(&self, identity: &str, folder: &Folder) -> Result<(), Failure> {
+        if identity != self.identity {
+            let message =
+                "what the shards were made from has changed since: the bridge file, its ranges, or a file beside it";
+            let help = "make the shards again with the same commands; only what changed is computed";
+            return Err(Failure::input("F145", message, help));
+        }
+        for (from, portion) in &self.shards {
+            for piece in &portion.pieces {
+                let place = folder.file(&piece.file);
+                let copied = fs::read(from.join(&piece.file)).and_then(|bytes| {
+                    fs::create_dir_all(place.parent().unwrap_or(folder.path()))?;
+                    write_whole(&place, &bytes)
+                });
+                copied.map_err(|error| Failure::not_written(&place, &error))?;
+            }
+        }
+        Ok(())
+    }
+}
