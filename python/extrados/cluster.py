@@ -11,6 +11,10 @@ of the bridge file, the analysis, the options and this build. Each worker writes
 that is killed, a scheduler that is killed or a second call repeat nothing that was finished. Results are not gathered: the report is a Parquet file
 written in batches. A bridge file that cannot be used is a row with its reason, and the run goes on.
 
+Tasks travel in blocks: one at a time until some are measured, then as many as take about a second, and fewer towards the end, so that neither the
+scheduler nor the last block is waited for. Two blocks for each worker are under way; the rest wait here, and not in the scheduler. Where the scheduler
+is lost, the run waits for it and for workers, and goes on.
+
 Without `client` a cluster of local processes is started, one for each core, each with one thread; a `dask.distributed.Client` of any other cluster
 (SLURM through dask-jobqueue, Kubernetes) is used as it is, with a store that all of its machines see.
 """
@@ -19,6 +23,8 @@ from __future__ import annotations
 
 import json
 import os
+import time
+from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -32,6 +38,12 @@ __all__ = ["Report", "fleet", "vary"]
 
 _ANALYSES = ("assess", "cases", "collapse", "respond", "sweep", "update")
 _BATCH = 1000
+_LOOK = 5.0
+"""How often workers are counted [s]: more may come."""
+_AHEAD = 2
+"""Blocks under way for each worker."""
+_BLOCK_SECONDS = 1.0
+"""What a block is meant to take [s]: a thousand times what the scheduler needs for it."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +56,7 @@ class Report:
     computed: int
     """Tasks that this call computed."""
     taken_up: int
-    """Tasks whose results an earlier call, or another task with the same meaning, had finished."""
+    """Tasks whose results were in the store: from an earlier call, another task with the same meaning, or a worker that was lost."""
     failed: list[tuple[str, str]]
     """Name and reason of each task that could not be done."""
 
@@ -65,9 +77,13 @@ def fleet(
     *,
     store: str | os.PathLike[str],
     client: Any = None,
+    patience: float = 300.0,
     **options: Any,
 ) -> Report:
-    """An analysis of every bridge: paths of files, or bridges. Options are those of the analysis."""
+    """An analysis of every bridge: paths of files, or bridges. Options are those of the analysis.
+
+    A scheduler that is lost, and the first worker, are waited for as long as `patience` [s]; what is not done then is named in the report.
+    """
     if analysis not in _ANALYSES:
         raise argument(f"analysis = {analysis!r} cannot be used", f"write one of {', '.join(_ANALYSES)}")
     tasks = []
@@ -76,7 +92,7 @@ def fleet(
             tasks.append((f"{number}: {one.name}", one))
         else:
             tasks.append((os.fspath(one), os.path.abspath(one)))
-    return _run(tasks, analysis, Path(store), client, options)
+    return _run(tasks, analysis, Path(store), client, patience, options)
 
 
 def vary(
@@ -86,40 +102,116 @@ def vary(
     *,
     store: str | os.PathLike[str],
     client: Any = None,
+    patience: float = 300.0,
     **options: Any,
 ) -> Report:
     """An analysis of a bridge with each of these sets of values, as :meth:`extrados.Bridge.with_` takes them: samples, a grid, a design."""
     if analysis not in _ANALYSES:
         raise argument(f"analysis = {analysis!r} cannot be used", f"write one of {', '.join(_ANALYSES)}")
     tasks = [(json.dumps(dict(one), default=str), (bridge, dict(one))) for one in values]
-    return _run(tasks, analysis, Path(store), client, options)
+    return _run(tasks, analysis, Path(store), client, patience, options)
 
 
-def _run(tasks: list[tuple[str, Any]], analysis: str, store: Path, client: Any, options: dict[str, Any]) -> Report:
+def _run(tasks: list[tuple[str, Any]], analysis: str, store: Path, client: Any, patience: float, options: dict[str, Any]) -> Report:
     if not tasks:
         raise argument("there is nothing to do", "give at least one bridge")
     (store / "results").mkdir(parents=True, exist_ok=True)
     with _connected(client) as cluster:
-        from dask.distributed import as_completed
-
-        futures = {
-            cluster.submit(_one, name, what, analysis, options, str(store / "results"), pure=False, retries=20): number
-            for number, (name, what) in enumerate(tasks)
-        }
-        rows: list[dict[str, Any] | None] = [None] * len(tasks)
-        for future in as_completed(futures):
-            number = futures[future]
-            try:
-                rows[number] = future.result()
-            except Exception as error:  # A task that killed every worker that took it up.
-                rows[number] = _row(tasks[number][0], "", "failed", f"{type(error).__name__}: {error}", False)
-            future.release()
+        done = _Crew(cluster, tasks, (analysis, options, str(store / "results")), patience).work()
     path = store / "report.parquet"
-    done = [one for one in rows if one is not None]
     _write(done, path)
     failed = [(one["name"], one["reason"]) for one in done if one["reason"]]
     computed = sum(one["computed"] for one in done)
     return Report(path, len(tasks), computed, len(tasks) - computed - len(failed), failed)
+
+
+class _Crew:
+    """Tasks on their way through a cluster."""
+
+    def __init__(self, client: Any, tasks: list[tuple[str, Any]], how: tuple[str, dict[str, Any], str], patience: float) -> None:
+        self.client, self.tasks, self.how, self.patience = client, tasks, how, patience
+        self.waiting = deque([number] for number in range(len(tasks)))
+        self.flying: dict[Any, list[int]] = {}
+        self.rows: dict[int, dict[str, Any]] = {}
+        self.workers, self.counted = 0, 0.0
+        # Seconds of the tasks that were computed, and how many they are.
+        self.measured, self.count = 0.0, 0
+
+    def work(self) -> list[dict[str, Any]]:
+        """A row for each task, in the order of the tasks."""
+        from dask.distributed import as_completed
+
+        completed = as_completed()
+        while self.waiting or self.flying:
+            if not self.flying and not self._has_workers():
+                self._give_up()
+                break
+            if time.monotonic() > self.counted + _LOOK:
+                self._count_workers()
+            # What is sent to a scheduler that is lost is never heard of again.
+            while self.waiting and len(self.flying) < _AHEAD * max(self.workers, 1) and self.client.status == "running":
+                block = self._block()
+                # Retried where a worker breaks over it, and not where it was lost: then Dask itself tries again.
+                future = self.client.submit(_several, [self.tasks[one] for one in block], *self.how, pure=False, retries=2)
+                self.flying[future] = block
+                completed.add(future)
+            if not self.flying:
+                continue
+            future = next(completed)
+            self._take(future, self.flying.pop(future))
+            future.release()
+        return [self.rows[number] for number in range(len(self.tasks))]
+
+    def _block(self) -> list[int]:
+        """The next tasks: as many as take about a second, and no more than a fair share of what is left."""
+        block = list(self.waiting.popleft())
+        fair = len(self.waiting) // (2 * _AHEAD * max(self.workers, 1))
+        size = min(fair, int(_BLOCK_SECONDS * self.count / max(self.measured, 1e-3))) if self.count >= self.workers else 1
+        while len(block) < size and self.waiting and len(self.waiting[0]) == 1:
+            block += self.waiting.popleft()
+        return block
+
+    def _take(self, future: Any, block: list[int]) -> None:
+        from concurrent.futures import CancelledError
+
+        try:
+            found = future.result()
+        except CancelledError:  # The scheduler was lost with all that it knew.
+            self.waiting.extendleft([one] for one in reversed(block))
+        except Exception as error:  # The block broke, or lost, every worker that took it up.
+            if len(block) > 1:
+                self.waiting.extend([one] for one in block)
+            else:
+                self.rows[block[0]] = _row(self.tasks[block[0]][0], "", "failed", f"{type(error).__name__}: {error}", False)
+        else:
+            self.rows.update(zip(block, found))
+            self.count += sum(row["computed"] for row in found)
+            self.measured += sum(row["seconds"] for row in found if row["computed"])
+
+    def _has_workers(self) -> bool:
+        """Waits for the scheduler, where it was lost, and for a worker."""
+        end = time.monotonic() + self.patience
+        while self.client.status not in ("closed", "closing") and not self._count_workers():
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.1)
+        return self.workers > 0
+
+    def _count_workers(self) -> int:
+        try:
+            self.workers = sum(self.client.nthreads().values()) if self.client.status == "running" else 0
+        except OSError:  # The scheduler was lost just now.
+            self.workers = 0
+        self.counted = time.monotonic()
+        return self.workers
+
+    def _give_up(self) -> None:
+        """Names what is not done."""
+        for block in self.waiting:
+            for number in block:
+                reason = "the scheduler or all workers were lost; the same call goes on from what is in the store"
+                self.rows[number] = _row(self.tasks[number][0], "", "failed", reason, False)
+        self.waiting.clear()
 
 
 @contextmanager
@@ -130,13 +222,21 @@ def _connected(client: Any) -> Iterator[Any]:
     from dask.distributed import Client, LocalCluster
 
     # Without a dashboard, and for this machine alone.
-    settings: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": None, "host": "127.0.0.1"}
+    settings: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "host": "127.0.0.1"}
     with LocalCluster(n_workers=os.cpu_count() or 1, **settings) as cluster, Client(cluster) as own:
         yield own
 
 
 def _row(name: str, key: str, status: str, reason: str, computed: bool) -> dict[str, Any]:
     return {"name": name, "key": key, "status": status, "reason": reason, "computed": computed, "seconds": 0.0}
+
+
+def _several(tasks: list[tuple[str, Any]], analysis: str, options: dict[str, Any], store: str) -> list[dict[str, Any]]:
+    """A block of tasks, on a worker: as many threads compute as the worker has, and not as many as its machine."""
+    from dask.distributed import get_worker
+
+    os.environ.setdefault("EXTRADOS_THREADS", str(get_worker().state.nthreads))
+    return [_one(name, what, analysis, options, store) for name, what in tasks]
 
 
 def _one(name: str, what: Any, analysis: str, options: dict[str, Any], store: str) -> dict[str, Any]:
