@@ -12,8 +12,15 @@ that is killed, a scheduler that is killed or a second call repeat nothing that 
 written in batches. A bridge file that cannot be used is a row with its reason, and the run goes on.
 
 Tasks travel in blocks: one at a time until some are measured, then as many as take about a second, and fewer towards the end, so that neither the
-scheduler nor the last block is waited for. Two blocks for each worker are under way; the rest wait here, and not in the scheduler. Where the scheduler
-is lost, the run waits for it and for workers, and goes on.
+scheduler nor the last block is waited for. Two blocks for each worker are under way; the rest wait here, and not in the scheduler. Where tasks differ
+much, give their `costs`, in any unit, such as the seconds of a coarse first pass: the longest go first, and blocks are of equal time.
+
+```
+coarse = cluster.fleet(paths, "sweep", store="coarse", step="2 m")
+report = cluster.fleet(paths, "sweep", store="fine", step="0.1 m", costs=coarse.to_pandas()["seconds"])
+```
+
+Where the scheduler is lost, the run waits for it and for workers, and goes on.
 
 Without `client` a cluster of local processes is started, one for each core, each with one thread; a `dask.distributed.Client` of any other cluster
 (SLURM through dask-jobqueue, Kubernetes) is used as it is, with a store that all of its machines see.
@@ -26,6 +33,7 @@ import os
 import time
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -43,7 +51,11 @@ _LOOK = 5.0
 _AHEAD = 2
 """Blocks under way for each worker."""
 _BLOCK_SECONDS = 1.0
-"""What a block is meant to take [s]: a thousand times what the scheduler needs for it."""
+"""What a block is meant to take [s], where that is no more than a fair share of what is left."""
+_TAKEN_UP_SECONDS = 0.01
+"""What a task takes whose result is in the store [s]: reading its file, and the result."""
+_SCHEDULER_SECONDS = 2.5e-3
+"""What the scheduler needs for a block [s], measured: with many workers blocks are longer, so that it keeps up with them."""
 
 
 @dataclass(frozen=True)
@@ -77,12 +89,13 @@ def fleet(
     *,
     store: str | os.PathLike[str],
     client: Any = None,
+    costs: Sequence[float] | None = None,
     patience: float = 300.0,
     **options: Any,
 ) -> Report:
     """An analysis of every bridge: paths of files, or bridges. Options are those of the analysis.
 
-    A scheduler that is lost, and the first worker, are waited for as long as `patience` [s]; what is not done then is named in the report.
+    `costs` says how long each takes beside the others. A scheduler that is lost, and the first worker, are waited for as long as `patience` [s]; what is not done then is named in the report.
     """
     if analysis not in _ANALYSES:
         raise argument(f"analysis = {analysis!r} cannot be used", f"write one of {', '.join(_ANALYSES)}")
@@ -92,7 +105,7 @@ def fleet(
             tasks.append((f"{number}: {one.name}", one))
         else:
             tasks.append((os.fspath(one), os.path.abspath(one)))
-    return _run(tasks, analysis, Path(store), client, patience, options)
+    return _run(tasks, analysis, Path(store), client, costs, patience, options)
 
 
 def vary(
@@ -102,6 +115,7 @@ def vary(
     *,
     store: str | os.PathLike[str],
     client: Any = None,
+    costs: Sequence[float] | None = None,
     patience: float = 300.0,
     **options: Any,
 ) -> Report:
@@ -109,15 +123,26 @@ def vary(
     if analysis not in _ANALYSES:
         raise argument(f"analysis = {analysis!r} cannot be used", f"write one of {', '.join(_ANALYSES)}")
     tasks = [(json.dumps(dict(one), default=str), (bridge, dict(one))) for one in values]
-    return _run(tasks, analysis, Path(store), client, patience, options)
+    return _run(tasks, analysis, Path(store), client, costs, patience, options)
 
 
-def _run(tasks: list[tuple[str, Any]], analysis: str, store: Path, client: Any, patience: float, options: dict[str, Any]) -> Report:
+def _run(
+    tasks: list[tuple[str, Any]],
+    analysis: str,
+    store: Path,
+    client: Any,
+    costs: Sequence[float] | None,
+    patience: float,
+    options: dict[str, Any],
+) -> Report:
     if not tasks:
         raise argument("there is nothing to do", "give at least one bridge")
+    known = [1.0] * len(tasks) if costs is None else [float(one) for one in costs]
+    if len(known) != len(tasks) or not all(0.0 <= one < float("inf") for one in known):
+        raise argument(f"costs = {len(known)} numbers cannot be used", f"give one number for each of {len(tasks)} tasks, 0 or more")
     (store / "results").mkdir(parents=True, exist_ok=True)
     with _connected(client) as cluster:
-        done = _Crew(cluster, tasks, (analysis, options, str(store / "results")), patience).work()
+        done = _Crew(cluster, tasks, known, (analysis, options, str(store / "results")), patience).work()
     path = store / "report.parquet"
     _write(done, path)
     failed = [(one["name"], one["reason"]) for one in done if one["reason"]]
@@ -128,23 +153,29 @@ def _run(tasks: list[tuple[str, Any]], analysis: str, store: Path, client: Any, 
 class _Crew:
     """Tasks on their way through a cluster."""
 
-    def __init__(self, client: Any, tasks: list[tuple[str, Any]], how: tuple[str, dict[str, Any], str], patience: float) -> None:
+    def __init__(
+        self, client: Any, tasks: list[tuple[str, Any]], costs: list[float], how: tuple[str, dict[str, Any], str], patience: float
+    ) -> None:
         self.client, self.tasks, self.how, self.patience = client, tasks, how, patience
-        self.waiting = deque([number] for number in range(len(tasks)))
+        # What takes long goes first; what takes as long stays in its order. Nothing is free.
+        least = 1e-3 * max(costs) or 1.0
+        self.costs = [max(one, least) for one in costs]
+        self.waiting = deque(sorted(range(len(tasks)), key=lambda number: -self.costs[number]))
+        # Tasks of a block that broke go one by one.
+        self.alone: set[int] = set()
+        self.left = sum(self.costs)
         self.flying: dict[Any, list[int]] = {}
         self.rows: dict[int, dict[str, Any]] = {}
-        self.workers, self.counted = 0, 0.0
-        # Seconds of the tasks that were computed, and how many they are.
-        self.measured, self.count = 0.0, 0
+        self.workers, self.most, self.counted = 0, 0, 0.0
+        # Tasks that are done: how many, their seconds, and their costs.
+        self.count, self.seconds, self.cost = 0, 0.0, 0.0
 
     def work(self) -> list[dict[str, Any]]:
         """A row for each task, in the order of the tasks."""
-        from dask.distributed import as_completed
+        from dask.distributed import wait
 
-        completed = as_completed()
         while self.waiting or self.flying:
             if not self.flying and not self._has_workers():
-                self._give_up()
                 break
             if time.monotonic() > self.counted + _LOOK:
                 self._count_workers()
@@ -154,39 +185,62 @@ class _Crew:
                 # Retried where a worker breaks over it, and not where it was lost: then Dask itself tries again.
                 future = self.client.submit(_several, [self.tasks[one] for one in block], *self.how, pure=False, retries=2)
                 self.flying[future] = block
-                completed.add(future)
             if not self.flying:
                 continue
-            future = next(completed)
-            self._take(future, self.flying.pop(future))
-            future.release()
+            try:
+                wait(list(self.flying), timeout=_LOOK, return_when="FIRST_COMPLETED")
+            except CancelledError:  # Told below, block by block.
+                pass
+            except TimeoutError:
+                if not self._count_workers() and not self._has_workers():
+                    break
+            for future in [one for one in self.flying if one.done()]:
+                self._take(future, self.flying.pop(future))
+                future.release()
+        self._give_up()
         return [self.rows[number] for number in range(len(self.tasks))]
 
     def _block(self) -> list[int]:
         """The next tasks: as many as take about a second, and no more than a fair share of what is left."""
-        block = list(self.waiting.popleft())
-        fair = len(self.waiting) // (2 * _AHEAD * max(self.workers, 1))
-        size = min(fair, int(_BLOCK_SECONDS * self.count / max(self.measured, 1e-3))) if self.count >= self.workers else 1
-        while len(block) < size and self.waiting and len(self.waiting[0]) == 1:
-            block += self.waiting.popleft()
+        block = [self.waiting.popleft()]
+        taken = self.costs[block[0]]
+        if self.count >= max(self.workers, 1) and block[0] not in self.alone:
+            size = self._block_seconds() / max(self.seconds / self.cost, 1e-6)
+            while self.waiting and self.waiting[0] not in self.alone and taken + self.costs[self.waiting[0]] <= size:
+                block.append(self.waiting.popleft())
+                taken += self.costs[block[-1]]
+        self.left -= taken
         return block
 
-    def _take(self, future: Any, block: list[int]) -> None:
-        from concurrent.futures import CancelledError
+    def _block_seconds(self) -> float:
+        """What the next block is to take [s]."""
+        workers = max(self.workers, 1)
+        left = max(self.left, 0.0) * self.seconds / self.cost
+        fair = min(_BLOCK_SECONDS, left / (2 * _AHEAD * workers))
+        return max(fair, min(2.0 * _SCHEDULER_SECONDS * workers, left / workers))
 
+    def _take(self, future: Any, block: list[int]) -> None:
         try:
             found = future.result()
         except CancelledError:  # The scheduler was lost with all that it knew.
-            self.waiting.extendleft([one] for one in reversed(block))
+            self._again(block)
+            self.waiting.extendleft(reversed(block))
         except Exception as error:  # The block broke, or lost, every worker that took it up.
             if len(block) > 1:
-                self.waiting.extend([one] for one in block)
+                self._again(block)
+                # Each by itself, and last: whichever it is harms nothing else.
+                self.alone.update(block)
+                self.waiting.extend(block)
             else:
                 self.rows[block[0]] = _row(self.tasks[block[0]][0], "", "failed", f"{type(error).__name__}: {error}", False)
         else:
             self.rows.update(zip(block, found))
-            self.count += sum(row["computed"] for row in found)
-            self.measured += sum(row["seconds"] for row in found if row["computed"])
+            self.count += len(block)
+            self.seconds += sum(row["seconds"] if row["computed"] else _TAKEN_UP_SECONDS for row in found)
+            self.cost += sum(self.costs[number] for number in block)
+
+    def _again(self, block: list[int]) -> None:
+        self.left += sum(self.costs[one] for one in block)
 
     def _has_workers(self) -> bool:
         """Waits for the scheduler, where it was lost, and for a worker."""
@@ -199,19 +253,21 @@ class _Crew:
 
     def _count_workers(self) -> int:
         try:
-            self.workers = sum(self.client.nthreads().values()) if self.client.status == "running" else 0
+            threads = self.client.nthreads() if self.client.status == "running" else {}
         except OSError:  # The scheduler was lost just now.
-            self.workers = 0
-        self.counted = time.monotonic()
+            threads = {}
+        self.workers, self.counted = sum(threads.values()), time.monotonic()
+        self.most = max(self.most, len(threads))
+        if not threads and self.most and hasattr(self.client.cluster, "scale"):
+            # A nanny that was killed with its worker, or gave up, starts none again.
+            self.client.cluster.scale(self.most)
         return self.workers
 
     def _give_up(self) -> None:
         """Names what is not done."""
-        for block in self.waiting:
-            for number in block:
-                reason = "the scheduler or all workers were lost; the same call goes on from what is in the store"
-                self.rows[number] = _row(self.tasks[number][0], "", "failed", reason, False)
-        self.waiting.clear()
+        reason = "the scheduler or all workers were lost; the same call goes on from what is in the store"
+        for number in set(range(len(self.tasks))) - self.rows.keys():
+            self.rows[number] = _row(self.tasks[number][0], "", "failed", reason, False)
 
 
 @contextmanager
@@ -219,11 +275,16 @@ def _connected(client: Any) -> Iterator[Any]:
     if client is not None:
         yield client
         return
+    import dask
     from dask.distributed import Client, LocalCluster
 
-    # Without a dashboard, and for this machine alone.
+    # For this machine alone, and without the profile of every worker, which takes a thirtieth of a core.
     settings: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "host": "127.0.0.1"}
-    with LocalCluster(n_workers=os.cpu_count() or 1, **settings) as cluster, Client(cluster) as own:
+    with (
+        dask.config.set({"distributed.worker.profile.enabled": False}),
+        LocalCluster(n_workers=os.cpu_count() or 1, **settings) as cluster,
+        Client(cluster) as own,
+    ):
         yield own
 
 

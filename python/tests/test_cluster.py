@@ -104,3 +104,35 @@ def test_a_disk_that_is_full_is_a_reason(tmp_path, monkeypatch):
     monkeypatch.setattr(cluster, "_keep", full)
     row = cluster._one("a", extrados.Bridge.example("tiny"), "collapse", {"method": "limit"}, str(tmp_path))
     assert row["status"] == "failed" and "No space left" in row["reason"]
+
+
+def test_costs_change_the_order_and_nothing_else(client, tmp_path):
+    tiny = extrados.Bridge.example("tiny")
+    values = [{"joint.friction_angle": f"{30 + k / 10} deg"} for k in range(30)]
+    plain = cluster.vary(tiny, values, store=tmp_path / "plain", client=client, method="limit")
+    costs = [float(k % 7) for k in range(30)]
+    ordered = cluster.vary(tiny, values, store=tmp_path / "ordered", client=client, costs=costs, method="limit")
+    rows = [one.to_pandas().drop(columns=["seconds", "wall_seconds"], errors="ignore") for one in (plain, ordered)]
+    assert rows[0].equals(rows[1]) and ordered.computed == 30
+    for wrong in ([1.0], [float("nan")] * 30, [-1.0] * 30):
+        with pytest.raises(extrados.ArgumentError, match="one number for each of 30 tasks"):
+            cluster.vary(tiny, values, store=tmp_path, client=client, costs=wrong, method="limit")
+
+
+def test_blocks_are_of_equal_time_and_shrink_towards_the_end():
+    class Client:
+        cluster = None
+
+    costs = [4.0] * 100 + [1.0] * 1000
+    crew = cluster._Crew(Client(), [("", None)] * 1100, costs, ("collapse", {}, ""), 1.0)
+    crew.workers = 4
+    assert len(crew._block()) == 1, "nothing is measured"
+    crew.count, crew.seconds, crew.cost = 8, 0.8, 8.0
+    blocks = []
+    while crew.waiting:
+        blocks.append(crew._block())
+    taken = [sum(costs[one] for one in block) for block in blocks]
+    assert sorted(one for block in blocks for one in block) == list(range(1, 1100)), "each once, the longest first"
+    assert taken[0] == 8.0 and len(blocks[0]) == 2, "0.8 s in tasks of 0.4 s"
+    assert max(taken) <= 10.0 and taken[-1] <= 1.0
+    assert all(later <= earlier + 2.0 for earlier, later in zip(taken, taken[1:]))

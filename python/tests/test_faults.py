@@ -155,7 +155,7 @@ def test_a_scheduler_that_does_not_come_back_is_a_reason_and_the_next_call_goes_
     assert report.failed and len(report.failed) < COUNT
     assert all("were lost" in reason for _, reason in report.failed)
     before = results(tmp_path)
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as local:
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1") as local:
         with distributed.Client(local) as own:
             again = cluster.vary(bridge, VALUES, store=tmp_path, client=own, method="limit")
     assert again.taken_up == len(before) and again.computed == COUNT - len(before)
@@ -165,7 +165,7 @@ def test_a_scheduler_that_does_not_come_back_is_a_reason_and_the_next_call_goes_
 def test_a_worker_killed_again_and_again(bridge, undisturbed, tmp_path, monkeypatch):
     monkeypatch.setenv("EXTRADOS_TEST_PAUSE", "0.3")
     killed, ended = [], threading.Event()
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as local:
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1") as local:
         with distributed.Client(local) as client:
             client.register_plugin(Slow())
 
@@ -188,6 +188,36 @@ def test_a_worker_killed_again_and_again(bridge, undisturbed, tmp_path, monkeypa
     assert_all(report, tmp_path, undisturbed)
 
 
+def deadly(self, *options, _collapse=extrados.Bridge.collapse, **words):
+    if "31.0 deg" in self.text:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return _collapse(self, *options, **words)
+
+
+class Deadly(distributed.WorkerPlugin):
+    """One of the tasks kills its worker."""
+
+    def setup(self, worker):
+        extrados.Bridge.collapse = deadly
+
+
+def test_a_task_that_kills_every_worker_is_a_row_and_harms_nothing_else(bridge, undisturbed, tmp_path):
+    import dask
+
+    with dask.config.set({"distributed.scheduler.allowed-failures": 1}):
+        local = distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1")
+        with local, distributed.Client(local) as client:
+            client.register_plugin(Deadly())
+            # Blocks of several tasks from the start.
+            cluster.vary(bridge, VALUES[:8], store=tmp_path, client=client, method="limit")
+            report = cluster.vary(bridge, VALUES, store=tmp_path, client=client, method="limit")
+    [(name, reason)] = report.failed
+    assert "31.0 deg" in name and reason.startswith("KilledWorker"), reason
+    loads = list(report.to_pandas()["last_stable_load_kn_per_m"])
+    at = VALUES.index({"joint.friction_angle": "31.0 deg"})
+    assert loads[:at] + loads[at + 1 :] == undisturbed[:at] + undisturbed[at + 1 :]
+
+
 def test_a_disk_that_is_full(bridge, undisturbed, tmp_path):
     """A file that cannot grow, as on a full disk: the write itself fails, half-way."""
 
@@ -196,7 +226,7 @@ def test_a_disk_that_is_full(bridge, undisturbed, tmp_path):
 
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
 
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as local:
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1") as local:
         with distributed.Client(local) as client:
             cluster.vary(bridge, VALUES[:10], store=tmp_path, client=client, method="limit")
             before = results(tmp_path)
@@ -223,7 +253,7 @@ def test_files_that_poison_are_rows_with_their_reasons(bridge, tmp_path):
     (folder / "huge.toml").write_text(bridge.text.replace('"4.0 m"', '"4e300 m"'))
     (folder / "many.toml").write_text(bridge.text.replace("voussoirs = 21", "voussoirs = 2000000000"))
     paths = sorted(folder.glob("*.toml"))
-    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as local:
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=":0", host="127.0.0.1") as local:
         with distributed.Client(local) as client:
             report = cluster.fleet(paths, "collapse", store=tmp_path / "store", client=client, method="limit")
     assert report.computed == 1
