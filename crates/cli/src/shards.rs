@@ -9,11 +9,9 @@ use crate::program;
 use crate::report::Report;
 use crate::results;
 use extrados::shard::Shard;
-use serde::{Deserialize, Serialize};
-use serde_json::json;
+use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// Format of what a finished shard says of itself.
@@ -34,14 +32,14 @@ pub struct Sharing {
 }
 
 /// A finished piece of work: its file below the folder of results, and the hash of its bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece {
     file: String,
     hash: String,
 }
 
 /// What a shard made.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Portion {
     /// The words of its command line.
     pub words: Vec<String>,
@@ -60,8 +58,38 @@ pub struct Portion {
 impl Portion {
     /// What the shard in a folder made.
     pub fn read(folder: &Path) -> Option<Portion> {
-        let value: serde_json::Value = serde_json::from_slice(&fs::read(folder.join(SEAL)).ok()?).ok()?;
-        if value["schema"] != SCHEMA { None } else { serde_json::from_value(value).ok() }
+        let value: Value = serde_json::from_slice(&fs::read(folder.join(SEAL)).ok()?).ok()?;
+        let word = |value: &Value| value.as_str().map(str::to_owned);
+        let piece = |one: &Value| Some(Piece { file: word(&one["file"])?, hash: word(&one["hash"])? });
+        let input = |(name, hash): (&String, &Value)| Some((name.clone(), word(hash)?));
+        if value["schema"] != SCHEMA {
+            return None;
+        }
+        Some(Portion {
+            words: value["words"].as_array()?.iter().map(word).collect::<Option<_>>()?,
+            shard: word(&value["shard"])?,
+            identity: word(&value["identity"])?,
+            program: word(&value["program"])?,
+            inputs: value["inputs"].as_object()?.iter().map(input).collect::<Option<_>>()?,
+            pieces: value["pieces"].as_array()?.iter().map(piece).collect::<Option<_>>()?,
+        })
+    }
+
+    /// The fields that [`read`](Self::read) reads.
+    fn fields(&self) -> impl Iterator<Item = (String, Value)> {
+        let pieces: Vec<Value> =
+            self.pieces.iter().map(|piece| json!({ "file": piece.file, "hash": piece.hash })).collect();
+        let inputs: Map<String, Value> = self.inputs.iter().map(|(name, hash)| (name.clone(), json!(hash))).collect();
+        let fields = [
+            ("command", json!(self.command())),
+            ("words", json!(self.words)),
+            ("shard", json!(self.shard)),
+            ("identity", json!(self.identity)),
+            ("program", json!(self.program)),
+            ("inputs", json!(inputs)),
+            ("pieces", json!(pieces)),
+        ];
+        fields.into_iter().map(|(key, value)| (key.to_owned(), value))
     }
 
     /// Its command.
@@ -115,10 +143,7 @@ pub fn publish(
     let pieces: Vec<Piece> = files.into_iter().map(hashed).collect::<Result<_, Failure>>()?;
     let (count, words) = (pieces.len(), desk.words.clone());
     let portion = Portion { words, shard: shard.to_string(), identity, program: program::hash(), inputs, pieces };
-    let own = serde_json::to_value(&portion)
-        .map_err(|error| Failure::not_written(folder.path(), &io::Error::other(error)))?;
-    report.fields.insert("command".to_owned(), json!(portion.command()));
-    report.fields.extend(own.as_object().cloned().unwrap_or_default());
+    report.fields.extend(portion.fields());
     let shown = folder.path().display();
     report.summary = format!(
         "shard {shard}: {count} finished pieces in {shown}\nextrados merge DIR... --out DIR puts all {} together\n",
