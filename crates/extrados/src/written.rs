@@ -4,12 +4,12 @@
 use crate::assess::Assessed;
 use crate::project::Project;
 use bridge::{Diagnostic, Severity};
-use figures::{File, Ordinate};
+use figures::File;
 use outcome::collapse::Collapse;
 use outcome::passage::Passage;
 use outcome::published::{self, Object};
 use outcome::study::Study;
-use outcome::sweep::{Sweep, SweepPoint};
+use outcome::sweep::Sweep;
 use outcome::update::Update;
 use outcome::vehicles::VehicleSweep;
 use outcome::warning::{self, Warning};
@@ -54,29 +54,8 @@ fn strip(found: &Collapse, scale: Option<f64>) -> Written {
 
 /// Of loads that were moved over a bridge of this name.
 pub fn loads_moved(name: &str, found: &Sweep) -> Written {
-    let factors: &[(&str, Factor)] = match found.is_deformable() {
-        _ if found.points.iter().any(|p| p.upper_factor.is_some()) => &[
-            ("lower bound", |p| p.load_factor),
-            ("upper bound", |p| p.upper_factor),
-            ("fill as weight", |p| p.rigid_factor),
-        ],
-        true => &[("joints that give", |p| p.deformable_factor), ("rigid blocks", |p| p.rigid_factor)],
-        false => &[("load factor", |p| p.load_factor)],
-    };
-    let curves: Vec<figures::Sweep> = factors.iter().map(|(name, factor)| curve(name, found, *factor)).collect();
-    let envelope = figures::envelope(name, Ordinate::Factor, &curves, None);
-    Written {
-        drawings: envelope.map(|svg| ("envelope".to_owned(), svg)).into_iter().collect(),
-        files: vec![file("sweep", published::sweep_table(found))],
-    }
-}
-
-/// One of the factors at a position.
-type Factor = fn(&SweepPoint) -> Option<f64>;
-
-fn curve(name: &str, found: &Sweep, factor: Factor) -> figures::Sweep {
-    let points = found.points.iter().map(|point| (point.position, factor(point).unwrap_or(f64::NAN)));
-    figures::Sweep { label: name.to_owned(), points: points.collect() }
+    let envelope = figures::sweep_drawing(name, found).map(|svg| ("envelope".to_owned(), svg));
+    Written { drawings: envelope.into_iter().collect(), files: vec![file("sweep", published::sweep_table(found))] }
 }
 
 /// Of vehicles that were moved over a bridge.

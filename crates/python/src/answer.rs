@@ -12,7 +12,7 @@ use extrados::results::sweep::Sweep;
 use extrados::results::update::Update;
 use extrados::results::vehicles::VehicleSweep;
 use extrados::results::warning::{self, Warning};
-use extrados::{Assessed, Cases, Compared, Project, bridge};
+use extrados::{Assessed, Cases, Compared, Project, bridge, written};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
@@ -65,15 +65,7 @@ impl Answer {
         let mut add = |list: &[Warning]| warnings.extend(list.iter().map(|one| told(one.code, &one.message)));
         let (schema, status, fields) = match &self.found {
             Found::Collapse(found) => {
-                add(&found.warnings);
-                for one in found.wall_strip.iter().flat_map(|wall| &wall.warnings) {
-                    if !found.warnings.contains(one) {
-                        add(&[Warning { message: format!("strip of the walls: {}", one.message), ..one.clone() }]);
-                    }
-                }
-                if let Some(words) = figures::left_out(&found.picture) {
-                    warnings.push(told(warning::NOT_DRAWN, &words));
-                }
+                add(&written::warnings_of(found));
                 ("collapse", found.status.word(), published::collapse(found))
             }
             Found::Sweep(name, width, found) => {
@@ -323,23 +315,7 @@ fn told(code: &str, message: &str) -> Value {
 /// Doubts about a file, as the command lists them.
 fn of_file(project: &Project) -> impl Iterator<Item = Value> {
     let doubts = project.findings().iter().filter(|finding| finding.severity != bridge::Severity::Error);
-    doubts.map(|finding| {
-        let place = bridge::text::position(project.text(), finding.range.start);
-        let mut value = json!({
-            "code": finding.code,
-            "message": finding.message,
-            "file": project.name(),
-            "line": place.line,
-            "column": place.column,
-            "label": finding.label,
-        });
-        for (key, words) in [("note", &finding.note), ("help", &finding.help)] {
-            if let Some(words) = words {
-                value[key] = json!(words);
-            }
-        }
-        value
-    })
+    doubts.map(|finding| written::finding(project.name(), project.text(), finding))
 }
 
 /// A doubt about records.

@@ -166,7 +166,7 @@ impl Project {
         let choice = given.choice(width)?;
         given.end()?;
         let resume = words(py, resume)?;
-        self.answered(py, progress, None, move |file, watch| {
+        self.answered(py, progress, move |file, watch| {
             extrados::collapse(file, &CollapseOptions { choice, resume }, watch)
                 .map(|found| Found::Collapse(Box::new(found)))
                 .map_err(|refusal| vec![refusal])
@@ -189,7 +189,7 @@ impl Project {
             let help = "leave method out, or write \"limit\", or \"path\" for joints that give too";
             return Err(errors::argument(py, message, help));
         }
-        self.answered(py, progress, None, move |file, watch| {
+        self.answered(py, progress, move |file, watch| {
             let found =
                 extrados::sweep(file, &SweepOptions { choice, step }, watch).map_err(|refusal| vec![refusal])?;
             Ok(match found {
@@ -213,7 +213,7 @@ impl Project {
         let given = Options::new(options)?;
         let options = passage_options(&given)?;
         given.end()?;
-        self.answered(py, progress, None, move |file, watch| {
+        self.answered(py, progress, move |file, watch| {
             extrados::respond(file, &options, watch)
                 .map(|found| Found::Passage(Box::new(found)))
                 .map_err(|refusal| vec![refusal])
@@ -239,16 +239,13 @@ impl Project {
         };
         given.end()?;
         let kept = kept(resume);
-        let shelf = Arc::clone(&kept);
-        self.answered(py, progress, Some(kept), move |file, watch| {
-            let clock = Watch(Instant::now());
-            let means = Means { shelf: &*shelf, clock: &clock, program: &program };
-            let taken_up = if records_only { 0 } else { shelf.lines() };
+        let taken_up = if records_only { 0 } else { kept.lines() };
+        self.keeping(py, progress, kept, program, move |file, means, watch| {
             let found = match records_only {
-                true => extrados::judge(file, &means, watch),
-                false => extrados::update(file, &options, &means, watch),
+                true => extrados::judge(file, means, watch),
+                false => extrados::update(file, &options, means, watch),
             };
-            found.map(|found| Found::Update(Box::new(found), taken_up)).map_err(|refusal| vec![refusal])
+            found.map(|found| Some(Found::Update(Box::new(found), taken_up))).map_err(|refusal| vec![refusal])
         })
     }
 
@@ -272,21 +269,17 @@ impl Project {
             choice: given.choice(width)?,
         };
         given.end()?;
-        let kept = kept(resume);
-        let shelf = Arc::clone(&kept);
         let plan = extrados::planned(&self.file, &options.choice).map_err(|refusal| errors::refused(py, &[refusal]))?;
         let plan = plan.plan;
         let name = self.file.name().to_owned();
-        self.maybe_answered(py, progress, Some(kept), move |file, watch| {
+        self.keeping(py, progress, kept(resume), program, move |file, means, watch| {
             let requests =
                 if ranges.is_empty() { file.meaning().vary.clone() } else { extrados::settings(file, &ranges)? };
             if requests.is_empty() {
                 let help = "add [[vary]] tables, or give ranges=[\"joint.friction_angle=30deg..40deg:5\"]";
                 return Err(vec![Refusal::new("F113", format!("{name} says nothing of what to vary"), help)]);
             }
-            let clock = Watch(Instant::now());
-            let means = Means { shelf: &*shelf, clock: &clock, program: &program };
-            let found = extrados::vary(file, &requests, &options, &means, watch)?;
+            let found = extrados::vary(file, &requests, &options, means, watch)?;
             Ok(found.study.map(|study| Found::Study(Box::new(study), plan.tolerance, plan.seed)))
         })
     }
@@ -308,12 +301,8 @@ impl Project {
             day: given.text("day", "write the day as \"2026-01-31\"")?.unwrap_or_default(),
         };
         given.end()?;
-        let kept = kept(resume);
-        let shelf = Arc::clone(&kept);
-        self.maybe_answered(py, progress, Some(kept), move |file, watch| {
-            let clock = Watch(Instant::now());
-            let means = Means { shelf: &*shelf, clock: &clock, program: &program };
-            let done = extrados::assess(file, &options, &means, watch).map_err(|refusal| vec![refusal])?;
+        self.keeping(py, progress, kept(resume), program, move |file, means, watch| {
+            let done = extrados::assess(file, &options, means, watch).map_err(|refusal| vec![refusal])?;
             Ok(done.map(|done| Found::Assessed(Box::new(done))))
         })
     }
@@ -329,7 +318,7 @@ impl Project {
         let given = Options::new(options)?;
         let choice = given.choice(width)?;
         given.end()?;
-        self.answered(py, progress, None, move |file, watch| {
+        self.answered(py, progress, move |file, watch| {
             extrados::cases(file, choice, watch).map(Found::Cases).map_err(|refusal| vec![refusal])
         })
     }
@@ -349,12 +338,11 @@ impl Project {
         given.end()?;
         let after = Arc::clone(&other.file);
         let files = vec![Arc::clone(&self.file), Arc::clone(&after)];
-        let found = self.worked(py, progress, None, files, move |file, watch| {
+        self.worked(py, progress, None, files, move |file, watch| {
             extrados::compare(file, &after, choice, watch)
                 .map(|found| Some(Found::Compared(Box::new(found))))
                 .map_err(|refusal| vec![refusal])
-        })?;
-        found.ok_or_else(|| errors::argument(py, "the work was stopped".to_owned(), "run it again"))
+        })
     }
 
     /// Numbers of a collapse by name, as studies have them: for loops over many bridges.
@@ -421,21 +409,26 @@ impl Project {
         &self,
         py: Python<'_>,
         progress: Option<&Bound<'_, PyAny>>,
-        kept: Option<Arc<Kept>>,
         work: impl FnOnce(&File, &mut run::Looker) -> Result<Found, Vec<Refusal>> + Send + 'static,
     ) -> PyResult<Answer> {
-        self.maybe_answered(py, progress, kept, move |file, watch| work(file, watch).map(Some))
+        let files = vec![Arc::clone(&self.file)];
+        self.worked(py, progress, None, files, move |file, watch| work(file, watch).map(Some))
     }
 
-    fn maybe_answered(
+    /// Work that keeps its finished pieces, and takes up those of an interrupted call.
+    fn keeping(
         &self,
         py: Python<'_>,
         progress: Option<&Bound<'_, PyAny>>,
-        kept: Option<Arc<Kept>>,
-        work: impl FnOnce(&File, &mut run::Looker) -> Gave + Send + 'static,
+        kept: Arc<Kept>,
+        program: String,
+        work: impl FnOnce(&File, &Means<'_>, &mut run::Looker) -> Gave + Send + 'static,
     ) -> PyResult<Answer> {
-        let found = self.worked(py, progress, kept, vec![Arc::clone(&self.file)], work)?;
-        found.ok_or_else(|| errors::argument(py, "the work was stopped".to_owned(), "run it again"))
+        let (files, shelf) = (vec![Arc::clone(&self.file)], Arc::clone(&kept));
+        self.worked(py, progress, Some(kept), files, move |file, watch| {
+            let clock = Watch(Instant::now());
+            work(file, &Means { shelf: &*shelf, clock: &clock, program: &program }, watch)
+        })
     }
 
     /// Runs the work on the file; an interruption becomes an exception that holds what there is.
@@ -446,7 +439,7 @@ impl Project {
         kept: Option<Arc<Kept>>,
         files: Vec<Arc<File>>,
         work: impl FnOnce(&File, &mut run::Looker) -> Gave + Send + 'static,
-    ) -> PyResult<Option<Answer>> {
+    ) -> PyResult<Answer> {
         let (file, begun) = (Arc::clone(&self.file), Instant::now());
         let Finished { result, interrupted, shared } = run::run(py, progress, move |watch| work(&file, watch))?;
         let seconds = begun.elapsed().as_secs_f64();
@@ -459,9 +452,9 @@ impl Project {
             return Err(run::interruption(py, cause, answer, Some(shared), kept));
         }
         match result {
-            Some(Ok(found)) => Ok(found.map(|found| Answer::new(found, files, seconds))),
+            Some(Ok(Some(found))) => Ok(Answer::new(found, files, seconds)),
             Some(Err(refusals)) => Err(errors::refused(py, &refusals)),
-            None => Ok(None),
+            Some(Ok(None)) | None => Err(errors::argument(py, "the work was stopped".to_owned(), "run it again")),
         }
     }
 }
