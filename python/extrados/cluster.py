@@ -275,13 +275,13 @@ def _connected(client: Any) -> Iterator[Any]:
     if client is not None:
         yield client
         return
-    import dask
+    import dask.config as settings_of_dask
     from dask.distributed import Client, LocalCluster
 
     # For this machine alone, and without the profile of every worker, which takes a thirtieth of a core.
     settings: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "host": "127.0.0.1"}
     with (
-        dask.config.set({"distributed.worker.profile.enabled": False}),
+        settings_of_dask.set({"distributed.worker.profile.enabled": False}),
         LocalCluster(n_workers=os.cpu_count() or 1, **settings) as cluster,
         Client(cluster) as own,
     ):
