@@ -181,9 +181,11 @@ def test_a_worker_killed_again_and_again(bridge, undisturbed, tmp_path, monkeypa
 
             thread = threading.Thread(target=kill)
             thread.start()
-            report = cluster.vary(bridge, VALUES, store=tmp_path, client=client, method="limit")
-            ended.set()
-            thread.join()
+            try:
+                report = cluster.vary(bridge, VALUES, store=tmp_path, client=client, method="limit")
+            finally:
+                ended.set()
+                thread.join()
     assert len(killed) >= 2
     assert_all(report, tmp_path, undisturbed)
 
