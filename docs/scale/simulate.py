@@ -146,7 +146,7 @@ def drawn(costs, count, times=1.0, longest_first=False):
 
 
 def apart(tasks, workers, costs, size, groups, at_once=64):
-    """The same in so many groups, each with a scheduler and every so-manieth task; the slowest counts."""
+    """The same in so many groups, each with a scheduler and its share of the tasks; the slowest counts."""
     parts = [tasks[k::groups] for k in range(groups)]
     found = [simulate(part, workers // groups, costs, size(part), max(1, at_once // groups)) for part in parts]
     end = max(one.makespan for one in found)

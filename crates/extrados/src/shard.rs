@@ -1,4 +1,4 @@
-//! Work that several processes share without speaking to one another: each makes every so-manieth piece.
+//! Work that several processes share without speaking to one another: each of n makes every n-th piece.
 
 use std::fmt;
 use std::str::FromStr;
