@@ -106,6 +106,29 @@ fn torn_cut(slice: f64) -> Case {
     Case::alone(Continuum { regions, sides, water: None, confinement: None })
 }
 
+/// The same with plumb lines at distances behind the face.
+fn striped_cut(behind: &[f64]) -> Case {
+    let mut cut = torn_cut(0.1);
+    let soil = cut.soil.regions[0].soil;
+    let at = |x: f64| [vec2(x, 0.0), vec2(x, 1.0)];
+    let lines: Vec<[_; 2]> = std::iter::once(0.0).chain(behind.iter().copied()).map(at).collect();
+    let strip = |pair: &[[_; 2]]| vec![pair[0][0], pair[1][0], pair[1][1], pair[0][1]];
+    let mut outlines: Vec<Vec<_>> = lines.windows(2).map(strip).collect();
+    let mut rest = vec![vec2(-2.0, -1.0), vec2(2.5, -1.0), vec2(2.5, 1.0), lines[lines.len() - 1][1]];
+    rest.extend(lines.iter().rev().map(|line| line[0]).chain([vec2(-2.0, 0.0)]));
+    outlines.push(rest);
+    cut.soil.regions = outlines.into_iter().map(|outline| Region { outline, soil }).collect();
+    cut
+}
+
+#[test]
+fn stresses_of_slender_triangles_carry_no_more_than_a_cut_without_tension_bears() {
+    // With balance written as forces this mesh of 1,308 triangles was given 2.0029.
+    let wanted = Wanted { ratio: 1.001, elements: 1300, first: 200, ..Wanted::default() };
+    let [lower, upper] = ends(&striped_cut(&[0.005, 0.01, 0.02, 0.05]).bounds(wanted));
+    assert!(1.99 < lower && lower <= 2.0 * (1.0 + 1e-5) && 2.0 <= upper, "{lower} {upper}");
+}
+
 #[test]
 fn a_vertical_cut_in_clay_without_tension_stands_to_twice_the_cohesion_over_its_weight() {
     // Drucker (1953). Upright stresses of the weight alone carry 2. A slice of width d topples about the point d above its foot, d behind the face:
