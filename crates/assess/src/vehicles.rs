@@ -16,15 +16,14 @@ const SLEEPER: f64 = 0.25;
 #[expect(missing_docs, reason = "the messages say what each is")]
 pub enum Unknown {
     #[error(
-        "there is no vehicle, load model or train \"{code}\": write {near}one of {known}, or name its file in `vehicle_files`"
+        "there is no vehicle, load model or train \"{code}\": write {near}a name that extrados vehicles lists, or name its file in \
+         `vehicle_files`"
     )]
     Vehicle {
         /// As written.
         code: String,
-        /// A name that is close to it, with a comma; empty where none is.
+        /// A few names that are close to it, nearest first, with a comma; empty where none is.
         near: String,
-        /// Codes that there are.
-        known: String,
     },
     #[error("there is no rule \"{code}\": write {near}one of {known}, or name its file in `rule_file`")]
     Rule {
@@ -131,9 +130,22 @@ pub struct Chosen {
     pub source: Source,
 }
 
-/// The rule of a plan, and the library with the load models of the plan's own files; how many models are the library's.
-fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<(Option<Rule>, Library, usize, Vec<Unknown>), Refused> {
-    let mut library = library(bridge.gravity).map_err(|unknown| Refused(vec![unknown]))?;
+/// What a plan has to choose from.
+struct Read {
+    /// The rule of the plan, where there is one.
+    rule: Option<Rule>,
+    /// The library, and after it the load models of the plan's own files.
+    library: Library,
+    /// How many load models are the library's.
+    own: usize,
+    /// Whether every file of vehicles could be used: a name that is missing otherwise may stand in one that could not.
+    whole: bool,
+    /// What is wrong.
+    wrong: Vec<Unknown>,
+}
+
+fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
+    let library = library(bridge.gravity).map_err(|unknown| Refused(vec![unknown]))?;
     let mut wrong = Vec::new();
     let mut texts = plan.texts.iter();
     let rule = match &plan.rule_file {
@@ -156,14 +168,17 @@ fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<(Option<Rule>, Library, usi
             found
         }
     };
-    let own = library.models.len();
+    let mut read = Read { rule, own: library.models.len(), library, whole: true, wrong };
     for (name, text) in texts {
         match rules::read_load_model(name, text) {
-            Ok(model) => library.models.push(model),
-            Err(problems) => wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string()))),
+            Ok(model) => read.library.models.push(model),
+            Err(problems) => {
+                read.whole = false;
+                read.wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
+            }
         }
     }
-    Ok((rule, library, own, wrong))
+    Ok(read)
 }
 
 /// Nothing in the library bears this rule's name.
@@ -176,7 +191,7 @@ pub fn no_rule(library: &Library, code: &str) -> Unknown {
 /// and whose spans are not exceeded (of the trains the short one, which holds all that the long one repeats), and all of the
 /// plan's own files. Everything that is wrong is told at once.
 pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), Refused> {
-    let (rule, library, own, mut wrong) = read(bridge, plan)?;
+    let Read { rule, library, own, whole, mut wrong } = read(bridge, plan)?;
     let mut vehicles: Vec<Chosen> = Vec::new();
     if plan.vehicles.is_empty() {
         for (k, model) in library.models.iter().enumerate() {
@@ -198,12 +213,10 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
             Some(model) => model.vehicles.iter().map(|vehicle| (model, vehicle)).collect(),
             None => library.vehicle(code).into_iter().collect(),
         };
-        if found.is_empty() {
-            let mut known: Vec<&str> = library.vehicles().map(|(_, v)| v.code.as_str()).collect();
-            known.extend(library.models.iter().map(|model| model.code.as_str()));
-            known.sort_unstable();
-            known.dedup();
-            wrong.push(Unknown::Vehicle { code: code.clone(), near: near(code, &known), known: known.join(", ") });
+        if found.is_empty() && whole {
+            let vehicles = library.vehicles().map(|(_, vehicle)| vehicle.code.as_str());
+            let known: Vec<&str> = vehicles.chain(library.models.iter().map(|model| model.code.as_str())).collect();
+            wrong.push(Unknown::Vehicle { code: code.clone(), near: near(code, &known) });
         }
         for (model, vehicle) in found {
             match rule.as_ref().map(|rule| taken(bridge, rule, &library, model, vehicle)) {
@@ -231,7 +244,7 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
 
 /// Load models that a plan without names leaves out because a span is too long for them: why.
 pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
-    let Ok((Some(rule), library, ..)) = read(bridge, plan) else { return Vec::new() };
+    let Ok(Read { rule: Some(rule), library, .. }) = read(bridge, plan) else { return Vec::new() };
     if !plan.vehicles.is_empty() {
         return Vec::new();
     }
@@ -307,28 +320,22 @@ fn named(unknown: Unknown, code: &str) -> Unknown {
     }
 }
 
-/// The name that is closest, with a comma, where one is close: two letters apart in longer names, one in short ones.
+/// How many names are suggested for one that nothing bears.
+const SUGGESTED: usize = 4;
+
+/// Names that are close, nearest first, with a comma: those that begin with what was written, and those that differ by two letters, in short
+/// words by one.
 fn near(written: &str, known: &[&str]) -> String {
     let written = written.to_ascii_lowercase();
     let allowed = if written.len() > 5 { 2 } else { 1 };
-    let closest = known.iter().map(|name| (distance(&written, name), name)).min();
-    closest.filter(|(apart, _)| *apart <= allowed).map_or(String::new(), |(_, name)| format!("\"{name}\", or "))
-}
-
-/// Letters to change, add or take away.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut before = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let changed = before + usize::from(x != *y);
-            before = row[j + 1];
-            row[j + 1] = changed.min(row[j] + 1).min(before + 1);
-        }
-    }
-    row[b.len()]
+    let mut close: Vec<(usize, &str)> = known
+        .iter()
+        .map(|name| (strsim::levenshtein(&written, name), *name))
+        .filter(|(apart, name)| *apart <= allowed || (!written.is_empty() && name.starts_with(&written)))
+        .collect();
+    close.sort_unstable();
+    close.dedup();
+    close.iter().take(SUGGESTED).map(|(_, name)| format!("\"{name}\", or ")).collect()
 }
 
 fn said(problems: &[rules::Problem]) -> Unknown {

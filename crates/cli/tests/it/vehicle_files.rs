@@ -34,6 +34,28 @@ fn slips_in_names_and_files_are_told_together() {
         answer["errors"].as_array().expect("errors").iter().filter_map(|e| e["message"].as_str()).collect();
     let told = |part: &str| said.iter().any(|message| message.contains("lorry.toml") && message.contains(part));
     assert!(told("line 3") && told("line 12"), "{said:?}");
+    // What such a file would have brought is not reported as missing.
+    assert!(said.iter().all(|message| message.contains("lorry.toml")), "{said:?}");
+}
+
+/// A name that nothing bears is answered with the few that are nearest, and with where all are listed.
+#[test]
+fn a_name_that_nothing_bears_is_answered_with_the_nearest() {
+    let stage = Stage::with_example("vehicle-names", "bridgemill");
+    let text = stage.read("bridge/vehicles.toml");
+    for (written, wanted) in [
+        ("hb-46", "write \"hb-45\", or a name that extrados vehicles lists"),
+        ("lm", "write \"lm1\""),
+        ("crane", "write a name that extrados vehicles lists"),
+    ] {
+        let asked = format!("vehicles = [\"{written}\"]\n\n[dispersal]");
+        stage.write("bridge/one.toml", text.replacen("[dispersal]", &asked, 1));
+        let (answer, _) = stage.object(&["check", "bridge/one.toml"]);
+        let errors = answer["errors"].as_array().expect("errors");
+        assert_eq!(errors.len(), 1, "{errors:?}");
+        let help = errors[0]["help"].as_str().expect("help");
+        assert!(help.starts_with(wanted) && help.len() < 160, "{written}: {help}");
+    }
 }
 
 /// Schemas of both kinds of files are printed alone.
