@@ -80,6 +80,40 @@ impl Document {
         }
         Ok(())
     }
+
+    /// Writes a remark behind the value of a key, in the place of the one that is there; behind the whole table with the key before it where
+    /// the table stands in one line. Line ends and marks of comments in the words become blanks.
+    ///
+    /// # Errors
+    /// A place where the file writes nothing.
+    pub fn remark(&mut self, path: &Path, words: &str) -> Result<(), Unfit> {
+        let words: String = words.chars().map(|c| if c.is_control() || c == '#' { ' ' } else { c }).collect();
+        let (last, before) = path.steps.split_last().ok_or(Unfit::NoPlace)?;
+        let mut table: &mut dyn TableLike = self.tree.as_table_mut();
+        for step in before {
+            let item = table.get_mut(&step.key).ok_or(Unfit::NoPlace)?;
+            if let Item::Value(whole) = item {
+                let others = comment(whole);
+                let others =
+                    others.split("; ").filter(|one| !one.is_empty() && !one.starts_with(&format!("{}: ", last.key)));
+                let all: Vec<&str> = others.collect();
+                let all = [all.join("; "), format!("{}: {words}", last.key)].into_iter().filter(|one| !one.is_empty());
+                let all = all.collect::<Vec<_>>().join("; ");
+                whole.decor_mut().set_suffix(format!("  # {all}"));
+                return Ok(());
+            }
+            table = entry_mut(item, step.index).ok_or(Unfit::NoPlace)?;
+        }
+        let value = table.get_mut(&last.key).and_then(Item::as_value_mut).ok_or(Unfit::NoPlace)?;
+        value.decor_mut().set_suffix(format!("  # {words}"));
+        Ok(())
+    }
+}
+
+/// What is said behind a value.
+fn comment(value: &Value) -> String {
+    let behind = value.decor().suffix().and_then(|suffix| suffix.as_str()).unwrap_or_default();
+    behind.split_once('#').map_or_else(String::new, |(_, words)| words.trim().to_owned())
 }
 
 /// A value without the blanks and comments around it.
@@ -168,6 +202,25 @@ mod tests {
             assert_eq!(edited(text, path, "9"), want, "{path}");
             assert_eq!(Document::parse(want).unwrap().get(&Path::parse(path).unwrap()).as_deref(), Some("9"), "{path}");
         }
+    }
+
+    #[test]
+    fn a_remark_stands_behind_its_value() {
+        let cases = [
+            ("[a]\nb = 1 # old\nc = 2\n", "a.b", "[a]\nb = 1  # new\nc = 2\n"),
+            ("[[a]]\nb = 1\n[[a]]\nb = 2\n", "a[2].b", "[[a]]\nb = 1\n[[a]]\nb = 2  # new\n"),
+            ("a = { b = 1, c = 2 } # whole\n", "a.b", "a = { b = 1, c = 2 }  # whole; b: new\n"),
+            ("a = { b = 1, c = 2 } # b: old; c: kept\n", "a.b", "a = { b = 1, c = 2 }  # c: kept; b: new\n"),
+        ];
+        for (text, path, want) in cases {
+            let mut document = Document::parse(text).unwrap();
+            document.remark(&Path::parse(path).unwrap(), "new").unwrap();
+            assert_eq!(document.text(), want, "{path}");
+            document.remark(&Path::parse(path).unwrap(), "two\nlines # more").unwrap();
+            assert!(Document::parse(&document.text()).is_some(), "{}", document.text());
+        }
+        let mut document = Document::parse("[a]\nb = 1\n").unwrap();
+        assert_eq!(document.remark(&Path::parse("a.c").unwrap(), "new"), Err(Unfit::NoPlace));
     }
 
     #[test]

@@ -62,6 +62,8 @@ pub enum Command {
     Explain(Explain),
     /// List the vehicles and rules of the library: their names, loads, factors and sources
     Vehicles(Vehicles),
+    /// List the materials of the library: what is usual of masonry, joints, fill and backing, between which ends, and where that is from
+    Materials(Materials),
     /// Print the JSON Schema of bridge files or block model files, for editors
     Schema(Schema),
     /// Run the verification cases and print their table
@@ -410,6 +412,13 @@ pub struct Explain {
 #[derive(Debug, Args)]
 pub struct Vehicles {
     /// A vehicle, a load model or a rule, such as lm71 or cs-454; without a name, all are listed
+    pub name: Option<String>,
+}
+
+/// `extrados materials`.
+#[derive(Debug, Args)]
+pub struct Materials {
+    /// A material or a table of a bridge file, such as sandstone or masonry; without a name, all are listed
     pub name: Option<String>,
 }
 

@@ -107,10 +107,10 @@ findings::cards! {
         "The folder held the results of another run (another analysis or method, a sweep, a grid) or of another \
                file of the same name. They were moved to `earlier` in that folder before the new results were written. \
                --out DIR gives each run its own folder.";
-    "F126", "no vehicle, load model or rule of this name",
-        "`extrados vehicles NAME` knows the vehicles, load models and rules of the library; `extrados vehicles` \
-               without a name lists them all. Your own vehicles and rules are in files that the bridge file names \
-               (`vehicle_files` and `rule_file` in [sweep]).";
+    "F126", "no vehicle, load model, rule or material of this name",
+        "`extrados vehicles NAME` knows the vehicles, load models and rules of the library, `extrados materials NAME` its \
+               materials; without a name each lists them all. Your own vehicles and rules are in files that the bridge file names \
+               (`vehicle_files` and `rule_file` in [sweep]); your own values stand in the bridge file.";
     "F130", "nothing can be updated",
         "Updating needs a train that crosses ([train], [track], [passage]), records of its passage ([records] \
                with `place`, a table or a folder beside the file) and at least one [[parameter]] with a range. At \

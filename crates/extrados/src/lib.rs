@@ -43,6 +43,7 @@ mod companions;
 mod compare;
 pub mod examples;
 pub mod files;
+mod materials;
 pub mod means;
 mod names;
 mod passing;
@@ -69,6 +70,7 @@ pub use crate::choice::Choice;
 pub use crate::collapse::{CollapseOptions, collapse, planned};
 pub use crate::compare::{Answered, Compared, Difference, compare};
 pub use crate::files::{Disk, Files, Memory};
+pub use crate::materials::with_material;
 pub use crate::means::Means;
 pub use crate::passing::Passing;
 pub use crate::placing::{Carried, Placed, Placing, VehicleChoice};
@@ -92,3 +94,5 @@ pub use drawing;
 pub use figures;
 /// Blocks and particles as the block engine has them, which [`Stepping`] shows.
 pub use mechanics::dem;
+/// Materials of the library, which [`with_material`] writes into a file.
+pub use rules::materials;

@@ -3,13 +3,14 @@
 //!
 //! A [`LoadModel`] holds [`Vehicle`]s and the tables that were published for them; [`check`] compares the two. A [`Rule`]
 //! holds every factor between a vehicle's axle and the number that is compared with a limit. [`library`] reads all of them;
-//! [`read_load_model`] and [`read_rule`] read an engineer's own.
+//! [`read_load_model`] and [`read_rule`] read an engineer's own. [`materials`] are what is usual of masonry, joints and fill.
 
 mod check;
 mod dispersal;
 mod factor;
 mod impact;
 mod library;
+mod material;
 mod model;
 mod pattern;
 mod read;
@@ -26,6 +27,7 @@ pub use dispersal::{Dispersal, Pressure};
 pub use factor::Factor;
 pub use impact::{CoverReduction, FillReduction, Impact};
 pub use library::{FILES, Library, library};
+pub use material::{MATERIALS, Material, MaterialValue, materials};
 pub use model::{LoadModel, Published, PublishedQuantity, SpanLimit, Under, Ways};
 pub use pattern::{Axle, Pattern, Stretch};
 pub use read::{Problem, read_load_model, read_rule};

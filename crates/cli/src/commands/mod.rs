@@ -9,6 +9,7 @@ mod collapse;
 mod compare;
 mod convert;
 mod explain;
+mod materials;
 mod merge;
 mod model;
 mod new;
@@ -130,6 +131,7 @@ fn obey(desk: &mut Desk, command: &Command) -> Result<Answer, Failure> {
         Command::Merge(arguments) => merge::run(desk, arguments),
         Command::Explain(arguments) => explain::run(arguments).map(Answer::from),
         Command::Vehicles(arguments) => vehicles::run(arguments).map(Answer::from),
+        Command::Materials(arguments) => materials::run(arguments).map(Answer::from),
         Command::Schema(arguments) => Ok(schema::run(arguments)),
         Command::Verify(arguments) => verify::run(desk, arguments).map(Answer::from),
         Command::Validate(arguments) => validate::run(desk, arguments).map(Answer::from),

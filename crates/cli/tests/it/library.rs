@@ -1,4 +1,4 @@
-//! The vehicles and rules of the library, as `extrados vehicles` lists them.
+//! The vehicles, rules and materials of the library, as `extrados vehicles` and `extrados materials` list them.
 
 use crate::stage::Stage;
 use serde_json::Value;
@@ -57,4 +57,37 @@ fn a_name_gives_one_of_them_and_an_unknown_one_is_refused() {
     let (none, ending) = stage.object(&["vehicles", "hb-46"]);
     assert_eq!((ending.code, none["errors"][0]["code"].as_str()), (Some(2), Some("F126")), "{none}");
     assert!(none["errors"][0]["help"].as_str().is_some_and(|help| help.contains("extrados vehicles")), "{none}");
+}
+
+/// Every value of every material fits its key in each table that the material fills: in order, in the unit of the key, within its limits.
+#[test]
+fn materials_fit_the_tables_that_they_fill() {
+    use bridge::quantity::parse;
+    let stage = Stage::new("materials");
+    let (answer, ending) = stage.object(&["materials"]);
+    assert_eq!((ending.code, answer["schema"].as_str()), (Some(0), Some("extrados.materials/1")), "{}", ending.stderr);
+    let sections = bridge::fields::sections_of(&bridge::fields::FILE);
+    for one in answer["materials"].as_array().expect("materials") {
+        let code = one["code"].as_str().expect("a code");
+        for value in one["values"].as_array().expect("values") {
+            let key = value["key"].as_str().expect("a key");
+            let [low, middle, high] = ["least", "usual", "most"].map(|end| {
+                let text = value[end].as_str().expect(end);
+                parse(text).unwrap_or_else(|_| panic!("{code} {key}: {text}"))
+            });
+            assert!(low.si() <= middle.si() && middle.si() <= high.si(), "{code} {key}");
+            let unit = low.unit.symbol;
+            assert!(unit == middle.unit.symbol && unit == high.unit.symbol, "{code} {key}");
+            for table in one["tables"].as_array().expect("tables").iter().filter_map(Value::as_str) {
+                let section = sections.iter().find(|section| section.path == table);
+                let field = section.and_then(|section| section.field(key));
+                let field = field.unwrap_or_else(|| panic!("[{table}] has no {key}"));
+                assert!(low.si() >= field.limits.least && high.si() <= field.limits.most, "{code} {table}.{key}");
+            }
+        }
+    }
+    let (masonry, _) = stage.object(&["materials", "masonry"]);
+    assert!(each(&masonry["materials"], "code").contains(&"granite"), "{masonry}");
+    assert!(stage.run(&["materials", "granite"]).stdout.contains("SMART"));
+    assert_eq!(stage.run(&["materials", "cheese"]).code, Some(2));
 }
