@@ -265,7 +265,13 @@ mod tests {
             columns: None,
             strength: true,
         };
-        Checked { code: "C204".into(), title: "adequacy".into(), clause: String::new(), outcome: Ok(vec![one]) }
+        Checked {
+            code: "C204".into(),
+            title: "adequacy".into(),
+            clause: String::new(),
+            keys: Default::default(),
+            outcome: Ok(vec![one]),
+        }
     }
 
     fn actions(list: &[Step]) -> Vec<Action> {
@@ -349,7 +355,13 @@ mod tests {
         assert!(list.len() == 1 && list[0].because.contains("none turns it"), "{list:?}");
         e.facts.sensitivity = not();
         let why = NotMade { why: "positions without a result".into(), failed: true };
-        let open = Checked { code: "C201".into(), title: "adequacy".into(), clause: String::new(), outcome: Err(why) };
+        let open = Checked {
+            code: "C201".into(),
+            title: "adequacy".into(),
+            clause: String::new(),
+            keys: Default::default(),
+            outcome: Err(why),
+        };
         let list = steps(&e, &[open], &verdict(Judgement::Undetermined));
         assert_eq!(actions(&list), [Action::Refine]);
     }

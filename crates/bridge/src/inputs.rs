@@ -15,6 +15,19 @@ pub struct Input {
     pub remark: String,
 }
 
+impl Input {
+    /// Its path in the file: `cover[2].density`.
+    pub fn path(&self) -> String {
+        if self.section.is_empty() { self.key.clone() } else { format!("{}.{}", self.section, self.key) }
+    }
+}
+
+/// The table of a section in which a key has a value, as `sensor[2]`; the section itself where none has.
+pub fn table_with(inputs: &[Input], section: &str, key: &str, value: &str) -> String {
+    let of = |one: &&Input| one.section.split('[').next() == Some(section) && one.key == key && one.value == value;
+    inputs.iter().find(of).map_or_else(|| section.to_owned(), |one| one.section.clone())
+}
+
 /// Every value of a file in its order; nothing where it is not TOML.
 pub fn inputs(text: &str) -> Vec<Input> {
     let mut found = Vec::new();
@@ -71,5 +84,8 @@ mod tests {
             found.iter().map(|one| format!("{}.{}={}|{}", one.section, one.key, one.value, one.remark)).collect();
         assert_eq!(shown, ["bridge.width=4 m|[paper] Table 1", "cover[1].as=true|", "cover[2].list=[1, 2]|two"]);
         assert!(inputs("no [toml").is_empty());
+        assert_eq!((found[0].path(), found[2].path()), ("bridge.width".to_owned(), "cover[2].list".to_owned()));
+        let two = inputs("[[sensor]]\nname = \"a\"\n[[sensor]]\nname = \"b\"\n");
+        assert_eq!(["b", "c"].map(|name| table_with(&two, "sensor", "name", name)), ["sensor[2]", "sensor"]);
     }
 }

@@ -79,6 +79,9 @@ pub struct Checked {
     pub title: String,
     /// The clause that it follows, in short.
     pub clause: String,
+    /// Where a bridge file says for what the value is computed, and where its limit is; empty where that is not kept.
+    #[serde(default)]
+    pub keys: [String; 2],
     /// What came of it.
     pub outcome: Result<Vec<Comparison>, NotMade>,
 }

@@ -193,7 +193,7 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
         columns: rows::columns(&a.checked),
         augment: augment(a),
         limits_source: a.limits_source.clone().unwrap_or_else(|| "The file names no source of its limits.".to_owned()),
-        condition: rows::condition(&a.condition, update),
+        condition: rows::condition(&a.condition, update, material.inputs),
         no_update: a.facts.update.why_not().unwrap_or("the stage has no result"),
         no_service: a.facts.service.why_not().unwrap_or("the stage has no result"),
         no_collapse: a.facts.ultimate.why_not().unwrap_or("the stage has no result"),
@@ -205,12 +205,12 @@ pub fn page<'a>(material: &Material<'a>) -> Page<'a> {
             );
             std::iter::once(norm).chain(facts.told.clone()).chain(facts.records.clone()).collect()
         }).unwrap_or_default(),
-        fit: update.map(rows::fit).unwrap_or_default(),
+        fit: update.map(|facts| rows::fit(facts, material.inputs)).unwrap_or_default(),
         runs: update.map(|facts| facts.runs.iter().map(|(name, synthetic)| match synthetic {
             Some(_) => format!("{name}: SYNTHETIC, computed and not measured"),
             None => format!("{name}: measured"),
         }).collect()).unwrap_or_default(),
-        channels: a.facts.service.made().map(rows::channels).unwrap_or_default(),
+        channels: a.facts.service.made().map(|facts| rows::channels(facts, material.inputs)).unwrap_or_default(),
         loads: a.facts.service.made().map(|facts| facts.loads.iter().map(|load| [
             load.name.clone(),
             format!("{} t", digits(load.heaviest_axle_t)),

@@ -23,6 +23,8 @@ pub struct Part {
     pub numbers: Vec<bool>,
     /// Its rows.
     pub rows: Vec<Vec<String>>,
+    /// Where the bridge file says what stands in a row, row by row as far as they go; empty where it does not.
+    pub paths: Vec<String>,
 }
 
 impl Part {
@@ -36,6 +38,11 @@ impl Part {
         let cell =
             |(k, cell): (usize, &'a String)| (head(k), self.numbers.get(k).copied().unwrap_or(false), cell.as_str());
         row.iter().enumerate().map(cell).collect()
+    }
+
+    /// Where the bridge file says what stands in a row; empty where it does not.
+    pub fn path(&self, row: &usize) -> &str {
+        self.paths.get(*row).map_or("", String::as_str)
     }
 
     /// Heads with whether their columns are numbers.
@@ -101,9 +108,9 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
     for input in inputs {
         let remark = input.remark.to_lowercase();
         if UNSURE.iter().any(|word| remark.contains(word)) {
-            let name =
-                if input.section.is_empty() { input.key.clone() } else { format!("{}.{}", input.section, input.key) };
-            part.rows.push(vec![name, input.value.clone(), input.remark.clone(), blank(), blank()]);
+            part.paths.resize(part.rows.len(), String::new());
+            part.paths.push(input.path());
+            part.rows.push(vec![input.path(), input.value.clone(), input.remark.clone(), blank(), blank()]);
         }
     }
     for (stage, warning) in a.facts.warnings() {

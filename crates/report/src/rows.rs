@@ -1,6 +1,7 @@
 //! Rows of the report's tables, made of text.
 
 use crate::numbers::{digits, maybe, percent, with_unit};
+use bridge::inputs::{Input, table_with};
 use outcome::assessment::Assessment;
 use outcome::checked::{Checked, governing};
 use outcome::collapse::Status;
@@ -24,6 +25,8 @@ pub struct CheckRow {
     pub basis: String,
     /// How many comparisons it stands for, in words.
     pub of: String,
+    /// Where the bridge file says for what the value is computed, and where its limit is.
+    pub keys: [String; 2],
 }
 
 /// A check that was not made.
@@ -53,6 +56,7 @@ pub fn checks(checked: &[Checked]) -> Vec<CheckRow> {
                 governs: worst == Some((c, k)),
                 basis: finding.basis.clone(),
                 of: String::new(),
+                keys: check.keys.clone(),
             });
         }
     }
@@ -130,10 +134,12 @@ pub struct ConditionRow {
     pub class: &'static str,
     pub words: String,
     pub source: String,
+    /// Its table in the bridge file.
+    pub input: String,
 }
 
 /// Rows of the table of condition.
-pub fn condition(list: &[Condition], update: Option<&UpdateFacts>) -> Vec<ConditionRow> {
+pub fn condition(list: &[Condition], update: Option<&UpdateFacts>, inputs: &[Input]) -> Vec<ConditionRow> {
     let row = |one: &Condition| {
         let facts = update.and_then(|facts| facts.parameters.iter().find(|facts| facts.name == one.parameter));
         let interval = facts.and_then(|facts| facts.interval_95);
@@ -160,6 +166,7 @@ pub fn condition(list: &[Condition], update: Option<&UpdateFacts>) -> Vec<Condit
             },
             words: one.words.clone(),
             source: one.source.clone().unwrap_or_else(|| "the file names no source".to_owned()),
+            input: table_with(inputs, "parameter", "name", &one.parameter),
         }
     };
     list.iter().map(row).collect()
@@ -174,10 +181,12 @@ pub struct FitRow {
     pub updated: String,
     pub shape: String,
     pub remark: String,
+    /// Its sensor in the bridge file.
+    pub input: String,
 }
 
 /// Fit per channel.
-pub fn fit(update: &UpdateFacts) -> Vec<FitRow> {
+pub fn fit(update: &UpdateFacts, inputs: &[Input]) -> Vec<FitRow> {
     let row = |one: &outcome::facts::FitFacts| FitRow {
         name: one.name.clone(),
         unit: one.unit.clone(),
@@ -186,6 +195,7 @@ pub fn fit(update: &UpdateFacts) -> Vec<FitRow> {
         updated: maybe(one.updated),
         shape: one.shape.map_or("–".to_owned(), |shape| format!("{shape:.3}")),
         remark: one.left_out.as_ref().map_or(String::new(), |why| format!("left out: {why}")),
+        input: table_with(inputs, "sensor", "name", &one.name),
     };
     update.channels.iter().map(row).collect()
 }
@@ -196,16 +206,19 @@ pub struct ChannelRow {
     pub name: String,
     pub unit: String,
     pub cells: [String; 4],
+    /// Its sensor in the bridge file.
+    pub input: String,
 }
 
 /// The file's sensors under every load.
-pub fn channels(service: &ServiceFacts) -> Vec<ChannelRow> {
+pub fn channels(service: &ServiceFacts, inputs: &[Input]) -> Vec<ChannelRow> {
     let rows = service.loads.iter().flat_map(|load| {
         load.channels.iter().map(|channel| ChannelRow {
             load: load.name.clone(),
             name: channel.name.clone(),
             unit: channel.unit.clone(),
             cells: [channel.self_weight, channel.minimum, channel.maximum, channel.peak].map(digits),
+            input: table_with(inputs, "sensor", "name", &channel.name),
         })
     });
     rows.collect()

@@ -12,6 +12,7 @@ impl Check for Adequacy {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C201",
+            keys: ["load", "assess.adequacy_factor"],
             title: "adequacy factor",
             clause: "factor on loads at collapse",
             text: "The least factor on the loads of the file at which the bridge becomes a mechanism, by limit \

@@ -12,6 +12,7 @@ impl Check for NamedCases {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C206",
+            keys: ["case", "assess.adequacy_factor"],
             title: "named cases",
             clause: "factor on the loads of each [[case]] at collapse",
             text: "Each [[case]] of the file is analysed as the file plans, with its loads where they stand, its factors on loads and weights and \

@@ -13,6 +13,7 @@ impl Check for CrownDeflection {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C101",
+            keys: ["service_load", "assess.deflection_limit"],
             title: "crown deflection",
             clause: "deflection of the crown, self-weight and live load",
             text: "The vertical displacement of every crown under self-weight and under the train, which is increased \

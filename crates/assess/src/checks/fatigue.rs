@@ -18,6 +18,7 @@ impl Check for StressRange {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C203",
+            keys: ["service_load", "assess.load_cycles"],
             title: "range of stress",
             clause: "permissible limit: fatigue of masonry in compression",
             text: "The root of the range of compressive stress times its maximum, over the compressive strength of the \

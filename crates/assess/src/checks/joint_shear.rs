@@ -11,6 +11,7 @@ impl Check for JointShear {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C105",
+            keys: ["service_load", "assess.joint_shear_limit"],
             title: "joint shear",
             clause: "shear stress in joints of the ring",
             text: "The largest shear stress at any point of any joint of the ring, at the moments at which a sensor or \

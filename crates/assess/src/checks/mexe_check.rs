@@ -12,6 +12,7 @@ impl Check for MexeAxle {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C301",
+            keys: ["mexe", "mexe.axle_load"],
             title: "modified MEXE",
             clause: "modified axle load of the MEXE method",
             text: "The axle load of an empirical method: 740 (d + h)^2 / L^1.3 tonnes, at most 70, with ring thickness \

@@ -31,6 +31,8 @@ use outcome::facts::{JointFacts, ServiceLoadFacts};
 pub struct CheckCard {
     /// Code, `C…`.
     pub code: &'static str,
+    /// Where a bridge file says for what the value is computed, and where its limit is.
+    pub keys: [&'static str; 2],
     /// In a few words.
     pub title: &'static str,
     /// The clause that it follows, in short.
@@ -92,7 +94,8 @@ pub const CHECKS: &[&dyn Check] = &[
 pub fn run(assessment: &Evidence) -> Vec<Checked> {
     let made = |check: &&dyn Check| {
         let [code, title, clause] = [check.card().code, check.card().title, check.card().clause].map(str::to_owned);
-        Checked { code, title, clause, outcome: check.run(assessment) }
+        let keys = check.card().keys.map(str::to_owned);
+        Checked { code, title, clause, keys, outcome: check.run(assessment) }
     };
     CHECKS.iter().map(made).collect()
 }

@@ -12,6 +12,7 @@ impl Check for SupportMovement {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C401",
+            keys: ["support_movement", "assess.expected_movement"],
             title: "settlement tolerance",
             clause: "support movement over the movement that makes a mechanism",
             text: "expected_movement of [assess], times movement_factor, over the last movement of [support_movement] \

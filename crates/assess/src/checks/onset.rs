@@ -12,6 +12,7 @@ impl Check for Onset {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C205",
+            keys: ["load", "assess.onset_factor"],
             title: "states in service",
             clause: "factor on loads at which a joint is half open, at half its strength, or the bridge at half its stiffness",
             text: "The least factor on nominal loads (of a vehicle with impact, without the rule's factor on live loads; of \

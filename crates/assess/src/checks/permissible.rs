@@ -12,6 +12,7 @@ impl Check for PermissibleShare {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C202",
+            keys: ["load", "assess.permissible_share"],
             title: "share of the ultimate load",
             clause: "permissible limit: load in service over load at collapse",
             text: "The reciprocal of the adequacy factor of the file's loads: the load in service as a share of the \

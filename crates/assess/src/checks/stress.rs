@@ -84,7 +84,14 @@ fn run(a: &Evidence, place: RingSection) -> Result<Vec<Comparison>, NotMade> {
 impl Check for Crown {
     fn card(&self) -> CheckCard {
         let clause = "longitudinal stress at the crown";
-        CheckCard { code: "C102", title: "crown stress", clause, text: TEXT, source: SOURCE }
+        CheckCard {
+            code: "C102",
+            keys: ["service_load", "assess"],
+            title: "crown stress",
+            clause,
+            text: TEXT,
+            source: SOURCE,
+        }
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
@@ -95,7 +102,14 @@ impl Check for Crown {
 impl Check for Abutment {
     fn card(&self) -> CheckCard {
         let clause = "longitudinal stress at the abutments";
-        CheckCard { code: "C103", title: "abutment stress", clause, text: TEXT, source: SOURCE }
+        CheckCard {
+            code: "C103",
+            keys: ["service_load", "assess"],
+            title: "abutment stress",
+            clause,
+            text: TEXT,
+            source: SOURCE,
+        }
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {
@@ -106,7 +120,14 @@ impl Check for Abutment {
 impl Check for Pier {
     fn card(&self) -> CheckCard {
         let clause = "longitudinal stress at the piers";
-        CheckCard { code: "C104", title: "pier stress", clause, text: TEXT, source: SOURCE }
+        CheckCard {
+            code: "C104",
+            keys: ["service_load", "assess"],
+            title: "pier stress",
+            clause,
+            text: TEXT,
+            source: SOURCE,
+        }
     }
 
     fn run(&self, a: &Evidence) -> Result<Vec<Comparison>, NotMade> {

@@ -11,6 +11,7 @@ impl Check for ThrustZone {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C106",
+            keys: ["service_load", "assess.thrust_zone"],
             title: "thrust line",
             clause: "thrust within the middle third or the middle half of the ring",
             text: "The distance of the resultant from the middle of a joint over the joint's depth, from the tractions \

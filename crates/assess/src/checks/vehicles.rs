@@ -15,6 +15,7 @@ impl Check for Vehicles {
     fn card(&self) -> CheckCard {
         CheckCard {
             code: "C204",
+            keys: ["sweep.vehicles", "sweep.rule"],
             title: "adequacy of vehicles",
             clause: "adequacy factor of every vehicle under the factors of its rule",
             text: "The factor by which all loads of a vehicle may be multiplied before a mechanism forms, by limit \
