@@ -132,16 +132,6 @@ impl Answer {
 
     /// Of named cases.
     pub fn cases(project: &Project, found: &Cases) -> Answer {
-        let case = |one: &extrados::CaseAnswer| {
-            json!({
-                "name": one.name, "acts": one.told, "load_factor": one.factor(), "result": published::collapse(&one.collapse),
-            })
-        };
-        let mut fields = Object::new();
-        fields.insert("governing_case".to_owned(), json!(found.governing().map(|one| &one.name)));
-        fields.insert("load_factor".to_owned(), json!(found.governing().and_then(extrados::CaseAnswer::factor)));
-        fields.insert("load_factor_at_most".to_owned(), json!(found.least().and_then(extrados::CaseAnswer::factor)));
-        fields.insert("cases".to_owned(), found.answers.iter().map(case).collect());
         let mut written = Written::default();
         for (k, one) in found.answers.iter().enumerate() {
             let drawn = extrados::figures::drawings(&one.collapse.picture).into_iter();
@@ -150,7 +140,9 @@ impl Answer {
         let picture = found.least().map_or(Value::Null, |one| json!(one.collapse.picture));
         let known = found.answers.iter().all(extrados::CaseAnswer::is_known);
         let head = ("extrados.cases/1", if known { "completed" } else { "undetermined" });
-        Answer { picture, ..Answer::new(project, head, fields, &[], written) }
+        let warnings: Vec<Warning> =
+            found.warnings().into_iter().map(|(code, message)| Warning::new(code, message)).collect();
+        Answer { picture, ..Answer::new(project, head, found.object(), &warnings, written) }
     }
 
     /// How it ended.
