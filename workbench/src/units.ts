@@ -113,3 +113,9 @@ export function meant(typed: string, unit: string): string {
   const trimmed = typed.trim().replace(/,/g, ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(trimmed) && unit !== "" ? `${trimmed} ${unit}` : trimmed;
 }
+
+/** A key of the file in words: "compressive_strength" is "Compressive strength". */
+export function sayKey(key: string): string {
+  const words = key.replace(/_/g, " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}

@@ -5,7 +5,7 @@
 // JavaScript hands over owned texts.
 #![allow(clippy::needless_pass_by_value)]
 
-use crate::{analyses, cards, document, live, records as measured, result, stepped, train};
+use crate::{analyses, cards, document, live, reading, records as measured, result, stepped, train};
 use extrados::bridge::schema as schemas;
 use extrados::{Progress, Watch, Wish};
 use js_sys::{Error, Function, Reflect};
@@ -117,6 +117,25 @@ pub fn codes() -> String {
 #[wasm_bindgen]
 pub fn library() -> Thrown<String> {
     cards::library().map(|library| library.to_string()).map_err(thrown)
+}
+
+/// Materials with their values, ends and sources.
+#[wasm_bindgen]
+pub fn materials() -> String {
+    cards::materials().to_string()
+}
+
+/// The text of a bridge file with a table filled from a material of the library.
+#[wasm_bindgen]
+pub fn with_material(text: &str, table: &str, material: &str, keys: Vec<String>) -> Thrown<String> {
+    let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+    extrados::with_material(text, table, material, &keys).map_err(thrown)
+}
+
+/// Where a text says what a path names, or "null".
+#[wasm_bindgen]
+pub fn place(text: &str, path: &str) -> String {
+    reading::place(text, path).to_string()
 }
 
 /// The ten numbers of a survey.

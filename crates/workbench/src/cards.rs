@@ -133,6 +133,11 @@ pub fn from_drawing(name: &str, bytes: &[u8]) -> Result<String, Refusal> {
     Ok(extrados::of_drawing(name, &read.drawing))
 }
 
+/// Materials of the library.
+pub fn materials() -> Value {
+    json!(extrados::materials())
+}
+
 /// Vehicles and rules of the library.
 ///
 /// # Errors

@@ -111,6 +111,22 @@ pub fn quantities(text: &str) -> Value {
     vary::known(&document).into_iter().filter_map(one).collect()
 }
 
+/// Where a text says what a path of a report names: the value, or the table where it would stand; null where there is neither.
+pub fn place(text: &str, path: &str) -> Value {
+    let (places, offsets) = (Whereabouts::of(text), Offsets(text));
+    let mut wanted = path;
+    while !wanted.is_empty() {
+        // The first of several, where the path does not say which.
+        let found = [wanted.to_owned(), format!("{wanted}[1]")].iter().find_map(|one| places.value(&Path::parse(one)?));
+        if let Some(range) = found.filter(|range| range.start < range.end) {
+            let [start, end] = offsets.range(range);
+            return json!({ "start": start, "end": end, "path": wanted, "written": wanted == path });
+        }
+        wanted = wanted.rsplit_once('.').map_or("", |(table, _)| table);
+    }
+    Value::Null
+}
+
 /// Words that a field may hold.
 pub fn words(field: &Field) -> Vec<Value> {
     match field.kind {

@@ -157,6 +157,12 @@ export type LibraryModel = {
 };
 export type LibraryRule = { code: string; title: string };
 
+export type Source = { text: string; date: string; confidence: "read" | "calculated" | "recalled" | "assumed"; note: string };
+export type MaterialValue = { key: string; least: string; usual: string; most: string; source: Source };
+export type Material = { code: string; title: string; tables: string[]; values: MaterialValue[] };
+/** Where the text says what a path names; `written` is false where only its table is there. */
+export type PlaceInText = { start: number; end: number; path: string; written: boolean };
+
 export type ReadingOut = { reading: Reading; picture: Picture | null; quantities: Quantity[]; text: string };
 export type ResultOut = {
   status: string;

@@ -111,6 +111,9 @@ type Args = {
   example: string;
   file: string;
   code: string;
+  table: string;
+  material: string;
+  keys: string[];
   answers: Record<string, string | number>;
 };
 type Handler = (args: Args, tell: (stage: string, fraction: number) => void) => unknown;
@@ -123,6 +126,9 @@ const handlers: Record<string, Handler> = {
   keys: () => JSON.parse(engine.keys()),
   explain: ({ code }) => JSON.parse(engine.explain(code)),
   library: () => JSON.parse(engine.library()),
+  materials: () => JSON.parse(engine.materials()),
+  withMaterial: ({ text, table, material, keys }) => engine.with_material(text, table, material, keys),
+  placeOf: ({ text, path }) => JSON.parse(engine.place(text, path)),
   questions: () => JSON.parse(engine.survey_questions()),
   fromSurvey: ({ answers }) => engine.from_survey(JSON.stringify(answers)),
   fromDxf: ({ name, bytes }) => engine.from_dxf(name, bytes),
@@ -180,16 +186,12 @@ const handlers: Record<string, Handler> = {
     return moved(value);
   },
   zone: ({ sheet, x, factor }) => placing(sheet).zone(x, factor),
-  /** As many of the places as a slice of time allows; four numbers each. */
-  factors: ({ sheet, xs, budget }) => {
+  /** Four numbers a place. */
+  factors: ({ sheet, xs }) => {
     const made = placing(sheet);
-    const until = performance.now() + budget;
-    const found: number[] = [];
-    for (const x of xs) {
-      found.push(...made.factor(x));
-      if (performance.now() > until) break;
-    }
-    return Float64Array.from(found);
+    const found = new Float64Array(4 * xs.length);
+    xs.forEach((x, k) => found.set(made.factor(x), 4 * k));
+    return found;
   },
 
   collapse: ({ sheet, run, choice }, tell) => published(engine.collapse(documentOf(sheet), choice, tell), run),

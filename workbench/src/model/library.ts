@@ -1,6 +1,6 @@
-/** Vehicles, rules, examples and survey questions of the engine, asked once. */
+/** Vehicles, rules, materials, examples and survey questions of the engine, asked once. */
 import { createResource } from "solid-js";
-import type { Example, Library, Question } from "../engine/types";
+import type { Example, Library, Material, Question } from "../engine/types";
 import { liveEngine } from "./live";
 
 async function patient<T>(call: string): Promise<T> {
@@ -17,3 +17,4 @@ async function patient<T>(call: string): Promise<T> {
 export const [examples] = createResource(() => patient<Example[]>("examples"));
 export const [library] = createResource(() => patient<Library>("library"));
 export const [questions] = createResource(() => patient<Question[]>("questions"));
+export const [materials] = createResource(() => patient<Material[]>("materials"));

@@ -4,7 +4,8 @@ import type { Quantity, Refusal } from "../engine/types";
 import { setQuantity } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { countOf, inserted, repeated, without } from "../model/structure";
-import { meant, shown } from "../units";
+import { meant, sayKey, shown } from "../units";
+import { MaterialsOf } from "./Materials";
 import { system } from "../shell/settings";
 
 const TITLES: Record<string, string> = {
@@ -21,6 +22,11 @@ const TITLES: Record<string, string> = {
   pressure: "Pressure of the fill",
   fill_pressure: "Pressure of the fill",
   continuum: "Fill as a continuum",
+  ring_joint: "Joints between rings",
+  mortar: "Mortar",
+  fill: "Fill",
+  haunch_fill: "Fill of the haunches",
+  abutment_fill: "Fill behind the abutments",
   particles: "Fill as particles",
   road: "Road",
   defect: "Defect",
@@ -33,11 +39,6 @@ const TITLES: Record<string, string> = {
 
 /** Tables that describe the bridge come before those that describe what is computed. */
 const ORDER = ["bridge", "span", "pier", "cover", "backing", "masonry", "joint", "abutment", "road", "defect", "load", "dispersal", "sweep"];
-
-export function sayKey(key: string): string {
-  const words = key.replace(/_/g, " ");
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}
 
 /** Most that is laid out as fields; more is for the text. */
 const MOST_GROUPS = 60;
@@ -147,7 +148,7 @@ export function Form(props: { sheet: Sheet }): JSX.Element {
         <button type="button" class="btn small" onClick={addSpan}>Add a span and its pier</button>
         <button type="button" class="btn small" onClick={addLayer}>Add a layer</button>
       </div>
-      <p class="soft">
+      <p class="soft spaced">
         <label>
           <input type="checkbox" checked={all()} onChange={(event) => setAll(event.currentTarget.checked)} /> Show values that the file leaves to their defaults
         </label>
@@ -185,6 +186,7 @@ export function Form(props: { sheet: Sheet }): JSX.Element {
                     return <Show when={quantity()}>{(one) => <FieldRow quantity={one()} short={sayKey(path.slice(id.length + 1).replace(/\[(\d+)\]/g, " $1").replace(/\./g, ", "))} />}</Show>;
                   }}
                 </For>
+                <MaterialsOf sheet={props.sheet} at={id} table={group().base} there={group().fields.filter((one) => !one.by_default).map((one) => one.path.slice(id.length + 1))} />
                 <Show when={group().index !== null && many() && lists.includes(group().base)}>
                   <button type="button" class="btn small" onClick={() => change(without(props.sheet.text(), group().base, group().index!), `remove ${id}`)}>
                     Remove {group().title.toLowerCase()} {group().index}

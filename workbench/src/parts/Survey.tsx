@@ -5,8 +5,7 @@ import { questions } from "../model/library";
 import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { system } from "../shell/settings";
-import { meant, shown } from "../units";
-import { sayKey } from "./Form";
+import { meant, sayKey, shown } from "../units";
 
 const TITLES: Record<string, string> = {
   span: "Span",

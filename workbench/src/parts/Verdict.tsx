@@ -1,13 +1,15 @@
 /** Verdict: whole analyses as the command makes them, their report, and every file that the command would write. */
 import { createMemo, createSignal, For, onCleanup, Show, type JSX } from "solid-js";
 import { Lost, Refused } from "../engine/client";
-import type { Reading, ResultOut } from "../engine/types";
+import type { PlaceInText, Reading, ResultOut } from "../engine/types";
 import { download } from "../drawing/film";
 import { analyse, background } from "../model/background";
 import type { Sheet } from "../model/sheet";
+import { liveEngine } from "../model/live";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
 import { figures, force, lineLoad, words } from "../units";
+import { goToText } from "./BridgePanel";
 
 type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
 
@@ -44,6 +46,7 @@ const runName = (sheet: Sheet): string => `verdict-${sheet.id}`;
 async function run(sheet: Sheet, kind: Kind): Promise<void> {
   const [, set] = verdictOf(sheet);
   const text = sheet.text();
+  scrolled.delete(sheet);
   set({ mode: "runs", kind, words: "", fraction: NaN, result: null, text, trouble: "" });
   try {
     const out = await analyse(sheet, kind.call, { run: runName(sheet), ...kind.args }, (stage, fraction) => set((old) => ({ ...old, words: stage, fraction })));
@@ -58,8 +61,42 @@ async function run(sheet: Sheet, kind: Kind): Promise<void> {
   }
 }
 
+/** Opens the text of the file where it says what a number of the report rests on. */
+async function goToInput(sheet: Sheet, path: string): Promise<void> {
+  const found = await liveEngine.call<PlaceInText | null>("placeOf", { text: sheet.text(), path }).catch(() => null);
+  if (!found) return say(`The file says nothing of ${path}: the number rests on what the program takes then.`);
+  goToText(found);
+  say(found.written ? `${found.path} is marked in the text of the file.` : `The file does not write ${path}; its table is marked.`);
+}
+
+/** Where the report was when somebody left it for an input. */
+const scrolled = new WeakMap<Sheet, number>();
+
+const LEAD = "#input:";
+
+/** Makes every number of a report that names its input a link that leads there. The frame runs no script, not even listeners from outside in every
+ * browser: its links change its fragment, and the page looks at that. */
+function lead(inside: Document): void {
+  const style = inside.createElement("style");
+  style.textContent =
+    "a.lead { color: inherit; text-decoration: underline dotted 1px; text-underline-offset: 3px; } a.lead:hover { text-decoration-style: solid; } " +
+    "@media print { a.lead { text-decoration: none; } }";
+  inside.head.append(style);
+  for (const holder of inside.querySelectorAll<HTMLElement>("[data-input]")) {
+    const cell = holder.tagName === "TR" ? (holder.children[1] as HTMLElement | undefined) : holder;
+    const path = holder.dataset["input"] ?? "";
+    if (!cell || path === "" || cell.textContent?.trim() === "") continue;
+    const link = inside.createElement("a");
+    link.className = "lead";
+    link.href = LEAD + encodeURIComponent(path);
+    link.title = `Go to ${path} in the file`;
+    link.append(...cell.childNodes);
+    cell.append(link);
+  }
+}
+
 /** The report in a frame that runs no script; its own page has its own policy. */
-function Report(props: { html: string; hold: (frame: HTMLIFrameElement) => void }): JSX.Element {
+function Report(props: { sheet: Sheet; html: string; hold: (frame: HTMLIFrameElement) => void }): JSX.Element {
   let frame!: HTMLIFrameElement;
   const fill = (): void => {
     const inside = frame.contentDocument;
@@ -69,7 +106,18 @@ function Report(props: { html: string; hold: (frame: HTMLIFrameElement) => void 
     const parsed = new window.DOMParser().parseFromString(props.html, "text/html");
     for (const element of parsed.querySelectorAll("script, iframe, object, embed, link, base, meta, form")) element.remove();
     inside.replaceChild(inside.adoptNode(parsed.documentElement), inside.documentElement);
+    lead(inside);
+    window.scrollTo(0, scrolled.get(props.sheet) ?? 0);
   };
+  const asked = setInterval(() => {
+    const window = frame.contentWindow;
+    const hash = window?.location.hash ?? "";
+    if (!window || !hash.startsWith(LEAD)) return;
+    scrolled.set(props.sheet, window.scrollY);
+    window.history.replaceState(null, "", window.location.pathname);
+    void goToInput(props.sheet, decodeURIComponent(hash.slice(LEAD.length)));
+  }, 100);
+  onCleanup(() => clearInterval(asked));
   return (
     <iframe
       ref={(made) => {
@@ -100,7 +148,7 @@ let frame: HTMLIFrameElement | null = null;
 export function VerdictScene(props: { sheet: Sheet }): JSX.Element {
   const verdict = () => verdictOf(props.sheet)[0]();
   return (
-    <div class="scene sheet-of-paper" tabindex="0" role="region" aria-label="Result">
+    <div class="scene sheet-of-paper" classList={{ blank: !verdict().result }} tabindex="0" role="region" aria-label="Result">
       <Show
         when={verdict().result}
         fallback={
@@ -130,7 +178,7 @@ export function VerdictScene(props: { sheet: Sheet }): JSX.Element {
               <For each={result().figures}>{(figure) => <figure><Svg svg={figure.svg} name={figure.name} /><figcaption>{figure.name.replace(/-/g, " ")}</figcaption></figure>}</For>
             </div>
           }>
-            {(html) => <Report html={html()} hold={(made) => (frame = made)} />}
+            {(html) => <Report sheet={props.sheet} html={html()} hold={(made) => (frame = made)} />}
           </Show>
         )}
       </Show>
@@ -146,6 +194,13 @@ const STATUS: Record<string, string> = {
   completed: "Completed",
 };
 
+/** A line of a text, from 1, as a stretch of it. */
+function lineOf(text: string, line: number): { start: number; end: number } {
+  const lines = text.split("\n");
+  const start = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
+  return { start, end: start + (lines[line - 1]?.length ?? 0) };
+}
+
 export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
   const verdict = () => verdictOf(props.sheet)[0]();
   const object = () => verdict().result?.object ?? null;
@@ -160,9 +215,9 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
   const notes = createMemo(() => {
     const found = object();
     if (!found) return [];
-    const list: { kind: string; text: string }[] = [];
+    const list: { kind: string; text: string; line?: number }[] = [];
     for (const text of (found["missing"] as string[] | undefined) ?? []) list.push({ kind: "warn", text: `Missing: ${text}` });
-    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${one.message ?? ""}` });
+    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${one.message ?? ""}`, ...(one.line ? { line: one.line } : {}) });
     for (const text of (found["assumptions"] as string[] | undefined) ?? []) list.push({ kind: "", text });
     return list;
   });
@@ -187,13 +242,17 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
         <span class="cap">By</span>
         <b>{String(object()?.["headline_from"] ?? verdict().kind?.about ?? "")}</b>
         <div class="under">{status() ? `Status: ${status()}` : ""}</div>
-        <Show when={governing() !== null}><div class="under">Factor {figures(governing()!, 3)}</div></Show>
+        <Show when={governing() !== null}><div class="under">Factor on the load {figures(governing()!, 3)}</div></Show>
       </div>
       <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">
         <span class="cap">Warnings and assumptions</span>
         <ul>
           <Show when={verdict().result && verdict().text !== props.sheet.text()}><li class="warn">The bridge has changed since this was computed.</li></Show>
-          <For each={notes()} fallback={<li>None so far.</li>}>{(one) => <li class={one.kind}>{one.text}</li>}</For>
+          <For each={notes()} fallback={<li>None so far.</li>}>{(one) => (
+            <li class={one.kind}>
+              <Show when={one.line} fallback={one.text}>{(line) => <button type="button" class="link" onClick={() => goToText(lineOf(props.sheet.text(), line()))}>{one.text}</button>}</Show>
+            </li>
+          )}</For>
         </ul>
       </div>
     </section>

@@ -65,6 +65,26 @@ test("form, text and handles change one document, and undo takes back what any o
   await context.close();
 });
 
+test("a material of the library is written with its source beside it", async () => {
+  const { page, complaints, context } = await visit();
+  await openExample(page, "bridgemill");
+  const before = await headline(page);
+  const start = await textOf(page);
+  const masonry = page.locator("details.group").filter({ has: page.locator("summary", { hasText: /^Masonry/ }) });
+  await masonry.getByText("From the library of materials").click();
+  await masonry.getByLabel("Material").selectOption({ label: "Random rubble in lime mortar" });
+  assert.match(await masonry.innerText(), /recalled: BD 21/);
+  await shot(page, "materials-1280-light");
+  await masonry.getByRole("button", { name: "Write into the file" }).click();
+  await until("the file has the values", async () => /density = "2200 kg\/m\^3"\s+# not measured: library, rubble, 2000/.test(await textOf(page)));
+  assert.match(await textOf(page), /compressive_strength = "4 MPa"\s+# not measured: library, rubble.*recalled: BD 21/);
+  await until("another strength carries another load", async () => (await headline(page)) !== before);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await textOf(page), start, "one step takes it back");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("a mistake is told at its place in the engineer's words, and the drawing stays", async () => {
   const { page, context } = await visit();
   await openExample(page, "tiny");

@@ -3,7 +3,7 @@
 use extrados::{Unwatched, examples};
 use serde_json::Value;
 use workbench::document::Document;
-use workbench::{analyses, cards, live, records, stepped};
+use workbench::{analyses, cards, live, reading, records, stepped};
 
 fn tiny() -> Document {
     Document::new("bridge.toml", include_str!("../../../../examples/tiny/bridge.toml"))
@@ -63,6 +63,87 @@ fn a_value_is_edited_at_its_place_and_everything_else_stays() {
     document.set("span[1].rise", "3 kN").unwrap();
     let reading = document.reading();
     assert_eq!((&reading["usable"], &reading["findings"][0]["code"]), (&false.into(), &"B104".into()));
+}
+
+/// A path of a report leads to the value, to the table where it would stand, or nowhere.
+#[test]
+fn a_path_of_a_report_leads_to_its_place() {
+    let text = "# ä\n[assess]\nadequacy_factor = 1.5\n\n[[sensor]]\nname = \"a\"\n[[sensor]]\nname = \"b\"\n[masonry]\ndensity = \"1 t\"\n";
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let shown = |path: &str| {
+        let place = reading::place(text, path);
+        let at = ["start", "end"].map(|key| place[key].as_u64().map(|at| at as usize));
+        let [Some(start), Some(end)] = at else { return (String::new(), false) };
+        (String::from_utf16_lossy(&units[start..end]), place["written"] == true)
+    };
+    assert_eq!(shown("assess.adequacy_factor"), ("1.5".to_owned(), true));
+    assert_eq!(shown("masonry.density"), ("\"1 t\"".to_owned(), true));
+    assert_eq!(shown("assess.onset_factor"), ("[assess]".to_owned(), false));
+    assert_eq!(shown("sensor[2]"), ("[[sensor]]".to_owned(), true));
+    assert!(shown("sensor").0.starts_with("[[sensor]]"));
+    assert_eq!(shown("sweep.rule"), (String::new(), false));
+    let second = reading::place(text, "sensor[2]")["start"].as_u64().unwrap() as usize;
+    assert_eq!(second, "# ä\n[assess]\nadequacy_factor = 1.5\n\n[[sensor]]\nname = \"a\"\n".encode_utf16().count());
+}
+
+/// A table that is filled from the library has the usual values, each with its source beside it, and everything else stays.
+#[test]
+fn a_table_is_filled_from_the_library_with_sources_beside_the_values() {
+    let before = include_str!("../../../../examples/bridgemill/case-1.toml");
+    let text = extrados::with_material(before, "masonry", "granite", &["density", "compressive_strength"]).unwrap();
+    let line = |key: &str| text.lines().find(|line| line.starts_with(key)).unwrap_or_default().to_owned();
+    let density = "\"2650 kg/m^3\"  # not measured: library, granite, 2500 kg/m^3 to 3200 kg/m^3; read: SMART";
+    assert!(line("density").contains(density), "{text}");
+    assert!(line("compressive_strength").contains("assumed: that of squared sandstone"), "{text}");
+    assert_eq!(before.lines().count(), text.lines().count());
+    let usable = |text: &str| Document::new("bridge.toml", text).reading()["usable"] == true;
+    assert!(usable(&text), "{text}");
+    for (table, material, keys) in [
+        ("joint", "granite", &["density"][..]),
+        ("masonry", "cheese", &["density"]),
+        ("masonry", "granite", &["taste"]),
+    ] {
+        let refused = extrados::with_material(before, table, material, keys).unwrap_err();
+        assert!(!refused.help.is_empty(), "{refused}");
+    }
+    // In a table on one line the remark stands behind the line.
+    let tiny = include_str!("../../../../examples/tiny/bridge.toml");
+    let filled = extrados::with_material(tiny, "masonry", "sandstone", &["density"]).unwrap();
+    assert!(usable(&filled) && filled.contains("not measured: library, sandstone"), "{filled}");
+}
+
+/// The cards by which the editor completes say what the JSON Schema of bridge files says: the same tables, keys, words and defaults, and which
+/// keys must be there.
+#[test]
+fn completion_and_schema_say_the_same() {
+    let schema = extrados::bridge::schema::schema();
+    let sections = cards::keys();
+    let sections = sections.as_array().unwrap();
+    let mut compared = [0; 3];
+    for section in sections {
+        let path = section["path"].as_str().unwrap();
+        let there = if path.is_empty() { &schema } else { &schema["$defs"][path] };
+        let properties = there["properties"].as_object().unwrap_or_else(|| panic!("the schema has no table {path}"));
+        let fields = section["fields"].as_array().unwrap();
+        let keys: std::collections::BTreeSet<&str> = fields.iter().map(|one| one["key"].as_str().unwrap()).collect();
+        assert_eq!(keys, properties.keys().map(String::as_str).collect(), "{path}");
+        let required: Vec<&str> = there["required"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+        for field in fields {
+            let key = field["key"].as_str().unwrap();
+            let property = &properties[key];
+            let words: Vec<&str> =
+                field["words"].as_array().unwrap().iter().filter_map(|one| one["word"].as_str()).collect();
+            let listed: Vec<&str> =
+                property["enum"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+            assert_eq!(words, listed, "{path}.{key}");
+            assert!(!required.contains(&key) || field["need"] == "required", "{path}.{key}");
+            assert_eq!(field["default"].is_null(), property.get("default").is_none(), "{path}.{key}");
+            compared = [compared[0] + 1, compared[1] + words.len(), compared[2] + required.len()];
+        }
+    }
+    let defined = schema["$defs"].as_object().unwrap().len();
+    assert_eq!(sections.len(), defined + 1, "as many tables as definitions, and the file");
+    assert!(compared[0] > 250 && compared[1] > 80 && compared[2] > 100, "{compared:?}");
 }
 
 #[test]
