@@ -77,6 +77,16 @@ export async function openExample(page, name, file = "") {
 
 export const part = (page, name) => page.getByRole("navigation", { name: "Parts" }).getByRole("button", { name }).click();
 
+/** Drops a file on the page, as from the desktop. */
+export async function dropped(page, name, text) {
+  const data = await page.evaluateHandle(([name, text]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], name));
+    return data;
+  }, [name, text]);
+  await page.dispatchEvent(".desk", "drop", { dataTransfer: data });
+}
+
 /** The number of the headline, once there is one. */
 export async function headline(page, id = "headline") {
   const place = page.getByTestId(id);

@@ -74,3 +74,12 @@ export function without(text: string, name: string, index: number): string {
   if (!stretch) return text;
   return `${text.slice(0, stretch.start).replace(/\s*$/, "\n")}\n${text.slice(stretch.end).replace(/^\s*/, "")}`;
 }
+
+/** A text value of a single table, written in the place of the one that is there; the text as it was where there is none. */
+export function withWord(text: string, name: string, key: string, word: string): string {
+  const table = tablesOf(text).find((one) => one.name === name && !one.list);
+  if (!table) return text;
+  const body = text.slice(table.start, table.end);
+  const line = new RegExp(`^(\\s*${key}\\s*=\\s*)("[^"\\n]*"|'[^'\\n]*')`, "m");
+  return text.slice(0, table.start) + body.replace(line, (_all, before: string) => `${before}"${word.replace(/["\\\p{Cc}]/gu, "")}"`) + text.slice(table.end);
+}

@@ -5,12 +5,15 @@ import { grid, scaleBar, type Sheet as Paper } from "../drawing/elevation";
 import type { Box, View } from "../drawing/view";
 import { Lost, Refused } from "../engine/client";
 import { analyse, background } from "../model/background";
+import { examples } from "../model/library";
+import { historiesOf, type Histories } from "../model/histories";
 import { passageOf, sensorTable, type Mesh, type Moment } from "../model/passage";
 import type { Sheet } from "../model/sheet";
-import { inserted } from "../model/structure";
+import { inserted, withWord } from "../model/structure";
 import { keepFiles } from "../model/storage";
 import { say } from "../model/workspace";
 import { Chart, type Curve } from "../shell/Chart";
+import { openExample } from "../shell/OpenDialog";
 import { Scene } from "../shell/Scene";
 import { system } from "../shell/settings";
 import { figures, grouped, place, small, words } from "../units";
@@ -114,6 +117,9 @@ function paintJoints({ pen, view, ink }: Paper, joints: Float32Array): number {
   return open;
 }
 
+/** The example that has a train. */
+const arch = () => (examples() ?? []).find((one) => one.command === "respond");
+
 export function TrainScene(props: { sheet: Sheet }): JSX.Element {
   const passage = () => passageOf(props.sheet);
   const set = () => passage().set[0]();
@@ -163,8 +169,8 @@ export function TrainScene(props: { sheet: Sheet }): JSX.Element {
       box={box()}
       depends={() => [passage().shown[0](), passage().done[0](), set(), chosen(), times()]}
       title={props.sheet.name()}
-      note={`Displacements ${grouped(times(), 0)} times as large`}
-      label={`Mesh of ${props.sheet.name()} with the train; displacements ${times()} times as large.`}
+      note={set() ? (times() > 1 ? `Displacements ${grouped(times(), 0)} times as large` : "Displacements at true scale") : ""}
+      label={set() ? `Mesh of ${props.sheet.name()} with the train; displacements ${times()} times as large.` : `${props.sheet.name()}: no passage yet.`}
       click={click}
       paint={(paper) => {
         const now = set();
@@ -207,7 +213,12 @@ export function TrainScene(props: { sheet: Sheet }): JSX.Element {
             fallback={
               <div>
                 <p>{props.sheet.reading[0]()?.sections?.passage ? "The train of the file crosses the bridge; finite elements with joints that open." : "This file has no train and no passage. The example “Railway arch” has both."}</p>
-                <button type="button" class="btn main" onClick={() => void passage().start()} disabled={!props.sheet.reading[0]()?.usable || !props.sheet.reading[0]()?.sections?.passage}>Let the train cross</button>
+                <Show
+                  when={props.sheet.reading[0]()?.sections?.passage}
+                  fallback={<button type="button" class="btn main" disabled={!arch()} onClick={() => void openExample(arch()!)}>Open the railway arch</button>}
+                >
+                  <button type="button" class="btn main" onClick={() => void passage().start()} disabled={!props.sheet.reading[0]()?.usable}>Let the train cross</button>
+                </Show>
                 <Show when={passage().trouble[0]()}><p class="complaint" role="alert">{passage().trouble[0]()}</p></Show>
               </div>
             }
@@ -428,6 +439,13 @@ export function TrainPanel(props: { sheet: Sheet }): JSX.Element {
           }} />
           <For each={tables()}>{(name) => <button type="button" class="btn small" onClick={() => void passage().measure(name, props.sheet.files.get(name)!)}>{name}</button>}</For>
         </div>
+        <For each={tables().filter((name) => withWord(props.sheet.text(), "records", "place", name) !== props.sheet.text())}>
+          {(name) => (
+            <p>
+              <button type="button" class="link" onClick={() => props.sheet.change(withWord(props.sheet.text(), "records", "place", name), "records of the update")}>Let the update read {name}</button>
+            </p>
+          )}
+        </For>
         <Show when={passage().measured[0]()}>
           {(found) => (
             <>
@@ -444,31 +462,69 @@ export function TrainPanel(props: { sheet: Sheet }): JSX.Element {
   );
 }
 
-type Parameter = { name: string; value: number; unit?: string; interval_95?: [number, number] | null; identifiable?: boolean; at_bound?: boolean };
+type Parameter = { name: string; value: number; unit?: string; lower: number; upper: number; interval_95?: [number, number] | null; identifiable?: boolean; at_bound?: boolean };
+type Updated = { parameters: Parameter[]; histories: Histories | null; figures: { name: string; svg: string }[]; status: string; norms: [number | null, number | null]; warnings: string[] };
+
+/** What was measured lies on top, as a dashed line that lets the others be seen. */
+const THREE: Curve[] = [
+  { label: "before", kind: "second" },
+  { label: "found", kind: "answer" },
+  { label: "measured", kind: "ink", dash: [4, 3] },
+];
+
+/** Where a value and its interval lie between the bounds of the search. */
+function Interval(props: { of: Parameter }): JSX.Element {
+  const at = (value: number): number => (200 * (value - props.of.lower)) / (props.of.upper - props.of.lower || 1);
+  return (
+    <svg class="interval" viewBox="-4 0 208 16" role="img" aria-label={`Between ${figures(props.of.lower)} and ${figures(props.of.upper)}`}>
+      <line x1="0" x2="200" y1="8" y2="8" />
+      <Show when={props.of.interval_95}>{(ends) => <rect x={at(ends()[0])} width={Math.max(1, at(ends()[1]) - at(ends()[0]))} y="4" height="8" />}</Show>
+      <circle cx={at(props.of.value)} cy="8" r="4" />
+    </svg>
+  );
+}
 
 /** Parameters of the model from the records that the file names. */
 function Update(props: { sheet: Sheet }): JSX.Element {
   const [state, setState] = createSignal<{ words: string; fraction: number } | null>(null);
   const [trouble, setTrouble] = createSignal("");
-  const [found, setFound] = createSignal<{ parameters: Parameter[]; figures: { name: string; svg: string }[]; status: string } | null>(null);
+  const [found, setFound] = createSignal<Updated | null>(null);
+  const [channel, setChannel] = createSignal(0);
   const run = async (): Promise<void> => {
     setTrouble("");
+    setFound(null);
     setState({ words: "", fraction: NaN });
     try {
-      const out = await analyse(props.sheet, "update", { run: "update" }, (stage, fraction) => setState({ words: stage, fraction }));
-      const object = JSON.parse(out.json) as { parameters?: Parameter[] };
-      setFound({ parameters: object.parameters ?? [], figures: out.figures, status: out.status });
+      const name = `update-${props.sheet.id}`;
+      const out = await analyse(props.sheet, "update", { run: name }, (stage, fraction) => setState({ words: stage, fraction }));
+      const object = JSON.parse(out.json) as { parameters?: Parameter[]; error_norm?: number; initial_error_norm?: number; warnings?: { message?: string }[] };
+      const table = out.files.includes("histories.csv") ? new TextDecoder().decode(await background.call<Uint8Array>("file", { run: name, name: "histories.csv" })) : "";
+      setChannel(0);
+      setFound({
+        parameters: object.parameters ?? [],
+        histories: table ? historiesOf(table) : null,
+        figures: out.figures,
+        status: out.status,
+        norms: [object.initial_error_norm ?? null, object.error_norm ?? null],
+        warnings: (object.warnings ?? []).map((one) => one.message ?? ""),
+      });
     } catch (error) {
       setTrouble(error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message));
     }
     setState(null);
   };
+  const shown = () => found()?.histories?.channels[channel()];
+  const curves = createMemo<uPlot.AlignedData>(() => {
+    const one = shown();
+    return one ? [found()!.histories!.times, one.start, one.updated, one.measured] : [[], [], [], []];
+  });
+  const percent = (norm: number | null): string => (norm === null ? "–" : `${figures(100 * norm, 3)} %`);
   return (
     <details class="group" open>
       <summary>Update from records</summary>
-      <p class="soft">Searches the parameters with which the computed records fit the measured ones. Minutes.</p>
+      <p class="soft">Searches the parameters with which the computed records fit the measured ones. A minute or more.</p>
       <div class="row">
-        <Show when={state()} fallback={<button type="button" class="btn small" onClick={() => void run()}>Update</button>}>
+        <Show when={state()} fallback={<button type="button" class="btn small" disabled={!props.sheet.reading[0]()?.usable} onClick={() => void run()}>Update</button>}>
           {(now) => (
             <>
               <button type="button" class="btn small" onClick={() => background.stop()}>Stop</button>
@@ -481,13 +537,14 @@ function Update(props: { sheet: Sheet }): JSX.Element {
       <Show when={found()}>
         {(now) => (
           <>
-            <table class="plain">
+            <p role="status" data-testid="update-status">Misfit of the peaks {percent(now().norms[0])} before, {percent(now().norms[1])} after. Ended: {now().status}.</p>
+            <table class="plain" data-testid="parameters">
               <thead><tr><th scope="col">Parameter</th><th scope="col" class="right">Found</th><th scope="col" class="right">95 %</th></tr></thead>
               <tbody>
                 <For each={now().parameters}>
                   {(one) => (
                     <tr>
-                      <td>{one.name}{one.identifiable === false ? <div class="soft">the records do not tell</div> : null}{one.at_bound ? <div class="soft">at its bound</div> : null}</td>
+                      <td>{one.name}<Interval of={one} />{one.identifiable === false ? <div class="soft">the records do not tell</div> : null}{one.at_bound ? <div class="soft">at its bound</div> : null}</td>
                       <td class="right num">{figures(one.value)} {one.unit ?? ""}</td>
                       <td class="right num">{one.interval_95 ? `${figures(one.interval_95[0], 3)} to ${figures(one.interval_95[1], 3)}` : "–"}</td>
                     </tr>
@@ -495,6 +552,22 @@ function Update(props: { sheet: Sheet }): JSX.Element {
                 </For>
               </tbody>
             </table>
+            <p class="soft">Line: between the bounds of the search. Bar: the 95 % interval. Point: what was found.</p>
+            <Show when={now().histories}>
+              {(histories) => (
+                <>
+                  <div class="field">
+                    <label for="history">Records of</label>
+                    <select id="history" value={channel()} onChange={(event) => setChannel(Number(event.currentTarget.value))}>
+                      <For each={histories().channels}>{(one, k) => <option value={k()}>{one.name}</option>}</For>
+                    </select>
+                  </div>
+                  <Chart data={curves()} curves={THREE} x="time, s" y={shown()?.unit ?? ""} height={200} label={`${shown()?.name ?? ""}: measured, before the update and after it.`} />
+                  <p class="soft">Dashed: measured. Blue: before. Red: with what was found.</p>
+                </>
+              )}
+            </Show>
+            <For each={now().warnings}>{(words) => <p class="soft">{words}</p>}</For>
             <div class="figures inline">
               <For each={now().figures.slice(0, 6)}>{(figure) => <figure><Svg svg={figure.svg} name={figure.name} /><figcaption>{figure.name.replace(/-/g, " ")}</figcaption></figure>}</For>
             </div>

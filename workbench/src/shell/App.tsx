@@ -149,6 +149,7 @@ export function App(): JSX.Element {
   const dropped = (event: DragEvent): void => {
     event.preventDefault();
     setOver(false);
+    setDialog("");
     void openFiles([...(event.dataTransfer?.files ?? [])]);
   };
 

@@ -73,7 +73,7 @@ export function Chart(props: {
     observer.observe(host);
     onCleanup(() => observer.disconnect());
   });
-  createEffect(on([theme, () => props.curves], make, { defer: true }));
+  createEffect(on([theme, () => props.curves, () => props.x, () => props.y], make, { defer: true }));
   createEffect(on(() => props.data, (data) => plot?.setData(data), { defer: true }));
   createEffect(on(() => props.time, () => plot?.redraw(false), { defer: true }));
   onCleanup(() => plot?.destroy());

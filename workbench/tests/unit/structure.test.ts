@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { countOf, inserted, repeated, stretchOf, without } from "../../src/model/structure";
+import { countOf, inserted, repeated, stretchOf, withWord, without } from "../../src/model/structure";
 
 const FILE = `# a bridge
 [bridge]
@@ -42,5 +42,11 @@ describe("tables of the text", () => {
     expect(countOf(without(FILE, "span", 1), "span")).toBe(1);
     expect(without(FILE, "span", 1)).not.toContain("span.ring");
     expect(without(FILE, "span", 9)).toBe(FILE);
+  });
+  it("have their words written anew in their own table alone", () => {
+    const text = 'place = "no"\n[records]\n# place = "no"\nplace = "old.csv"  # ours\n[x]\nplace = "no"\n';
+    expect(withWord(text, "records", "place", 'new".csv')).toBe(text.replace("old.csv", "new.csv"));
+    expect(withWord(text, "nothing", "place", "a")).toBe(text);
+    expect(withWord(text, "records", "other", "a")).toBe(text);
   });
 });
