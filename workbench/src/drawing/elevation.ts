@@ -301,7 +301,8 @@ export function layerNames({ pen, view, ink, width }: Sheet, picture: Picture): 
   const roadY = Math.min(...notes.map((note) => view.y(note.top)));
   notes.forEach((note, k) => {
     const y = roadY - 14 - 15 * (notes.length - 1 - k);
-    const x = end - 8 - 9 * (notes.length - 1 - k);
+    // The uppermost name stands farthest to the right, so that its line passes by the names below.
+    const x = end - 8 - 9 * k;
     pen.beginPath();
     pen.moveTo(x - 3, y);
     pen.lineTo(x, y);

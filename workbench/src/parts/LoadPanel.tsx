@@ -153,12 +153,14 @@ function Governing(props: { sheet: Sheet }): JSX.Element {
   });
   return (
     <Show when={least() !== null}>
-      <button type="button" class="btn small" onClick={() => {
-        props.sheet.x[1](least()!);
-        poke();
-      }}>
-        Go to the governing place, {words(place(least()!, system()))}
-      </button>
+      <p>
+        <button type="button" class="btn small" onClick={() => {
+          props.sheet.x[1](least()!);
+          poke();
+        }}>
+          Go to the governing place, {words(place(least()!, system()))}
+        </button>
+      </p>
     </Show>
   );
 }
