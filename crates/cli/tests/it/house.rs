@@ -108,7 +108,7 @@ fn no_crate_depends_on_one_above_it() {
         // Drawn and printed from results alone: no solver.
         ("figures", "bridge drawing outcome"),
         ("report", "bridge outcome"),
-        ("extrados", "bridge drawing records mechanics calibrate outcome structure assess figures report"),
+        ("extrados", "bridge drawing records mechanics calibrate rules outcome structure assess figures report"),
         // A page comes through the door like any other program.
         ("workbench", "extrados"),
         (
