@@ -11,7 +11,7 @@ use extrados::results::study::Study;
 use extrados::results::sweep::Sweep;
 use extrados::results::update::Update;
 use extrados::results::vehicles::VehicleSweep;
-use extrados::results::warning::{self, Warning};
+use extrados::results::warning::Warning;
 use extrados::{Assessed, Cases, Compared, Project, bridge, written};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -101,16 +101,7 @@ impl Answer {
             Found::Assessed(done) => {
                 add(&done.warnings());
                 let verdict = &done.assessment.verdict;
-                if !verdict.strength.assessed {
-                    warnings.push(told(warning::STRENGTH_OPEN, &verdict.strength.missing.join("; ")));
-                }
-                let stages = &done.appendix.stages;
-                for stage in stages.iter().filter(|stage| stage.state.starts_with("failed")) {
-                    let words = format!("stage {}: {}", stage.name, stage.state);
-                    warnings.push(told(warning::STAGE_FAILED, &words));
-                }
-                let stages: Vec<Value> = stages
-                    .iter()
+                let stages: Vec<Value> = (done.appendix.stages.iter())
                     .map(|stage| json!({ "name": stage.name, "state": stage.state, "key": stage.key }))
                     .collect();
                 let mut fields = done.object();

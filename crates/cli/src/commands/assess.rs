@@ -41,22 +41,6 @@ pub fn run(desk: &mut Desk, arguments: &Arguments) -> Result<Report, Failure> {
     };
     let mut report = answer(&done, &source);
     report.warn_of(&mut desk.screen, &done.warnings());
-    if !done.assessment.verdict.strength.assessed {
-        report.warn(
-            &mut desk.screen,
-            ::outcome::warning::STRENGTH_OPEN,
-            &done.assessment.verdict.strength.missing.join("; "),
-        );
-    }
-    for stage in &done.appendix.stages {
-        if stage.state.starts_with("failed") {
-            report.warn(
-                &mut desk.screen,
-                ::outcome::warning::STAGE_FAILED,
-                &format!("stage {}: {}", stage.name, stage.state),
-            );
-        }
-    }
     let mut files = files(&done);
     match pdf::pdf(&done.material()) {
         Ok(bytes) => files.push(figures::File { name: "report.pdf".to_owned(), bytes }),

@@ -12,7 +12,7 @@ use bridge::document::ReportDocument;
 use bridge::inputs::Input;
 use outcome::assessment::Assessment;
 use outcome::published;
-use outcome::warning::Warning;
+use outcome::warning::{self, Warning};
 use report::{Appendix, Figure, Material, Photograph};
 use stages::{Halt, Stages};
 
@@ -133,7 +133,7 @@ impl Assessed {
         published::checks_table(&self.assessment.checked)
     }
 
-    /// Warnings of its stages, each once.
+    /// Warnings of its stages, each once; whether strength stayed open; and the stages that failed.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut all: Vec<Warning> = Vec::new();
         for (_, warning) in self.assessment.facts.warnings() {
@@ -141,6 +141,14 @@ impl Assessed {
                 all.push(warning.clone());
             }
         }
+        let strength = &self.assessment.verdict.strength;
+        if !strength.assessed {
+            all.push(Warning::new(warning::STRENGTH_OPEN, strength.missing.join("; ")));
+        }
+        let failed = self.appendix.stages.iter().filter(|stage| stage.state.starts_with("failed"));
+        all.extend(
+            failed.map(|stage| Warning::new(warning::STAGE_FAILED, format!("stage {}: {}", stage.name, stage.state))),
+        );
         all
     }
 }

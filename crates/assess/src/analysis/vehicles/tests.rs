@@ -257,7 +257,7 @@ fn a_bridge_that_does_not_stand_is_told_with_its_weights() {
 fn unknown_names_are_answered_with_those_there_are() {
     let mut b = bridgemill(&["hb45"]);
     let said = vehicle_sweep(&b, &mut Unwatched).unwrap_err().to_string();
-    assert!(said.contains("\"hb45\"") && said.contains("hb-45") && said.contains("paper-short"), "{said}");
+    assert!(said.contains("\"hb45\"") && said.contains("\"hb-45\"") && said.contains("extrados vehicles"), "{said}");
     b.sweep = Some(SweepPlan { rule: "bd21".into(), ..plan(&[]) });
     let said = vehicle_sweep(&b, &mut Unwatched).unwrap_err().to_string();
     assert!(said.contains("cs-454"), "{said}");
@@ -545,7 +545,7 @@ fn a_vehicle_is_refused_under_a_rule_that_was_not_made_for_it() {
     assert_eq!(chosen(&known, known.sweep.as_ref().unwrap()).unwrap().1.len(), 2);
     let near = bridgemill(&["cs454-bogie-11"]);
     let said = vehicle_sweep(&near, &mut Unwatched).unwrap_err().to_string();
-    assert!(said.contains("write \"cs454-bogie-10\", or one of"), "{said}");
+    assert!(said.contains("write \"cs454-bogie-10\", or"), "{said}");
 }
 
 /// HB contains impact: under CS 454 it has 1.3 and nothing on top, where axles of CS 454 have 1.9 and 1.8 on the critical one.
