@@ -466,3 +466,27 @@ fn backing_of_blocks_stands_on_the_ring_and_helps() {
     let [light, solid] = [weight, blocks].map(|b| limit_load(b, ContactPoints::Rounded));
     assert!(solid > 1.1 * light, "{solid} {light}");
 }
+
+/// No mechanism forms below a load near the crown of a bare ring: it locks wherever that load stands, and a motion in which the load
+/// does negative work bounds nothing.
+#[test]
+fn a_ring_loaded_near_its_crown_locks_wherever_the_load_stands() {
+    for position in [1.9, 1.95, 1.99, 1.999, 2.0, 2.001, 2.01, 2.05, 2.1] {
+        let page = format!(
+            "bridge = {{ name = \"Arch\", width = \"1 m\" }}\n\
+             masonry = {{ density = \"2200 kg/m^3\", compressive_strength = \"unlimited\" }}\n\
+             joint = {{ friction_angle = \"35 deg\", cohesion = \"0 kPa\" }}\n\
+             span = [{{ profile = \"segmental\", span = \"4.0 m\", rise = \"1.0 m\", thickness = \"0.35 m\", voussoirs = 21 }}]\n\
+             load = [{{ kind = \"knife-edge\", force = \"1 kN/m\", length = \"1 mm\", position = \"{position} m\" }}]\n\
+             analysis = {{ method = \"limit\", friction = \"associated\", contact_points = \"full-ring\" }}\n"
+        );
+        let found = answer(&bridge::read(page.as_bytes()).bridge.expect("the file is sound"));
+        assert_eq!(
+            found.status,
+            Status::Locks,
+            "{position} m: {:?} and {:?}",
+            found.last_stable_load,
+            found.collapse_load
+        );
+    }
+}

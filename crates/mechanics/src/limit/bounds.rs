@@ -55,11 +55,12 @@ pub(super) fn room(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Str
 
 /// The work equation: `factor p . u = -w . u + dissipation`, with the largest dissipation that each joint's strength
 /// allows for the way it moves (associated flow). `violation` is the largest velocity that would dissipate without
-/// bound.
+/// bound. A motion in which the loads do no work bounds nothing, and its factor is infinite.
 pub(super) fn upper(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Strength], velocities: &[f64]) -> Bound {
     let work = resistance(equilibrium, joints, strengths, velocities);
     let variable: f64 = equilibrium.variable.iter().zip(velocities).map(|(p, u)| p * u).sum();
-    Bound { factor: work.factor / variable, ..work }
+    let factor = if variable > 0.0 { work.factor / variable } else { f64::INFINITY };
+    Bound { factor, ..work }
 }
 
 /// What a motion needs of variable loads: what it dissipates less the work of the permanent loads, and the violation, as in [`upper`].

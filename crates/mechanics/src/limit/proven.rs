@@ -42,7 +42,7 @@ pub(super) fn roomy(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[St
 }
 
 /// The solution with forces in equilibrium and within strength, and the load that they carry. None where the mechanism's bound lies
-/// further away than [`GAP`].
+/// further away than [`GAP`], on either side.
 pub(super) fn proven(
     equilibrium: &Equilibrium,
     joints: &[Joint],
@@ -61,7 +61,7 @@ pub(super) fn proven(
         factor *= share;
     }
     let upper = bounds::least_upper(equilibrium, joints, strengths, &forces, &found.velocities);
-    let meet = upper.violation < TOLERANCE && upper.factor - factor <= GAP * factor.abs();
+    let meet = upper.violation < TOLERANCE && (upper.factor - factor).abs() <= GAP * factor.abs();
     let kept = bounds::yield_violation(equilibrium, joints, strengths, &forces) <= ROUND_OFF * (1.0 + factor.abs());
     (factor > 0.0 && meet && kept).then(|| Solution { ending: Ending::Solved, forces, factor, ..found.clone() })
 }
