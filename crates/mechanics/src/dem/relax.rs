@@ -92,11 +92,12 @@ impl Stage {
 
 fn window(model: &Model, state: &State) -> u64 {
     let speed = model.fall_speed();
-    if !state.particles.discs.is_empty() || !(speed > 0.0 && state.time_step > 0.0) {
-        return LEAST_WINDOW;
+    if state.particles.discs.is_empty() && speed > 0.0 && state.time_step > 0.0 {
+        let falls = FALLS * model.block_size / speed / state.time_step;
+        LEAST_WINDOW.max((falls / LOOK as f64).ceil() as u64 * LOOK)
+    } else {
+        LEAST_WINDOW
     }
-    let falls = FALLS * model.block_size / speed / state.time_step;
-    LEAST_WINDOW.max((falls / LOOK as f64).ceil() as u64 * LOOK)
 }
 
 /// Largest displacement of a free block's centre since the stage began, as a share of the collapse limit.
