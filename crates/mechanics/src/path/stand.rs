@@ -2,7 +2,7 @@
 //!
 //! Joints without tension are alike at every load, so no small load would make it easier to find: instead they are pressed
 //! together until they are as good as glued, and are let go by degrees. Where that loses its way, or finds a state that does
-//! not stay, the blocks are let fall from there, and from where they were built: what comes to rest stands.
+//! not stay, the blocks are let fall from there, and from where glued joints would hold them: what comes to rest stands.
 
 use super::correct::{Constraint, balance};
 use super::relax::{Fall, Falling, PATIENT};
@@ -33,18 +33,24 @@ pub(super) struct Settle {
 }
 
 impl Path<'_> {
-    /// Glues the joints of the blocks as built.
-    pub fn glue(&mut self) -> Stage {
-        let mut glued = self.state.clone();
+    /// Where glued joints hold the blocks; none where they do not.
+    fn glued(&mut self) -> Option<State> {
+        let mut glued = State::as_built(self.model);
         // As built, sides neither overlap nor gape but for rounding: any overlap makes them closed.
-        self.state.pressed = self.model.size;
-        assemble(self.model, self.settings, &self.state, &mut self.work);
+        let closed = State { pressed: self.model.size, ..glued.clone() };
+        assemble(self.model, self.settings, &closed, &mut self.work);
         if !self.work.tangent.factorise() {
-            return self.settle();
+            return None;
         }
         let mut change = self.work.unbalanced.clone();
         self.work.tangent.solve(&mut change);
         advance(self.model, &mut glued, &change, 0.0);
+        Some(glued)
+    }
+
+    /// Glues the joints of the blocks as built.
+    pub fn glue(&mut self) -> Stage {
+        let Some(glued) = self.glued() else { return self.settle() };
         let overlap = |k| respond(self.model, self.settings, &glued.memory[k], k, &glued).overlap;
         let widest = (0..self.model.joints.len()).flat_map(overlap).fold(0.0, |most: f64, o| most.max(o.abs()));
         self.state = glued;
@@ -94,7 +100,9 @@ impl Path<'_> {
         };
         match settle.fell_before {
             None => {
-                let falling = Falling::new(State::as_built(self.model), PATIENT);
+                // As built, rounding decides which joints are closed, and what a tangent makes of that may lead nowhere.
+                let from = self.glued().unwrap_or_else(|| State::as_built(self.model));
+                let falling = Falling::new(from, PATIENT);
                 Next::On(Stage::Settle(Settle { fell_before: Some(falls), falling }))
             }
             Some(before) => Next::End(if before && falls { End::Falls } else { End::Lost }),
