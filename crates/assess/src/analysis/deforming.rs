@@ -97,6 +97,9 @@ impl Deforming {
         let size = |f: &PointForce| f.force.norm();
         let heaviest = forces.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
         let limit = bound.factor;
+        if !bound.rigid && sweeper.carries(forces, limit) {
+            return None;
+        }
         let watched: (_, Vec2) = (heaviest.block, heaviest.at);
         let program = Program { increment: FIRST_STEP * limit, limit, watched };
         let found = sweeper.carried(forces, &program, &mut pace.clone());

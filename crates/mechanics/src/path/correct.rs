@@ -38,6 +38,7 @@ pub(super) fn balance(
     work: &mut Workspace,
 ) -> Option<Balanced> {
     assemble(model, settings, state, work);
+    let mut trials = 0;
     for iterations in 0..=MOST_ITERATIONS {
         let acting = scale(model, state.factor);
         let largest = work.largest();
@@ -68,12 +69,13 @@ pub(super) fn balance(
             let part: Vec<f64> = change.iter().map(|c| share * c).collect();
             advance(model, state, &part, share * factor);
             assemble(model, settings, state, work);
+            trials += 1;
             let after = norm(&work.unbalanced);
             if after < before || cut >= MOST_CUTS && after < WORSE * before {
                 break;
             }
             // A comparison that a number which is not one fails.
-            if cut == LAST_CUT || !after.is_finite() {
+            if cut == LAST_CUT || trials >= settings.most_trials || !after.is_finite() {
                 return None;
             }
             share *= 0.5;

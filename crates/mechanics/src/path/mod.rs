@@ -15,6 +15,7 @@ mod frame;
 mod joint;
 mod mechanism;
 mod model;
+mod near;
 mod outcome;
 mod relax;
 mod restraint;

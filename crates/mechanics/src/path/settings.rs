@@ -13,6 +13,8 @@ pub struct Settings {
     pub touching: f64,
     /// Out-of-balance force of a balanced state, relative to all acting forces.
     pub tolerance: f64,
+    /// Most trial states on the way to a balanced one; where they do not do, a state closer by is sought.
+    pub most_trials: u32,
     /// Most balanced states.
     pub most_steps: u32,
     /// How exactly the collapse load is told, relative to it.
@@ -32,6 +34,7 @@ impl Settings {
             contact_length,
             touching: 1e-6,
             tolerance: 1e-9,
+            most_trials: 140,
             most_steps: 2000,
             resolution: 1e-5,
             past: 0.02,

@@ -28,7 +28,7 @@ pub fn collapse(
 ) -> Result<Outcome, ModelError> {
     let model = Model::new(blocks, loading, settings)?;
     let mut path = Path::new(&model, settings, program);
-    path.drawn = true;
+    path.keeps = true;
     let belongs = words::fingerprint(&path);
     if let Some(kept) = resume {
         words::decode(&mut path, kept, belongs).ok_or(ModelError::ForeignState)?;
@@ -94,6 +94,8 @@ pub(super) struct Rise {
     /// Length of the next step, and of the longest first one.
     pub share: f64,
     pub first: f64,
+    /// Length of the last step that led to no state, where there was one not long ago.
+    pub lost: Option<f64>,
     pub past: Option<Past>,
     pub step: u32,
     /// Load factor where it began.
@@ -167,8 +169,8 @@ pub(super) struct Path<'m> {
     assembled: bool,
     /// What falls are resisted by, once there was one.
     dashpots: Option<Banded>,
-    /// Whether states are kept to be drawn.
-    drawn: bool,
+    /// Whether all states are kept.
+    pub keeps: bool,
     /// The last balanced state, and what comes next.
     pub state: State,
     pub stage: Stage,
@@ -176,7 +178,7 @@ pub(super) struct Path<'m> {
     pub length: Option<f64>,
     /// The load that is added where balance is lost, in units of the resolution.
     pub push: f64,
-    /// The balanced states in their order: their numbers, and all of them where they are to be drawn.
+    /// The balanced states in their order: their numbers, and all of them where they are kept.
     pub points: Vec<PathPoint>,
     pub states: Vec<State>,
     pub iterations: u32,
@@ -194,6 +196,10 @@ const WANTED_WHERE_SLIDING: f64 = 10.0;
 
 /// A step is short that gains less than this share of the load.
 const SHORT: f64 = 2e-3;
+
+/// A step after one that led to no state is at most this share of its length, and the next ones this much longer each.
+const SHY: f64 = 0.75;
+const DARING: f64 = 1.5;
 
 /// A load that is pushed to is at most so many times the resolution further on; one that gains so many times as much on the path
 /// afterwards is not enlarged.
@@ -218,7 +224,7 @@ impl<'m> Path<'m> {
             work: Workspace::new(model),
             assembled: false,
             dashpots: None,
-            drawn: false,
+            keeps: false,
             state: State::as_built(model),
             stage: Stage::Built,
             length: None,
@@ -346,7 +352,7 @@ impl<'m> Path<'m> {
         let first = self.program.increment.min(self.program.limit) / heading.factor;
         let share = self.length.unwrap_or(first).min(first);
         let step = self.points.len() as u32;
-        Some(Rise { heading, share, first, past: None, step, before: state.factor })
+        Some(Rise { heading, share, first, lost: None, past: None, step, before: state.factor })
     }
 
     fn is_long(&self) -> bool {
@@ -452,6 +458,7 @@ impl<'m> Path<'m> {
             if close {
                 return Some(End::Lost);
             }
+            rise.lost = Some(rise.share);
             rise.share *= 0.5;
             return None;
         };
@@ -484,6 +491,8 @@ impl<'m> Path<'m> {
         rise.heading = on;
         let short = rise.share < rise.first || rise.heading.factor * rise.share < SHORT * self.state.factor;
         let grown = rise.share * (self.wanted(short) / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
+        let grown = rise.lost.map_or(grown, |lost| grown.min(SHY * lost));
+        rise.lost = rise.lost.map(|lost| lost * DARING).filter(|lost| SHY * lost < 2.0 * grown);
         let nearer = |past: Past| Past { distance: past.distance - rise.share, ..past };
         rise.past = rise.past.map(nearer).filter(|past| past.distance > 0.0);
         let most = |past: &Past| grown.min(past.distance * past.short_of_peak(&rise.heading));
@@ -578,7 +587,7 @@ impl<'m> Path<'m> {
     pub fn keep(&mut self, balanced: Balanced) {
         let numbers = (balanced.iterations, balanced.residual);
         self.points.push(point(self.model, (self.settings, self.program), &self.state, numbers));
-        if self.drawn {
+        if self.keeps {
             self.states.push(self.state.clone());
         }
     }

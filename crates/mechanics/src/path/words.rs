@@ -15,7 +15,7 @@ use crate::digest::checksum;
 use crate::words::{Words, fields};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_5041_0001;
+const LAYOUT: u64 = 0x4558_5452_5041_0002;
 
 fields! {
     Bond { lost }
@@ -27,7 +27,7 @@ fields! {
     LetGo { pressed, share, widest }
     Falling { from, state, drag, corrections, granted }
     Settle { fell_before, falling }
-    Rise { heading, share, first, past, step, before }
+    Rise { heading, share, first, lost, past, step, before }
     Push { end, unit, coarse, falling }
     Descend { end, peak, heading, length, step }
     PathPoint { factor, displacement, eccentricity, opened, hinges, sliding, stress, crushed, mobilised, excess, iterations, residual }
@@ -111,11 +111,11 @@ pub(super) fn fingerprint(path: &Path) -> u64 {
     model.movement.put(to);
     model.equation.put(to);
     [model.rounding, model.size].put(to);
-    let Settings { contact_length, touching, tolerance, most_steps, resolution, past, fallen, farthest } =
+    let Settings { contact_length, touching, tolerance, most_trials, most_steps, resolution, past, fallen, farthest } =
         path.settings;
     contact_length.put(to);
     [*touching, *tolerance, *resolution, *past, *fallen, *farthest].put(to);
-    most_steps.put(to);
+    [*most_trials, *most_steps].put(to);
     [path.program.increment, path.program.limit].put(to);
     path.program.watched.put(to);
     checksum(&words)

@@ -198,3 +198,33 @@ fn loads_followed_from_one_self_weight_carry_what_they_carry_alone() {
     within(2.0 * carried(&twice, 0.1 * alone), alone, 2e-5);
     within(carried(&loading.variable, 0.02 * alone), alone, 2e-5);
 }
+
+/// Whether a load is carried is answered beside the state of the load before it as the path from self-weight answers, on either side of the
+/// largest load: the wrong way never, and most often at all.
+#[test]
+fn loads_beside_others_are_carried_as_far_as_their_paths_go() {
+    let (model, loading) = bridgemill(false, 1.0);
+    let ground = Ground::new(&model, &loading, &Settings::new(ContactLength::Distributed), &mut Unwatched).unwrap();
+    let (mut sweeper, mut alone) = (ground.sweeper(), ground.sweeper());
+    let loaded = loading.variable[0].block.index();
+    let force = loading.variable.iter().fold(Vec2::ZERO, |sum, f| sum + f.force);
+    let (mut answered, mut asked) = (0, 0);
+    for block in loaded - 4..loaded + 8 {
+        let id = Id::new(block);
+        let forces = [PointForce { block: id, at: model.blocks[id].outline.centroid(), force, ..loading.variable[0] }];
+        let followed = alone.carried(&forces, &program(), &mut Unwatched);
+        assert_eq!(followed.status, Status::LimitPoint, "block {block} of {}", model.blocks.len());
+        let peak = followed.factor.unwrap();
+        assert!(!alone.clone().carries(&forces, 1.001 * peak), "block {block}");
+        for share in [0.6, 0.9, 0.99] {
+            asked += 1;
+            answered += u32::from(sweeper.carries(&forces, share * peak));
+            assert!(!sweeper.carries(&forces, 1.001 * peak), "block {block} after {share}");
+        }
+        if asked == 3 {
+            assert_eq!(answered, 0, "nothing was met before");
+            sweeper.carried(&forces, &program(), &mut Unwatched);
+        }
+    }
+    assert!(answered >= 24, "{answered} of {asked}");
+}
