@@ -1,6 +1,7 @@
 //! `extrados bench`: the speed of one method on this machine, on one core unless more are asked for.
 
 mod bounds;
+mod crossing;
 mod disks;
 mod factor;
 mod footing;
@@ -30,6 +31,7 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
         BenchName::Limit => bridgemill(arguments, limit),
         BenchName::Path => bridgemill(arguments, path),
         BenchName::Bounds => bounds::run(arguments),
+        BenchName::Crossing => crossing::run(arguments),
         BenchName::Factor => factor::run(arguments),
         BenchName::Footing => footing::run(desk, arguments),
         BenchName::Passage => passage::run(desk, arguments),
@@ -37,20 +39,30 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
     }
 }
 
-/// Repeats the measure and gives the least and the middle time: the least is the method's, the middle the machine's.
-fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisError>) -> Result<Report, Failure> {
-    let bridge = case_one()?;
-    let mut seconds = Vec::new();
-    let mut last = None;
-    for _ in 0..arguments.repeats {
+/// What a measure does.
+type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
+
+/// Repeats a measure and gives the least and the middle time: the least is the method's, the middle the machine's.
+fn repeated(arguments: &Bench, bridge: &Bridge, method: Measure) -> Result<(f64, f64, Found), Failure> {
+    let measured = || -> Result<(f64, Found), Failure> {
         let clock = Clock::start();
-        let found = method(&bridge);
-        seconds.push(clock.seconds());
-        last = Some(found.map_err(|error| results::not_set_up(&error))?);
+        let found = method(bridge).map_err(|error| results::not_set_up(&error))?;
+        Ok((clock.seconds(), found))
+    };
+    let (first, mut last) = measured()?;
+    let mut seconds = vec![first];
+    for _ in 1..arguments.repeats {
+        let (more, found) = measured()?;
+        seconds.push(more);
+        last = found;
     }
     seconds.sort_by(f64::total_cmp);
-    let (least, middle) = (seconds[0], seconds[seconds.len() / 2]);
-    let Some(found) = last else { return Ok(Report::new(Status::Undetermined)) };
+    Ok((seconds[0], seconds[seconds.len() / 2], last))
+}
+
+fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
+    let bridge = case_one()?;
+    let (least, middle, found) = repeated(arguments, &bridge, method)?;
     let report = Report::new(Status::Completed)
         .with("size", found.blocks)
         .with("repeats", arguments.repeats)
@@ -69,15 +81,28 @@ fn bridgemill(arguments: &Bench, method: fn(&Bridge) -> Result<Found, AnalysisEr
                 "arch: {least:.3} s to collapse (median {middle:.3} s of {repeats}), {iterations} iterations with adaptive \
                  damping, {blocks} blocks, one core\n"
             )),
-        BenchName::Path => report
-            .with("name", "path")
-            .with("seconds_to_peak", least)
-            .with("seconds_median", middle)
-            .saying(format!(
-                "path: {:.3} ms past the peak (median {:.3} ms of {repeats}), {iterations} iterations, {blocks} blocks, one core\n",
-                1e3 * least,
-                1e3 * middle
-            )),
+        BenchName::Path => {
+            let (blocks_engine, _, relaxed) = repeated(arguments, &bridge, relaxed)?;
+            let (rigid, _, bounded) = repeated(arguments, &bridge, limit)?;
+            let load = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.1} kN/m", load / 1e3));
+            report
+                .with("name", "path")
+                .with("seconds_to_peak", least)
+                .with("seconds_median", middle)
+                .with("seconds_block_engine", blocks_engine)
+                .with("seconds_limit", rigid)
+                .saying(format!(
+                    "path: {:.3} ms past the peak (median {:.3} ms of {repeats}), {iterations} iterations, {blocks} blocks, one core: {}\n\
+                     beside it: block engine on the same joints {:.0} ms, {}; limit analysis of rigid blocks {:.1} ms, {}\n",
+                    1e3 * least,
+                    1e3 * middle,
+                    load(found.stands),
+                    1e3 * blocks_engine,
+                    load(relaxed.stands),
+                    1e3 * rigid,
+                    load(bounded.stands),
+                ))
+        }
         _ => {
             let (least, middle) = (1e3 * least, 1e3 * middle);
             report.with("name", "limit").with("milliseconds", least).with("milliseconds_median", middle).saying(format!(
@@ -100,8 +125,17 @@ struct Found {
 
 /// Case 1 to collapse by discrete elements, from the bridge to the last step; pictures are not part of it.
 fn arch(bridge: &Bridge) -> Result<Found, AnalysisError> {
+    by_blocks(bridge, by_dem::settings(bridge))
+}
+
+/// The same on joints with distributed contact.
+fn relaxed(bridge: &Bridge) -> Result<Found, AnalysisError> {
+    by_blocks(bridge, dem::Settings { contact_length: ContactLength::Distributed, ..by_dem::settings(bridge) })
+}
+
+fn by_blocks(bridge: &Bridge, settings: dem::Settings) -> Result<Found, AnalysisError> {
     let d = discretise(bridge)?;
-    let settings = dem::Settings { damping: dem::Damping::Adaptive, ..by_dem::settings(bridge) };
+    let settings = dem::Settings { damping: dem::Damping::Adaptive, ..settings };
     let step = bridge.plan.load_step.unwrap_or(100e3 / bridge.width) / d.reference_load;
     let program = dem::Program { increment: step, limit: 100.0 * step, resolution: None, watched: d.watched };
     let found = dem::collapse(&d.model, &d.loading, &program, &settings, None, &mut Unwatched)?;

@@ -1,4 +1,5 @@
-//! A square matrix with a band about its diagonal, factorised with row exchanges.
+//! A square matrix with a band about its diagonal, factorised with row exchanges. The band is as wide as it has to be at each row: a
+//! pier between two spans makes it wider there alone.
 //!
 //! Rings of voussoirs have some tens to a thousand equations and a band of a few: the general sparse factorisation spends
 //! most of its time there on its own bookkeeping.
@@ -8,8 +9,11 @@
 #[derive(Debug, Clone)]
 pub(super) struct Banded {
     size: usize,
+    /// Most diagonals on either side of the main one.
     below: usize,
     width: usize,
+    /// The last equation that this one or one before it acts with.
+    last: Vec<u32>,
     entries: Vec<f64>,
     /// Multiples of row `k` that were taken off the `below` rows after it, from `k * below` on.
     taken: Vec<f64>,
@@ -21,13 +25,19 @@ pub(super) struct Banded {
 }
 
 impl Banded {
-    /// A matrix of zeros with `below` diagonals on either side of the main one.
-    pub fn new(size: usize, below: usize) -> Banded {
+    /// A matrix of zeros. `last` tells of each equation the last one that it acts with.
+    pub fn new(mut last: Vec<u32>) -> Banded {
+        let size = last.len();
+        for k in 0..size {
+            last[k] = last[k].max(k as u32).max(k.checked_sub(1).map_or(0, |before| last[before]));
+        }
+        let below = last.iter().enumerate().map(|(k, &last)| last as usize - k).max().unwrap_or(0);
         let width = 3 * below + 1;
         Banded {
             size,
             below,
             width,
+            last,
             entries: vec![0.0; size * width],
             taken: vec![0.0; size * below],
             exchanged: vec![0; size],
@@ -75,7 +85,7 @@ impl Banded {
         self.sign = 1;
         let mut right = 0;
         for k in 0..size {
-            let last = (k + below).min(size - 1);
+            let last = self.last[k] as usize;
             let mut pivot = k;
             for row in k + 1..=last {
                 if self.entries[self.at(row, k)].abs() > self.entries[self.at(pivot, k)].abs() {
@@ -84,7 +94,7 @@ impl Banded {
             }
             self.exchanged[k] = pivot as u32;
             // Rows that were exchanged reach further; all others have nothing there.
-            right = right.max(pivot + below).min(size - 1);
+            right = right.max(self.last[pivot] as usize);
             self.reach[k] = right as u32;
             if pivot != k {
                 self.sign = -self.sign;
@@ -128,7 +138,7 @@ impl Banded {
     /// The same for several right-hand sides at once, each to the bits that it has alone.
     pub fn solve_together<const N: usize>(&self, mut right: [&mut [f64]; N]) {
         for k in 0..self.size {
-            let count = self.below.min(self.size - 1 - k);
+            let count = self.last[k] as usize - k;
             let taken = &self.taken[k * self.below..k * self.below + count];
             for side in &mut right {
                 side.swap(k, self.exchanged[k] as usize);
@@ -162,14 +172,17 @@ mod tests {
 
     #[test]
     fn a_system_with_exchanges_is_solved_and_its_determinant_has_its_sign() {
-        let (size, below) = (9, 2);
+        // Wider in the middle.
+        let size = 12;
+        let last: Vec<u32> = vec![2, 3, 4, 8, 8, 9, 10, 9, 10, 11, 11, 11];
+        let joined = |row: usize, column: usize| last[row.min(column)] as usize >= row.max(column);
         let entry = |row: usize, column: usize| ((row * row * 7 + column * 5 + row * column * 3) % 11) as f64 - 5.0;
-        let mut matrix = Banded::new(size, below);
+        let mut matrix = Banded::new(last.clone());
         let exact: Vec<f64> = (0..size).map(|k| k as f64 - 3.5).collect();
         let mut right = vec![0.0; size];
         let mut whole = faer::Mat::<f64>::zeros(size, size);
         for row in 0..size {
-            for column in row.saturating_sub(below)..=(row + below).min(size - 1) {
+            for column in (0..size).filter(|&column| joined(row, column)) {
                 matrix.add(row, column, entry(row, column));
                 whole[(row, column)] = entry(row, column);
                 right[row] += entry(row, column) * exact[column];

@@ -29,8 +29,8 @@ pub struct Model {
     /// Equation of each motion of each block, or [`HELD`].
     pub(super) equation: Vec<[u32; 3]>,
     pub(super) equations: usize,
-    /// Diagonals that the tangent has on either side of the main one.
-    pub(super) band: usize,
+    /// The last equation that each one acts with.
+    pub(super) last: Vec<u32>,
     /// Force that rounding of coordinates alone may leave out of balance [N/m].
     pub(super) rounding: f64,
     /// Length that rotations are multiplied by, so that all unknowns are lengths [m]: mean side of the free blocks.
@@ -80,7 +80,7 @@ impl Model {
         });
         let pairs: Vec<[usize; 2]> = joined.chain(pushed).collect();
         let (equation, equations) = numbered(&held, &pairs);
-        let band = pairs.iter().map(|pair| spread(&equation, *pair)).max().unwrap_or(0).max(2);
+        let last = last_joined(&equation, equations, &pairs);
         let side = |&i: &usize| model.blocks[BlockId::new(i)].outline.area().sqrt();
         let size = free.iter().map(side).sum::<f64>() / free.len() as f64;
         let rounding = joints.iter().map(Joint::rounding).fold(0.0, f64::max);
@@ -111,7 +111,7 @@ impl Model {
             movement,
             equation,
             equations,
-            band,
+            last,
             rounding,
             size,
         })
@@ -191,9 +191,14 @@ fn breadth_first(start: usize, neighbours: &[Vec<usize>], seen: &mut [bool]) -> 
     order
 }
 
-/// How far apart the equations of two blocks are that act on one another.
-fn spread(equation: &[[u32; 3]], [first, second]: [usize; 2]) -> usize {
-    let both = equation[first].iter().chain(&equation[second]).filter(|&&e| e != HELD);
-    let (least, most) = both.fold((u32::MAX, 0), |(least, most), &e| (least.min(e), most.max(e)));
-    most.saturating_sub(least) as usize
+/// The last equation that each one acts with: those of its own block, and of the blocks that act on it.
+fn last_joined(equation: &[[u32; 3]], equations: usize, pairs: &[[usize; 2]]) -> Vec<u32> {
+    let mut last = vec![0; equations];
+    let own = (0..equation.len()).map(|block| [block, block]);
+    for [first, second] in own.chain(pairs.iter().copied()) {
+        let both: Vec<u32> = equation[first].iter().chain(&equation[second]).copied().filter(|&e| e != HELD).collect();
+        let most = both.iter().copied().max().unwrap_or(0);
+        both.iter().for_each(|&e| last[e as usize] = most.max(last[e as usize]));
+    }
+    last
 }

@@ -62,7 +62,7 @@ pub(super) struct Workspace {
 impl Workspace {
     pub fn new(model: &Model) -> Workspace {
         Workspace {
-            tangent: Banded::new(model.equations, model.band),
+            tangent: Banded::new(model.last.clone()),
             unbalanced: vec![0.0; model.equations],
             growing: vec![0.0; model.equations],
             slides: false,
