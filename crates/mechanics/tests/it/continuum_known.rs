@@ -126,7 +126,7 @@ fn stresses_of_slender_triangles_carry_no_more_than_a_cut_without_tension_bears(
     // With balance written as forces this mesh of 1,308 triangles was given 2.0029.
     let wanted = Wanted { ratio: 1.001, elements: 1300, first: 200, ..Wanted::default() };
     let [lower, upper] = ends(&striped_cut(&[0.005, 0.01, 0.02, 0.05]).bounds(wanted));
-    assert!(1.99 < lower && lower <= 2.0 * (1.0 + 1e-5) && 2.0 <= upper, "{lower} {upper}");
+    assert!(1.98 < lower && lower <= 2.0 && 2.0 <= upper, "{lower} {upper}");
 }
 
 #[test]
@@ -138,8 +138,8 @@ fn a_vertical_cut_in_clay_without_tension_stands_to_twice_the_cohesion_over_its_
         let wanted = Wanted { ratio: 1.001, elements, first: 200, ..Wanted::default() };
         let bounds = torn_cut(slice).bounds(wanted);
         for round in &bounds.rounds {
-            // Tension of a millionth of the cohesion would carry 1 % more: what the solver leaves out of balance must be far below that.
-            assert!(round.lower.is_none_or(|lower| lower <= 2.0 * (1.0 + 1e-5)), "{round:?}");
+            // Tension of a millionth of the cohesion would carry 1 % more: what the solver leaves out of balance is taken off three times.
+            assert!(round.lower.is_none_or(|lower| lower <= 2.0), "{round:?}");
             assert!(round.upper.is_none_or(|upper| upper >= 2.0), "{round:?}");
         }
         let [lower, upper] = ends(&bounds);

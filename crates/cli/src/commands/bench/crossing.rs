@@ -21,12 +21,15 @@ const VEHICLE: &str = include_str!("crossing/vehicle.toml");
 pub fn run(arguments: &Bench) -> Result<Report, Failure> {
     let mut report = Report::new(Status::Completed).with("name", "crossing").with("repeats", arguments.repeats);
     let mut page = String::new();
-    for (strength, about, key) in [(UNLIMITED, "without crushing", ""), ("\"8 MPa\"", "joints that crush at 8 MPa", "_crushing")] {
+    for (strength, about, key) in
+        [(UNLIMITED, "without crushing", ""), ("\"8 MPa\"", "joints that crush at 8 MPa", "_crushing")]
+    {
         let own = bridge(strength)?;
         let (rigid, _) = least(&own, Method::Limit, arguments.repeats)?;
         let (gives, swept) = least(&own, Method::Path, arguments.repeats)?;
         let one = &swept.vehicles[0];
-        let (positions, factor) = (one.envelope.len(), |found: Option<f64>| found.map_or("none".to_owned(), |f| format!("{f:.3}")));
+        let (positions, factor) =
+            (one.envelope.len(), |found: Option<f64>| found.map_or("none".to_owned(), |f| format!("{f:.3}")));
         let stiff = one.envelope.iter().filter_map(|point| point.rigid).min_by(f64::total_cmp);
         report = report
             .with("positions", positions)
@@ -63,7 +66,8 @@ fn least(bridge: &Bridge, method: Method, repeats: u32) -> Result<(f64, VehicleS
 /// The bridge with its vehicle, of a masonry of this strength.
 fn bridge(strength: &str) -> Result<Bridge, Failure> {
     let read = bridge::read(BRIDGE.replace(UNLIMITED, strength).as_bytes()).bridge;
-    let mut bridge = read.ok_or_else(|| Failure::input("F104", "the bridge of the bench cannot be read", "report this"))?;
+    let mut bridge =
+        read.ok_or_else(|| Failure::input("F104", "the bridge of the bench cannot be read", "report this"))?;
     bridge.sweep.iter_mut().for_each(|plan| plan.texts.push(("vehicle.toml".to_owned(), VEHICLE.to_owned())));
     Ok(bridge)
 }

@@ -98,6 +98,11 @@ pub(super) struct Solved {
     pub iterations: u32,
 }
 
+/// How many times the [errors](Solved::errors) count. The load is a concave function of what is left unbalanced, and the multiplier its slope
+/// there: where it grows with a power of that, of no less than a third as with the tension of a cut, three times the slope covers all that
+/// was gained.
+pub(super) const WORTH: f64 = 3.0;
+
 /// How programs are solved: first the quick way, and where what it returns is no answer, the careful one. What answers is for the checks of its
 /// certificate to say. At Bridgemill the quick way takes two thirds of the time of the careful one.
 pub(super) const EFFORTS: [Accuracy; 2] = [

@@ -4,7 +4,7 @@
 //! Equilibrium inside a triangle is two equations, for stresses are linear; tractions on an edge agree wherever they agree at its ends;
 //! strength is convex, so that corners within it hold the whole triangle. Nothing is approximated but the shape of the field.
 
-use super::conic::{Affine, Conic, Ending};
+use super::conic::{Affine, Conic, Ending, WORTH};
 use super::mesh::Mesh;
 use super::model::Panel;
 use super::setting::{Base, Question, Setting};
@@ -207,7 +207,7 @@ fn best(
         };
         let loads = if question == Question::Factor { [1.0, field.factor] } else { [field.factor, 0.0] };
         (field.equilibrium_residual, field.yield_violation) = check(setting, mesh, strengths, &field, loads);
-        field.factor -= found.errors[0] * scale;
+        field.factor -= WORTH * found.errors[0] * scale;
         let sound = field.equilibrium_residual <= SOUND && field.yield_violation <= SOUND;
         if sound { Ok(field) } else { Err(Ending::Unknown) }
     })

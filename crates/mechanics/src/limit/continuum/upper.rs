@@ -5,7 +5,7 @@
 //! what it allows is convex. On an edge that touches a body the jump is quadratic; it is held at its three control points (Bernstein's), of
 //! which it is a mean everywhere. In both the dissipation that is counted is no less than that of the motion.
 
-use super::conic::{Affine, Conic, Ending};
+use super::conic::{Affine, Conic, Ending, WORTH};
 use super::lower::{Ends, gradients};
 use super::mesh::Mesh;
 use super::model::Panel;
@@ -180,7 +180,7 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<M
         let velocities: Vec<Vec2> = (0..mesh.nodes()).map(velocity).collect();
         let panels = panels.iter().map(|both| both.map(|row| found.multipliers[row].max(0.0))).collect();
         let (mut motion, _) = work(setting, mesh, velocities, blocks, panels);
-        let doubt = found.errors[1] * setting.factor_scale;
+        let doubt = WORTH * found.errors[1] * setting.factor_scale;
         motion.factor += doubt;
         motion.doubt = doubt * motion.power;
         motion.iterations = found.iterations;
@@ -193,7 +193,7 @@ pub(super) fn upper(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<M
 pub(super) fn share(setting: &Setting<'_>, mesh: &Mesh, pace: &Pace) -> Result<f64, Ending> {
     let Asked { program, factor: share, .. } = asked(setting, mesh, Question::Share);
     program.answer(pace, |found| match found.ending {
-        Ending::Solved => Ok((found.variables[share] + found.errors[0] + found.errors[1]).clamp(0.0, 1.0)),
+        Ending::Solved => Ok((found.variables[share] + WORTH * (found.errors[0] + found.errors[1])).clamp(0.0, 1.0)),
         other => Err(other),
     })
 }
