@@ -517,7 +517,7 @@ pub enum BenchName {
     Limit,
     /// The same ring along the path of equilibrium, joints with distributed contact, from its weight to past its peak
     Path,
-    /// A vehicle of 13 axles at 511 positions over three spans, on rigid blocks and on joints that give
+    /// A vehicle of 13 axles at 510 positions over three spans, on rigid blocks and on joints that give
     Crossing,
     /// Bridgemill with its fill as a continuum: both bounds of its load, meshes included
     Bounds,

@@ -42,27 +42,35 @@ pub fn run(desk: &Desk, arguments: &Bench) -> Result<Report, Failure> {
 /// What a measure does.
 type Measure = fn(&Bridge) -> Result<Found, AnalysisError>;
 
-/// Repeats a measure and gives the least and the middle time: the least is the method's, the middle the machine's.
-fn repeated(arguments: &Bench, bridge: &Bridge, method: Measure) -> Result<(f64, f64, Found), Failure> {
-    let measured = || -> Result<(f64, Found), Failure> {
+/// What was measured often.
+struct Repeated<T> {
+    /// The least time is the method's, the middle one the machine's [s].
+    least: f64,
+    middle: f64,
+    last: T,
+}
+
+/// Repeats a measure.
+fn repeated<T>(arguments: &Bench, measure: impl Fn() -> Result<T, AnalysisError>) -> Result<Repeated<T>, Failure> {
+    let once = || -> Result<(f64, T), Failure> {
         let clock = Clock::start();
-        let found = method(bridge).map_err(|error| results::not_set_up(&error))?;
+        let found = measure().map_err(|error| results::not_set_up(&error))?;
         Ok((clock.seconds(), found))
     };
-    let (first, mut last) = measured()?;
+    let (first, mut last) = once()?;
     let mut seconds = vec![first];
     for _ in 1..arguments.repeats {
-        let (more, found) = measured()?;
+        let (more, found) = once()?;
         seconds.push(more);
         last = found;
     }
     seconds.sort_by(f64::total_cmp);
-    Ok((seconds[0], seconds[seconds.len() / 2], last))
+    Ok(Repeated { least: seconds[0], middle: seconds[seconds.len() / 2], last })
 }
 
 fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
     let bridge = case_one()?;
-    let (least, middle, found) = repeated(arguments, &bridge, method)?;
+    let Repeated { least, middle, last: found } = repeated(arguments, || method(&bridge))?;
     let report = Report::new(Status::Completed)
         .with("size", found.blocks)
         .with("repeats", arguments.repeats)
@@ -82,25 +90,25 @@ fn bridgemill(arguments: &Bench, method: Measure) -> Result<Report, Failure> {
                  damping, {blocks} blocks, one core\n"
             )),
         BenchName::Path => {
-            let (blocks_engine, _, relaxed) = repeated(arguments, &bridge, relaxed)?;
-            let (rigid, _, bounded) = repeated(arguments, &bridge, limit)?;
+            let by_blocks = repeated(arguments, || relaxed(&bridge))?;
+            let rigid = repeated(arguments, || limit(&bridge))?;
             let load = |load: Option<f64>| load.map_or("no load".to_owned(), |load| format!("{:.1} kN/m", load / 1e3));
             report
                 .with("name", "path")
                 .with("seconds_to_peak", least)
                 .with("seconds_median", middle)
-                .with("seconds_block_engine", blocks_engine)
-                .with("seconds_limit", rigid)
+                .with("seconds_block_engine", by_blocks.least)
+                .with("seconds_limit", rigid.least)
                 .saying(format!(
                     "path: {:.3} ms past the peak (median {:.3} ms of {repeats}), {iterations} iterations, {blocks} blocks, one core: {}\n\
                      beside it: block engine on the same joints {:.0} ms, {}; limit analysis of rigid blocks {:.1} ms, {}\n",
                     1e3 * least,
                     1e3 * middle,
                     load(found.stands),
-                    1e3 * blocks_engine,
-                    load(relaxed.stands),
-                    1e3 * rigid,
-                    load(bounded.stands),
+                    1e3 * by_blocks.least,
+                    load(by_blocks.last.stands),
+                    1e3 * rigid.least,
+                    load(rigid.last.stands),
                 ))
         }
         _ => {

@@ -1,13 +1,12 @@
-//! `extrados bench crossing`: a vehicle of 13 axles at 511 positions over three spans, rigid and on joints that give, without and
+//! `extrados bench crossing`: a vehicle of 13 axles at 510 positions over three spans, rigid and on joints that give, without and
 //! with crushing.
 
+use super::{Repeated, repeated};
 use crate::args::Bench;
-use crate::clock::Clock;
 use crate::failure::Failure;
 use crate::report::Report;
-use crate::results;
 use crate::status::Status;
-use assess::analysis::vehicles;
+use assess::analysis::vehicle_sweep;
 use bridge::{Bridge, Method};
 use mechanics::watch::Unwatched;
 use outcome::vehicles::VehicleSweep;
@@ -25,9 +24,9 @@ pub fn run(arguments: &Bench) -> Result<Report, Failure> {
         [(UNLIMITED, "without crushing", ""), ("\"8 MPa\"", "joints that crush at 8 MPa", "_crushing")]
     {
         let own = bridge(strength)?;
-        let (rigid, _) = least(&own, Method::Limit, arguments.repeats)?;
-        let (gives, swept) = least(&own, Method::Path, arguments.repeats)?;
-        let one = &swept.vehicles[0];
+        let rigid = swept(arguments, &own, Method::Limit)?.least;
+        let Repeated { least: gives, last: found, .. } = swept(arguments, &own, Method::Path)?;
+        let one = &found.vehicles[0];
         let (positions, factor) =
             (one.envelope.len(), |found: Option<f64>| found.map_or("none".to_owned(), |f| format!("{f:.3}")));
         let stiff = one.envelope.iter().filter_map(|point| point.rigid).min_by(f64::total_cmp);
@@ -46,21 +45,11 @@ pub fn run(arguments: &Bench) -> Result<Report, Failure> {
     Ok(report.saying(page))
 }
 
-/// Least time of a sweep [s], and the last one.
-fn least(bridge: &Bridge, method: Method, repeats: u32) -> Result<(f64, VehicleSweep), Failure> {
+/// The sweep by a method.
+fn swept(arguments: &Bench, bridge: &Bridge, method: Method) -> Result<Repeated<VehicleSweep>, Failure> {
     let mut own = bridge.clone();
     own.plan.method = method;
-    let sweep = || -> Result<(f64, VehicleSweep), Failure> {
-        let clock = Clock::start();
-        let found = vehicles::vehicle_sweep(&own, &mut Unwatched).map_err(|error| results::not_set_up(&error))?;
-        Ok((clock.seconds(), found))
-    };
-    let mut best = sweep()?;
-    for _ in 1..repeats {
-        let next = sweep()?;
-        best = (best.0.min(next.0), next.1);
-    }
-    Ok(best)
+    repeated(arguments, || vehicle_sweep(&own, &mut Unwatched))
 }
 
 /// The bridge with its vehicle, of a masonry of this strength.
