@@ -9,6 +9,7 @@
 //! fall, `stand` finds the first state, `trace` goes from state to state, `frame` and `mechanism` say what a state is like and how it ends, `sweep` follows many loads on the same blocks.
 
 mod banded;
+mod beyond;
 mod correct;
 mod dual;
 mod frame;
@@ -19,6 +20,7 @@ mod near;
 mod outcome;
 mod relax;
 mod restraint;
+mod rise;
 mod settings;
 mod stand;
 mod sweep;

@@ -1,14 +1,16 @@
 //! A path as plain words, to the last bit, so that a stopped run goes on as if nothing had happened.
 
+use super::beyond::{Descend, Push};
 use super::correct::Balanced;
 use super::joint::{Joint, Memory};
 use super::outcome::PathPoint;
 use super::relax::Falling;
 use super::restraint::{Hold, Restrained};
+use super::rise::{Past, Rise};
 use super::settings::Settings;
 use super::stand::{LetGo, Settle};
 use super::system::State;
-use super::trace::{Descend, End, Heading, Past, Path, Push, Rise, Stage};
+use super::trace::{End, Heading, Path, Stage};
 use crate::acting::Resultant;
 use crate::contact::{Bond, ContactLength, Resistance};
 use crate::digest::checksum;

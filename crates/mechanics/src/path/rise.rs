@@ -1,0 +1,155 @@
+//! The way up: steps along the path to where the load grows no more, a stiffness turns negative or no next state is found.
+
+use super::correct::Constraint;
+use super::trace::{End, Heading, Next, Path, Stage};
+
+/// The path followed up.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Rise {
+    pub heading: Heading,
+    /// Length of the next step, and of the longest first one.
+    pub share: f64,
+    pub first: f64,
+    /// Length of the last step that led to no state, where there was one not long ago.
+    pub lost: Option<f64>,
+    pub past: Option<Past>,
+    pub step: u32,
+    /// Load factor where it began.
+    pub before: f64,
+}
+
+/// A state past the largest load, seen from the last one before it: its distance along the path, and how the factor changes there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Past {
+    pub distance: f64,
+    pub rate: f64,
+}
+
+impl Past {
+    /// The share of the distance to a place a little before the largest load, if the rate changes evenly between the two.
+    pub fn short_of_peak(&self, heading: &Heading) -> f64 {
+        const SHORT: f64 = 0.95;
+        (SHORT * heading.factor / (heading.factor - self.rate)).clamp(0.05, 0.9)
+    }
+}
+
+/// Iterations that a step of the right length takes.
+const WANTED_ITERATIONS: f64 = 5.0;
+
+/// The same where joints slide and the step is short: these take some iterations to show how they go on, and no fewer of them
+/// where the step is shorter. What slides in a step does so in one direction, so that steps longer than these are not sought.
+const WANTED_WHERE_SLIDING: f64 = 10.0;
+
+/// A step is short that gains less than this share of the load.
+const SHORT: f64 = 2e-3;
+
+/// A step after one that led to no state is at most this share of its length, and the next ones this much longer each.
+const SHY: f64 = 0.75;
+const DARING: f64 = 1.5;
+
+impl Path<'_> {
+    /// Begins to follow the path up from the last balanced state.
+    pub fn begin_rise(&mut self) -> Next {
+        // A path of very many states is left to loads that are pushed on alone: these come to an end.
+        let before = self.state.factor;
+        if self.is_long() {
+            return self.risen(End::Lost, before);
+        }
+        match self.rising() {
+            Some(rise) => Next::On(Stage::Rise(rise)),
+            None => self.risen(End::Lost, before),
+        }
+    }
+
+    /// The path up from the last balanced state; none where the tangent is singular.
+    pub fn rising(&mut self) -> Option<Rise> {
+        let state = self.state.clone();
+        let heading = self.heading(&state, None)?;
+        let first = self.program.increment.min(self.program.limit) / heading.factor;
+        let share = self.length.unwrap_or(first).min(first);
+        let step = self.points.len() as u32;
+        Some(Rise { heading, share, first, lost: None, past: None, step, before: state.factor })
+    }
+
+    /// One step up.
+    pub fn rise(&mut self, mut rise: Rise) -> Next {
+        let before = rise.before;
+        match self.climb(&mut rise) {
+            None => Next::On(Stage::Rise(rise)),
+            Some(end) => self.risen(end, before),
+        }
+    }
+
+    /// Follows the path by a step up to where the load grows no more, a stiffness turns negative or no next state is found; that is
+    /// found to the resolution, and the state is left just before it.
+    pub fn climb(&mut self, rise: &mut Rise) -> Option<End> {
+        if rise.step >= self.settings.most_steps {
+            return Some(End::Lost);
+        }
+        rise.step += 1;
+        let target = self.program.limit;
+        let factor = self.state.factor;
+        let reaches = factor + rise.heading.factor * rise.share >= target;
+        if reaches {
+            rise.share = (target - factor) / rise.heading.factor;
+        }
+        let unseen = self.unseen();
+        // The load grows ever slower towards its largest value.
+        if rise.past.as_ref().is_some_and(|past| rise.heading.factor * past.distance <= unseen) {
+            self.mechanism.clone_from(&rise.heading.direction);
+            return Some(End::Limit);
+        }
+        let close = rise.heading.factor * rise.share <= unseen;
+        let constraint = if reaches { Constraint::Load } else { Constraint::Plane(&rise.heading.direction) };
+        let Some((next, balanced)) = self.step(constraint, (&rise.heading, rise.share)) else {
+            if close {
+                return Some(End::Lost);
+            }
+            rise.lost = Some(rise.share);
+            rise.share *= 0.5;
+            return None;
+        };
+        let on = self.heading(&next, Some(&rise.heading));
+        let falls = next.factor <= factor || on.as_ref().is_some_and(|on| on.factor <= 0.0);
+        let turns = on.as_ref().is_none_or(|on| on.sign <= 0);
+        // Where a joint opens or closes the path has a corner; where it forks it has none. Whether a crack grows is not known beforehand.
+        let smooth = !self.work.cracks && on.as_ref().is_some_and(|on| rise.heading.goes_on_as(on));
+        let on = match on {
+            Some(on) if !falls && !turns => on,
+            on => {
+                if close {
+                    self.mechanism.clone_from(&rise.heading.direction);
+                    return Some(match (falls, smooth) {
+                        (true, _) => End::Limit,
+                        (false, true) => End::Bifurcation,
+                        (false, false) => End::Lost,
+                    });
+                }
+                rise.past = on.filter(|on| on.factor < 0.0).map(|on| Past { distance: rise.share, rate: on.factor });
+                rise.share *= rise.past.as_ref().map_or(0.5, |past| past.short_of_peak(&rise.heading));
+                return None;
+            }
+        };
+        self.accept(next, balanced);
+        if reaches {
+            return Some(End::Target);
+        }
+        self.length = Some(rise.share);
+        rise.heading = on;
+        let short = rise.share < rise.first || rise.heading.factor * rise.share < SHORT * self.state.factor;
+        let grown = rise.share * (self.wanted(short) / f64::from(balanced.iterations.max(1))).clamp(0.5, 2.0);
+        let grown = rise.lost.map_or(grown, |lost| grown.min(SHY * lost));
+        rise.lost = rise.lost.map(|lost| lost * DARING).filter(|lost| SHY * lost < 2.0 * grown);
+        let nearer = |past: Past| Past { distance: past.distance - rise.share, ..past };
+        rise.past = rise.past.map(nearer).filter(|past| past.distance > 0.0);
+        let most = |past: &Past| grown.min(past.distance * past.short_of_peak(&rise.heading));
+        rise.share = rise.past.as_ref().map_or(grown, most);
+        None
+    }
+
+    /// Iterations that the next step should take.
+    pub fn wanted(&self, short: bool) -> f64 {
+        let slides = self.points.last().is_some_and(|p| p.sliding > 0);
+        if slides && short { WANTED_WHERE_SLIDING } else { WANTED_ITERATIONS }
+    }
+}
