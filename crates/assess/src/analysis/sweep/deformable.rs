@@ -207,8 +207,9 @@ fn put(scene: &Scene<'_>, rows: &[Row], least: &[Least], found: &mut Sweep) {
         found.warnings.push(Warning::new(warning::PATHS_BROKEN_OFF, message));
     }
     found.assumptions.push(
-        "On joints that give the axles that govern for rigid blocks, all of them, and those that governed at the position before are \
-         followed at every position; at the worst one every run of axles is. The smaller factor of both methods counts. Fill acts by its weight alone there."
+        "On joints that give the axles that govern for rigid blocks are followed at every position; of all axles, and of those that governed \
+         at the position before, it is asked there whether they carry as much, from the states of similar loads; at the worst position every \
+         run of axles is followed. The smaller factor of both methods counts. Fill acts by its weight alone there."
             .to_owned(),
     );
 }

@@ -69,9 +69,10 @@ pub(super) fn assumed(all: &[Swept]) -> String {
     if all.iter().all(|one| one.deformable.is_none()) {
         return crate::analysis::sweep::RIGID.to_owned();
     }
-    "On joints that give these cases are followed at every position: what governs for rigid blocks, all that may stand there, and \
-     what governs beside it, each up to four times the least factor of rigid blocks. At the worst position its axles, \
-     uniform loads, factors on weights and critical axle are varied one after the other. The smaller adequacy factor of \
+    "On joints that give what governs for rigid blocks is followed at every position, up to four times the least factor of rigid blocks; \
+     of all that may stand there, and of what governs beside it, it is asked whether it carries as much, from the states of similar loads. \
+     At the worst position axles, uniform loads, factors on weights and critical axle are varied one after the other, and each is followed. \
+     The smaller adequacy factor of \
      both methods counts. States in service are those of the cases that govern. Fill acts by its weight alone there."
         .to_owned()
 }
