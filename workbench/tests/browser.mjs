@@ -39,8 +39,8 @@ export async function end() {
   shared = null;
 }
 
-/** A page of its own, with everything that it complained of. */
-export async function visit({ width = 1280, height = 800, theme = "light", hash = "", calm = false, touch = false } = {}) {
+/** A page of its own, with everything that it complained of; `before` is called before it is opened. */
+export async function visit({ width = 1280, height = 800, theme = "light", hash = "", calm = false, touch = false, serviceWorkers = "allow", before = async () => undefined } = {}) {
   const { browser, url } = await world();
   const context = await browser.newContext({
     viewport: { width, height },
@@ -48,6 +48,7 @@ export async function visit({ width = 1280, height = 800, theme = "light", hash 
     reducedMotion: calm ? "reduce" : "no-preference",
     hasTouch: touch,
     acceptDownloads: true,
+    serviceWorkers,
     permissions: ["clipboard-read", "clipboard-write"],
   });
   const page = await context.newPage();
@@ -59,6 +60,7 @@ export async function visit({ width = 1280, height = 800, theme = "light", hash 
     complaints.push(`dialog: ${dialog.message()}`);
     void dialog.dismiss();
   });
+  await before(page);
   await page.goto(url + hash);
   return { page, context, complaints, url };
 }

@@ -1,5 +1,6 @@
 import { createEffect, createSignal, For, on, onCleanup, onMount, Show, type JSX } from "solid-js";
 import { forgetEnvelope, wantEnvelope } from "../model/background";
+import { engineOnItsWay } from "../model/library";
 import { lookAt } from "../model/live";
 import { active, activeId, close, keep, notice, open, part, restore, say, setActiveId, setNotice, setPart, sheets, type Part } from "../model/workspace";
 import { fromFragment, toFragment } from "../model/address";
@@ -35,7 +36,7 @@ export function App(): JSX.Element {
     void (async () => {
       await restore();
       await fromAddress();
-      if (sheets().length === 0) setDialog("open");
+      if (sheets().length === 0 && !tour()) setDialog("open");
     })();
     const key = (event: KeyboardEvent): void => {
       if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
@@ -306,7 +307,7 @@ function Empty(props: { open: () => void }): JSX.Element {
     <main class="middle empty" id="scene">
       <div>
         <h1>No bridge is open</h1>
-        <p class="soft">Type ten numbers of a survey, take an example, or drop a bridge file or a drawing here.</p>
+        <p class="soft" role="status">{engineOnItsWay() || "Type ten numbers of a survey, take an example, or drop a bridge file or a drawing here."}</p>
         <button type="button" class="btn main" onClick={props.open}>Open a bridge</button>
       </div>
     </main>

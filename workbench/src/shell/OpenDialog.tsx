@@ -1,7 +1,7 @@
 /** Ways to a bridge: ten survey numbers, an example, a file from this machine. */
 import { For, onMount, Show, type JSX } from "solid-js";
 import type { Example, Question } from "../engine/types";
-import { examples } from "../model/library";
+import { engineOnItsWay, examples } from "../model/library";
 import { liveEngine } from "../model/live";
 import { open, say, setPart } from "../model/workspace";
 import { setTab } from "../parts/BridgePanel";
@@ -76,8 +76,9 @@ export function OpenDialog(props: { close: () => void; done: () => void; tour: (
             <span class="soft">A bridge file (.toml) or a drawing (.dxf); it stays on this machine.</span>
           </div>
           <h3 class="spaced">Examples</h3>
+          <Show when={engineOnItsWay()}>{(words) => <p role="status">{words()}</p>}</Show>
           <div class="choices">
-            <For each={examples() ?? []} fallback={<p>Reading the examples …</p>}>
+            <For each={examples() ?? []}>
               {(example) => (
                 <div class="choice">
                   <button type="button" data-example={example.name} onClick={() => take(example, example.main)}>

@@ -72,10 +72,14 @@ export function Tour(props: { close: () => void }): JSX.Element {
   const [at, setAt] = createSignal(0);
   const stop = () => STOPS[at()]!;
   let box!: HTMLElement;
-  onMount(() => {
-    const bridgemill = (examples() ?? []).find((example) => example.name === "bridgemill") ?? examples()?.[0];
-    if (bridgemill) void openExample(bridgemill);
-    box.focus();
+  onMount(() => box.focus());
+  // The tour may begin before the engine, which holds the examples, has been loaded.
+  let opened = false;
+  createEffect(() => {
+    const bridgemill = examples()?.find((example) => example.name === "bridgemill");
+    if (!bridgemill || opened) return;
+    opened = true;
+    void openExample(bridgemill);
   });
   createEffect(
     on(at, () => {

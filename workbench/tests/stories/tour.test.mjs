@@ -40,6 +40,30 @@ test("every stop of the tour can be done as it says, and it notices", async () =
   await context.close();
 });
 
+test("a tour begun before the engine is there waits for it, and an engine that never comes is told", async () => {
+  let go;
+  const held = new Promise((resolve) => (go = resolve));
+  const later = async (page) => page.route("**/*.wasm", async (route) => {
+    await held;
+    await route.continue();
+  });
+  const { page, complaints, context } = await visit({ before: later });
+  await page.getByRole("dialog", { name: "Open a bridge" }).getByRole("button", { name: "Tour of two minutes" }).click();
+  await page.getByRole("main").getByText("The engine is being loaded").waitFor();
+  go();
+  assert.ok((await headline(page)) > 0);
+  assert.equal(await page.locator(".sheet-title").innerText(), "Bridgemill, case 1");
+  assert.deepEqual(complaints, []);
+  await context.close();
+
+  // No service worker either, which would fetch it by itself.
+  const without = await visit({ serviceWorkers: "block", before: (page) => page.route("**/*.wasm", (route) => route.abort()) });
+  await without.page.getByRole("dialog").getByText("The engine could not be loaded").waitFor();
+  // Chromium names each request that failed; the page itself must not break.
+  assert.deepEqual(without.complaints.filter((one) => !/ERR_FAILED/.test(one)), []);
+  await without.context.close();
+});
+
 test("somebody new: ten numbers, an answer, its least place, a file to keep", async () => {
   const { page, complaints, context } = await visit();
   await page.getByRole("button", { name: "Ten survey numbers" }).click();
