@@ -50,6 +50,10 @@ export function small(metres: number, system: System): Said {
     ? { value: figures(metres * 1e3, 3), unit: "mm" }
     : { value: figures(metres / 0.0254, 3), unit: "in" };
 }
+/** A load on the road from Pa. */
+export function pressure(pascals: number, system: System): Said {
+  return system === "metric" ? { value: figures(pascals / 1e3, 3), unit: "kN/m²" } : { value: figures(pascals / 47.880259, 3), unit: "psf" };
+}
 export function stress(pascals: number, system: System): Said {
   return system === "metric" ? { value: figures(pascals / 1e6, 3), unit: "MPa" } : { value: figures(pascals / 6894.757, 3), unit: "psi" };
 }

@@ -1,6 +1,6 @@
 /** What the load does, in the one accent colour of the sheet: the layer that follows the pointer. */
 import type { LiveAnswer, Picture, Point } from "../engine/types";
-import { force, place, words, type System } from "../units";
+import { force, place, pressure, words, type System } from "../units";
 import { label, line, type Pen } from "./canvas";
 import type { Sheet } from "./elevation";
 import { roadAt, type View } from "./view";
@@ -163,8 +163,9 @@ export function dispersed({ pen, view, ink }: Sheet, loads: Float64Array): void 
   pen.stroke();
 }
 
-/** Axles or patches on the road: an arrow each with the length that they press on, and their forces where these are given and not sought. */
-export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, system: System, forces: boolean): void {
+/** Axles or patches on the road: an arrow each with the length that they press on, and what they weigh where that is given and not sought: axles as a whole, the rest of a
+ * train or lane per metre of width and length. */
+export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, system: System, given: { x: number; force: number }[] | null): void {
   const { pen, view, ink } = sheet;
   pen.font = `600 13px ${ink.font}`;
   pen.textAlign = "center";
@@ -189,8 +190,10 @@ export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, syste
     pen.lineTo(px + 5, py - 16);
     pen.closePath();
     pen.fill();
-    if (forces) {
-      const text = words(force(size, system));
+    // A narrow drawing has no room for them.
+    if (given && sheet.width > 560) {
+      const axle = given.find((one) => Math.abs(one.x - x) < 1e-6);
+      const text = words(axle ? force(axle.force, system) : pressure(size / length, system));
       const width = pen.measureText(text).width;
       if (px - width / 2 > lastRight + 6) {
         label(pen, text, px, py - 42, ink.sheet);
@@ -238,7 +241,7 @@ export function envelope(
   pen.fillStyle = ink.soft;
   pen.textAlign = "left";
   pen.textBaseline = "top";
-  if (width > 560) pen.fillText("Carried, over the place of the load", left, bottom + 4);
+  if (width > 560) pen.fillText("Carried, over the place of the load", Math.max(8, left), bottom + 4);
   pen.setLineDash([2, 3]);
   line(pen, left, y(least), right, y(least));
   pen.setLineDash([]);

@@ -6,11 +6,12 @@ import { canFilm, download, film } from "../drawing/film";
 import { moved, stressScale } from "../drawing/motion";
 import { boundsOf } from "../drawing/view";
 import { runOf, type Frame } from "../model/run";
+import { overItsWidth } from "../model/carried";
 import type { Sheet } from "../model/sheet";
 import { Chart } from "../shell/Chart";
 import { Scene } from "../shell/Scene";
 import { isSmall, system, theme } from "../shell/settings";
-import { figures, force, grouped, lineLoad, small, stress, words } from "../units";
+import { figures, grouped, lineLoad, small, stress, words } from "../units";
 
 const ENDED: Record<string, string> = {
   collapsed: "collapsed",
@@ -136,7 +137,6 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
     run().count[0]();
     return run().frames[run().frames.length - 1]?.ended ?? "";
   };
-  const width = () => props.sheet.reading[0]()?.width_m ?? null;
   return (
     <section class="block" aria-label="Answer" id="answer" tabindex="-1">
       <div>
@@ -145,8 +145,8 @@ export function CollapseBlock(props: { sheet: Sheet }): JSX.Element {
           {last() === null ? "–" : lineLoad(last()!, system()).value}
           <span class="unit">{last() === null ? "" : lineLoad(last()!, system()).unit}</span>
         </span>
-        <Show when={last() !== null && width()}>
-          <span class="under">{words(force(last()! * width()!, system()))} over the whole width</span>
+        <Show when={last() !== null}>
+          <span class="under">{overItsWidth(props.sheet, last()!, system())}</span>
         </Show>
       </div>
       <div>

@@ -4,11 +4,12 @@ import { Lost, Refused } from "../engine/client";
 import type { PlaceInText, Reading, ResultOut } from "../engine/types";
 import { download } from "../drawing/film";
 import { analyse, background } from "../model/background";
+import { overItsWidth } from "../model/carried";
 import type { Sheet } from "../model/sheet";
 import { liveEngine } from "../model/live";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
-import { figures, force, lineLoad, words } from "../units";
+import { figures, lineLoad } from "../units";
 import { goToText } from "./BridgePanel";
 
 type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
@@ -208,10 +209,7 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     const value = object()?.["headline_kn_per_m"];
     return typeof value === "number" ? value * 1e3 : null;
   };
-  const whole = () => {
-    const value = object()?.["headline_kn"];
-    return typeof value === "number" ? value * 1e3 : null;
-  };
+  const whole = () => typeof object()?.["headline_kn"] === "number";
   const notes = createMemo(() => {
     const found = object();
     if (!found) return [];
@@ -235,7 +233,7 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
             {lineLoad(load()!, system()).value}
             <span class="unit">{lineLoad(load()!, system()).unit}</span>
           </span>
-          <Show when={whole() !== null}><span class="under">{words(force(whole()!, system()))} over the whole width</span></Show>
+          <Show when={whole()}><span class="under">{overItsWidth(props.sheet, load()!, system())}</span></Show>
         </Show>
       </div>
       <div>

@@ -91,8 +91,15 @@ export function Board(props: BoardProps): JSX.Element {
     elevation.masonry(sheet, seen);
     elevation.defects(sheet, seen);
     elevation.road(sheet, seen);
-    elevation.layerNames(sheet, seen);
+    // Under a load, its arrows stand where the names of the layers are.
+    if (!props.load) elevation.layerNames(sheet, seen);
     elevation.scaleBar(sheet, 0);
+  }
+
+  /** Axles of the vehicle where its first one stands at x. */
+  function standing(x: number): { x: number; force: number }[] {
+    const back = props.sheet.leftward[0]() ? 1 : -1;
+    return (props.sheet.about[0]()?.axles ?? []).map((axle) => ({ x: x + back * axle.offset, force: axle.force }));
   }
 
   function drawOver(): void {
@@ -106,7 +113,9 @@ export function Board(props: BoardProps): JSX.Element {
     const x = props.sheet.x[0]();
     if (props.load && answer && curve) {
       const top = isSmall() ? 60 : 44;
-      const bottom = Math.max(top + 30, Math.min(sheet.view.y(boundsOf(seen).top) - 70, sheet.height * 0.45));
+      // Room for the arrows, and for their forces where a vehicle has any.
+      const room = props.sheet.vehicle[0]() === "" || isSmall() ? 70 : 84;
+      const bottom = Math.max(top + 30, Math.min(sheet.view.y(boundsOf(seen).top) - room, sheet.height * 0.45));
       answers.envelope(sheet, curve, 1, props.sayLoad, top, bottom, x === null ? null : { x, factor: answer.words.factor });
     }
     if (!answer) {
@@ -128,7 +137,7 @@ export function Board(props: BoardProps): JSX.Element {
     // The load stands where the hand is; the answer may be a picture behind.
     const axles = answer.axles.slice();
     if (x !== null) for (let k = 0; k < axles.length; k += 4) axles[k] = axles[k]! + (x - answer.x);
-    answers.axles(sheet, seen, axles, system(), props.sheet.vehicle[0]() !== "");
+    answers.axles(sheet, seen, axles, system(), props.sheet.vehicle[0]() === "" ? null : standing(x ?? answer.x));
     const since = asked.get(answer.x);
     if (since !== undefined) {
       fromPointer("pointer-to-picture", since);
@@ -142,7 +151,7 @@ export function Board(props: BoardProps): JSX.Element {
   const soonUnder = () => (askedUnder ||= requestAnimationFrame(() => ((askedUnder = 0), drawUnder())));
   const soonOver = () => (askedOver ||= requestAnimationFrame(() => ((askedOver = 0), drawOver())));
 
-  createEffect(on([picture, view, system, theme, placed], soonUnder));
+  createEffect(on([picture, view, system, theme, placed, () => props.load], soonUnder));
   createEffect(
     on(
       [picture, view, system, theme, placed, props.sheet.answer[0], props.sheet.zone[0], props.sheet.envelope[0], () => props.load, () => props.reach],

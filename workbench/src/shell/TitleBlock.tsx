@@ -1,9 +1,12 @@
 /** The title block: what is carried and by which load, how it was found, and what was assumed, side by side. */
 import { createEffect, createMemo, createSignal, For, on, onCleanup, Show, type JSX } from "solid-js";
 import type { Finding } from "../engine/types";
+import { assumedIn } from "../model/assumed";
+import { overItsWidth } from "../model/carried";
 import type { Sheet } from "../model/sheet";
+import { part, setPart } from "../model/workspace";
 import { goToText } from "../parts/BridgePanel";
-import { figures, force, lineLoad, place, words, type System } from "../units";
+import { figures, lineLoad, place, words, type System } from "../units";
 import { system } from "./settings";
 
 /** Whether the load is the file's own, whose size is sought, or a vehicle with a size of its own. */
@@ -44,10 +47,9 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     const found = answer()?.words;
     if (!found) return null;
     if (found.factor === null) return { value: "–", unit: "", whole: "" };
-    const width = reading()?.width_m ?? null;
     if (!isVehicle(props.sheet) && found.load !== null) {
       const said = lineLoad(found.load, system());
-      return { ...said, whole: width ? `${words(force(found.load * width, system()))} over the whole width` : "per metre of width" };
+      return { ...said, whole: overItsWidth(props.sheet, found.load, system()) };
     }
     return { value: figures(found.factor, 3), unit: "× the vehicle", whole: "adequacy factor" };
   });
@@ -89,6 +91,8 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     if (found?.open) list.push({ kind: "warn", text: "Joints slide here: less may be carried without dilation. The answer settles when the load rests." });
     if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
     for (const text of about()?.assumptions ?? []) list.push({ kind: "", text });
+    const assumed = assumedIn(props.sheet.text());
+    if (assumed.length > 0) list.push({ kind: "", text: `Assumed by the file: ${assumed.join("; ")}.` });
     return list;
   }, [], {
     // A new answer with the same notes leaves them where they are.
@@ -122,7 +126,11 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
                 <span class="unit">{head().unit}</span>
               </span>
               <span class="under">{head().whole}</span>
-              <Show when={least()}>
+              {/* The curve belongs to the text that stood when the load was last looked at. */}
+              <Show when={part() === "bridge"}>
+                <button type="button" class="link" onClick={() => setPart("load")}>Where is it least?</button>
+              </Show>
+              <Show when={part() === "load" && least()}>
                 {(found) => (
                   <div class="under least" data-testid="least">
                     Least along the road {sayFactor(props.sheet, found().factor, system())} at {words(place(found().x, system()))}

@@ -1,0 +1,16 @@
+/** What a load per metre of width means for the whole of it. */
+import { metresOf } from "../drawing/handles";
+import { force, words, type System } from "../units";
+import type { Sheet } from "./sheet";
+
+/** A load [N/m] in words: over the whole width for loads that lie across it; on the axle for an axle, which presses on its effective width alone. */
+export function overItsWidth(sheet: Sheet, load: number, system: System): string {
+  const own = (key: string) => sheet.quantities[0]().filter((one) => new RegExp(`^load\\[\\d+\\]\\.${key}$`).test(one.path));
+  const narrow = own("effective_width");
+  const across = sheet.reading[0]()?.width_m ?? null;
+  if (narrow.length === 0) return across ? `${words(force(load * across, system))} over the whole width` : "per metre of width";
+  const loads = sheet.reading[0]()?.sections?.loads ?? 0;
+  const width = loads === 1 && own("axle_force").length === 1 ? metresOf(narrow[0]!) : null;
+  // Several axles or loads share a width each: their sum is the force on no width there is.
+  return width === null ? "all loads of the file, each over its own width" : `${words(force(load * width, system))} on the axle, over its ${narrow[0]!.text}`;
+}
