@@ -164,7 +164,12 @@ async function step(sheet: Sheet): Promise<boolean> {
         sheet.placeTrouble[1](null);
         sheet.about[1](about);
         const x = sheet.x[0]();
-        if (x === null || x < about.from || x > about.to) sheet.x[1](startOf(about, x, vehicle === "" ? (sheet.picture[0]()?.surface_loads[0]?.[0]?.[0] ?? null) : null));
+        // A load of the file that nobody has moved stands where the file puts it, also once its span has changed.
+        const moved = x !== null && (x !== sheet.stood || vehicle !== "");
+        if (!moved || x < about.from || x > about.to) {
+          sheet.stood = startOf(about, moved ? x : null, vehicle === "" ? (sheet.picture[0]()?.surface_loads[0]?.[0]?.[0] ?? null) : null);
+          sheet.x[1](sheet.stood);
+        }
       });
     } catch (error) {
       if (!note(placeKey, error) || isBroken(placeKey)) {

@@ -50,6 +50,8 @@ export class Sheet {
   readonly envelope = createSignal<Envelope | null>(null);
   /** What the envelope was asked for. */
   envelopeKey = "";
+  /** Where the page itself put the load. */
+  stood: number | null = null;
   /** How often the load has been moved by hand. */
   moves = 0;
   readonly placeTrouble = createSignal<Refusal | null>(null);

@@ -137,7 +137,7 @@ export function Form(props: { sheet: Sheet }): JSX.Element {
     let text = repeated(props.sheet.text(), "span");
     if (text === null) return;
     const spans = countOf(text, "span");
-    text = countOf(text, "pier") > 0 ? (repeated(text, "pier") ?? text) : inserted(text, "pier", 'width = "1.5 m"\nheight = "3 m"\ncourses = 10');
+    text = countOf(text, "pier") > 0 ? (repeated(text, "pier") ?? text) : inserted(text, "pier", 'width = "1.5 m"  # assumed\nheight = "3 m"  # assumed\ncourses = 10');
     change(text, `add span ${spans}`);
   };
   const addLayer = (): void => change(inserted(props.sheet.text(), "cover", 'layer = "fill"\nthickness = "0.2 m"\ndensity = "1800 kg/m^3"'), "add layer");

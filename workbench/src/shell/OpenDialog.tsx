@@ -26,11 +26,11 @@ export async function openExample(example: Example, main = example.main): Promis
 
 const sayName = (name: string): string => name.replace(/-/g, " ").replace(/^./, (c) => c.toUpperCase());
 
-/** A bridge of the numbers that every question has as its example, with the questions beside it. */
+/** A bridge of the numbers that must be known, each with its example, and the questions beside it; what may be assumed stays open, so that the file says so. */
 export async function openSurvey(): Promise<void> {
   try {
     const list = await liveEngine.call<Question[]>("questions");
-    const answers = Object.fromEntries(list.map((question) => [question.key, question.example]));
+    const answers = Object.fromEntries(list.filter((question) => question.assumed === "").map((question) => [question.key, question.example]));
     const text = await liveEngine.call<string>("fromSurvey", { answers });
     const sheet = open({ path: "bridge.toml", text, survey: answers });
     sheet?.surveyed[1](text);

@@ -64,6 +64,47 @@ test("a tour begun before the engine is there waits for it, and an engine that n
   await without.context.close();
 });
 
+test("a survey of a viaduct in feet: what is assumed is told, a mass is no force, the axle counts over its own width, the phone shows it", async () => {
+  const { page, complaints, context } = await visit();
+  await page.getByRole("button", { name: "Ten survey numbers" }).click();
+  const field = (name) => page.getByLabel(name, { exact: true });
+  // What the survey does not say stays open, and stands among the assumptions.
+  assert.equal(await field("Strength of the masonry").inputValue(), "");
+  const notes = page.getByRole("region", { name: "Warnings and assumptions" });
+  await notes.getByText(/Assumed by the file:.*masonry compressive strength 5 MPa/).waitFor();
+  await field("Strength of the masonry").fill("8");
+  await until("the survey says it now", async () => !/compressive strength/.test(await notes.innerText()));
+  for (const [name, value] of Object.entries({ Span: "30 ft", Rise: "9 ft", "Thickness of the ring": "18 in", "Width of the barrel": "26 ft", "Cover over the crown": "2 ft" })) await field(name).fill(value);
+  await until("the file has feet", async () => /span = "30 ft"/.test(await textOf(page)));
+  assert.equal((await page.locator(".field", { has: page.locator("#q-span") }).locator(".unit").count()), 0);
+  // The load that nobody has moved is at the quarter point of the new span.
+  await until("the load follows the span", async () => /^2\.29/.test(await page.getByTestId("place").innerText()));
+  await field("Axle").fill("25 t");
+  await page.locator(".field", { has: page.locator("#q-axle") }).getByText("weighs 245.2 kN").waitFor();
+  await field("Axle").fill("245");
+  await until("the axle is taken", async () => /245 kN/.test(await textOf(page)));
+  const width = Number(/effective_width = "([\d.]+) m"/.exec(await textOf(page))[1]);
+  const perMetre = await headline(page);
+  const onAxle = Number(/([\d.]+)\s*kN on the axle/.exec(await page.locator(".block").innerText())[1]);
+  // Both are shown with four figures.
+  assert.ok(Math.abs(onAxle / (perMetre * width) - 1) < 1e-3, `${onAxle} kN on ${width} m, ${perMetre} kN/m`);
+
+  await page.getByRole("tab", { name: "Form" }).click();
+  await page.getByRole("button", { name: "Add a span and its pier" }).click();
+  await notes.getByText(/pier width 1\.5 m/).waitFor();
+  await page.getByRole("button", { name: "Where is it least?" }).click();
+  await page.getByRole("button", { name: /governing place/ }).waitFor({ timeout: 120_000 });
+  await page.locator("#vehicle").selectOption("lm71");
+  await until("a factor", async () => /the vehicle/.test(await page.getByTestId("headline").innerText()));
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.getByTestId("least").waitFor();
+  const box = await page.locator(".block > div").first().boundingBox();
+  assert.ok(box.width < 250, `the answer takes ${box.width} of 390 px`);
+  await shot(page, "survey-vehicle-390");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("somebody new: ten numbers, an answer, its least place, a file to keep", async () => {
   const { page, complaints, context } = await visit();
   await page.getByRole("button", { name: "Ten survey numbers" }).click();
