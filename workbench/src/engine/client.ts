@@ -24,6 +24,14 @@ export class Refused extends Error {
   }
 }
 
+/** A refusal in sentences, for people: what is wrong, and what to do in the page; a line of the command is not for them. */
+export function sentences({ message, help }: { message: string; help: string }): string {
+  return [message, help]
+    .filter((words) => words !== "" && !/^extrados /.test(words))
+    .map((words) => words.charAt(0).toUpperCase() + words.slice(1) + (/[.!?]$/.test(words) ? "" : "."))
+    .join(" ");
+}
+
 /** The worker died, was stopped, or did not answer in time. Another one has taken its place and holds nothing yet. */
 export class Lost extends Error {
   constructor(

@@ -1,6 +1,6 @@
 /** A train that crosses, position by position, recorded for the time slider. */
 import { batch, createSignal } from "solid-js";
-import { Lost, Refused } from "../engine/client";
+import { Lost, Refused, sentences } from "../engine/client";
 import type { Point } from "../engine/types";
 import { stage } from "./run";
 import type { Sheet } from "./sheet";
@@ -83,7 +83,7 @@ export class Passage {
     if (mine !== this.#token) return;
     batch(() => {
       if (!(error instanceof Lost && error.why === "stopped")) {
-        this.trouble[1](error instanceof Refused ? `${error.message} ${error.help}` : `The engine broke down and was started again. ${(error as Error).message}`);
+        this.trouble[1](error instanceof Refused ? sentences(error) : `The engine broke down and was started again. ${(error as Error).message}`);
       }
       this.mode[1](this.values.length > 0 ? "ended" : this.trouble[0]() ? "failed" : "idle");
     });

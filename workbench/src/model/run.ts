@@ -1,6 +1,6 @@
 /** A collapse that is stepped in a worker of its own and recorded, so that it can be watched again and gone on from. */
 import { batch, createSignal } from "solid-js";
-import { Engine, Lost, Refused } from "../engine/client";
+import { Engine, Lost, Refused, sentences } from "../engine/client";
 import type { Picture } from "../engine/types";
 import { analyse } from "./background";
 import type { Sheet } from "./sheet";
@@ -95,7 +95,7 @@ export class Run {
       return;
     }
     batch(() => {
-      this.trouble[1](error instanceof Refused ? `${error.message} ${error.help}` : `The engine broke down and was started again. ${(error as Error).message}`);
+      this.trouble[1](error instanceof Refused ? sentences(error) : `The engine broke down and was started again. ${(error as Error).message}`);
       this.mode[1](this.frames.length > 0 ? "ended" : "failed");
     });
   }

@@ -1,5 +1,6 @@
 /** The bridge as form, as text, and what the reader of the file found: views of one document. */
 import { createEffect, createSignal, For, on, onCleanup, onMount, Show, type JSX } from "solid-js";
+import { sentences } from "../engine/client";
 import type { Card, Finding, Section } from "../engine/types";
 import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
@@ -124,7 +125,7 @@ export function BridgePanel(props: { sheet: Sheet }): JSX.Element {
         <Show when={props.sheet.trouble[0]()}>
           {(trouble) => (
             <p class="complaint" role="alert">
-              {trouble().message} {trouble().help}
+              {sentences(trouble())}
             </p>
           )}
         </Show>

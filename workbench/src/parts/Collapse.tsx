@@ -12,6 +12,7 @@ import { Chart } from "../shell/Chart";
 import { Scene } from "../shell/Scene";
 import { isSmall, system, theme } from "../shell/settings";
 import { figures, grouped, lineLoad, small, stress, words } from "../units";
+import { AssumeStiffness } from "./Stiffness";
 
 const ENDED: Record<string, string> = {
   collapsed: "collapsed",
@@ -100,6 +101,7 @@ export function CollapseScene(props: { sheet: Sheet }): JSX.Element {
                 <button type="button" class="btn main" onClick={() => void run().start("{}")} disabled={!props.sheet.reading[0]()?.usable}>Load until it falls</button>
                 <Show when={run().trouble[0]()}>
                   <p class="complaint" role="alert">{run().trouble[0]()}</p>
+                  <AssumeStiffness sheet={props.sheet} />
                 </Show>
               </div>
             }

@@ -1,5 +1,6 @@
 /** The bridge as fields: every quantity of the file under its table, edited by its path so that the text keeps its comments. */
 import { createMemo, createSignal, For, Show, type JSX } from "solid-js";
+import { sentences } from "../engine/client";
 import type { Quantity, Refusal } from "../engine/types";
 import { setQuantity } from "../model/live";
 import type { Sheet } from "../model/sheet";
@@ -118,7 +119,7 @@ function FieldRow(props: { quantity: Quantity; short: string }): JSX.Element {
       <Show when={wrong()}>
         {(error) => (
           <p class="complaint" role="alert">
-            {error().message} {error().help}
+            {sentences(error())}
           </p>
         )}
       </Show>

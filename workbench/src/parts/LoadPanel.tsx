@@ -1,7 +1,7 @@
 /** Which load stands on the bridge, where, and what other methods say of it at this place. */
 import { batch, createMemo, createSignal, For, on, createEffect, Show, type JSX } from "solid-js";
 import { analyse, background } from "../model/background";
-import { Lost, Refused } from "../engine/client";
+import { Lost, Refused, sentences } from "../engine/client";
 import { library } from "../model/library";
 import { poke } from "../model/live";
 import type { Sheet } from "../model/sheet";
@@ -10,6 +10,7 @@ import { lineLoad, place, words } from "../units";
 import { isVehicle } from "../shell/TitleBlock";
 import { system } from "../shell/settings";
 import { Sliders } from "./Sliders";
+import { AssumeStiffness } from "./Stiffness";
 
 export function LoadPanel(props: { sheet: Sheet }): JSX.Element {
   const about = () => props.sheet.about[0]();
@@ -213,7 +214,7 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
       const result = JSON.parse(out.json) as { headline_kn_per_m?: number | null; headline_from?: string; status: string };
       update(row.key, { state: "done", load: result.headline_kn_per_m ?? null, words: [result.status, result.headline_from].filter(Boolean).join("; "), at: moved === null ? null : x });
     } catch (error) {
-      const said = error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message);
+      const said = error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message);
       update(row.key, { state: "failed", words: said });
     }
     setBusy("");
@@ -258,6 +259,9 @@ function Methods(props: { sheet: Sheet }): JSX.Element {
             </For>
           </tbody>
         </table>
+        <Show when={rows().some((row) => row.state === "failed")}>
+          <AssumeStiffness sheet={props.sheet} />
+        </Show>
       </details>
     </Show>
   );

@@ -1,6 +1,6 @@
 /** Materials of the library for a table of the file: what is usual, between which ends, from where; written as values with remarks. */
 import { createMemo, createSignal, For, Show, type JSX } from "solid-js";
-import { Refused } from "../engine/client";
+import { Refused, sentences } from "../engine/client";
 import type { Material, MaterialValue } from "../engine/types";
 import { materials } from "../model/library";
 import { liveEngine } from "../model/live";
@@ -45,7 +45,7 @@ export function MaterialsOf(props: { sheet: Sheet; at: string; table: string; th
       say(`${chosen()!.title}: ${keys().length} ${keys().length === 1 ? "value is" : "values are"} in the file with the source beside each. None is measured on this bridge.`);
       setCode("");
     } catch (error) {
-      say(error instanceof Refused ? `${error.message} ${error.help}` : String((error as Error).message), true);
+      say(error instanceof Refused ? sentences(error) : String((error as Error).message), true);
     }
   };
   const id = (): string => `material-${props.at.replace(/\W/g, "-")}`;

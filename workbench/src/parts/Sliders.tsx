@@ -1,6 +1,6 @@
 /** A slider for each uncertain quantity, and how much each of them moves the answer. */
 import { createMemo, createSignal, For, Show, type JSX } from "solid-js";
-import { Lost, Refused } from "../engine/client";
+import { Lost, Refused, sentences } from "../engine/client";
 import type { Quantity } from "../engine/types";
 import { analyse, background } from "../model/background";
 import { setQuantity } from "../model/live";
@@ -55,7 +55,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
       setBars(barsOf(JSON.parse(out.json)));
       setStale(text);
     } catch (error) {
-      setTrouble(error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message));
+      setTrouble(error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message));
     }
     setState(null);
   };

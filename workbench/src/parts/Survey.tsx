@@ -1,6 +1,6 @@
 /** The ten numbers of a survey: the file is written anew with every number that is typed. */
 import { createSignal, For, Show, type JSX } from "solid-js";
-import { Refused } from "../engine/client";
+import { Refused, sentences } from "../engine/client";
 import { questions } from "../model/library";
 import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
@@ -19,8 +19,6 @@ const TITLES: Record<string, string> = {
   strength: "Strength of the masonry",
   axle: "Axle",
 };
-
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 export function Survey(props: { sheet: Sheet }): JSX.Element {
   const [wrong, setWrong] = createSignal<{ key: string; text: string } | null>(null);
@@ -51,7 +49,7 @@ export function Survey(props: { sheet: Sheet }): JSX.Element {
     const key = /^(\w+)(?::| is missing)/.exec(error.message)?.[1] ?? "";
     const mass = key === "axle" ? /^([\d.]+)\s*(t|tonnes?)$/.exec(answers[key] ?? "") : null;
     if (mass) return { key, text: `This is a mass. An axle of ${mass[1]} t weighs ${figures(Number(mass[1]) * 9.80665)} kN: write that.` };
-    return { key, text: `${capital(error.message)}. ${capital(error.help)}.` };
+    return { key, text: sentences(error) };
   };
   return (
     <div>

@@ -3,7 +3,7 @@ import { createMemo, createSignal, For, Show, type JSX } from "solid-js";
 import type uPlot from "uplot";
 import { grid, scaleBar, type Sheet as Paper } from "../drawing/elevation";
 import type { Box, View } from "../drawing/view";
-import { Lost, Refused } from "../engine/client";
+import { Lost, Refused, sentences } from "../engine/client";
 import { analyse, background } from "../model/background";
 import { examples } from "../model/library";
 import { historiesOf, type Histories } from "../model/histories";
@@ -509,7 +509,7 @@ function Update(props: { sheet: Sheet }): JSX.Element {
         warnings: (object.warnings ?? []).map((one) => one.message ?? ""),
       });
     } catch (error) {
-      setTrouble(error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message));
+      setTrouble(error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "Stopped." : String((error as Error).message));
     }
     setState(null);
   };

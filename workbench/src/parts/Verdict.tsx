@@ -1,6 +1,6 @@
 /** Verdict: whole analyses as the command makes them, their report, and every file that the command would write. */
 import { createMemo, createSignal, For, onCleanup, Show, type JSX } from "solid-js";
-import { Lost, Refused } from "../engine/client";
+import { Lost, Refused, sentences } from "../engine/client";
 import type { PlaceInText, Reading, ResultOut } from "../engine/types";
 import { download } from "../drawing/film";
 import { analyse, background } from "../model/background";
@@ -9,7 +9,7 @@ import type { Sheet } from "../model/sheet";
 import { liveEngine } from "../model/live";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
-import { figures, lineLoad } from "../units";
+import { figures, lineLoad, place, words } from "../units";
 import { goToText } from "./BridgePanel";
 
 type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
@@ -57,7 +57,7 @@ async function run(sheet: Sheet, kind: Kind): Promise<void> {
     }
     set((old) => ({ ...old, mode: "done", result: { ...out, report, object: JSON.parse(out.json) } }));
   } catch (error) {
-    const trouble = error instanceof Refused ? `${error.message} ${error.help}` : error instanceof Lost && error.why === "stopped" ? "" : `The engine broke down and was started again. ${(error as Error).message}`;
+    const trouble = error instanceof Refused ? sentences(error) : error instanceof Lost && error.why === "stopped" ? "" : `The engine broke down and was started again. ${(error as Error).message}`;
     set((old) => ({ ...old, mode: trouble ? "failed" : "idle", trouble }));
   }
 }
@@ -220,6 +220,14 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     return list;
   });
   const status = () => verdict().result?.status ?? "";
+  // Of a load that was moved, the least: a vehicle's factor, or the load of the file.
+  const least = () => {
+    const found = object()?.["governing"] as { position_m?: number; load_factor?: number; adequacy_factor?: number } | undefined;
+    const factor = found?.adequacy_factor ?? found?.load_factor;
+    return typeof found?.position_m === "number" && typeof factor === "number"
+      ? { factor, unit: found.adequacy_factor === undefined ? "× the load" : "× the vehicle", at: found.position_m }
+      : null;
+  };
   const governing = () => {
     const factor = object()?.["adequacy_factor"] ?? object()?.["load_factor"];
     return typeof factor === "number" ? factor : null;
@@ -228,7 +236,19 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     <section class="block" aria-label="Answer" id="answer" tabindex="-1">
       <div>
         <span class="cap">{verdict().kind?.title ?? "Verdict"}</span>
-        <Show when={load() !== null} fallback={<span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>}>
+        <Show when={load() !== null} fallback={
+          <Show when={least()} fallback={<span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>}>
+            {(found) => (
+              <>
+                <span class="headline num" data-testid="verdict">
+                  {figures(found().factor, 3)}
+                  <span class="unit">{found().unit}</span>
+                </span>
+                <span class="under">the least along the road, at {words(place(found().at, system()))}</span>
+              </>
+            )}
+          </Show>
+        }>
           <span class="headline num" data-testid="verdict">
             {lineLoad(load()!, system()).value}
             <span class="unit">{lineLoad(load()!, system()).unit}</span>

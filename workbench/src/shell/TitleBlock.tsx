@@ -1,5 +1,6 @@
 /** The title block: what is carried and by which load, how it was found, and what was assumed, side by side. */
 import { createEffect, createMemo, createSignal, For, on, onCleanup, Show, type JSX } from "solid-js";
+import { sentences } from "../engine/client";
 import type { Finding } from "../engine/types";
 import { assumedIn } from "../model/assumed";
 import { overItsWidth } from "../model/carried";
@@ -77,7 +78,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
   const warnings = createMemo<Note[]>(() => {
     const list: Note[] = [];
     const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? props.sheet.placeTrouble[0]();
-    if (trouble) list.push({ kind: "err", text: `${trouble.message}${trouble.help ? ` ${trouble.help}` : ""}` });
+    if (trouble) list.push({ kind: "err", text: sentences(trouble) });
     for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${one.message}`, finding: one });
     if (findings().length > MOST_NOTES) list.push({ kind: "warn", text: `and ${findings().length - MOST_NOTES} more: see the findings of the bridge.` });
     if (about()?.stands === false) list.push({ kind: "err", text: "The bridge does not stand under its own weight." });

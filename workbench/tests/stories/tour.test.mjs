@@ -105,6 +105,25 @@ test("a survey of a viaduct in feet: what is assumed is told, a mass is no force
   await context.close();
 });
 
+test("a survey says nothing of how joints give: the page offers to assume it, and the bridge falls", async () => {
+  const { page, complaints, context } = await visit({ calm: true });
+  await page.getByRole("button", { name: "Ten survey numbers" }).click();
+  await headline(page);
+  await part(page, "Collapse");
+  await page.getByRole("button", { name: "Load until it falls" }).click();
+  await page.getByLabel("The file does not say how its joints give. Assume it for").selectOption({ label: "Bricks of the eighteenth and nineteenth century in lime mortar, 8 GPa" });
+  await page.getByRole("button", { name: "Write it into the file" }).click();
+  await until("the file says what is assumed", async () => /normal_stiffness = "2\.\d+ GPa\/m"  # assumed: a tenth of 8 GPa/.test(await textOf(page)));
+  await page.getByRole("button", { name: "Load until it falls" }).click();
+  await until("the blocks bear load", async () => (await headline(page, "run-headline")) > 0);
+  await part(page, "Verdict");
+  await page.getByRole("button", { name: /Load moved along the bridge/ }).click();
+  await until("the least is told", async () => /× the load/.test(await page.getByTestId("verdict").innerText()));
+  await page.getByText("the least along the road, at").waitFor();
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("somebody new: ten numbers, an answer, its least place, a file to keep", async () => {
   const { page, complaints, context } = await visit();
   await page.getByRole("button", { name: "Ten survey numbers" }).click();
