@@ -5,11 +5,12 @@ import type { Sheet } from "../model/sheet";
 import { lacksStiffness, stoneLength, withStiffness } from "../model/stiffness";
 
 export function AssumeStiffness(props: { sheet: Sheet }): JSX.Element {
+  // The softest first: softer joints carry no more.
   const list = createMemo(() =>
     (materials() ?? []).flatMap((one) => {
       const modulus = one.tables.includes("masonry") ? one.values.find((value) => value.key === "elastic_modulus") : undefined;
       return modulus ? [{ code: one.code, title: one.title, modulus: modulus.usual }] : [];
-    }),
+    }).sort((a, b) => Number.parseFloat(a.modulus) - Number.parseFloat(b.modulus)),
   );
   const [code, setCode] = createSignal("");
   const filled = () => {
