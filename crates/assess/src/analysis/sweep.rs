@@ -1,8 +1,9 @@
 //! Limit analysis with the loads moved over the bridge.
 //!
 //! Every position is answered with dilatant friction first. Where joints slide or lock, cases up to twice the least factor are
-//! answered again without dilation; the worst position is then sought between the positions. With the path of equilibrium as the
-//! plan's method, `deformable` puts the factors of joints that give beside them.
+//! answered again without dilation, from the end point of the one beside them. The worst position is then sought between the positions
+//! and answered from every start. With the path of equilibrium as the plan's method, `deformable` puts the factors of joints that give
+//! beside them.
 
 mod continuum;
 mod deformable;
@@ -12,7 +13,7 @@ use super::vehicles::{DILATANCY, REFINEMENTS};
 use super::{AnalysisError, by_limit, stiffened};
 use bridge::{Bridge, LoadKind, Method};
 use mechanics::blocks::PointForce;
-use mechanics::limit::{self, Ground, Sweeper};
+use mechanics::limit::{self, Ground, Level, Sweeper};
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::sweep::{Sweep, SweepPoint};
@@ -121,8 +122,8 @@ fn notes(found: &mut Sweep, rows: &[Row]) {
     }
     if rows.iter().flat_map(|row| &row.cases).any(|case| case.level) {
         found.assumptions.push(format!(
-            "Where joints slide, cases up to {DILATANCY} times the least factor are answered without dilation; others keep dilatant \
-             friction, which gives more."
+            "Where joints slide, cases up to {DILATANCY} times the least factor are answered without dilation, from the end point of the one \
+             beside them in groups of {CHUNK}, and the worst one from every start; others keep dilatant friction, which gives more."
         ));
     }
 }
@@ -141,6 +142,26 @@ struct Case {
     level: bool,
 }
 
+/// What the plan's friction makes of a case.
+#[derive(Debug, Clone)]
+struct Answer {
+    status: Status,
+    factor: Option<f64>,
+    /// Without dilation: the end point.
+    level: Option<Level>,
+}
+
+impl Answer {
+    fn without_dilation(level: Option<Level>) -> Answer {
+        let status = if level.is_some() { Status::Collapsed } else { Status::NotConverged };
+        Answer { status, factor: level.as_ref().map(|level| level.factor), level }
+    }
+
+    fn put(self, case: &mut Case) {
+        (case.status, case.factor, case.level) = (self.status, self.factor, self.level.is_some());
+    }
+}
+
 /// All cases at a position.
 #[derive(Debug, Clone)]
 struct Row {
@@ -149,6 +170,17 @@ struct Row {
     /// Number of axles.
     axles: usize,
 }
+
+/// Nobody knows whether these slide.
+fn open(rows: &mut [Row], jobs: Vec<(usize, usize)>) {
+    for (r, c) in jobs {
+        let case = &mut rows[r].cases[c];
+        (case.status, case.level) = (Status::Cancelled, false);
+    }
+}
+
+/// Places sought without dilation that are answered from every start: starts agree less well than places so near one another differ.
+const FROM_EVERY_START: usize = 3;
 
 /// What all positions share.
 struct Scene<'a> {
@@ -216,105 +248,153 @@ impl Scene<'_> {
         found.into_iter().flatten().flatten().collect()
     }
 
-    /// Whether a case is to be answered without dilation.
-    fn again(&self, case: &Case, least: f64) -> bool {
-        match self.settings.friction {
+    /// Cases that are still to be answered without dilation: the same axles at neighbouring positions beside one another.
+    fn sliding(&self, rows: &[Row]) -> Vec<(usize, usize)> {
+        let all = || {
+            rows.iter().enumerate().flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)))
+        };
+        let least = all().filter_map(|(_, _, case)| case.factor).fold(f64::INFINITY, f64::min);
+        let asked = |case: &Case| match self.settings.friction {
             limit::Friction::Associated => false,
             limit::Friction::NonAssociated => matches!(case.status, Status::Collapsed | Status::Locks),
             limit::Friction::Automatic => {
                 let low = case.factor.is_some_and(|factor| factor <= DILATANCY * least);
                 case.status == Status::Locks || (case.slides && low)
             }
-        }
-    }
-
-    /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open.
-    fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
-        let factors = rows.iter().flat_map(|row| &row.cases).filter_map(|case| case.factor);
-        let least = factors.fold(f64::INFINITY, f64::min);
-        let jobs: Vec<(usize, usize)> = (rows.iter().enumerate())
-            .flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)))
-            .filter(|(_, _, case)| self.again(case, least))
-            .map(|(r, c, _)| (r, c))
-            .collect();
-        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.4, 0.9] };
-        let (found, done) = match whole {
-            true => pieces::each(&jobs, &stage, watch, |&(r, c), pace| self.without_dilation(&rows[r].cases[c], pace)),
-            false => (jobs.iter().map(|_| None).collect(), false),
         };
-        for ((r, c), answer) in jobs.into_iter().zip(found) {
-            let case = &mut rows[r].cases[c];
-            match answer.flatten() {
-                Some((status, factor, level)) => (case.status, case.factor, case.level) = (status, factor, level),
-                // Nobody knows whether it slides.
-                None => (case.status, case.level) = (Status::Cancelled, false),
-            }
+        let mut jobs: Vec<_> =
+            all().filter(|(_, _, case)| !case.level && asked(case)).map(|(r, c, _)| (r, c)).collect();
+        jobs.sort_by_key(|&(r, c)| (rows[r].cases[c].axles, r));
+        jobs
+    }
+
+    /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open. The least comes
+    /// first: others must come near what it carries without dilation.
+    fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
+        let jobs = self.sliding(rows);
+        let factor = |&(r, c): &(usize, usize)| rows[r].cases[c].factor.unwrap_or(f64::INFINITY);
+        let first: Vec<_> = jobs.iter().copied().min_by(|a, b| factor(a).total_cmp(&factor(b))).into_iter().collect();
+        if !whole {
+            open(rows, jobs);
+            return Ok(false);
         }
-        Ok(done)
+        if !self.levelled(rows, first, [0.4, 0.4], watch) {
+            let jobs = self.sliding(rows);
+            open(rows, jobs);
+            return Ok(false);
+        }
+        let jobs = self.sliding(rows);
+        Ok(self.levelled(rows, jobs, [0.4, 0.9], watch))
     }
 
-    /// One case as the plan's friction says; none where the work does not go on.
-    fn without_dilation(&self, case: &Case, pace: &Pace) -> Option<(Status, Option<f64>, bool)> {
-        let found = self.level_case(case, pace);
-        pace.step().then_some(found)
+    /// Answers cases without dilation in groups; tells whether all of them were.
+    fn levelled(&self, rows: &mut [Row], jobs: Vec<(usize, usize)>, shares: [f64; 2], watch: &mut dyn Watch) -> bool {
+        let axles = |&(r, c): &(usize, usize)| rows[r].cases[c].axles;
+        let groups: Vec<_> = jobs.chunk_by(|a, b| axles(a) == axles(b)).flat_map(|run| run.chunks(CHUNK)).collect();
+        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares };
+        let (found, done) =
+            pieces::each(&groups, &stage, watch, |group, pace| self.beside_one_another(rows, group, pace));
+        let mut unanswered = Vec::new();
+        let mut answers = Vec::new();
+        for (group, found) in groups.iter().zip(found) {
+            let found = found.unwrap_or_default();
+            unanswered.extend(group[found.len()..].iter().copied());
+            answers.extend(group.iter().copied().zip(found));
+        }
+        for ((r, c), answer) in answers {
+            answer.put(&mut rows[r].cases[c]);
+        }
+        open(rows, unanswered);
+        done
     }
 
-    fn level_case(&self, case: &Case, pace: &Pace) -> (Status, Option<f64>, bool) {
+    /// Cases without dilation, each from the end point of the one before it; those answered in time.
+    fn beside_one_another(&self, rows: &[Row], group: &[(usize, usize)], pace: &Pace) -> Vec<Answer> {
         let mut sweeper = self.ground.sweeper().paced(pace);
-        if self.settings.friction == limit::Friction::Automatic {
-            let effect = sweeper.effect(&case.forces);
-            let found = sweeper.factor(&effect);
-            if !found.slides && found.status != limit::Status::Locks {
-                return (by_limit::status(found.status), found.lower, false);
-            }
-            let level = sweeper.level_factor(&effect);
-            let status = if level.is_some() { Status::Collapsed } else { Status::NotConverged };
-            return (status, level, true);
-        }
-        let place = sweeper.place(&case.forces, self.settings.friction);
-        let level = place.friction == limit::Friction::NonAssociated;
-        (by_limit::status(place.status), place.factor, level)
+        let mut near = None;
+        let answered = group.iter().map_while(|&(r, c)| {
+            let effect = sweeper.effect(&rows[r].cases[c].forces);
+            let answer = Answer::without_dilation(sweeper.level(&effect, near.as_ref()));
+            near = answer.level.clone().or(near.take());
+            pace.step().then_some(answer)
+        });
+        answered.collect()
     }
 
-    /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Tells
-    /// whether the work was done.
+    /// One case as the plan's friction says, without dilation from the end point of a case nearby; none where the work does not go on.
+    fn as_planned(&self, case: &Case, near: Option<&Level>, pace: &Pace) -> Option<Answer> {
+        let mut sweeper = self.ground.sweeper().paced(pace);
+        let effect = sweeper.effect(&case.forces);
+        let found = sweeper.factor(&effect);
+        let slides = found.slides || found.status == limit::Status::Locks;
+        let level = match self.settings.friction {
+            limit::Friction::Associated => false,
+            limit::Friction::NonAssociated => slides || found.status == limit::Status::Solved,
+            limit::Friction::Automatic => slides,
+        };
+        let answer = match level {
+            true => Answer::without_dilation(sweeper.level(&effect, near)),
+            false => Answer { status: by_limit::status(found.status), factor: found.lower, level: None },
+        };
+        pace.step().then_some(answer)
+    }
+
+    /// Seeks the worst position between the positions with the axles that govern, and answers it with all runs of axles. Without dilation
+    /// places start from the end point of the worst one before, and the worst ones are answered from every start. Tells whether the
+    /// work was done.
     fn refined(&self, rows: &mut Vec<Row>, step: f64, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
-        let least = rows
-            .iter()
-            .flat_map(|row| row.cases.iter().map(move |case| (row.position, case)))
-            .filter_map(|(position, case)| Some((case.factor?, position, case.axles)))
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((mut factor, mut position, axles)) = least else { return Ok(true) };
-        let (started, mut width) = (position, step);
+        let all = rows.iter().enumerate();
+        let cases = all.flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)));
+        let factors = cases.filter_map(|(r, c, case)| Some((r, c, case.factor?)));
+        let Some((r, c, mut factor)) = factors.min_by(|a, b| a.2.total_cmp(&b.2)) else { return Ok(true) };
+        let (started, axles) = (rows[r].position, rows[r].cases[c].axles);
+        let mut ask = |list: &[f64], near: Option<&Level>, shares| {
+            let stage = Stage { name: "places beside the worst one", steps: list.len() as u64, shares };
+            let (found, done) = pieces::each(list, &stage, watch, |&place, pace| {
+                let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
+                case.and_then(|case| self.as_planned(&case, near, pace))
+            });
+            let found = list.iter().zip(found).filter_map(|(place, answer)| Some((*place, answer.flatten()?)));
+            done.then(|| found.collect::<Vec<_>>())
+        };
+        let Some(own) = ask(&[started], None, [0.9, 0.92]) else { return Ok(false) };
+        let mut near = own.into_iter().next().and_then(|(_, answer)| {
+            factor = answer.factor.map_or(factor, |own| own.min(factor));
+            answer.level
+        });
+        let (mut position, mut width, mut sought) = (started, step, Vec::new());
         for round in 0..REFINEMENTS {
             let list: Vec<f64> = (-10..=10).map(|k| position + 0.1 * width * f64::from(k)).collect();
-            let share = |round: usize| 0.9 + 0.1 * round as f64 / REFINEMENTS as f64;
-            let stage = Stage {
-                name: "places beside the worst one",
-                steps: list.len() as u64,
-                shares: [share(round), share(round + 1)],
-            };
-            let (found, done) = pieces::each(&list, &stage, watch, |&place, pace| {
-                let case = self.row(place).cases.into_iter().find(|case| case.axles == axles);
-                case.and_then(|case| self.without_dilation(&case, pace))
-            });
-            if !done {
-                return Ok(false);
-            }
-            for (place, answer) in list.into_iter().zip(found) {
-                if let Some((_, Some(smaller), _)) = answer.flatten()
-                    && smaller < factor
-                {
-                    (factor, position) = (smaller, place);
+            let share = |round: usize| 0.92 + 0.06 * round as f64 / REFINEMENTS as f64;
+            let Some(found) = ask(&list, near.as_ref(), [share(round), share(round + 1)]) else { return Ok(false) };
+            for (place, answer) in found {
+                let Some(smaller) = answer.factor else { continue };
+                sought.extend(answer.level.is_some().then_some((smaller, place)));
+                if smaller < factor {
+                    (factor, position, near) = (smaller, place, answer.level);
                 }
             }
             width *= 0.1;
         }
+        sought.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let worst: Vec<f64> = sought.iter().map(|one| one.1).take(FROM_EVERY_START).collect();
+        let Some(found) = ask(&worst, None, [0.98, 1.0]) else { return Ok(false) };
+        for (place, answer) in found {
+            if let Some(smaller) = answer.factor
+                && smaller < factor
+            {
+                (factor, position) = (smaller, place);
+            }
+        }
         if position == started {
+            rows[r].cases[c].factor = Some(factor);
             return Ok(true);
         }
-        let (row, done) = self.answered_again(position, watch);
+        let (mut row, done) = self.answered_again(position, watch);
         if done {
+            // The way there is a start as well.
+            let sought = row.cases.iter_mut().filter(|case| case.axles == axles);
+            sought.for_each(|case| case.factor = case.factor.map(|full| full.min(factor)));
             rows.push(row);
         }
         Ok(done)
@@ -325,9 +405,12 @@ impl Scene<'_> {
         let mut row = self.row(position);
         let steps = row.cases.len() as u64;
         let stage = Stage { name: "runs of axles at the worst place", steps, shares: [1.0, 1.0] };
-        let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| self.without_dilation(case, pace));
+        let (found, done) = pieces::each(&row.cases, &stage, watch, |case, pace| self.as_planned(case, None, pace));
         for (case, found) in row.cases.iter_mut().zip(found) {
-            (case.status, case.factor, case.level) = found.flatten().unwrap_or((Status::Cancelled, None, false));
+            match found.flatten() {
+                Some(answer) => answer.put(case),
+                None => (case.status, case.factor, case.level) = (Status::Cancelled, None, false),
+            }
         }
         (row, done)
     }

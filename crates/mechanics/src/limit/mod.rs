@@ -45,6 +45,6 @@ pub use outcome::{Hinge, JointForces, JointMotion, Mechanism, Outcome, PointForc
 pub use settings::{ContactPoints, Friction, Settings};
 pub use support_movement::{Increments, MovementOutcome, MovementStatus, MovementStep, support_movement};
 pub use sweep::{LoadPosition, Sweep, sweep};
-pub use sweeper::{Experience, Factor, Sweeper};
+pub use sweeper::{Experience, Factor, Level, Sweeper};
 pub use thickness::{LeastThickness, ThicknessStatus, minimum_thickness};
 pub use thrust_zone::{ThrustZone, least_thrust, thrust_zone};

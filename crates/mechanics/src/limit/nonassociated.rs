@@ -23,11 +23,20 @@ use crate::watch::Pace;
 const REACH: f64 = 0.3;
 /// Weight of the newest compressions in the first rounds.
 const DAMPING: f64 = 0.6;
-/// From this round on the weight falls as one over the rounds: two rings that slide on one another have states of equal
-/// load between which full steps would wander without end.
-const CALMED: usize = 20;
-/// Most rounds of one start.
-const ROUNDS: usize = 60;
+/// How many rounds one start has.
+#[derive(Clone, Copy)]
+struct Rounds {
+    /// From this one on the weight falls as one over the rounds: two rings that slide on one another have states of equal load
+    /// between which full steps would wander without end.
+    calmed: usize,
+    /// The last one.
+    most: usize,
+}
+
+/// From a start that knows nothing of the end.
+const FROM_AFAR: Rounds = Rounds { calmed: 20, most: 60 };
+/// From the end of a load nearby.
+const NEARBY: Rounds = Rounds { calmed: 10, most: 30 };
 /// Price that picks the state of least self-stress. From 1e-2 down to 1e-5 the loads of three walls of Ferris and
 /// Tin-Loi change by less than 1e-3; compressed joints give way in the mechanism by about a tenth of the price, and at
 /// 1e-5 that is below what counts as motion.
@@ -50,6 +59,8 @@ pub(super) struct Settled {
     pub solution: Solution,
     /// Scaled factors of all end points: lowest and highest.
     pub spread: [f64; 2],
+    /// Scaled compressions of the joints there: a start for a load that differs a little.
+    pub compressions: Vec<f64>,
     /// Iterations of the solver in all.
     pub iterations: u32,
 }
@@ -73,32 +84,68 @@ pub(super) fn settle(
     let mut iterations = 0;
     let count = starts.len();
     for (k, (start, price)) in starts.into_iter().enumerate() {
-        let (found, used) = from(equilibrium, joints, strengths, start, price, &equilibrium.pace.part(k, count));
+        let (found, used) =
+            from(equilibrium, joints, strengths, (start, price), FROM_AFAR, &equilibrium.pace.part(k, count));
         iterations += used;
-        let Some((solution, fictitious)) = found else { continue };
-        let range = [solution.factor.min(fictitious), solution.factor.max(fictitious)];
+        let Some(end) = found else { continue };
+        let range = end.range();
         best = Some(match best {
-            None => Settled { spread: range, solution, iterations },
+            None => end.settled(range),
             Some(old) => {
                 let spread = [old.spread[0].min(range[0]), old.spread[1].max(range[1])];
-                let lower = if solution.factor < old.solution.factor { solution } else { old.solution };
-                Settled { solution: lower, spread, iterations }
+                match end.solution.factor < old.solution.factor {
+                    true => end.settled(spread),
+                    false => Settled { spread, ..old },
+                }
             }
         });
     }
     best.map(|b| Settled { iterations, ..b })
 }
 
-/// Runs the iteration from one start: forces that keep to the true law with the mechanism of the fictitious one, and the
-/// factor that the fictitious one reached.
+/// Runs the iteration from the end point of a load nearby alone: one start in place of three, and half the rounds.
+pub(super) fn settle_near(
+    equilibrium: &Equilibrium,
+    joints: &[Joint],
+    strengths: &[Strength],
+    near: &[f64],
+) -> Option<Settled> {
+    let start = (near.to_vec(), PRICE);
+    let (found, iterations) = from(equilibrium, joints, strengths, start, NEARBY, &equilibrium.pace);
+    let end = found?;
+    let range = end.range();
+    Some(Settled { iterations, ..end.settled(range) })
+}
+
+/// Where one start ended.
+struct End {
+    /// Forces that keep to the true law, with the mechanism of the fictitious one.
+    solution: Solution,
+    /// The factor that the fictitious one reached.
+    fictitious: f64,
+    compressions: Vec<f64>,
+}
+
+impl End {
+    fn range(&self) -> [f64; 2] {
+        let own = self.solution.factor;
+        [own.min(self.fictitious), own.max(self.fictitious)]
+    }
+
+    fn settled(self, spread: [f64; 2]) -> Settled {
+        Settled { solution: self.solution, spread, compressions: self.compressions, iterations: 0 }
+    }
+}
+
+/// Runs the iteration from one start; the iterations of the solver beside it.
 fn from(
     equilibrium: &Equilibrium,
     joints: &[Joint],
     strengths: &[Strength],
-    start: Vec<f64>,
-    price: f64,
+    (start, price): (Vec<f64>, f64),
+    rounds: Rounds,
     pace: &Pace,
-) -> (Option<(Solution, f64)>, u32) {
+) -> (Option<End>, u32) {
     let (mut compression, mut previous, mut iterations) = (start, f64::INFINITY, 0);
     let mut solve = |reach: f64, cap: Option<f64>, compression: &mut dyn Iterator<Item = f64>| {
         let fictitious: Vec<Strength> =
@@ -120,11 +167,11 @@ fn from(
         (solution.ending != Ending::Unknown).then_some(solution)
     };
     let mut end = None;
-    for round in 0..ROUNDS {
-        pace.reach(round as f64 / ROUNDS as f64);
+    for round in 0..rounds.most {
+        pace.reach(round as f64 / rounds.most as f64);
         let Some(solution) = solve(REACH, None, &mut compression.iter().copied()) else { break };
         let size = solution.factor.abs().max(1e-3);
-        let last = round + 1 == ROUNDS;
+        let last = round + 1 == rounds.most;
         if last || (solution.factor - previous).abs() <= SETTLED * size {
             // Forces that keep to the true surfaces too and carry the same load, under the mechanism of the fictitious
             // ones. The load is flat in the compressions, which are known less well.
@@ -132,18 +179,19 @@ fn from(
             if let Some(true_forces) = solve(1.0, Some(solution.factor), &mut loose)
                 && (solution.factor - true_forces.factor).abs() <= if last { WANDERS } else { CONFIRMED } * size
             {
-                let reached = if last { solution.factor } else { true_forces.factor };
-                end = Some((Solution { velocities: solution.velocities, ..true_forces }, reached));
+                let fictitious = if last { solution.factor } else { true_forces.factor };
+                end = Some((Solution { velocities: solution.velocities, ..true_forces }, fictitious));
                 break;
             }
         }
         previous = solution.factor;
-        let calmed = round.saturating_sub(CALMED) as f64;
-        let newest = DAMPING * CALMED as f64 / (CALMED as f64 + 2.0 * calmed);
+        let (calmed, beyond) = (rounds.calmed as f64, round.saturating_sub(rounds.calmed) as f64);
+        let newest = DAMPING * calmed / (calmed + 2.0 * beyond);
         for (old, new) in compression.iter_mut().zip(compressions(equilibrium, joints, &solution.forces)) {
             *old += newest * (new - *old);
         }
     }
+    let end = end.map(|(solution, fictitious)| End { solution, fictitious, compressions: compression });
     (end, iterations)
 }
 

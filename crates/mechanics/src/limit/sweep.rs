@@ -71,7 +71,7 @@ impl Sweeper<'_> {
         };
         if level && matches!(found.status, Status::Solved | Status::Locks) {
             place.friction = Friction::NonAssociated;
-            place.factor = self.level(&effect);
+            place.factor = self.level(&effect, None).map(|level| level.factor);
             place.status = match place.factor {
                 Some(_) => Status::Solved,
                 None if !self.goes_on() => Status::Cancelled,

@@ -6,6 +6,7 @@ use super::boxed::{Bounded, greatest_between};
 use super::collapse::{Found, largest_factor_of_carried, relax, report};
 use super::equilibrium::Equilibrium;
 use super::ground::{Effect, Ground, Reduced, sum_of_sizes};
+use super::nonassociated;
 use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
 use super::reduced::{Elastic, tangents};
@@ -44,6 +45,15 @@ pub struct Factor {
     pub iterations: usize,
     /// Whether the interior-point method had to help.
     pub by_interior_point: bool,
+}
+
+/// A load without dilation, and what the iteration for a load that differs a little may start from. It belongs to its ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// The load factor.
+    pub factor: f64,
+    /// Scaled compressions of the joints at the end of the iteration.
+    compressions: Vec<f64>,
 }
 
 impl Ground<'_> {
@@ -306,19 +316,33 @@ impl Sweeper<'_> {
         self.found(effect).1.solution.velocities
     }
 
-    /// The factor without dilation, where the iteration for it settles.
-    pub(super) fn level(&mut self, effect: &Effect) -> Option<f64> {
-        let (equilibrium, found) = self.found(effect);
-        let ground = self.ground;
-        let forces = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
-        let settled = super::nonassociated::settle(&equilibrium, &ground.joints, &ground.strengths, forces);
-        settled.filter(|_| self.pace.goes_on()).map(|s| s.solution.factor * equilibrium.factor_scale)
+    /// The load without dilation, where the iteration for it settles: from the end point of a load nearby alone, where one is given
+    /// and leads to an end, or the lowest from all starts.
+    pub fn level(&mut self, effect: &Effect, near: Option<&Level>) -> Option<Level> {
+        let (joints, strengths) = (&self.ground.joints, &self.ground.strengths);
+        let beside = near.and_then(|near| {
+            let equilibrium = self.loaded(effect);
+            let settled = nonassociated::settle_near(&equilibrium, joints, strengths, &near.compressions)?;
+            Some((equilibrium, settled))
+        });
+        let (equilibrium, settled) = match beside {
+            Some(beside) => beside,
+            None => {
+                let (equilibrium, found) = self.found(effect);
+                let forces = (found.status == Status::Solved).then_some(&found.solution.forces[..]);
+                let settled = nonassociated::settle(&equilibrium, joints, strengths, forces)?;
+                (equilibrium, settled)
+            }
+        };
+        let factor = settled.solution.factor * equilibrium.factor_scale;
+        self.pace.goes_on().then_some(Level { factor, compressions: settled.compressions })
     }
 
     /// The factor at which a load makes a mechanism where sliding does not dilate; the other one where nothing slides.
     pub fn level_factor(&mut self, effect: &Effect) -> Option<f64> {
         let factor = self.factor(effect);
-        if factor.slides || factor.status == Status::Locks { self.level(effect) } else { factor.lower }
+        let level = factor.slides || factor.status == Status::Locks;
+        if level { self.level(effect, None).map(|level| level.factor) } else { factor.lower }
     }
 
     fn found(&mut self, effect: &Effect) -> (Equilibrium, Found) {

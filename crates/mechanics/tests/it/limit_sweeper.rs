@@ -1,6 +1,6 @@
 //! Many loads by the fast method, against the interior-point method one by one, and against themselves.
 
-use crate::limit_models::Ring;
+use crate::limit_models::{Ring, wall};
 use mechanics::blocks::{BlockModel, Held, Loading, PointForce, Restraint};
 use mechanics::ids::{BlockId, Id};
 use mechanics::limit::{Effect, Friction, Ground, Settings, Status, collapse_load};
@@ -412,4 +412,28 @@ fn motions_bound_other_loads_from_above() {
         }
     }
     assert!(bounded > places.len() / 4);
+}
+
+/// The first wall of Ferris and Tin-Loi under its own load and others that differ a little. From the end point of its neighbour a load comes
+/// to an end of the same iteration: between the ends that the starts of the wall have, which lie 0.641 to 0.643 of the printed load apart.
+#[test]
+fn a_load_without_dilation_may_start_from_its_neighbour() {
+    const A: &[f64] = &[0.5, 1.0, 1.0, 1.0, 1.0, 0.5];
+    const B: &[f64] = &[1.0, 1.0, 1.0, 1.0, 1.0];
+    let (model, loading) = wall(&[A, B, A, B, A, B], 0.4, 0.175, 0.65);
+    let ground = Ground::new(&model, &loading, &Settings::default()).unwrap();
+    let mut sweeper = ground.sweeper();
+    let mut near = None;
+    for k in 0..4 {
+        let lean = 0.02 * f64::from(k);
+        let push = |f: &PointForce| PointForce { force: f.force + vec2(0.0, -lean * f.force.x.abs()), ..*f };
+        let load: Vec<PointForce> = loading.variable.iter().map(push).collect();
+        let effect = sweeper.effect(&load);
+        let dilates = sweeper.factor(&effect).lower.unwrap();
+        let full = sweeper.level(&effect, None).unwrap();
+        let beside = sweeper.level(&effect, near.as_ref()).unwrap();
+        assert!((beside.factor / full.factor - 1.0).abs() < 0.002 / 0.641, "{k}: {} {}", beside.factor, full.factor);
+        assert!(beside.factor <= dilates * (1.0 + 1e-6), "{k}: {} {dilates}", beside.factor);
+        near = Some(beside);
+    }
 }
