@@ -119,6 +119,8 @@ pub struct Pier {
     /// Mean width across the bridge at the top and at the bottom [m], with cutwaters by their area; that of the barrel where the file gives
     /// none.
     pub across: Option<[f64; 2]>,
+    /// Its cutwaters, where the file has any.
+    pub cutwaters: Option<Cutwaters>,
     /// Steps of the footing, from the pier down.
     pub footings: Vec<Footing>,
 }
@@ -126,7 +128,51 @@ pub struct Pier {
 impl Pier {
     /// A pier with plumb or evenly battered faces, as wide across as the barrel, its springings level.
     pub fn plain(width: f64, base_width: f64, height: f64, courses: usize) -> Pier {
-        Pier { width, base_width, height, courses, step: 0.0, base_offset: 0.0, across: None, footings: Vec::new() }
+        let (across, cutwaters, footings) = (None, None, Vec::new());
+        Pier { width, base_width, height, courses, step: 0.0, base_offset: 0.0, across, cutwaters, footings }
+    }
+}
+
+/// Cutwaters of a pier, all alike.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cutwaters {
+    /// Their form in plan.
+    pub shape: Cutwater,
+    /// How far each reaches beyond the pier [m].
+    pub length: f64,
+    /// One, or one at both ends.
+    pub ends: usize,
+    /// Width of the pier across the bridge at the top, without them [m].
+    pub between: f64,
+}
+
+impl Cutwaters {
+    /// What they add to the mean width of the pier, by their area [m].
+    pub fn mean(self) -> f64 {
+        self.ends as f64 * self.length * self.shape.share()
+    }
+}
+
+choice! {
+    /// Form of a cutwater in plan.
+    pub enum Cutwater {
+        /// a triangle: half of the rectangle around it
+        Pointed = "pointed",
+        /// half an ellipse or a circle: pi / 4 of the rectangle around it
+        Round = "round",
+        /// a rectangle
+        Square = "square",
+    }
+}
+
+impl Cutwater {
+    /// Its area over that of the rectangle around it.
+    fn share(self) -> f64 {
+        match self {
+            Cutwater::Pointed => 0.5,
+            Cutwater::Round => std::f64::consts::FRAC_PI_4,
+            Cutwater::Square => 1.0,
+        }
     }
 }
 

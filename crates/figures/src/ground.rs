@@ -29,7 +29,10 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
     ];
     let mut sheet = Sheet::new("plan");
     let top = sheet.title(&ground.bridge, "Plan at the springings");
-    let extent = Extent { low: [ends[0], -half - 0.12 * ground.width], high: [ends[1], half + 0.06 * ground.width] };
+    let across = ground.piers.iter().flat_map(|pier| &pier.outline).map(|p| p[1]);
+    let [lowest, highest] = across.fold([-half, half], |[low, high], y| [low.min(y), high.max(y)]);
+    let extent =
+        Extent { low: [ends[0], lowest - 0.12 * ground.width], high: [ends[1], highest + 0.06 * ground.width] };
     let view = View::fit(extent, frame(extent, top + 6.0, TALLEST[0]));
     let spot = |x: f64, y: f64| view.spot([x, y]);
     let strip = |from: [f64; 2], to: [f64; 2], [low, high]: [f64; 2]| {
@@ -39,6 +42,10 @@ pub fn plan(ground: &GroundPlan) -> Option<String> {
     sheet.open("supports");
     let whole = [spot(ends[0], -half), spot(ends[1], -half), spot(ends[1], half), spot(ends[0], half)];
     sheet.polygon(&whole, Pen::shape(SUPPORT, "none", 0.0));
+    for pier in ground.piers.iter().filter(|pier| pier.cutwaters > 0) {
+        let outline: Vec<Spot> = pier.outline.iter().map(|[x, y]| spot(x + lean(pier.skew, *y), *y)).collect();
+        sheet.polygon(&outline, Pen::shape(SUPPORT, INK, MEDIUM));
+    }
     sheet.close();
     sheet.open("spans");
     let carries = ground.vehicle.as_ref().and_then(|vehicle| vehicle.strip);
@@ -133,6 +140,14 @@ fn told(ground: &GroundPlan) -> String {
                 .to_owned(),
         );
     }
+    if ground.piers.iter().any(|pier| pier.cutwaters > 0) {
+        let side = if ground.piers.iter().any(|pier| pier.cutwaters == 1) {
+            "; a single one beyond the upper edge, for the file does not say where it stands"
+        } else {
+            ""
+        };
+        told.push(format!("Piers are drawn with their cutwaters{side}."));
+    }
     if !ground.cracks.is_empty() {
         let places: Vec<String> = ground.cracks.iter().map(|at| metres(*at)).collect();
         told.push(format!("Red: longitudinal cracks, {} from the lower edge.", places.join(", ")));
@@ -224,13 +239,18 @@ pub fn cross_section(ground: &GroundPlan) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use outcome::ground::{SpanInPlan, VehicleAcross};
+    use outcome::ground::{PierInPlan, SpanInPlan, VehicleAcross};
 
     fn ground() -> GroundPlan {
         GroundPlan {
             bridge: "Skew".into(),
             width: 8.0,
             spans: vec![SpanInPlan { from_to: [0.0, 9.0], skew: 0.5 }, SpanInPlan { from_to: [10.5, 17.0], skew: 0.3 }],
+            piers: vec![PierInPlan {
+                outline: vec![[10.5, 4.0], [9.75, 5.2], [9.0, 4.0], [9.0, -4.0], [10.5, -4.0]],
+                skew: 0.4,
+                cutwaters: 1,
+            }],
             cracks: vec![0.9, 7.1],
             rings: vec![0.23, 0.23],
             layers: vec![("fill".into(), 0.4), ("ballast".into(), 0.3)],
@@ -250,6 +270,11 @@ mod tests {
     fn plan_and_section_show_what_they_are_made_of() {
         let drawn = plan(&ground()).unwrap();
         assert!(drawn.contains("9 m along the road, 7.898 m square") && drawn.contains("skew 29°"), "{drawn}");
+        assert!(drawn.contains("a single one beyond the upper edge"), "{drawn}");
+        let outlines =
+            |drawn: &str| drawn.split("class=\"spans\"").next().unwrap_or_default().matches("<polygon").count();
+        let plain = GroundPlan { piers: Vec::new(), ..ground() };
+        assert_eq!(outlines(&drawn), outlines(&plan(&plain).unwrap()) + 1);
         assert_eq!(drawn.matches(CRACK).count(), 2);
         assert_eq!(drawn.matches(WHEEL).count(), 2);
         let cut = cross_section(&ground()).unwrap();

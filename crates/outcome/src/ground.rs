@@ -11,6 +11,9 @@ pub struct GroundPlan {
     pub width: f64,
     /// Spans from left to right.
     pub spans: Vec<SpanInPlan>,
+    /// Piers from left to right.
+    #[serde(default)]
+    pub piers: Vec<PierInPlan>,
     /// Longitudinal cracks, from one edge [m].
     pub cracks: Vec<f64>,
     /// Thickness of each ring at the crown of the first span, from the intrados [m].
@@ -30,6 +33,17 @@ pub struct SpanInPlan {
     pub from_to: [f64; 2],
     /// Its skew [rad].
     pub skew: f64,
+}
+
+/// A pier from above.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PierInPlan {
+    /// Its outline with its cutwaters at the springings, as if the bridge were square: along and across the road's axis [m].
+    pub outline: Vec<[f64; 2]>,
+    /// Its skew, the mean of its spans [rad].
+    pub skew: f64,
+    /// How many cutwaters it has.
+    pub cutwaters: usize,
 }
 
 /// A vehicle across the bridge.

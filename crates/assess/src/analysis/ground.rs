@@ -1,7 +1,7 @@
 //! A bridge in plan and in cross-section.
 
-use bridge::Bridge;
-use outcome::ground::{GroundPlan, SpanInPlan, VehicleAcross};
+use bridge::{Bridge, Cutwater, Pier};
+use outcome::ground::{GroundPlan, PierInPlan, SpanInPlan, VehicleAcross};
 use outcome::vehicles::VehicleSweep;
 
 /// The bridge from above, with the governing vehicle where vehicles were moved over it.
@@ -12,12 +12,19 @@ pub fn ground_plan(bridge: &Bridge, swept: Option<&VehicleSweep>) -> GroundPlan 
         x = from_to[1] + bridge.piers.get(k).map_or(0.0, |pier| pier.width);
         SpanInPlan { from_to, skew: span.skew }
     });
-    let spans = spans.collect();
+    let spans: Vec<SpanInPlan> = spans.collect();
+    let piers = bridge.piers.iter().zip(spans.windows(2)).map(|(pier, beside)| PierInPlan {
+        outline: outline(pier, beside[0].from_to[1], bridge.width),
+        skew: 0.5 * (beside[0].skew + beside[1].skew),
+        cutwaters: pier.cutwaters.map_or(0, |cutwaters| cutwaters.ends),
+    });
+    let piers = piers.collect();
     let governing = swept.and_then(|found| found.vehicles.get(found.governing?));
     GroundPlan {
         bridge: bridge.name.clone(),
         width: bridge.width,
         spans,
+        piers,
         cracks: bridge.carriageway.as_ref().map_or_else(Vec::new, |asked| asked.cracks.clone()),
         rings: bridge.spans[0].rings.iter().map(|ring| ring.crown_thickness).collect(),
         layers: bridge.cover.layers.iter().map(|layer| (layer.name.word().to_owned(), layer.thickness)).collect(),
@@ -29,5 +36,66 @@ pub fn ground_plan(bridge: &Bridge, swept: Option<&VehicleSweep>) -> GroundPlan 
             width: vehicle.effective_width,
             derivation: vehicle.across.derivation.clone(),
         }),
+    }
+}
+
+/// Sides of a round cutwater.
+const SIDES: usize = 16;
+
+/// A pier at its top, from its left edge [m] on; the first cutwater is drawn beyond the upper edge.
+fn outline(pier: &Pier, left: f64, barrel: f64) -> Vec<[f64; 2]> {
+    let half = 0.5 * pier.cutwaters.map_or(barrel, |cutwaters| cutwaters.between);
+    let (middle, reach) = (left + 0.5 * pier.width, 0.5 * pier.width);
+    let mut outline = Vec::new();
+    for (end, side) in [1.0, -1.0].into_iter().enumerate() {
+        // Round the pier against the clock: the upper edge from right to left, the lower one from left to right.
+        let at = |along: f64, beyond: f64| [middle + side * along * reach, side * (half + beyond)];
+        outline.push(at(1.0, 0.0));
+        if let Some(cutwaters) = pier.cutwaters.filter(|cutwaters| end < cutwaters.ends) {
+            let length = cutwaters.length;
+            match cutwaters.shape {
+                Cutwater::Pointed => outline.push(at(0.0, length)),
+                Cutwater::Round => outline.extend((1..SIDES).map(|k| {
+                    let (sine, cosine) = (std::f64::consts::PI * k as f64 / SIDES as f64).sin_cos();
+                    at(cosine, length * sine)
+                })),
+                Cutwater::Square => outline.extend([at(1.0, length), at(-1.0, length)]),
+            }
+        }
+        outline.push(at(-1.0, 0.0));
+    }
+    outline
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+    use bridge::Cutwaters;
+
+    fn area(outline: &[[f64; 2]]) -> f64 {
+        let next = outline.iter().cycle().skip(1);
+        outline.iter().zip(next).map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum()
+    }
+
+    /// The area from above is what the model weighs the pier by: its mean width across times its width along the road.
+    #[test]
+    fn cutwaters_are_drawn_with_the_area_that_they_weigh_by() {
+        let one = samples::bridgemill().spans[0].clone();
+        for (shape, ends) in
+            [(Cutwater::Pointed, 2), (Cutwater::Round, 1), (Cutwater::Square, 2), (Cutwater::Pointed, 1)]
+        {
+            let mut b = samples::spans(vec![one.clone(), one.clone()], 2.5, 3.0, 4.0, 5);
+            let cutwaters = Cutwaters { shape, length: 1.2, ends, between: 9.0 };
+            b.piers[0].cutwaters = Some(cutwaters);
+            let plan = ground_plan(&b, None);
+            let wanted = 2.5 * (9.0 + cutwaters.mean());
+            // A half ellipse of 16 sides lacks 0.6 % of its area.
+            let drawn = area(&plan.piers[0].outline);
+            assert!((drawn / wanted - 1.0).abs() < 1e-3, "{shape:?}: {drawn} {wanted}");
+            assert_eq!(plan.piers[0].cutwaters, ends);
+            let left = plan.piers[0].outline.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min);
+            assert!((left - plan.spans[0].from_to[1]).abs() < 1e-12);
+        }
     }
 }

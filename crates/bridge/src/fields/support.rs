@@ -1,35 +1,12 @@
 //! What the rings stand on: piers with their footings, abutments.
 
 use super::{Field, Kind, Section};
-use crate::choice::{Choice, choice};
+use crate::choice::Choice;
 use crate::findings::Findings;
-use crate::model::{Abutment, AbutmentBody, AbutmentKind, Footing, Pier};
+use crate::model::{Abutment, AbutmentBody, AbutmentKind, Cutwater, Cutwaters, Footing, Pier};
 use crate::quantity::Dimension::{Angle, Density, Length};
 use crate::tree::Table;
 use crate::values::read;
-
-choice! {
-    /// Form of a cutwater in plan.
-    enum Cutwater {
-        /// a triangle: half of the rectangle around it
-        Pointed = "pointed",
-        /// half an ellipse or a circle: pi / 4 of the rectangle around it
-        Round = "round",
-        /// a rectangle
-        Square = "square",
-    }
-}
-
-impl Cutwater {
-    /// Its area over that of the rectangle around it.
-    fn share(self) -> f64 {
-        match self {
-            Cutwater::Pointed => 0.5,
-            Cutwater::Round => std::f64::consts::FRAC_PI_4,
-            Cutwater::Square => 1.0,
-        }
-    }
-}
 
 pub(super) static PIER: Section = Section {
     path: "pier",
@@ -213,7 +190,7 @@ fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Opti
         table.all("footing", findings, |table, findings| read!(table, findings, Footing { width, height, across }));
     let pier = read!(table, findings, Pier {
         width, height, courses, step;
-        base_width: width, base_offset: 0.0, across: None, footings: Vec::new()
+        base_width: width, base_offset: 0.0, across: None, cutwaters: None, footings: Vec::new()
     })?;
     let [left, right] = batters;
     let (left, right) = (left?, right?);
@@ -228,19 +205,18 @@ fn pier(table: &Table<'_>, barrel: Option<f64>, findings: &mut Findings) -> Opti
             (pier.width + left + right, 0.5 * (right - left))
         }
     };
-    let cutwaters =
-        length?.map_or(0.0, |length| ends.unwrap_or(0) as f64 * length * shape.map_or(0.0, Cutwater::share));
-    shape?;
-    ends?;
+    let (length, shape, ends) = (length?, shape?, ends?);
     let footings = footings?;
     let (across, base_across) = (across?, base_across?);
-    let is_plain = across.is_none() && base_across.is_none() && cutwaters == 0.0;
     let top = across.or(barrel);
+    let cutwaters = length.zip(top).map(|(length, between)| Cutwaters { shape, length, ends: ends as usize, between });
+    let reach = cutwaters.map_or(0.0, Cutwaters::mean);
+    let is_plain = across.is_none() && base_across.is_none() && reach == 0.0;
     let wide = match (is_plain, top) {
-        (false, Some(top)) => Some([top + cutwaters, base_across.unwrap_or(top) + cutwaters]),
+        (false, Some(top)) => Some([top + reach, base_across.unwrap_or(top) + reach]),
         _ => None,
     };
-    Some(Pier { base_width, base_offset, across: wide, footings, ..pier })
+    Some(Pier { base_width, base_offset, across: wide, cutwaters, footings, ..pier })
 }
 
 pub(crate) fn abutments(file: &Table<'_>, findings: &mut Findings) -> Option<[Abutment; 2]> {
