@@ -82,6 +82,24 @@ impl Facts {
         ];
         lists.into_iter().flat_map(|(stage, list)| list.iter().map(move |warning| (stage, warning)))
     }
+
+    /// The same, each once, with the names of all stages that give it.
+    pub fn warnings_once(&self) -> Vec<(String, &Warning)> {
+        once(self.warnings())
+    }
+}
+
+/// What several stages say, once, in the order in which it is first said, each with the names of the stages.
+pub fn once<'a, T: PartialEq>(said: impl Iterator<Item = (&'static str, &'a T)>) -> Vec<(String, &'a T)> {
+    let mut all: Vec<(Vec<&str>, &T)> = Vec::new();
+    for (stage, what) in said {
+        match all.iter_mut().find(|(_, one)| *one == what) {
+            Some((stages, _)) if stages.contains(&stage) => {}
+            Some((stages, _)) => stages.push(stage),
+            None => all.push((vec![stage], what)),
+        }
+    }
+    all.into_iter().map(|(stages, what)| (stages.join(", "), what)).collect()
 }
 
 /// A bridge that was judged.
@@ -132,4 +150,22 @@ pub struct Step {
     pub because: String,
     /// The rule, and where it is from.
     pub rule: String,
+}
+
+#[cfg(test)]
+mod once_tests {
+    use super::once;
+
+    #[test]
+    fn what_several_stages_say_is_told_once_with_their_names() {
+        let said = [
+            ("collapse", &"skew"),
+            ("collapse", &"rings"),
+            ("vehicles", &"skew"),
+            ("vehicles", &"skew"),
+            ("cases", &"rings"),
+        ];
+        let told = once(said.into_iter());
+        assert_eq!(told, [("collapse, vehicles".to_owned(), &"skew"), ("collapse, cases".to_owned(), &"rings")]);
+    }
 }

@@ -113,7 +113,7 @@ pub fn to_confirm(document: &ReportDocument, inputs: &[Input], a: &Assessment) -
             part.rows.push(vec![input.path(), input.value.clone(), input.remark.clone(), blank(), blank()]);
         }
     }
-    for (stage, warning) in a.facts.warnings() {
+    for (stage, warning) in a.facts.warnings_once() {
         if SITE.contains(&warning.code) {
             part.rows.push(vec![
                 warning.message.clone(),

@@ -2,7 +2,7 @@
 
 use crate::numbers::{digits, maybe, percent, with_unit};
 use bridge::inputs::{Input, table_with};
-use outcome::assessment::Assessment;
+use outcome::assessment::{Assessment, once};
 use outcome::checked::{Checked, governing};
 use outcome::collapse::Status;
 use outcome::condition::{Condition, Standing};
@@ -248,21 +248,20 @@ pub fn changes(facts: &SensitivityFacts) -> Vec<ChangeRow> {
     facts.quantities.iter().map(row).collect()
 }
 
-/// Warnings and assumptions of every stage: what said it, and what.
+/// Warnings and assumptions, each once: which stages say it, and what.
 pub fn said(a: &Assessment) -> (Vec<[String; 3]>, Vec<[String; 2]>) {
-    let warning = |(stage, one): (&str, &Warning)| [stage.to_owned(), one.code.to_owned(), one.message.clone()];
-    let warnings = a.facts.warnings().map(warning).collect();
     let facts = &a.facts;
-    let said: [(&str, &[String]); 5] = [
+    let warning = |(stages, one): (String, &Warning)| [stages, one.code.to_owned(), one.message.clone()];
+    let warnings = facts.warnings_once().into_iter().map(warning).collect();
+    let said: [(&'static str, &[String]); 5] = [
         ("update", facts.update.made().map_or(&[], |facts| &facts.assumptions)),
         ("service", facts.service.made().map_or(&[], |facts| &facts.assumptions)),
         ("collapse", facts.ultimate.made().map_or(&[], |facts| &facts.assumptions)),
         ("vehicles", facts.vehicles.made().map_or(&[], |facts| &facts.assumptions)),
         ("cases", facts.cases.made().map_or(&[], |facts| &facts.assumptions)),
     ];
-    let assumptions =
-        said.iter().flat_map(|(stage, list)| list.iter().map(|words| [(*stage).to_owned(), words.clone()]));
-    (warnings, assumptions.collect())
+    let all = said.into_iter().flat_map(|(stage, list)| list.iter().map(move |words| (stage, words)));
+    (warnings, once(all).into_iter().map(|(stages, words)| [stages, words.clone()]).collect())
 }
 
 /// A vehicle that was moved over the bridge.
