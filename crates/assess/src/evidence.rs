@@ -7,6 +7,7 @@ use bridge::Bridge;
 use bridge::assess::Assess;
 use outcome::assessment::{Assessment, Facts};
 use outcome::checked::Checked;
+use outcome::statics::Statics;
 
 /// A bridge with the facts of its stages.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Evidence {
     pub asked: Assess,
     /// The facts.
     pub facts: Facts,
+    /// Weights and reactions at rest, where they were made.
+    pub statics: Option<Statics>,
 }
 
 impl Evidence {
@@ -31,7 +34,7 @@ impl Evidence {
             limits_source: self.asked.limits.source,
             facts: self.facts,
             checked,
-            statics: None,
+            statics: self.statics,
         }
     }
 }

@@ -240,7 +240,7 @@ mod tests {
             movement: not(),
             sensitivity: not(),
         };
-        Evidence { bridge: samples::bridgemill(), asked: Assess::default(), facts }
+        Evidence { bridge: samples::bridgemill(), asked: Assess::default(), facts, statics: None }
     }
 
     fn verdict(status: Judgement) -> Verdict {

@@ -62,6 +62,8 @@ pub struct Limits {
     pub permissible_share: Option<f64>,
     /// Least factor on loads at which states are first reached that a bridge should not come to in service.
     pub onset_factor: Option<f64>,
+    /// Largest pressure on the ground below piers and abutments [Pa].
+    pub bearing: Option<f64>,
     /// Cycles of load in the life that is asked for.
     pub load_cycles: Option<f64>,
     /// Support movement that is expected or was measured [m].

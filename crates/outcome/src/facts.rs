@@ -362,6 +362,10 @@ pub struct ThrustFacts {
     pub depth_m: f64,
     /// Whether the resultant lies outside it.
     pub outside: bool,
+    /// Largest pressure over the barrel's width, [`crate::statics::pressure`], of these values and of those with the outermost, the innermost
+    /// and the smallest thrust and the largest shear [kPa].
+    #[serde(default)]
+    pub pressure_kpa: f64,
 }
 
 /// What the file's named cases carry.

@@ -40,6 +40,23 @@ pub struct Reaction {
     /// Pressure over the part of the joint that is centred on the resultant [Pa]: force over depth less twice the eccentricity
     /// (Meyerhof 1953); none where several rings spring there, or the resultant lies outside.
     pub pressure: Option<f64>,
+    /// Width across of what bears there over that of the barrel; the pressure is over that width.
+    #[serde(default = "one")]
+    pub spread: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// Narrowest strip that a resultant near the edge of its joint, or beyond it, is taken to bear on [m].
+const NARROWEST: f64 = 1e-3;
+
+/// Pressure [Pa] of a force [N/m] over the part of a joint that is centred on the resultant: its depth less twice the eccentricity (G. G.
+/// Meyerhof, "The bearing capacity of foundations under eccentric and inclined loads", 3rd Int. Conf. Soil Mech., Zurich 1953). A resultant
+/// beyond the edge presses on a millimetre: more than any ground carries.
+pub fn pressure(force: f64, depth: f64, eccentricity: f64) -> f64 {
+    force / (depth - 2.0 * eccentricity.abs()).max(NARROWEST)
 }
 
 impl Statics {

@@ -279,7 +279,10 @@ pub fn vehicles(a: &Assessment) -> Vec<Part> {
             let place = if one.outside { "outside the joint" } else { "in the joint" };
             let numbers = [one.thrust_kn_per_m, one.shear_kn_per_m, 1e3 * one.eccentricity_m, one.depth_m].map(digits);
             let bears = one.depth_m - 2.0 * one.eccentricity_m.abs();
-            let pressure = if bears > 0.0 { digits(1e-3 * one.thrust_kn_per_m / bears) } else { "–".to_owned() };
+            let feet = a.statics.iter().flat_map(|statics| &statics.reactions);
+            let spread = feet.filter(|foot| foot.place == one.place).map(|foot| foot.spread).next().unwrap_or(1.0);
+            let pressure =
+                if bears > 0.0 { digits(1e-3 * one.thrust_kn_per_m / (bears * spread)) } else { "–".to_owned() };
             [vec![one.place.clone()], numbers.to_vec(), vec![pressure, place.to_owned()]].concat()
         })
         .collect();

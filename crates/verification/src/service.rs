@@ -131,6 +131,7 @@ fn assessed(file: &File) -> Result<Json, String> {
     let assessment = Evidence {
         bridge,
         asked,
+        statics: None,
         facts: Facts {
             update: Stage::NotAsked(not_asked("a case of its own updates")),
             service,

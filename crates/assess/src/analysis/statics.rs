@@ -109,13 +109,15 @@ fn reactions(bridge: &Bridge, d: &Discretised, ground: &Ground<'_>) -> Vec<React
             _ => 0.0,
         };
         let wanted = depth - 2.0 * eccentricity.abs();
+        let spread = wide(bridge, [below, above]);
         let reaction = Reaction {
             place,
             vertical: force.y,
             horizontal: outwards,
             eccentricity: Some(eccentricity),
             depth: Some(depth),
-            pressure: (wanted > 0.0).then(|| compression / (wanted * wide(bridge, [below, above]))),
+            pressure: (wanted > 0.0).then(|| compression / (wanted * spread)),
+            spread,
         };
         match found.iter_mut().find(|sum| sum.reaction.place == reaction.place) {
             Some(sum) => {

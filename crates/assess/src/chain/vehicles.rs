@@ -7,8 +7,9 @@ use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
 use outcome::facts::{SafetyFacts, SweptFacts, ThrustFacts, VehicleFacts};
+use outcome::statics::pressure;
 use outcome::vehicles::{ByDiscreteElements, Swept, VehicleSweep};
-use outcome::vehicles::{Of, SectionEnvelope};
+use outcome::vehicles::{Extreme, Of, SectionEnvelope};
 use outcome::warning::{self, Warning};
 use rules::{Confidence, Rule};
 
@@ -204,6 +205,7 @@ fn swept(one: &Swept) -> SweptFacts {
 /// The largest thrust at a springing or a foot of a pier.
 fn thrust(section: &SectionEnvelope) -> Option<ThrustFacts> {
     let watched = ["springing", "foot"].iter().any(|word| section.name.contains(word));
+    let pressed = |one: &Extreme| pressure(one.thrust, section.depth, one.eccentricity);
     let largest = section.extremes.iter().find(|one| one.of == Of::LargestThrust).filter(|_| watched)?;
     Some(ThrustFacts {
         place: section.name.clone(),
@@ -212,5 +214,6 @@ fn thrust(section: &SectionEnvelope) -> Option<ThrustFacts> {
         eccentricity_m: largest.eccentricity,
         depth_m: section.depth,
         outside: largest.outside,
+        pressure_kpa: 1e-3 * section.extremes.iter().map(pressed).fold(0.0, f64::max),
     })
 }

@@ -2,6 +2,7 @@
 //! or says why it cannot.
 
 mod adequacy;
+mod bearing;
 mod cases;
 mod crown_deflection;
 mod fatigue;
@@ -88,6 +89,7 @@ pub const CHECKS: &[&dyn Check] = &[
     &cases::NamedCases,
     &mexe_check::MexeAxle,
     &movement::SupportMovement,
+    &bearing::Bearing,
 ];
 
 /// Makes every check.

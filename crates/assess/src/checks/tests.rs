@@ -73,6 +73,7 @@ fn assessment() -> Evidence {
     Evidence {
         bridge,
         asked: Assess { limits, ..Assess::default() },
+        statics: None,
         facts: Facts {
             update: Stage::NotAsked("no records".into()),
             service: Stage::Made(service),

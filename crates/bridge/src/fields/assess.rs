@@ -102,6 +102,14 @@ pub(super) static ASSESS: Section = Section {
         )
         .above(0.0)
         .optional("states in service are not checked"),
+        Field::new(
+            "bearing_limit",
+            Kind::Quantity(Stress),
+            "largest pressure on the ground below piers and abutments, with the factors that loads have here",
+            "300 kPa",
+        )
+        .positive()
+        .optional("the pressure on the ground is not checked"),
         Field::new("load_cycles", Kind::Number, "load cycles in the required life", "1e7")
             .at_least(1.0)
             .at_most(1e12)
@@ -212,6 +220,7 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
             model_factor,
             permissible_share,
             onset_factor,
+            bearing = "bearing_limit",
             load_cycles,
             expected_movement,
             movement_factor;

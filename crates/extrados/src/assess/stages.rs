@@ -91,10 +91,10 @@ impl Stages<'_> {
         let movement = self.movement(&bridge)?;
         let sensitivity = Stage::NotAsked("made last".to_owned());
         let facts = Facts { update, service, ultimate, vehicles, cases, movement, sensitivity };
-        let mut evidence = Evidence { bridge, asked, facts };
+        let mut evidence = Evidence { bridge, asked, facts, statics: built.made().cloned() };
         let checked = checks::run(&evidence);
         evidence.facts.sensitivity = self.sensitivity(&document, &evidence, &checked)?;
-        Ok(Assessment { statics: built.made().cloned(), ..evidence.judged(checked) })
+        Ok(evidence.judged(checked))
     }
 
     /// Takes a finished stage up, or runs it and keeps what it gave.
