@@ -195,7 +195,7 @@ export function axles(sheet: Sheet, picture: Picture, axles: Float64Array, syste
       const axle = given.find((one) => Math.abs(one.x - x) < 1e-6);
       const text = words(axle ? force(axle.force, system) : pressure(size / length, system));
       const width = pen.measureText(text).width;
-      if (px - width / 2 > lastRight + 6) {
+      if (px - width / 2 > Math.max(0, lastRight + 6) && px + width / 2 < sheet.width) {
         label(pen, text, px, py - 42, ink.sheet);
         lastRight = px + width / 2;
       }

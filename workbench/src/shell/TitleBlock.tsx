@@ -129,7 +129,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
               <span class="under">{head().whole}</span>
               {/* The curve belongs to the text that stood when the load was last looked at. */}
               <Show when={part() === "bridge"}>
-                <button type="button" class="link" onClick={() => setPart("load")}>Where is it least?</button>
+                <div class="under"><button type="button" class="link" onClick={() => setPart("load")}>Where is it least?</button></div>
               </Show>
               <Show when={part() === "load" && least()}>
                 {(found) => (
