@@ -20,9 +20,9 @@ const OF_SEVERAL = 0.02;
 /** The load with dilation is the lower of two bounds that each run proves. A program ends where the two meet to 1e-9 of its scaled load, wherever
  * between them that is: two runs are apart by no more than their bounds, and those by no more than this. */
 const PROVEN_GAP = 1e-8;
-/** What is left of a balance of forces, how often a solver went round and how many programs it took, is round-off itself; which of several cases
- * that are alike is named as the extreme one of a section too. */
-const NO_ANSWERS = /residual|violation|iterations|unbalanced|energy_drift|spread|vehicles\.cases|extremes\.case/;
+/** What is left of a balance of forces, how often a solver went round and how many programs it took, by which solver, is round-off itself; which of
+ * several cases that are alike is named as the extreme one of a section too. A point of a mesh yields once it has reached its surface by however little. */
+const NO_ANSWERS = /residual|violation|iterations|unbalanced|energy_drift|spread|vehicles\.cases|by_interior_point|extremes\.case|yielding_elements/;
 /** Forces of a section at collapse under vehicles are those of one of several states that carry the same. */
 const STATES = /sections\.extremes/;
 /** Discrete elements come to rest where forces are balanced to a tolerance, some steps earlier or later: loads are the same, displacements and stresses
@@ -30,8 +30,29 @@ const STATES = /sections\.extremes/;
 const AT_REST = 0.01;
 const LOADS = /load|headline/;
 
-/** What only the command knows. */
-const OF_THE_COMMAND = ["wall_seconds", "threads", "out", "files", "stages", "input_hash"];
+/** A passage is solved to the `tolerance` of its file, 1e-6 of its forces: so far two of them may be apart, with all that is compared with records, as
+ * shares of the peaks that were measured. */
+const PASSAGE = 1e-6;
+const ERRORS = /error/;
+/** What data can tell of a parameter, and of the error of the model, is sampled, until 10,000 samples are as good as independent: two runs whose inputs differ in a last bit draw
+ * differently. The standard error of a correlation is then 0.01, that of a standard deviation 0.007 of it and that of an end of a 95 % interval, where
+ * the density of a normal distribution is 0.058, 0.027 of a standard deviation. Of a difference of two runs they are the root of two larger, and four
+ * of them hold all that is compared here. */
+const SAMPLED = (4 * Math.SQRT2) / Math.sqrt(10_000);
+const POSTERIOR = /standard_deviation|interval_95|correlation(?!s)|model_error/;
+
+/** What only the command knows: its clock, its folder, how it was built (A161: without the printer of PDF). */
+const OF_THE_COMMAND = ["wall_seconds", "threads", "out", "files", "stages", "input_hash", "evaluations_taken_up"];
+const BUILT = ["A161"];
+function ofTheCommand(result) {
+  OF_THE_COMMAND.forEach((key) => delete result[key]);
+  for (const search of result.searches ?? []) delete search.seconds;
+  if (result.warnings) result.warnings = result.warnings.filter((one) => !BUILT.includes(one.code));
+}
+
+/** Bridges that are their own mirror image, with their length [m]: a vehicle carries as much as its image that travels the other way, and which of
+ * both is named as the worst is round-off. */
+const MIRRORED = { "bridgemill/assess.toml": 18.3 };
 
 const [program, ...only] = process.argv.slice(2);
 const collapse = (method) => ["collapse", method];
@@ -51,17 +72,15 @@ const wanted = [
   ["tiny", "bridge.toml", "sweep", "limit"],
   ["two-span", "bridge.toml", "sweep", "limit"],
   ["packhorse", "cases.toml", "cases", ""],
+  ["viaduct", "bridge.toml", "sweep", "limit"],
+  ["tiny", "bridge.toml", "assess", ""],
+  ["bridgemill", "assess.toml", "assess", ""],
+  ["railway-arch", "passage.toml", "respond", ""],
+  ["railway-arch", "update.toml", "update", ""],
 ].concat(
-  // Only where they are named: minutes each, and an assessment is known to lack warnings that the command adds to the verdict (A190).
-  only.length === 0
-    ? []
-    : [
-        ["viaduct", "bridge.toml", "sweep", "limit"],
-        ["railway-arch", "passage.toml", "respond", ""],
-        ["railway-arch", "update.toml", "update", ""],
-        ["tiny", "bridge.toml", "assess", ""],
-        ["bridgemill", "assess.toml", "assess", ""],
-      ],
+  // Only where it is named, for it is different: where several cases carry the same to 1e-9, the one that is followed on joints that give is told by
+  // round-off, and a state in service (half the stiffness) is 9 % apart.
+  only.length === 0 ? [] : [["viaduct", "bridge.toml", "sweep", ""]],
 ).filter(([folder, name, kind]) => only.length === 0 || only.includes(`${folder}/${name}`) || only.includes(kind));
 
 /** The command line of each kind, and the call of the engine. */
@@ -91,12 +110,28 @@ function taken(value, key, numbers) {
   if (value && typeof value === "object") {
     return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, taken(one, `${key}.${name}`, numbers)]));
   }
-  // Sentences hold numbers too, rounded.
-  return value;
+  // Sentences hold numbers too, rounded; those of what was sampled are no closer than it.
+  return typeof value === "string" && /^\.told/.test(key) ? value.replace(/\d+(\.\d+)?/g, "#") : value;
 }
 
-function bound(method, level, key, gaps) {
+/** A result of a bridge of this length [m] as of the vehicle's way that comes first from either end. */
+function unmirrored(value, length) {
+  if (typeof value === "string") return value.replace(/travelling to the (left|right)/g, "travelling").replace(/first axle at [\d.]+ m/g, "first axle");
+  if (Array.isArray(value)) return value.map((one) => unmirrored(one, length));
+  if (!value || typeof value !== "object") return value;
+  return Object.fromEntries(
+    Object.entries(value).map(([key, one]) => {
+      if (key === "position_m" && typeof one === "number") return [key, Math.min(one, length - one)];
+      if (key === "direction") return [key, "either"];
+      return [key, unmirrored(one, length)];
+    }),
+  );
+}
+
+function bound(kind, method, level, key, gaps, scale) {
   if (NO_ANSWERS.test(key)) return Infinity;
+  if (kind === "update" && POSTERIOR.test(key)) return SAMPLED;
+  if (kind === "respond" || kind === "update") return ERRORS.test(key) ? PASSAGE / scale : PASSAGE;
   if (/associated_load/.test(key) && !/non_associated/.test(key)) return ROUND_OFF + gaps;
   if (STATES.test(key)) return OF_SEVERAL;
   const load = LOADS.test(key) && !/thrust/.test(key);
@@ -132,8 +167,12 @@ for (const [folder, name, kind, method] of wanted) {
     failed += same ? 0 : 1;
     continue;
   }
-  const [mine, theirs] = [JSON.parse(result.json), JSON.parse(readFileSync(join(out, "result.json"), "utf8"))];
-  OF_THE_COMMAND.forEach((key) => delete theirs[key]);
+  const length = MIRRORED[`${folder}/${name}`];
+  const [mine, theirs] = [result.json, readFileSync(join(out, "result.json"), "utf8")].map((text) => {
+    const read = JSON.parse(text);
+    ofTheCommand(read);
+    return length === undefined ? read : unmirrored(read, length);
+  });
   const numbers = [[], []];
   const words = [mine, theirs].map((value, k) => JSON.stringify(taken(value, "", numbers[k])));
   let [worst, where, exact] = [0, "", 0];
@@ -144,7 +183,7 @@ for (const [folder, name, kind, method] of wanted) {
     const [key, value] = numbers[1][k];
     const apart = Math.abs(numbers[0][k][1] - value) / scale.get(key);
     exact += apart === 0 ? 1 : 0;
-    const most = bound(method, theirs.friction === "non-associated", key, Math.max(gap(mine), gap(theirs)));
+    const most = bound(kind, method, theirs.friction === "non-associated", key, Math.max(gap(mine), gap(theirs)), scale.get(key));
     if (most < Infinity && apart > worst) [worst, where] = [apart, key];
     if (apart > most) beyond.push(`${key}: ${numbers[0][k][1]} and ${value}`);
   }
