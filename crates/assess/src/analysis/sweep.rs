@@ -248,7 +248,7 @@ impl Scene<'_> {
         found.into_iter().flatten().flatten().collect()
     }
 
-    /// Cases that are still to be answered without dilation: the same axles at neighbouring positions beside one another.
+    /// Cases that are to be answered without dilation: the same axles at neighbouring positions beside one another.
     fn sliding(&self, rows: &[Row]) -> Vec<(usize, usize)> {
         let all = || {
             rows.iter().enumerate().flat_map(|(r, row)| row.cases.iter().enumerate().map(move |(c, case)| (r, c, case)))
@@ -262,36 +262,26 @@ impl Scene<'_> {
                 case.status == Status::Locks || (case.slides && low)
             }
         };
-        let mut jobs: Vec<_> =
-            all().filter(|(_, _, case)| !case.level && asked(case)).map(|(r, c, _)| (r, c)).collect();
+        let mut jobs: Vec<_> = all().filter(|(_, _, case)| asked(case)).map(|(r, c, _)| (r, c)).collect();
         jobs.sort_by_key(|&(r, c)| (rows[r].cases[c].axles, r));
         jobs
     }
 
-    /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open. The least comes
-    /// first: others must come near what it carries without dilation.
+    /// Answers cases that may govern without dilation; tells whether all of them were. Without it, they are open.
     fn level(&self, rows: &mut [Row], whole: bool, watch: &mut dyn Watch) -> Result<bool, AnalysisError> {
         let jobs = self.sliding(rows);
-        let factor = |&(r, c): &(usize, usize)| rows[r].cases[c].factor.unwrap_or(f64::INFINITY);
-        let first: Vec<_> = jobs.iter().copied().min_by(|a, b| factor(a).total_cmp(&factor(b))).into_iter().collect();
-        if !whole {
-            open(rows, jobs);
-            return Ok(false);
+        if whole {
+            return Ok(self.levelled(rows, jobs, watch));
         }
-        if !self.levelled(rows, first, [0.4, 0.4], watch) {
-            let jobs = self.sliding(rows);
-            open(rows, jobs);
-            return Ok(false);
-        }
-        let jobs = self.sliding(rows);
-        Ok(self.levelled(rows, jobs, [0.4, 0.9], watch))
+        open(rows, jobs);
+        Ok(false)
     }
 
     /// Answers cases without dilation in groups; tells whether all of them were.
-    fn levelled(&self, rows: &mut [Row], jobs: Vec<(usize, usize)>, shares: [f64; 2], watch: &mut dyn Watch) -> bool {
+    fn levelled(&self, rows: &mut [Row], jobs: Vec<(usize, usize)>, watch: &mut dyn Watch) -> bool {
         let axles = |&(r, c): &(usize, usize)| rows[r].cases[c].axles;
         let groups: Vec<_> = jobs.chunk_by(|a, b| axles(a) == axles(b)).flat_map(|run| run.chunks(CHUNK)).collect();
-        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares };
+        let stage = Stage { name: "cases without dilation", steps: jobs.len() as u64, shares: [0.4, 0.9] };
         let (found, done) =
             pieces::each(&groups, &stage, watch, |group, pace| self.beside_one_another(rows, group, pace));
         let mut unanswered = Vec::new();

@@ -31,7 +31,12 @@ fn every_example_opens_draws_and_lists_its_quantities() {
             );
             let picture = document.picture().unwrap_or_else(|| panic!("{name} has no picture"));
             let drawn = document.drawing();
-            assert!(picture.shapes.len() > 5 && drawn.contains("<svg"), "{name}: {} shapes, {:.80}", picture.shapes.len(), drawn);
+            assert!(
+                picture.shapes.len() > 5 && drawn.contains("<svg"),
+                "{name}: {} shapes, {:.80}",
+                picture.shapes.len(),
+                drawn
+            );
             if reading["kind"] == "bridge" {
                 assert!(document.quantities().as_array().is_some_and(|all| all.len() > 8), "{name}");
             }

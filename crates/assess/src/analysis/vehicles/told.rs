@@ -73,6 +73,6 @@ pub(super) fn assumed(all: &[Swept]) -> String {
      of all that may stand there, and of what governs beside it, it is asked whether it carries as much, from the states of similar loads. \
      At the worst position axles, uniform loads, factors on weights and critical axle are varied one after the other, and each is followed. \
      The smaller adequacy factor of \
-     both methods counts. States in service are those of the cases that govern. Fill acts by its weight alone there."
+     both methods counts. States in service are those of the cases that govern: others may come to them under less load. Fill acts by its weight alone there."
         .to_owned()
 }
