@@ -211,7 +211,7 @@ fn loads_beside_others_are_carried_as_far_as_their_paths_go() {
     let (mut answered, mut asked) = (0, 0);
     for block in loaded - 4..loaded + 8 {
         let id = Id::new(block);
-        let forces = [PointForce { block: id, at: model.blocks[id].outline.centroid(), force, ..loading.variable[0] }];
+        let forces = [PointForce { block: id, at: model.blocks[id].outline.centroid(), force }];
         let followed = alone.carried(&forces, &program(), &mut Unwatched);
         assert_eq!(followed.status, Status::LimitPoint, "block {block} of {}", model.blocks.len());
         let peak = followed.factor.unwrap();
