@@ -226,21 +226,9 @@ mod tests {
     use outcome::facts::{ChangeFacts, SensitivityFacts, VehicleFacts};
     use outcome::warning::Warning;
 
-    fn not<T>() -> Stage<T> {
-        Stage::NotAsked("not asked".into())
-    }
-
     fn evidence() -> Evidence {
-        let facts = Facts {
-            update: not(),
-            service: not(),
-            ultimate: not(),
-            vehicles: not(),
-            cases: not(),
-            movement: not(),
-            sensitivity: not(),
-        };
-        Evidence { bridge: samples::bridgemill(), asked: Assess::default(), facts, statics: None }
+        let (asked, facts) = (Assess::default(), Facts::nothing());
+        Evidence { bridge: samples::bridgemill(), asked, facts, statics: None }
     }
 
     fn verdict(status: Judgement) -> Verdict {
@@ -353,7 +341,7 @@ mod tests {
         e.facts.sensitivity = Stage::Made(facts(0.9));
         let list = steps(&e, &[], &verdict(Judgement::Adequate));
         assert!(list.len() == 1 && list[0].because.contains("none turns it"), "{list:?}");
-        e.facts.sensitivity = not();
+        e.facts.sensitivity = Facts::nothing().sensitivity;
         let why = NotMade { why: "positions without a result".into(), failed: true };
         let open = Checked {
             code: "C201".into(),

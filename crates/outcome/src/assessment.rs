@@ -64,6 +64,24 @@ pub struct Facts {
     pub sensitivity: Stage<SensitivityFacts>,
 }
 
+impl Facts {
+    /// Of an assessment that asks for no stage.
+    pub fn nothing() -> Facts {
+        fn not<T>() -> Stage<T> {
+            Stage::NotAsked("not asked".to_owned())
+        }
+        Facts {
+            update: not(),
+            service: not(),
+            ultimate: not(),
+            vehicles: not(),
+            cases: not(),
+            movement: not(),
+            sensitivity: not(),
+        }
+    }
+}
+
 /// An assessment that was kept before there were cases.
 fn no_cases() -> Stage<CasesFacts> {
     Stage::NotAsked("the file has no [[case]]".to_owned())

@@ -417,20 +417,9 @@ mod tests {
 
     /// An assessment of which nothing was made.
     fn nothing() -> Assessment {
-        use outcome::assessment::{Facts, Stage};
+        use outcome::assessment::Facts;
         use outcome::checked::{Judgement, Rung, Strength, Verdict};
-        fn not<T>() -> Stage<T> {
-            Stage::NotAsked("not asked".into())
-        }
-        let facts = Facts {
-            update: not(),
-            service: not(),
-            ultimate: not(),
-            vehicles: not(),
-            cases: not(),
-            movement: not(),
-            sensitivity: not(),
-        };
+        let facts = Facts::nothing();
         let verdict = Verdict {
             status: Judgement::Undetermined,
             headline: Rung::NothingCompared,

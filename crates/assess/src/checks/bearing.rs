@@ -86,28 +86,15 @@ mod tests {
     use outcome::assessment::{Facts, Stage};
     use outcome::facts::VehicleFacts;
 
-    fn not<T>() -> Stage<T> {
-        Stage::NotAsked("not asked".into())
-    }
-
     /// Two equal spans of 4 m on a pier of 2.5 m that is 3 m wide at its foot, 10 % wider across than the barrel.
     fn evidence() -> Evidence {
         let one = samples::bridgemill().spans[0].clone();
         let mut b = samples::spans(vec![one.clone(), one], 2.5, 3.0, 4.0, 5);
         b.cover.layers = vec![samples::fill(0.4, 1800.0)];
         b.piers[0].across = Some([1.1 * b.width; 2]);
-        let facts = Facts {
-            update: not(),
-            service: not(),
-            ultimate: not(),
-            vehicles: not(),
-            cases: not(),
-            movement: not(),
-            sensitivity: not(),
-        };
         let statics = statics(&b).ok();
         let limits = Limits { bearing: Some(0.5e6), ..Limits::default() };
-        Evidence { bridge: b, asked: Assess { limits, ..Assess::default() }, facts, statics }
+        Evidence { bridge: b, asked: Assess { limits, ..Assess::default() }, facts: Facts::nothing(), statics }
     }
 
     /// By hand: the pier carries itself, what lies on it and half of either span, in the middle of its foot of 3 m.
