@@ -23,6 +23,10 @@ pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     fn of(value: f64) -> Self;
     /// Its value.
     fn value(self) -> f64;
+    /// So many times it.
+    fn times(self, factor: f64) -> Self;
+    /// It and a constant.
+    fn plus(self, constant: f64) -> Self;
 }
 
 impl Number for f64 {
@@ -33,6 +37,14 @@ impl Number for f64 {
     #[inline(always)]
     fn value(self) -> f64 {
         self
+    }
+    #[inline(always)]
+    fn times(self, factor: f64) -> f64 {
+        factor * self
+    }
+    #[inline(always)]
+    fn plus(self, constant: f64) -> f64 {
+        self + constant
     }
 }
 
@@ -52,7 +64,7 @@ impl<T: Number> Ends<T> {
     /// The largest shear that an end resists [N/m]: friction on what presses and cohesion, less friction on what pulls.
     #[inline(always)]
     pub fn shear_strength(&self, end: usize, law: &Resistance) -> T {
-        let strength = T::of(law.friction) * self.compression[end] + T::of(law.cohesion) * self.length[end];
+        let strength = self.compression[end].times(law.friction) + self.length[end].times(law.cohesion);
         if strength.value() < 0.0 { T::of(0.0) } else { strength }
     }
 }
@@ -105,11 +117,11 @@ impl Resistance {
     pub fn ends<T: Number>(&self, contact_length: ContactLength, overlap: [T; 2], length: T, bond: &Bond) -> Ends<T> {
         match contact_length {
             ContactLength::Fixed => {
-                let half = self.fixed_length.map_or(length * T::of(0.5), T::of);
+                let half = self.fixed_length.map_or(length.times(0.5), T::of);
                 self.points(overlap, [half; 2])
             }
             ContactLength::Updated => {
-                let half = length * T::of(0.5);
+                let half = length.times(0.5);
                 self.points(overlap, [0, 1].map(|k| self.updated(overlap[k], overlap[1 - k], half)))
             }
             ContactLength::Distributed => self.distributed(overlap, length, bond),
@@ -133,7 +145,7 @@ impl Resistance {
         if !(self.tension > 0.0 && bond.holds()) {
             return Bond { lost: [T::of(1.0); 2] };
         }
-        let [a, b] = each(overlap, |o| o + T::of(self.tension / self.normal));
+        let [a, b] = each(overlap, |o| o.plus(self.tension / self.normal));
         let before = each(bond.lost, T::of);
         let longer = |crack: T, before: T| if crack.value() > before.value() { crack } else { before };
         match (a.value() >= 0.0, b.value() >= 0.0) {
@@ -171,7 +183,7 @@ impl Resistance {
         let mut ends = Ends { compression: [T::of(0.0); 2], length: [T::of(0.0); 2] };
         for k in 0..2 {
             if overlap[k].value() >= 0.0 {
-                let stress = T::of(self.normal) * overlap[k];
+                let stress = overlap[k].times(self.normal);
                 let stress = if stress.value() > self.crushing { T::of(self.crushing) } else { stress };
                 ends.compression[k] = stress * length[k];
                 ends.length[k] = length[k];
@@ -193,7 +205,7 @@ impl Resistance {
         let (mut pressed, mut share) = compressed(overlap);
         let most = self.crushing / self.normal;
         if overlap.iter().any(|o| o.value() > most) {
-            let (beyond, _) = compressed(each(overlap, |o| o - T::of(most)));
+            let (beyond, _) = compressed(each(overlap, |o| o.plus(-most)));
             pressed = [pressed[0] - beyond[0], pressed[1] - beyond[1]];
         }
         if let Some(part) = self.pulled(overlap, bond) {
@@ -205,7 +217,7 @@ impl Resistance {
                 share[k] = share[k] + (weights[0] + weights[1]);
             }
         }
-        let scale = T::of(self.normal) * length;
+        let scale = length.times(self.normal);
         Ends { compression: each(pressed, |p| scale * p), length: each(share, |s| length * s) }
     }
 }
@@ -230,8 +242,8 @@ impl<T: Number> Part<T> {
         const NEAR: f64 = 0.211_324_865_405_187_13;
         let [a, b] = self.from;
         let length = T::of(1.0) - (a + b);
-        let share = T::of(0.5) * length;
-        let (near, far) = (T::of(NEAR) * length, T::of(1.0 - NEAR) * length);
+        let share = length.times(0.5);
+        let (near, far) = (length.times(NEAR), length.times(1.0 - NEAR));
         [Point { share, weights: [b + far, a + near] }, Point { share, weights: [b + near, a + far] }]
     }
 }
@@ -265,8 +277,8 @@ fn compressed<T: Number>(ends: [T; 2]) -> ([T; 2], [T; 2]) {
     let [a, b] = ends;
     match (a.value() >= 0.0, b.value() >= 0.0) {
         (true, true) => {
-            let (two, sixth) = (T::of(2.0), T::of(1.0 / 6.0));
-            ([(two * a + b) * sixth, (a + two * b) * sixth], [T::of(0.5); 2])
+            let sixth = 1.0 / 6.0;
+            ([(a.times(2.0) + b).times(sixth), (a + b.times(2.0)).times(sixth)], [T::of(0.5); 2])
         }
         (false, false) => ([zero; 2], [zero; 2]),
         (true, false) => one_end(a, b),
@@ -284,8 +296,8 @@ fn compressed<T: Number>(ends: [T; 2]) -> ([T; 2], [T; 2]) {
 fn one_end<T: Number>(near: T, far: T) -> ([T; 2], [T; 2]) {
     let part = near / (near - far);
     let square = part * part;
-    let (half, sixth) = (T::of(0.5), T::of(1.0 / 6.0));
-    ([near * (part * half - square * sixth), near * square * sixth], [part - square * half, square * half])
+    let (half, sixth) = (square.times(0.5), square.times(1.0 / 6.0));
+    ([near * (part.times(0.5) - sixth), near * sixth], [part - half, half])
 }
 
 /// Integral over a face of unit length of the square of the positive part of a linear function.

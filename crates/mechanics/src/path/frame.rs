@@ -1,5 +1,6 @@
 //! A balanced state as it is reported.
 
+use super::dual::{between, half_of};
 use super::joint::{Joint, Memory, Response};
 use super::model::Model;
 use super::outcome::{EndState, Frame, JointState, PathPoint};
@@ -27,8 +28,9 @@ fn joint(model: &Model, settings: &Settings, state: &State, k: usize) -> JointSt
     let half = Rotation::by(first[2] + 0.5 * (state.motions[joint.second][2] - first[2]));
     let centre = model.built[joint.first] + vec2(first[0], first[1]);
     let turn = Rotation::by(first[2]);
+    let half_turn = between(half_of(first[2]), half_of(state.motions[joint.second][2]));
     let end = |e: usize| EndState {
-        at: centre + turn.turn(vec2(response.at[e][0], response.at[e][1])),
+        at: centre + turn.turn(joint.place(response.at[e], half_turn)),
         compression: response.ends.compression[e],
         shear: response.shear[e],
         length: response.ends.length[e],

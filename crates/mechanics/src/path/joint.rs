@@ -3,7 +3,7 @@
 //! The frame of a joint halves the angle between its two faces, so that neither block is favoured and a mirrored model
 //! gives the mirrored answer.
 
-use super::dual::{Angle, Dual, Half, whole};
+use super::dual::{Dual, Half, Posed, whole};
 use crate::blocks::{BlockModel, Interface, ModelError};
 use crate::contact::{Bond, ContactLength, Ends, Number, Resistance, each};
 use crate::ids::{Id, Table};
@@ -14,7 +14,7 @@ use crate::plane::{Vec2, vec2};
 pub(super) struct Joint {
     pub first: usize,
     pub second: usize,
-    /// Ends of the face relative to the centres of the two blocks, as built [m].
+    /// Ends of the face relative to the centres of the two blocks, as built, along the joint and across it [m].
     pub(super) on_first: [Vec2; 2],
     pub(super) on_second: [Vec2; 2],
     /// Unit normal from the first to the second block, as built.
@@ -43,13 +43,13 @@ pub(super) struct Bedding {
     pub pressed: f64,
 }
 
-/// The second block as the first one sees it: its displacement in the frame of the first [m], and its turn [rad].
-pub(super) type Relative<T> = [T; 3];
+/// The second block as the first one sees it: how far it has moved along the joint and across it [m], and half of its turn.
+pub(super) type Relative = (Vec2, Half);
 
 /// What a joint does in one relative pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Response<T> {
-    /// Force on the second block in the frame of the first [N/m], twice, and moment about the second's centre [N].
+    /// Force on the second block along the joint and across it, as the first block sees it [N/m], and moment about the second's centre [N].
     pub force: [T; 3],
     pub ends: Ends<T>,
     /// Shear at the two ends [N/m].
@@ -64,27 +64,28 @@ pub(super) struct Response<T> {
     pub length: T,
     /// How far the second block has slid [m].
     pub glide: T,
-    /// Where the ends are in the frame of the first block, from its centre [m].
+    /// Where the ends are in the frame that halves the angle between the faces, along the joint and across it, from the middle of the first
+    /// block's face [m].
     pub at: [[T; 2]; 2],
 }
 
-/// How the two faces of a joint meet, in the frame of the first block.
+/// How the two faces of a joint meet, in the frame that halves the angle between them: along the joint and across it, from the middle of
+/// the first block's face.
 struct Meeting<T> {
-    /// Unit vectors of the frame that halves the angle between the faces.
-    tangent: [T; 2],
-    normal: [T; 2],
-    /// Centre of the second block from that of the first [m].
-    apart: [T; 2],
+    /// Centre of the second block [m].
+    centre: [T; 2],
     /// Overlap at the ends of the common face, its length, and how far the second block has slid along it [m].
     overlap: [T; 2],
     length: T,
     glide: T,
-    /// The ends, midway between the faces, from the centre of the first block [m].
+    /// The ends, midway between the faces [m].
     at: [[T; 2]; 2],
 }
 
-fn dot<T: Number>(a: [T; 2], b: [T; 2]) -> T {
-    a[0] * b[0] + a[1] * b[1]
+/// How far across a line through two points lies where a place is given along, from one of the points.
+#[inline(always)]
+fn across<T: Number>([from, other]: [[T; 2]; 2], along: T) -> T {
+    from[1] + (other[1] - from[1]) / (other[0] - from[0]) * (along - from[0])
 }
 
 impl Joint {
@@ -95,6 +96,7 @@ impl Joint {
             let (one, two) = (centres[face.first], centres[face.second]);
             let law = model.laws.between(model.blocks[face.first].group, model.blocks[face.second].group);
             let ends = [face.points[0], face.points[face.points.len() - 1]];
+            let seen = |v: Vec2| vec2(v.dot(face.normal.left()), v.dot(face.normal));
             let (pin, length) = (face.points.len() == 1, (ends[1] - ends[0]).norm());
             if !pin && length <= 0.0 {
                 return Err(ModelError::Law { what: "the length of a joint", value: length });
@@ -102,8 +104,8 @@ impl Joint {
             Ok(Joint {
                 first: face.first.index(),
                 second: face.second.index(),
-                on_first: ends.map(|p| p - one),
-                on_second: ends.map(|p| p - two),
+                on_first: ends.map(|p| seen(p - one)),
+                on_second: ends.map(|p| seen(p - two)),
                 normal: face.normal,
                 pin,
                 resistance: Resistance::new(law, (two - one).dot(face.normal).abs()),
@@ -135,88 +137,73 @@ impl Joint {
         self.normal.left()
     }
 
-    /// Centre of the second block from that of the first, as built [m].
+    /// Centre of the second block from that of the first, as built, along the joint and across it [m].
     fn between(&self) -> Vec2 {
         self.on_first[0] - self.on_second[0]
     }
 
+    /// Middle of the face from the centre of the first block, as built, along the joint and across it [m].
+    fn middle(&self) -> Vec2 {
+        (self.on_first[0] + self.on_first[1]) * 0.5
+    }
+
     /// How the two faces meet in a relative pose.
-    fn meet<T: Angle>(&self, pose: Relative<T>, turn: Half) -> Meeting<T> {
-        let half = T::of(0.5);
-        let (sine, cosine) = pose[2].of_half(turn);
-        // The second block turns by the whole angle, which is its half twice.
-        let (whole_sine, whole_cosine) = (T::of(2.0) * sine * cosine, cosine * cosine - sine * sine);
-        let turned = |v: Vec2, sine: T, cosine: T| {
-            let (x, y) = (T::of(v.x), T::of(v.y));
-            [x * cosine - y * sine, x * sine + y * cosine]
-        };
-        let (tangent, normal) = (turned(self.tangent(), sine, cosine), turned(self.normal, sine, cosine));
-        let apart = [pose[0] + T::of(self.between().x), pose[1] + T::of(self.between().y)];
-        let middle = (self.on_first[0] + self.on_first[1]) * 0.5;
-        let seen = |p: [T; 2]| {
-            let from = [p[0] - T::of(middle.x), p[1] - T::of(middle.y)];
-            [dot(from, tangent), dot(from, normal)]
-        };
-        let one = each(self.on_first, |v| seen([T::of(v.x), T::of(v.y)]));
-        let two = each(self.on_second, |v| {
-            let arm = turned(v, whole_sine, whole_cosine);
-            seen([apart[0] + arm[0], apart[1] + arm[1]])
+    #[inline(always)]
+    fn meet<T: Posed>(&self, (moved, turn): Relative) -> Meeting<T> {
+        let middle = self.middle();
+        let centre = T::of_centre(self.between() + moved - middle, turn);
+        let one = each(self.on_first, |end| T::of_first(end - middle, turn));
+        let two = each(self.on_second, |end| {
+            let arm = T::of_second(end, turn);
+            [centre[0] + arm[0], centre[1] + arm[1]]
         });
-        let (along, faces) = if self.pin {
-            ([(one[0][0] + two[0][0]) * half; 2], each([one, two], |face| [face[0][1]; 2]))
-        } else {
-            let later = |a: T, b: T| if b.value() > a.value() { b } else { a };
-            let sooner = |a: T, b: T| if b.value() < a.value() { b } else { a };
-            let along = [later(one[0][0], two[0][0]), sooner(one[1][0], two[1][0])];
-            let height = |face: &[[T; 2]; 2], s: T| {
-                face[0][1] + (face[1][1] - face[0][1]) / (face[1][0] - face[0][0]) * (s - face[0][0])
-            };
-            (along, each([one, two], |face| each(along, |s| height(&face, s))))
+        // The common face ends where the first of the two does.
+        let end = |k: usize| {
+            let (own, others) = ([one[k], one[1 - k]], [two[k], two[1 - k]]);
+            let beyond = two[k][0].value() - one[k][0].value();
+            if self.pin {
+                ((own[0][0] + others[0][0]).times(0.5), [own[0][1], others[0][1]])
+            } else if if k == 0 { beyond > 0.0 } else { beyond < 0.0 } {
+                (others[0][0], [across(own, others[0][0]), others[0][1]])
+            } else {
+                (own[0][0], [own[0][1], across(others, own[0][0])])
+            }
         };
-        let point = |k: usize| {
-            let height = (faces[0][k] + faces[1][k]) * half;
-            let part = |middle: f64, c: usize| T::of(middle) + tangent[c] * along[k] + normal[c] * height;
-            [part(middle.x, 0), part(middle.y, 1)]
-        };
+        let [(start, first), (stop, last)] = [end(0), end(1)];
         Meeting {
-            tangent,
-            normal,
-            apart,
-            overlap: [faces[0][0] - faces[1][0], faces[0][1] - faces[1][1]],
-            length: along[1] - along[0],
-            glide: (two[0][0] + two[1][0]) * half,
-            at: [point(0), point(1)],
+            centre,
+            overlap: [first[0] - first[1], last[0] - last[1]],
+            length: stop - start,
+            glide: (two[0][0] + two[1][0]).times(0.5),
+            at: [[start, (first[0] + first[1]).times(0.5)], [stop, (last[0] + last[1]).times(0.5)]],
         }
     }
 
-    /// Forces of a relative pose with its turn. `memory` is that of the last balanced state.
-    pub fn respond<T: Angle>(
-        &self,
-        bedding: Bedding,
-        memory: &Memory,
-        (pose, turn): (Relative<T>, Half),
-    ) -> Response<T> {
-        let Meeting { tangent, normal, apart, overlap, length, glide, at } = self.meet(pose, turn);
+    /// Forces of a relative pose. `memory` is that of the last balanced state.
+    #[inline(always)]
+    pub fn respond<T: Posed>(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<T> {
+        let Meeting { centre, overlap, length, glide, at } = self.meet(pose);
         let (ends, back) = self.pressed(bedding, overlap, length, &memory.bond);
         let law = &self.resistance;
-        let cracking = self.cracks(bedding, each(overlap, |o| o.value()), &memory.bond).is_some();
-        let moved = glide - T::of(memory.glide);
+        let cracking = self.cracks(bedding, each(overlap, |o: T| o.value()), &memory.bond).is_some();
+        let moved = glide.plus(-memory.glide);
         let (mut shear, mut sliding, mut force) = ([T::of(0.0); 2], [false; 2], [T::of(0.0); 3]);
         for k in 0..2 {
-            let trial = T::of(law.shear) * ends.length[k] * (T::of(memory.sheared[k]) - moved);
+            let held = T::of(memory.sheared[k]) - moved;
+            let trial = ends.length[k].times(law.shear) * held;
             let strength = ends.shear_strength(k, law);
             sliding[k] = trial.value().abs() > strength.value();
             shear[k] = match (sliding[k], trial.value() < 0.0) {
                 (false, _) => trial,
                 (true, false) => strength,
-                (true, true) => T::of(0.0) - strength,
+                (true, true) => strength.times(-1.0),
             };
             let push = ends.compression[k] - back[k];
-            let on = [normal[0] * push + tangent[0] * shear[k], normal[1] * push + tangent[1] * shear[k]];
-            let arm = [at[k][0] - apart[0], at[k][1] - apart[1]];
-            force = [force[0] + on[0], force[1] + on[1], force[2] + arm[0] * on[1] - arm[1] * on[0]];
+            let arm = [at[k][0] - centre[0], at[k][1] - centre[1]];
+            force = [force[0] + shear[k], force[1] + push, force[2] + arm[1] * shear[k] - arm[0] * push];
         }
-        Response { force, ends, shear, sliding, cracking, overlap, length, glide, at }
+        let [along, across] = T::seen_by_first([force[0], force[1]], pose.1);
+        Response { force: [along, across, force[2]], ends, shear, sliding, cracking, overlap, length, glide, at }
     }
 
     /// What the two ends carry, and what is pushed back where the joint is pressed together beforehand, so that one that nothing
@@ -280,38 +267,120 @@ impl Joint {
         [SHARE * normal, SHARE * shear, SHARE * normal * length * length / 12.0]
     }
 
-    /// The response with its derivatives.
-    pub fn respond_with_tangent(
-        &self,
-        bedding: Bedding,
-        memory: &Memory,
-        (pose, turn): (Relative<f64>, Half),
-    ) -> Response<Dual> {
-        let variables = [Dual::variable(pose[0], 0), Dual::variable(pose[1], 1), Dual::variable(pose[2], 2)];
-        self.respond(bedding, memory, (variables, turn))
+    /// The response with its derivatives by what the second block moves along the joint and across it, and by its turn.
+    pub fn respond_with_tangent(&self, bedding: Bedding, memory: &Memory, pose: Relative) -> Response<Dual> {
+        self.respond(bedding, memory, pose)
     }
 
-    /// Where the second block stands in the frame of the first, from the motions of both since they were built: translations
-    /// [m] and rotation [rad]; with half of the first one's turn.
-    pub fn relative(&self, first: [f64; 3], second: [f64; 3], turn: Half) -> Relative<f64> {
+    /// How far the second block has moved along the joint and across it [m], seen from the first one, from the motions of both since they were
+    /// built: translations [m] and rotation [rad]; with half of the first one's turn.
+    pub fn moved(&self, first: [f64; 3], second: [f64; 3], turn: Half) -> Vec2 {
         let built = self.between();
-        let apart = built + vec2(second[0] - first[0], second[1] - first[1]);
+        let by = vec2(second[0] - first[0], second[1] - first[1]);
+        let by = vec2(by.dot(self.tangent()), by.dot(self.normal));
+        // What the turn makes of the distance as built is small beside it: it stands by itself.
         let [sine, cosine] = whole(turn);
-        let back = vec2(cosine * apart.x + sine * apart.y, cosine * apart.y - sine * apart.x);
-        [back.x - built.x, back.y - built.y, second[2] - first[2]]
+        let less = 2.0 * turn[0] * turn[0];
+        vec2(
+            cosine * by.x - sine * by.y - (less * built.x + sine * built.y),
+            cosine * by.y + sine * by.x - (less * built.y - sine * built.x),
+        )
+    }
+
+    /// Where a place of the response is that stands in the frame between the faces: from the centre of the first block, as built [m].
+    pub fn place(&self, [along, across]: [f64; 2], turn: Half) -> Vec2 {
+        let [along, across] = f64::seen_by_first([along, across], turn);
+        let middle = self.middle();
+        self.tangent() * (middle.x + along) + self.normal * (middle.y + across)
     }
 
     /// How small motions of both blocks (translations [m] and rotation [rad]) slide the joint [m], and how far its ends move
     /// by its turning [m].
     pub fn motion(&self, first: [f64; 3], second: [f64; 3]) -> [f64; 2] {
-        let middle = |ends: &[Vec2; 2]| (ends[0] + ends[1]) * 0.5;
-        let moved = |motion: [f64; 3], arm: Vec2| vec2(motion[0], motion[1]) + arm.left() * motion[2];
-        let apart = moved(second, middle(&self.on_second)) - moved(first, middle(&self.on_first));
-        [apart.dot(self.tangent()), 0.5 * self.built_length() * (second[2] - first[2])]
+        let along = |motion: [f64; 3], ends: &[Vec2; 2]| {
+            vec2(motion[0], motion[1]).dot(self.tangent()) + 0.5 * (ends[0].y + ends[1].y) * motion[2]
+        };
+        let slid = along(second, &self.on_second) - along(first, &self.on_first);
+        [slid, 0.5 * self.built_length() * (second[2] - first[2])]
     }
 
-    /// Centre of the second block from that of the first in a relative pose, in the frame of the first [m].
-    pub fn apart(&self, pose: Relative<f64>) -> Vec2 {
-        self.between() + vec2(pose[0], pose[1])
+    /// Centre of the second block, which has moved by so much, from that of the first, along the joint and across it [m].
+    pub fn apart(&self, moved: Vec2) -> Vec2 {
+        self.between() + moved
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::dual::half_of;
+    use super::*;
+
+    fn joint(second_face: [Vec2; 2]) -> Joint {
+        Joint {
+            first: 0,
+            second: 1,
+            on_first: [vec2(-0.3, 0.2), vec2(0.3, 0.2)],
+            on_second: second_face,
+            normal: vec2(0.6, 0.8),
+            pin: false,
+            resistance: Resistance {
+                normal: 2e9,
+                shear: 1e9,
+                friction: 0.6,
+                cohesion: 1e4,
+                crushing: 3e6,
+                tension: 0.0,
+                fixed_length: None,
+                least_length: 0.05,
+            },
+        }
+    }
+
+    /// Closed, open at either end, crushed, sliding, faces of other lengths, small and large turns: forces change with the pose as
+    /// they say, by differences.
+    #[test]
+    fn forces_change_with_the_pose_as_they_say() {
+        let bedding = Bedding { contact_length: ContactLength::Distributed, pressed: 0.0 };
+        let memory = Memory { glide: 1e-4, ..Memory::default() };
+        let faces = [[vec2(-0.3, -0.25), vec2(0.3, -0.25)], [vec2(-0.35, -0.25), vec2(0.2, -0.24)]];
+        let mut kinds = [0; 4];
+        for face in faces {
+            let joint = joint(face);
+            for (along, across, turn) in [
+                (1e-4, -1e-3, 1e-4),
+                (2e-4, -1e-3, 4.1e-3),
+                (-3e-4, -5e-4, -4.3e-3),
+                (0.05, -2e-3, 1e-3),
+                (-0.04, -4e-3, 2e-3),
+                (0.02, -0.05, 0.4),
+            ] {
+                let forces = |along, across, turn| {
+                    joint.respond::<f64>(bedding, &memory, (vec2(along, across), half_of(turn))).force
+                };
+                let told = joint.respond_with_tangent(bedding, &memory, (vec2(along, across), half_of(turn)));
+                let [a, b] = told.overlap.map(|o| o.value);
+                kinds[0] += u32::from(a < 0.0);
+                kinds[1] += u32::from(b < 0.0);
+                kinds[2] += u32::from(a.max(b) * joint.resistance.normal > joint.resistance.crushing);
+                kinds[3] += u32::from(told.sliding[0] || told.sliding[1]);
+                for (told, alone) in told.force.iter().zip(forces(along, across, turn)) {
+                    assert!((told.value - alone).abs() <= 1e-10 * alone.abs(), "{told:?}, {alone}");
+                }
+                let size = 1e-9;
+                let step = |sign: f64, motion: usize| {
+                    let by = |k: usize| if k == motion { sign * size } else { 0.0 };
+                    forces(along + by(0), across + by(1), turn + by(2))
+                };
+                for motion in 0..3 {
+                    let (later, sooner) = (step(1.0, motion), step(-1.0, motion));
+                    for c in 0..3 {
+                        let slope = (later[c] - sooner[c]) / (2.0 * size);
+                        let off = (told.force[c].slope[motion] - slope).abs();
+                        assert!(off < 1e-5 * 2e9, "{along} {across} {turn}, {motion} {c}: {off}");
+                    }
+                }
+            }
+        }
+        assert!(kinds.iter().all(|&met| met > 0), "every kind is met: {kinds:?}");
     }
 }

@@ -117,6 +117,13 @@ impl Model {
         })
     }
 
+    /// The first of the equations of a block none of whose motions is prevented: they follow one another.
+    #[inline(always)]
+    pub(super) fn free(&self, block: usize) -> Option<usize> {
+        let [first, second, turn] = self.equation[block];
+        (first != HELD && second != HELD && turn != HELD).then_some(first as usize)
+    }
+
     /// Puts other forces in the place of those that grow.
     pub(super) fn load(&mut self, forces: &[PointForce]) {
         self.variable.fill(Resultant::default());

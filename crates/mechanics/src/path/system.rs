@@ -8,6 +8,7 @@ use super::restraint::Restrained;
 use super::settings::Settings;
 use crate::acting::Resultant;
 use crate::contact::Bond;
+use crate::plane::{Vec2, vec2};
 
 /// A state of the blocks: what a checkpoint must contain.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,17 +81,18 @@ impl Workspace {
 pub(super) fn respond(model: &Model, settings: &Settings, memory: &Memory, k: usize, state: &State) -> Response<f64> {
     let joint = &model.joints[k];
     let turns = [joint.first, joint.second].map(|block| half_of(state.motions[block][2]));
-    joint.respond(bedding(settings, state), memory, (relative(model, k, state, turns[0]), between(turns[0], turns[1])))
+    joint.respond(bedding(settings, state), memory, relative(model, k, state, turns))
 }
 
 fn bedding(settings: &Settings, state: &State) -> Bedding {
     Bedding { contact_length: settings.contact_length, pressed: state.pressed }
 }
 
-/// Pose of a joint's second block as its first one sees it, whose half turn is given.
-fn relative(model: &Model, k: usize, state: &State, turn: Half) -> Relative<f64> {
+/// Pose of a joint's second block as its first one sees it. The half turns of both are given.
+fn relative(model: &Model, k: usize, state: &State, turns: [Half; 2]) -> Relative {
     let joint = &model.joints[k];
-    joint.relative(state.motions[joint.first], state.motions[joint.second], turn)
+    let moved = joint.moved(state.motions[joint.first], state.motions[joint.second], turns[0]);
+    (moved, between(turns[0], turns[1]))
 }
 
 /// Out-of-balance forces of a trial state, and the tangent; the state's memory is that of the last balanced one.
@@ -150,7 +152,20 @@ fn spread(
     (forces, tangent): (&[f64], &[[f64; 6]; 6]),
     work: &mut Workspace,
 ) {
-    let scale = [1.0, 1.0, 1.0 / model.size];
+    let inverse = 1.0 / model.size;
+    let scale = [1.0, 1.0, inverse];
+    if let [Some(first), Some(second)] = blocks.map(|block| block.and_then(|block| model.free(block))) {
+        for (part, to) in [first, second].into_iter().enumerate() {
+            for c in 0..3 {
+                let (row, of) = (to + c, 3 * part + c);
+                work.unbalanced[row] += forces[of] * scale[c];
+                let [a, b, turn, d, e, other] = tangent[of].map(|value| -value * scale[c]);
+                work.tangent.add_all(row, first, [a, b, turn * inverse]);
+                work.tangent.add_all(row, second, [d, e, other * inverse]);
+            }
+        }
+        return;
+    }
     let equation = |i: usize| blocks[i / 3].map_or(HELD, |block| model.equation[block][i % 3]);
     let imposed = |i: usize| blocks[i / 3].map_or(0.0, |block| model.movement[block][i % 3]);
     for row in 0..6 {
@@ -174,45 +189,37 @@ fn spread(
 fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut Workspace) {
     let joint = &model.joints[k];
     let turns = [work.turns[joint.first], work.turns[joint.second]];
-    let pose = relative(model, k, state, turns[0]);
-    let turned = (pose, between(turns[0], turns[1]));
-    let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], turned);
+    let pose = relative(model, k, state, turns);
+    let response = joint.respond_with_tangent(bedding(settings, state), &state.memory[k], pose);
     work.slides |= response.sliding[0] || response.sliding[1];
     work.cracks |= response.cracking;
-    let [x, y, turn] = response.force;
-    let (f, mut slope) = ([x.value, y.value, turn.value], [x.slope, y.slope, turn.slope]);
+    let [along, across, turn] = response.force;
+    let (f, mut slope) = ([along.value, across.value, turn.value], [along.slope, across.slope, turn.slope]);
     let [lent_normal, lent_shear, lent_turn] = joint.lent();
-    let (n, t) = (joint.normal, joint.tangent());
-    for (row, (a, b)) in [(n.x, t.x), (n.y, t.y)].into_iter().enumerate() {
-        for (column, (c, d)) in [(n.x, t.x), (n.y, t.y)].into_iter().enumerate() {
-            slope[row][column] -= lent_normal * a * c + lent_shear * b * d;
-        }
-    }
+    slope[0][0] -= lent_shear;
+    slope[1][1] -= lent_normal;
     slope[2][2] -= lent_turn;
-    let d = joint.apart(pose);
+    let apart = joint.apart(pose.0);
+    // Where the joint lies after the turn of its first block.
     let [sine, cosine] = whole(turns[0]);
-    // Change of the relative pose with the six motions: translations and rotation of the first, then of the second.
-    let change = [
-        [-cosine, -sine, d.y, cosine, sine, 0.0],
-        [sine, -cosine, -d.x, -sine, cosine, 0.0],
-        [0.0, 0.0, -1.0, 0.0, 0.0, 1.0],
-    ];
-    let on_second = [cosine * f[0] - sine * f[1], sine * f[0] + cosine * f[1]];
-    let moment_on_first = -f[2] - (d.x * f[1] - d.y * f[0]);
-    let forces = [-on_second[0], -on_second[1], moment_on_first, on_second[0], on_second[1], f[2]];
+    let turned = |v: Vec2| vec2(cosine * v.x - sine * v.y, cosine * v.y + sine * v.x);
+    let (t, n) = (turned(joint.tangent()), turned(joint.normal));
+    // Change of the pose with four of the six motions: rotation of the first block, translations and rotation of the second. The first block's
+    // translations do the opposite of the second's.
+    let change = [[-apart.y, apart.x, -1.0], [t.x, n.x, 0.0], [t.y, n.y, 0.0], [0.0, 0.0, 1.0]];
+    let on_second = t * f[0] + n * f[1];
+    let moment_on_first = -f[2] - (apart.y * f[0] - apart.x * f[1]);
+    let forces = [-on_second.x, -on_second.y, moment_on_first, on_second.x, on_second.y, f[2]];
     let mut tangent = [[0.0; 6]; 6];
-    // The first block's translations do the opposite of the second's.
-    for motion in 2..6 {
-        let row = |r: usize| {
-            slope[r][0] * change[0][motion] + slope[r][1] * change[1][motion] + slope[r][2] * change[2][motion]
-        };
+    for (change, motion) in change.iter().zip(2..6) {
+        let row = |r: usize| slope[r][0] * change[0] + slope[r][1] * change[1] + slope[r][2] * change[2];
         let by = [row(0), row(1), row(2)];
-        let mut global = [cosine * by[0] - sine * by[1], sine * by[0] + cosine * by[1]];
+        let mut force = t * by[0] + n * by[1];
         if motion == 2 {
-            global = [global[0] - on_second[1], global[1] + on_second[0]];
+            force = force + on_second.left();
         }
-        let turned = change[0][motion] * f[1] - change[1][motion] * f[0] + d.x * by[1] - d.y * by[0];
-        let column = [-global[0], -global[1], -by[2] - turned, global[0], global[1], by[2]];
+        let on_first = change[1] * f[0] - change[0] * f[1] + apart.y * by[0] - apart.x * by[1];
+        let column = [-force.x, -force.y, -by[2] - on_first, force.x, force.y, by[2]];
         for row in 0..6 {
             tangent[row][motion] = column[row];
         }
