@@ -112,8 +112,8 @@ pub struct Deformable {
     pub case: Option<Case>,
     /// At how many positions the path broke off: the last state in balance counts there.
     pub broken_off: usize,
-    /// Adequacy factors at which states are first reached that a bridge should not come to in service, of the cases that govern,
-    /// each at its worst position.
+    /// Adequacy factors at which states are first reached that a bridge should not come to in service, of likely cases (what governs for rigid
+    /// blocks, and all that may stand there), each at its worst position; none that is met beyond the least factor of rigid blocks.
     pub permissible: Vec<PermissibleFactor>,
 }
 

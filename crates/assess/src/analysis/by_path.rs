@@ -2,7 +2,7 @@
 
 use super::by_dem::{contact_length, require_stiffness, uncrushed};
 use super::places::{lines, moving, point, scaled};
-use super::{AnalysisError, blank, by_limit, notes, picture, softened, stiffened};
+use super::{AnalysisError, blank, by_limit, notes, picture, service, softened, stiffened};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::Interface;
 use mechanics::contact::ContactLength;
@@ -10,7 +10,7 @@ use mechanics::ids::Id;
 use mechanics::limit;
 use mechanics::path::{self, Cause, Frame, PathPoint};
 use mechanics::watch::Watch;
-use outcome::collapse::{By, Collapse, Criterion, Ended, PathPressure, PathReport, Permissible, Status};
+use outcome::collapse::{By, Collapse, Ended, PathPressure, PathReport, Permissible, Status};
 use outcome::picture::{ContactForce, Motion, Picture, Snapshot, Step, ThrustPoint};
 use outcome::warning::{self, Warning};
 use structure::discretise::Discretised;
@@ -52,7 +52,10 @@ pub fn collapse_by_path(
         watched: d.watched,
     };
     let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
-    let settings = path::Settings::new(contact_length(&bridge.plan, contact));
+    let settings = path::Settings {
+        onsets: service::sought(strength(&d)),
+        ..path::Settings::new(contact_length(&bridge.plan, contact))
+    };
     let outcome = path::collapse(&d.model, &d.loading, (&settings, &program), resume, watch)?;
     let mut c = report(bridge, &d, (&settings, contact), &outcome);
     c.load_step = Some(d.load(program.increment));
@@ -133,7 +136,7 @@ fn report(
     outcome: &path::Outcome,
 ) -> Collapse {
     let load = |factor: Option<f64>| factor.map(|f| d.load(f));
-    let permissible = permissible(&outcome.path, strength(d)).into_iter();
+    let permissible = service::met(&outcome.onsets);
     let weight = d.model.free_weight().max(f64::MIN_POSITIVE);
     let report = PathReport {
         ended: ended(outcome),
@@ -187,42 +190,6 @@ fn ended(outcome: &path::Outcome) -> Ended {
 /// Least crushing strength of the joints [Pa].
 pub(super) fn strength(d: &Discretised) -> f64 {
     d.model.laws.clone().iter_mut().map(|law| law.crushing).fold(f64::INFINITY, f64::min)
-}
-
-/// Factors at which the states of a path first meet each criterion, between two of them in proportion.
-pub(super) fn permissible(path: &[PathPoint], strength: f64) -> Vec<(Criterion, f64)> {
-    let rising = path.iter().enumerate().take_while(|(k, p)| *k == 0 || p.factor >= path[k - 1].factor);
-    let rising: Vec<&PathPoint> = rising.map(|(_, p)| p).collect();
-    let first = |measure: &dyn Fn(&PathPoint) -> f64, most: f64| {
-        let k = rising.iter().position(|p| measure(p) > most)?;
-        let now = rising[k];
-        let Some(before) = k.checked_sub(1).map(|k| rising[k]) else { return Some(now.factor) };
-        let share = (most - measure(before)) / (measure(now) - measure(before));
-        Some(before.factor + share * (now.factor - before.factor))
-    };
-    let stress = |p: &PathPoint| if strength.is_finite() { p.stress / strength } else { 0.0 };
-    let found = [
-        (Criterion::MiddleThird, first(&|p| p.eccentricity, 1.0 / 6.0)),
-        (Criterion::HalfOpen, first(&|p| p.opened, 0.5)),
-        (Criterion::HalfStrength, first(&stress, 0.5)),
-        (Criterion::HalfStiffness, softened(&rising)),
-    ];
-    found.into_iter().filter_map(|(criterion, factor)| Some((criterion, factor?))).collect()
-}
-
-/// Factor at which the loaded point moves twice as far as at first for a little more of the load.
-fn softened(path: &[&PathPoint]) -> Option<f64> {
-    let slope = |k: usize| {
-        let (a, b) = (path.get(k)?, path.get(k + 1)?);
-        let grown = b.factor - a.factor;
-        (grown > 0.0).then(|| (b.displacement - a.displacement).norm() / grown)
-    };
-    let begin = slope(0)?;
-    let middle = |k: usize| 0.5 * (path[k].factor + path[k + 1].factor);
-    let k = (1..path.len().saturating_sub(1)).find(|&k| slope(k).is_some_and(|s| s > 2.0 * begin))?;
-    let (before, now) = (slope(k - 1)?, slope(k)?);
-    let share = ((2.0 * begin - before) / (now - before)).clamp(0.0, 1.0);
-    Some(middle(k - 1) + share * (middle(k) - middle(k - 1)))
 }
 
 fn draw(d: &Discretised, outcome: &path::Outcome, picture: &mut Picture) {

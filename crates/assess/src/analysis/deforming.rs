@@ -3,13 +3,13 @@
 //! Rigid blocks bound that factor from above, so that the smaller of the two counts.
 
 use super::by_dem::contact_length;
+use super::service::{self, SOUGHT, Service};
 use super::{AnalysisError, by_path};
 use bridge::{Bridge, JointContact};
 use mechanics::blocks::PointForce;
 use mechanics::path::{Ground, Program, Settings, Status, Sweeper};
 use mechanics::plane::Vec2;
 use mechanics::watch::{Pace, Watch};
-use outcome::collapse::Criterion;
 use structure::discretise::Discretised;
 
 /// First step of a path, as a share of the factor that bounds it.
@@ -46,8 +46,6 @@ impl Bound {
 /// A bridge under its own weight, on joints that give.
 pub(super) struct Deforming {
     ground: Ground,
-    /// Least crushing strength of its joints [Pa].
-    strength: f64,
 }
 
 /// What came of one load.
@@ -57,17 +55,33 @@ pub(super) struct Followed {
     pub factor: f64,
     /// Whether the path broke off: it may carry more, but that is not shown.
     pub broken_off: bool,
-    /// Factors at which states are first met that a bridge should not come to in service.
-    pub permissible: Vec<(Criterion, f64)>,
+}
+
+/// What is asked of a load.
+pub(super) struct Asked<'a> {
+    /// How far it is followed for the load that it carries.
+    pub bound: Bound,
+    /// What it comes to in service, where that counts.
+    pub service: Option<InService<'a>>,
+}
+
+/// The states that a load brings about in service.
+pub(super) struct InService<'a> {
+    /// What is known of other loads. What this one comes to is added.
+    pub known: &'a mut Service,
+    /// Where the load stands [m].
+    pub position: f64,
+    /// Whether it is followed for these states also where it carries the bound.
+    pub by_themselves: bool,
 }
 
 impl Deforming {
     /// The state under self-weight. Fill acts by its weight alone.
     pub fn new(bridge: &Bridge, d: &Discretised, watch: &mut dyn Watch) -> Result<Deforming, AnalysisError> {
         let contact = bridge.plan.contact.unwrap_or(JointContact::Distributed);
-        let settings = Settings::new(contact_length(&bridge.plan, contact));
-        let ground = Ground::new(&d.model, &d.loading, &settings, watch)?;
-        Ok(Deforming { ground, strength: by_path::strength(d) })
+        let onsets = service::sought(by_path::strength(d));
+        let settings = Settings { onsets, ..Settings::new(contact_length(&bridge.plan, contact)) };
+        Ok(Deforming { ground: Ground::new(&d.model, &d.loading, &settings, watch)? })
     }
 
     /// Whether the state under self-weight was found.
@@ -86,32 +100,41 @@ impl Deforming {
     }
 
     /// Follows a load up to its peak. None where that is not below the bound (what rigid blocks carry is told), where the
-    /// bridge does not stand, where nothing is loaded and where the work does not go on.
+    /// bridge does not stand, where nothing is loaded and where the work does not go on. A load that carries the bound is followed as far as
+    /// it may bring a state about at less than is known.
     pub fn follow(
         &self,
         sweeper: &mut Sweeper<'_>,
         forces: &[PointForce],
-        bound: Bound,
+        asked: Asked<'_>,
         pace: &Pace,
     ) -> Option<Followed> {
+        let Asked { bound, service } = asked;
+        let below = service.as_ref().map_or([0.0; SOUGHT], |service| *service.known.factors());
         let size = |f: &PointForce| f.force.norm();
         let heaviest = forces.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        let limit = bound.factor;
-        if !bound.rigid && sweeper.carries(forces, limit) {
+        let watched: (_, Vec2) = (heaviest.block, heaviest.at);
+        let to = |limit: f64| Program { increment: FIRST_STEP * limit, limit, watched };
+        let governs = bound.rigid || !sweeper.carries(forces, bound.factor);
+        let limit = if governs {
+            bound.factor
+        } else if service.as_ref().is_some_and(|service| service.by_themselves) {
+            let may = sweeper.may_meet(forces, &to(bound.factor), &below);
+            let least = below.iter().zip(may).filter(|(_, may)| *may).map(|(factor, _)| *factor);
+            least.reduce(f64::max)?.min(bound.factor)
+        } else {
+            return None;
+        };
+        let found = sweeper.carried(forces, (&to(limit), &below), &mut pace.clone());
+        if found.status == Status::Cancelled {
             return None;
         }
-        let watched: (_, Vec2) = (heaviest.block, heaviest.at);
-        let program = Program { increment: FIRST_STEP * limit, limit, watched };
-        let found = sweeper.carried(forces, &program, &mut pace.clone());
-        match found.status {
-            Status::Cancelled => return None,
-            Status::StableToLastLoad if !bound.rigid => return None,
-            _ => {}
+        if let Some(InService { known, position, .. }) = service {
+            known.take(&found.onsets, position);
         }
-        Some(Followed {
-            factor: found.factor?,
-            broken_off: found.status == Status::NotConverged,
-            permissible: by_path::permissible(&found.path, self.strength),
-        })
+        if !governs || found.status == Status::StableToLastLoad && !bound.rigid {
+            return None;
+        }
+        Some(Followed { factor: found.factor?, broken_off: found.status == Status::NotConverged })
     }
 }

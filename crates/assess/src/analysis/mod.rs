@@ -25,6 +25,7 @@ pub(crate) mod pieces;
 mod places;
 pub mod placing;
 mod planned;
+mod service;
 mod softened;
 mod statics;
 mod stiffened;

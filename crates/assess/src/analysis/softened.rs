@@ -85,6 +85,6 @@ fn followed(
 ) -> Result<Option<f64>, AnalysisError> {
     let ground = Ground::new(model, &d.loading, settings, watch)?;
     let program = Program { increment: FIRST_STEP * rigid, ..program.clone() };
-    let found = ground.sweeper().carried(&d.loading.variable, &program, watch);
+    let found = ground.sweeper().carried(&d.loading.variable, (&program, &[]), watch);
     Ok(found.factor.filter(|_| matches!(found.status, Status::LimitPoint | Status::Bifurcation)))
 }

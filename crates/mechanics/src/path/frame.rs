@@ -112,6 +112,7 @@ pub(super) fn point(
         crushed: 0.0,
         mobilised: mobilised(model, state),
         excess: 0.0,
+        rate: None,
         iterations,
         residual,
     };

@@ -17,6 +17,7 @@ mod joint;
 mod mechanism;
 mod model;
 mod near;
+mod onset;
 mod outcome;
 mod relax;
 mod restraint;
@@ -28,6 +29,7 @@ mod system;
 mod trace;
 mod words;
 
+pub use onset::{Measure, Onset};
 pub use outcome::{Cause, EndState, Frame, JointState, Outcome, PathPoint, Status};
 pub use settings::{Program, Settings};
 pub use sweep::{Carried, Ground, Sweeper};

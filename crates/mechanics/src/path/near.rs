@@ -3,8 +3,8 @@
 use super::system::State;
 use crate::acting::Resultant;
 
-/// So many are kept.
-const KEPT: usize = 8;
+/// So many are kept: some cases of a vehicle at several factors each.
+const KEPT: usize = 24;
 
 /// Loads are similar that are not further apart than this: see [`Known::distance`].
 const SIMILAR: f64 = 8.0;
@@ -66,9 +66,9 @@ mod tests {
     use super::*;
     use crate::plane::vec2;
 
-    /// Loads of 1 kN on some of ten blocks.
+    /// Loads of 1 kN on some of thirty blocks.
     fn on(blocks: &[usize]) -> Vec<Resultant> {
-        let mut load = vec![Resultant::default(); 10];
+        let mut load = vec![Resultant::default(); 30];
         blocks.iter().for_each(|&block| load[block].force = vec2(0.0, -1e3));
         load
     }

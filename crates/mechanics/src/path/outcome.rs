@@ -56,6 +56,8 @@ pub struct PathPoint {
     pub mobilised: f64,
     /// Largest shear beyond the friction and cohesion of a joint's end [N/m]; rounding alone where the law is kept.
     pub excess: f64,
+    /// How far the watched point moves for a load factor of one more, by the tangent here [m]; none where the path does not rise.
+    pub rate: Option<f64>,
     /// Iterations of this step.
     pub iterations: u32,
     /// Largest out-of-balance force, relative to all acting forces.
@@ -139,6 +141,8 @@ pub struct Outcome {
     pub collapse_factor: Option<f64>,
     /// Largest load factor of a balanced state before the collapse; none where not even the self-weight was carried.
     pub last_stable_factor: Option<f64>,
+    /// Load factors at which the states that the settings name are first met, in their order; none where one is not.
+    pub onsets: Vec<Option<f64>>,
     /// The balanced states in their order; the first carries the self-weight.
     pub path: Vec<PathPoint>,
     /// Self-weight, some states on the way, the peak, and the last one.

@@ -65,6 +65,7 @@ impl Path<'_> {
     pub fn rising(&mut self) -> Option<Rise> {
         let state = self.state.clone();
         let heading = self.heading(&state, None)?;
+        self.goes_on(&heading);
         let first = self.program.increment.min(self.program.limit) / heading.factor;
         let share = self.length.unwrap_or(first).min(first);
         let step = self.points.len() as u32;
@@ -131,6 +132,7 @@ impl Path<'_> {
             }
         };
         self.accept(next, balanced);
+        self.goes_on(&on);
         if reaches {
             return Some(End::Target);
         }

@@ -1,5 +1,6 @@
 //! What a path may be told.
 
+use super::onset::Onset;
 use crate::contact::ContactLength;
 use crate::ids::BlockId;
 use crate::plane::Vec2;
@@ -25,6 +26,8 @@ pub struct Settings {
     pub fallen: f64,
     /// How far the watched point may move [m].
     pub farthest: f64,
+    /// States of which it is told at which load factor the path first meets them.
+    pub onsets: Vec<Onset>,
 }
 
 impl Settings {
@@ -40,6 +43,7 @@ impl Settings {
             past: 0.02,
             fallen: 0.5,
             farthest: f64::INFINITY,
+            onsets: Vec::new(),
         }
     }
 }

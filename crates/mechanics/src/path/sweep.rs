@@ -1,12 +1,15 @@
 //! Many loads on the same blocks, such as a vehicle at each of its positions: the state under self-weight is sought once, and every
 //! load is followed from there to its largest factor.
 
+use super::banded::Banded;
 use super::correct::{Balanced, Constraint, balance};
+use super::frame::point;
 use super::model::Model;
 use super::near::Near;
+use super::onset::rate;
 use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
-use super::system::{State, Workspace};
+use super::system::{State, Workspace, assemble, load_of};
 use super::trace::{End, Path};
 use crate::blocks::{BlockModel, Loading, ModelError, PointForce};
 use crate::contact::ContactLength;
@@ -30,6 +33,8 @@ pub struct Ground {
     patient: Settings,
     settings: Settings,
     stood: Result<(State, Balanced), Status>,
+    /// The tangent there, factorised; none where it is singular.
+    at_rest: Option<Banded>,
 }
 
 /// Out-of-balance force of the states of one load of many, relative to all acting forces: 1e-9 in place of it changes factors by 4e-6 and
@@ -45,6 +50,9 @@ pub struct Carried {
     pub cause: Option<Cause>,
     /// Largest load factor of a balanced state; none where not even the self-weight is balanced.
     pub factor: Option<f64>,
+    /// Load factors at which the states that the settings name are first met, in their order; none where one is not, or not below the factor
+    /// that was given.
+    pub onsets: Vec<Option<f64>>,
     /// The balanced states in their order.
     pub path: Vec<PathPoint>,
     /// Iterations in all.
@@ -66,13 +74,17 @@ impl Ground {
         let model = Model::new(blocks, &bare, settings)?;
         let program = Program { increment: 1.0, limit: 0.0, watched: (BlockId(0), Vec2::ZERO) };
         let mut path = Path::new(&model, settings, &program);
-        let stood = path.stand(watch).map(|balanced| (path.state, balanced)).map_err(End::status);
+        let stood = path.stand(watch).map_err(End::status);
+        assemble(&model, settings, &path.state, &mut path.work);
+        let at_rest = path.work.tangent.factorise().then(|| path.work.tangent.clone());
+        let stood = stood.map(|balanced| (path.state, balanced));
         let patient = settings.clone();
         Ok(Ground {
             settings: Settings { tolerance: TOLERANCE, most_trials: TRIALS, ..settings.clone() },
             model,
             patient,
             stood,
+            at_rest,
         })
     }
 
@@ -108,32 +120,76 @@ impl Sweeper<'_> {
     /// Nothing slides and no bond breaks between the state under self-weight and the one found, so that it does not matter how the
     /// load came to be. That the path from self-weight leads there is not shown: whoever judges by a load follows it.
     pub fn carries(&mut self, forces: &[PointForce], factor: f64) -> bool {
-        let Ground { stood: Ok((stood, _)), settings, .. } = self.ground else { return false };
-        if settings.contact_length != ContactLength::Distributed {
-            return false;
-        }
         self.model.load(forces);
-        let Some(near) = self.near.most_similar(&self.model.variable, factor) else { return false };
-        let mut state = State { motions: near.motions.clone(), factor, ..stood.clone() };
-        if balance(&self.model, settings, Constraint::Load, &mut state, &mut self.work).is_none() {
-            return false;
+        self.beside(factor).is_some()
+    }
+
+    /// Whether each of the states that the settings name may be met below a factor, judged by such a state at that factor: what has not been
+    /// met there is taken not to be met below. Where no such state is found it may.
+    pub fn may_meet(&mut self, forces: &[PointForce], program: &Program, below: &[f64]) -> Vec<bool> {
+        let Ground { stood: Ok((stood, _)), settings, at_rest: Some(at_rest), .. } = self.ground else {
+            return vec![true; below.len()];
+        };
+        self.model.load(forces);
+        let mut grown = load_of(&self.model, stood, &mut self.work);
+        at_rest.solve(&mut grown);
+        let first = rate(&self.model, program.watched, stood, &grown);
+        // From the largest factor down: what has not been met there has not been met below.
+        let mut may: Vec<bool> = below.iter().map(|&below| below > 0.0).collect();
+        let mut order: Vec<usize> = (0..below.len()).filter(|&k| below[k].is_finite()).collect();
+        order.sort_by(|&a, &b| below[b].total_cmp(&below[a]));
+        for k in order {
+            if !may[k] {
+                continue;
+            }
+            let Some(state) = self.beside(below[k]) else { continue };
+            let mut found = point(&self.model, (settings, program), &state, (0, 0.0));
+            let mut grown = self.work.growing.clone();
+            self.work.tangent.solve(&mut grown);
+            found.rate = Some(rate(&self.model, program.watched, &state, &grown));
+            for (other, onset) in settings.onsets.iter().enumerate() {
+                if below[other] <= below[k] && onset.excess(&found, Some(first)) <= 0.0 {
+                    may[other] = false;
+                }
+            }
         }
+        may
+    }
+
+    /// A balanced state of the present load beside that of a similar one, with its tangent factorised in the workspace.
+    fn beside(&mut self, factor: f64) -> Option<State> {
+        let Ground { stood: Ok((stood, _)), settings, .. } = self.ground else { return None };
+        if settings.contact_length != ContactLength::Distributed {
+            return None;
+        }
+        let near = self.near.most_similar(&self.model.variable, factor)?;
+        let mut state = State { motions: near.motions.clone(), factor, ..stood.clone() };
+        balance(&self.model, settings, Constraint::Load, &mut state, &mut self.work)?;
         let Workspace { slides, cracks, tangent, .. } = &mut self.work;
         if *slides || *cracks || !tangent.factorise() || tangent.sign <= 0 {
-            return false;
+            return None;
         }
-        self.near.keep(&self.model.variable, state);
-        true
+        self.near.keep(&self.model.variable, state.clone());
+        Some(state)
     }
 
     /// Follows a load from self-weight up to its first largest factor: what blocks might carry beyond it, once they have moved to
     /// another state, is not sought. Where the joints press at points they leave such states at every hinge that moves to the next
     /// joint, and the path goes on from there.
-    pub fn carried(&mut self, forces: &[PointForce], program: &Program, watch: &mut dyn Watch) -> Carried {
+    ///
+    /// Of each state that the settings name it is told where the path first meets it, if that is below a factor that is given for it; where
+    /// none is, anywhere.
+    pub fn carried(
+        &mut self,
+        forces: &[PointForce],
+        (program, below): (&Program, &[f64]),
+        watch: &mut dyn Watch,
+    ) -> Carried {
         let (state, balanced) = match &self.ground.stood {
             Ok(stood) => stood.clone(),
             Err(status) => {
-                return Carried { status: *status, cause: None, factor: None, path: Vec::new(), iterations: 0 };
+                let (onsets, path) = (Vec::new(), Vec::new());
+                return Carried { status: *status, cause: None, factor: None, onsets, path, iterations: 0 };
             }
         };
         self.model.load(forces);
@@ -155,12 +211,73 @@ impl Sweeper<'_> {
         }
         let (factor, gives_way) = (best.map(|p| p.factor), best.map(|p| path.cause(p)));
         let status = end.status();
+        let onsets = path.onsets(below);
         Carried {
             status,
             cause: gives_way.filter(|_| matches!(status, Status::LimitPoint | Status::Bifurcation)),
             factor,
+            onsets,
             iterations: path.iterations,
             path: path.points,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::{Block, ContactLaw, Held, LawTable, Stiffness};
+    use crate::ids::{GroupId, Table};
+    use crate::plane::{Polygon, vec2};
+    use crate::watch::Unwatched;
+
+    /// A block of 0.5 m by 20 m that weighs next to nothing on a soft joint without tension, and a load beside its middle.
+    fn leaning() -> (BlockModel, PointForce) {
+        let law = ContactLaw {
+            normal: Stiffness::Given(1e9),
+            shear: Stiffness::Given(1e9),
+            friction: 10.0,
+            cohesion: 0.0,
+            tension: 0.0,
+            crushing: f64::INFINITY,
+            fixed_length: None,
+            least_length: 1e-3,
+        };
+        let mut groups: Table<GroupId, String> = Table::default();
+        let group = groups.push("column".to_string());
+        let mut blocks = Table::default();
+        for (held, bottom) in [(Held::FIXED, -20.0), (Held::FREE, 0.0)] {
+            let outline = Polygon::rectangle(vec2(-0.25, bottom), 0.5, 20.0).unwrap();
+            blocks.push(Block { outline, rounding: 0.0, density: 1.0, group, held });
+        }
+        let laws = LawTable::uniform(1, law);
+        let model = BlockModel { blocks, particles: Table::default(), groups, laws, gravity: vec2(0.0, -9.81) };
+        (model, PointForce { block: BlockId(1), at: vec2(0.15, 20.0), force: vec2(0.0, -1.0) })
+    }
+
+    /// Past the largest load there are balanced states that fall: a load is not carried in one of them, and is where the block still stands.
+    #[test]
+    fn a_state_that_falls_carries_nothing() {
+        let (model, force) = leaning();
+        let settings = Settings::new(ContactLength::Distributed);
+        let ground = Ground::new(&model, &Loading::default(), &settings, &mut Unwatched).unwrap();
+        let program = Program { increment: 1e3, limit: 1e12, watched: (force.block, force.at) };
+        let mut sweeper = ground.sweeper();
+        sweeper.model.load(&[force]);
+        let held = sweeper.model.clone();
+        let mut path = Path::new(&held, &settings, &program);
+        path.keeps = true;
+        let balanced = path.stand(&mut Unwatched).unwrap_or_else(|_| panic!("it stands"));
+        path.keep(balanced);
+        assert_eq!(path.follow(&mut Unwatched), End::Limit);
+        let states = path.states.clone();
+        let peak = (0..states.len()).max_by(|&a, &b| states[a].factor.total_cmp(&states[b].factor)).unwrap();
+        let past = states[peak + 1..].iter().find(|state| state.factor < 0.999 * states[peak].factor).unwrap();
+        let before = states[..peak].iter().rev().find(|state| state.factor < 0.999 * states[peak].factor).unwrap();
+        for (state, carried) in [(past, false), (before, true)] {
+            let mut own = sweeper.clone();
+            own.near.keep(&held.variable, state.clone());
+            assert_eq!(own.carries(&[force], state.factor), carried);
         }
     }
 }

@@ -139,6 +139,16 @@ fn act(model: &Model, block: usize, state: &State, work: &mut Workspace) {
     }
 }
 
+/// What the load factor adds to the forces of a state for each unit that it grows by [N/m], without what imposed motions do; moments are divided by the size
+/// of the blocks. The tangent in the workspace is spoilt.
+pub(super) fn load_of(model: &Model, state: &State, work: &mut Workspace) -> Vec<f64> {
+    work.growing.fill(0.0);
+    work.turns.clear();
+    work.turns.extend(state.motions.iter().map(|motion| half_of(motion[2])));
+    (0..model.built.len()).for_each(|block| act(model, block, state, work));
+    work.growing.clone()
+}
+
 /// Force of fill on the one or two blocks that move against it.
 fn restrain(model: &Model, restraint: &Restrained, state: &State, work: &mut Workspace) {
     let held = restraint.on(state);

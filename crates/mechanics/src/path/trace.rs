@@ -35,7 +35,8 @@ pub fn collapse(
         words::decode(&mut path, kept, belongs).ok_or(ModelError::ForeignState)?;
     }
     let status = path.run(Some(belongs), watch).status();
-    Ok(path.outcome(blocks, status))
+    let onsets = path.onsets(&[]);
+    Ok(Outcome { onsets, ..path.outcome(blocks, status) })
 }
 
 /// How the loads ended.
@@ -112,7 +113,7 @@ pub(super) struct Path<'m> {
     pub program: &'m Program,
     pub work: Workspace,
     /// Whether the tangent of the state that the last step led to stands in the workspace.
-    assembled: bool,
+    pub assembled: bool,
     /// What falls are resisted by, once there was one.
     pub dashpots: Option<Banded>,
     /// Whether all states are kept.
@@ -323,6 +324,7 @@ impl<'m> Path<'m> {
             peak,
             mechanism: self.motions(blocks),
             frames: self.states.iter().enumerate().map(drawn).collect(),
+            onsets: Vec::new(),
             path: self.points,
             interfaces: self.model.interfaces.clone(),
             iterations: self.iterations,

@@ -17,7 +17,7 @@ use crate::digest::checksum;
 use crate::words::{Words, fields};
 
 /// First word of every encoding; changes with the layout.
-const LAYOUT: u64 = 0x4558_5452_5041_0002;
+const LAYOUT: u64 = 0x4558_5452_5041_0003;
 
 fields! {
     Bond { lost }
@@ -32,7 +32,7 @@ fields! {
     Rise { heading, share, first, lost, past, step, before }
     Push { end, unit, coarse, falling }
     Descend { end, peak, heading, length, step }
-    PathPoint { factor, displacement, eccentricity, opened, hinges, sliding, stress, crushed, mobilised, excess, iterations, residual }
+    PathPoint { factor, displacement, eccentricity, opened, hinges, sliding, stress, crushed, mobilised, excess, rate, iterations, residual }
     Resultant { force, cross, dot }
     Resistance { normal, shear, friction, cohesion, crushing, tension, fixed_length, least_length }
     Hold { block, arm }
@@ -113,8 +113,18 @@ pub(super) fn fingerprint(path: &Path) -> u64 {
     model.movement.put(to);
     model.equation.put(to);
     [model.rounding, model.size].put(to);
-    let Settings { contact_length, touching, tolerance, most_trials, most_steps, resolution, past, fallen, farthest } =
-        path.settings;
+    let Settings {
+        contact_length,
+        touching,
+        tolerance,
+        most_trials,
+        most_steps,
+        resolution,
+        past,
+        fallen,
+        farthest,
+        onsets: _,
+    } = path.settings;
     contact_length.put(to);
     [*touching, *tolerance, *resolution, *past, *fallen, *farthest].put(to);
     [*most_trials, *most_steps].put(to);

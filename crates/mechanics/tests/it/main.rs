@@ -65,5 +65,6 @@ mod path_arch;
 mod path_bond;
 mod path_closed_forms;
 mod path_known;
+mod path_onset;
 mod path_restraint;
 mod path_resume;

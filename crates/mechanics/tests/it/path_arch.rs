@@ -189,7 +189,7 @@ fn loads_followed_from_one_self_weight_carry_what_they_carry_alone() {
     let mut sweeper = ground.sweeper();
     let twice: Vec<_> = loading.variable.iter().map(|f| PointForce { force: f.force * 2.0, ..*f }).collect();
     let mut carried = |forces: &[PointForce], increment: f64| {
-        let found = sweeper.carried(forces, &Program { increment, ..program() }, &mut Unwatched);
+        let found = sweeper.carried(forces, (&Program { increment, ..program() }, &[]), &mut Unwatched);
         assert_eq!((found.status, found.cause), (Status::LimitPoint, Some(Cause::Hinging)));
         found.factor.unwrap()
     };
@@ -212,7 +212,7 @@ fn loads_beside_others_are_carried_as_far_as_their_paths_go() {
     for block in loaded - 4..loaded + 8 {
         let id = Id::new(block);
         let forces = [PointForce { block: id, at: model.blocks[id].outline.centroid(), force }];
-        let followed = alone.carried(&forces, &program(), &mut Unwatched);
+        let followed = alone.carried(&forces, (&program(), &[]), &mut Unwatched);
         assert_eq!(followed.status, Status::LimitPoint, "block {block} of {}", model.blocks.len());
         let peak = followed.factor.unwrap();
         assert!(!alone.clone().carries(&forces, 1.001 * peak), "block {block}");
@@ -223,7 +223,7 @@ fn loads_beside_others_are_carried_as_far_as_their_paths_go() {
         }
         if asked == 3 {
             assert_eq!(answered, 0, "nothing was met before");
-            sweeper.carried(&forces, &program(), &mut Unwatched);
+            sweeper.carried(&forces, (&program(), &[]), &mut Unwatched);
         }
     }
     assert!(answered >= 24, "{answered} of {asked}");

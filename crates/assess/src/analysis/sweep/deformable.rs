@@ -3,7 +3,7 @@
 //! At every position up to three cases are followed: the run of axles that governs for rigid blocks, all axles, and the run that
 //! governed at the position before. At the worst position all runs are, once it has been sought between the positions.
 
-use super::super::deforming::{Bound, Deforming, Followed};
+use super::super::deforming::{Asked, Bound, Deforming, Followed};
 use super::super::pieces::{self, Stage};
 use super::super::vehicles::REFINEMENTS;
 use super::super::{AnalysisError, by_dem};
@@ -102,8 +102,9 @@ impl Along<'_> {
     ) -> Option<Least> {
         let mut least = None;
         for case in cases {
-            let Some(found) = self.deforming.follow(sweeper, &case.forces, bound, pace) else { continue };
-            let Followed { factor, broken_off, .. } = found;
+            let asked = Asked { bound, service: None };
+            let Some(found) = self.deforming.follow(sweeper, &case.forces, asked, pace) else { continue };
+            let Followed { factor, broken_off } = found;
             least = Some(Least { row, axles: case.axles, force: case.force, factor, broken_off });
             bound = Bound::below(factor * (1.0 - SAME));
         }

@@ -5,8 +5,9 @@
 //! position is sought between the positions, and what stands there is varied: runs of axles, runs of half spans with uniform
 //! loads, factors on weights, the critical axle.
 
-use super::super::deforming::{Bound, Deforming, Followed};
+use super::super::deforming::{Asked, Bound, Deforming, Followed, InService};
 use super::super::pieces::{self, Stage};
+use super::super::service::Service;
 use super::super::{by_dem, by_limit};
 use super::AnalysisError;
 use super::cases::{borders, reach, runs};
@@ -40,6 +41,13 @@ const SHARES: [f64; 2] = [0.7, 0.8];
 struct Answer {
     case: Case,
     found: Followed,
+}
+
+/// What is known of a vehicle on joints that give.
+struct Found {
+    /// The least answer at every point of its envelope, and at its worst position behind them; none where nothing was found.
+    answers: Vec<Option<Answer>>,
+    service: Service,
 }
 
 /// Puts the factors of joints that give beside those of rigid blocks, and the smaller one in front. Tells whether all of it
@@ -82,13 +90,14 @@ pub(super) fn beside(
         return Ok(true);
     }
     let own: Vec<usize> = (0..vehicles.len()).filter(|&k| twins[k].is_none()).collect();
-    let (mut found, mut whole) = moving.everywhere(&own, swept, watch);
-    for (count, (&k, answers)) in own.iter().zip(&mut found).enumerate() {
+    let mut found: Vec<Found> = (0..swept.len()).map(|k| moving.begun(k, &swept[k])).collect();
+    let mut whole = moving.everywhere(&own, swept, &mut found, watch);
+    for (count, &k) in own.iter().enumerate() {
         let share = |part: f64| SHARES[1] + (1.0 - SHARES[1]) * (count as f64 + part) / own.len() as f64;
-        whole = whole && moving.refined(k, answers, [share(0.0), share(1.0)], watch);
+        whole = whole && moving.refined(k, &mut found[k], [share(0.0), share(1.0)], watch);
     }
-    for (&k, answers) in own.iter().zip(&found) {
-        moving.put(answers, &mut swept[k]);
+    for &k in &own {
+        moving.put(&found[k], &mut swept[k]);
     }
     for (k, twin) in twins.iter().enumerate() {
         if let Some(twin) = twin {
@@ -121,41 +130,56 @@ impl<'a> Moving<'a> {
         self.deforming.iter().map(Deforming::sweeper).collect()
     }
 
-    /// The least answer at every point of every vehicle's envelope; none at points where nothing stands.
-    fn everywhere(&self, own: &[usize], swept: &[Swept], watch: &mut dyn Watch) -> (Vec<Vec<Option<Answer>>>, bool) {
+    /// What all positions of a vehicle start from: nothing but the states in service that likely cases come to at its worst position on rigid
+    /// blocks, so that loads that come to less are soon known to.
+    fn begun(&self, vehicle: usize, one: &Swept) -> Found {
+        let lowest = one.factor().map(|adequacy| adequacy / self.capacity);
+        let mut service = Service::below(lowest.unwrap_or(f64::INFINITY));
+        let worst = one.envelope.iter().filter(|point| point.adequacy.is_some());
+        let worst = worst.min_by(|a, b| a.adequacy.partial_cmp(&b.adequacy).expect("numbers"));
+        if let Some((worst, bound)) = worst.and_then(|worst| Some((worst, self.bound(worst, one.factor())?))) {
+            let cases = self.likely(vehicle, worst);
+            self.least(vehicle, &mut self.sweepers(), &cases, (bound, &mut service, true), &Pace::default());
+        }
+        Found { answers: Vec::new(), service }
+    }
+
+    /// The least answer at every point of every vehicle's envelope; none at points where nothing stands. Tells whether the work was done.
+    fn everywhere(&self, own: &[usize], swept: &[Swept], found: &mut [Found], watch: &mut dyn Watch) -> bool {
         let chunks = |&k: &usize| swept[k].envelope.chunks(CHUNK).map(move |points| (k, points));
         let jobs: Vec<(usize, &[EnvelopePoint])> = own.iter().flat_map(chunks).collect();
         let steps = own.iter().map(|&k| swept[k].envelope.len() as u64).sum();
         let stage = Stage { name: "positions of vehicles on joints that give", steps, shares: [0.0, SHARES[0]] };
-        let (found, done) = pieces::each(&jobs, &stage, watch, |(k, points), pace| {
+        let (parts, done) = pieces::each(&jobs, &stage, watch, |(k, points), pace| {
             let mut sweepers = self.sweepers();
+            let mut service = found[*k].service.clone();
             let lowest = swept[*k].factor();
             let each = points.iter().map(|point| {
                 let bound = self.bound(point, lowest)?;
-                let least = self.least(*k, &mut sweepers, &self.likely(*k, point), bound, pace);
+                let asked = (bound, &mut service, true);
+                let least = self.least(*k, &mut sweepers, &self.likely(*k, point), asked, pace);
                 pace.step();
                 least
             });
-            let mut answers: Vec<Option<Answer>> = each.collect();
-            self.beside(*k, &mut sweepers, (points, lowest), &mut answers, pace);
-            answers
+            let answers: Vec<Option<Answer>> = each.collect();
+            let mut part = Found { answers, service };
+            self.beside(*k, &mut sweepers, (points, lowest), &mut part, pace);
+            part
         });
-        let mut of_vehicle: Vec<Vec<Option<Answer>>> = vec![Vec::new(); swept.len()];
-        for ((k, points), part) in jobs.iter().zip(found) {
-            of_vehicle[*k].extend(part.unwrap_or_else(|| points.iter().map(|_| None).collect()));
+        for ((k, points), part) in jobs.iter().zip(parts) {
+            match part {
+                Some(part) => {
+                    found[*k].answers.extend(part.answers);
+                    found[*k].service.merge(&part.service);
+                }
+                None => found[*k].answers.extend(points.iter().map(|_| None)),
+            }
         }
-        let done = done && self.over_borders(own, swept, &mut of_vehicle, watch);
-        (own.iter().map(|&k| std::mem::take(&mut of_vehicle[k])).collect(), done)
+        done && self.over_borders(own, swept, found, watch)
     }
 
     /// The same beside the borders of the pieces of work: between their middles.
-    fn over_borders(
-        &self,
-        own: &[usize],
-        swept: &[Swept],
-        answers: &mut [Vec<Option<Answer>>],
-        watch: &mut dyn Watch,
-    ) -> bool {
+    fn over_borders(&self, own: &[usize], swept: &[Swept], found: &mut [Found], watch: &mut dyn Watch) -> bool {
         let middles = |&k: &usize| {
             let count = swept[k].envelope.len();
             (CHUNK / 2..count).step_by(CHUNK).map(move |from| (k, from..(from + CHUNK).min(count)))
@@ -163,16 +187,18 @@ impl<'a> Moving<'a> {
         let jobs: Vec<(usize, std::ops::Range<usize>)> = own.iter().flat_map(middles).collect();
         let name = "cases beside others on joints that give";
         let stage = Stage { name, steps: jobs.len() as u64, shares: SHARES };
-        let (found, done) = pieces::each(&jobs, &stage, watch, |(k, range), pace| {
-            let mut part = answers[*k][range.clone()].to_vec();
+        let (parts, done) = pieces::each(&jobs, &stage, watch, |(k, range), pace| {
+            let (answers, service) = (found[*k].answers[range.clone()].to_vec(), found[*k].service.clone());
+            let mut part = Found { answers, service };
             let given = (&swept[*k].envelope[range.clone()], swept[*k].factor());
             self.beside(*k, &mut self.sweepers(), given, &mut part, pace);
             pace.step();
             part
         });
-        for ((k, range), part) in jobs.into_iter().zip(found) {
+        for ((k, range), part) in jobs.into_iter().zip(parts) {
             if let Some(part) = part {
-                answers[k].splice(range, part);
+                found[k].answers.splice(range, part.answers);
+                found[k].service.merge(&part.service);
             }
         }
         done
@@ -184,9 +210,10 @@ impl<'a> Moving<'a> {
         vehicle: usize,
         sweepers: &mut [Sweeper<'_>],
         (points, lowest): (&[EnvelopePoint], Option<f64>),
-        answers: &mut [Option<Answer>],
+        found: &mut Found,
         pace: &Pace,
     ) {
+        let Found { answers, service } = found;
         let count = points.len();
         let there_and_back = (1..count).map(|k| (k - 1, k)).chain((1..count).rev().map(|k| (k, k - 1)));
         for (from, to) in there_and_back {
@@ -203,7 +230,7 @@ impl<'a> Moving<'a> {
                     None => continue,
                 },
             };
-            if let Some(smaller) = self.least(vehicle, sweepers, &[case], bound, pace) {
+            if let Some(smaller) = self.least(vehicle, sweepers, &[case], (bound, service, false), pace) {
                 answers[to] = Some(smaller);
             }
         }
@@ -257,20 +284,22 @@ impl<'a> Moving<'a> {
         Case { axles, load: 0.0, ..case }
     }
 
-    /// The least answer of some cases below a bound.
+    /// The least answer of some cases below a bound. What they come to in service is added, of cases that carry the bound if that is asked.
     fn least(
         &self,
         vehicle: usize,
         sweepers: &mut [Sweeper<'_>],
         cases: &[Case],
-        mut bound: Bound,
+        (mut bound, service, by_themselves): (Bound, &mut Service, bool),
         pace: &Pace,
     ) -> Option<Answer> {
         let mut least = None;
         for case in cases {
             let Some(weights) = self.weights.iter().position(|w| *w == case.weights) else { continue };
             let (forces, load) = self.forces(vehicle, weights, case);
-            if let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, bound, pace) {
+            let in_service = InService { known: service, position: case.position, by_themselves };
+            let asked = Asked { bound, service: Some(in_service) };
+            if let Some(found) = self.deforming[weights].follow(&mut sweepers[weights], &forces, asked, pace) {
                 bound = Bound::below(found.factor * (1.0 - SAME));
                 least = Some(Answer { case: Case { load, ..case.clone() }, found });
             }
@@ -293,14 +322,8 @@ impl<'a> Moving<'a> {
 
     /// Seeks the worst position between the positions, then varies what stands there. What is found stands at the end of the
     /// answers. Tells whether the work was done.
-    fn refined(
-        &self,
-        vehicle: usize,
-        answers: &mut Vec<Option<Answer>>,
-        [from, to]: [f64; 2],
-        watch: &mut dyn Watch,
-    ) -> bool {
-        let Some(mut best) = worst(answers).cloned() else { return true };
+    fn refined(&self, vehicle: usize, known: &mut Found, [from, to]: [f64; 2], watch: &mut dyn Watch) -> bool {
+        let Some(mut best) = worst(&known.answers).cloned() else { return true };
         let count = REFINEMENTS + ROUNDS;
         let width = |round: usize| self.step * 0.1f64.powi(round as i32 + 1);
         for round in 0..count {
@@ -318,23 +341,29 @@ impl<'a> Moving<'a> {
                 shares: [share(round), share(round + 1)],
             };
             let most = best.found.factor * (1.0 - SAME);
-            let (found, done) = pieces::each(&cases, &stage, watch, |case, pace| {
-                let one = std::slice::from_ref(case);
-                let found = self.least(vehicle, &mut self.sweepers(), one, Bound::below(most), pace);
+            let service = &known.service;
+            let (parts, done) = pieces::each(&cases, &stage, watch, |case, pace| {
+                let (one, mut service) = (std::slice::from_ref(case), service.clone());
+                let asked = (Bound::below(most), &mut service, true);
+                let found = self.least(vehicle, &mut self.sweepers(), one, asked, pace);
                 pace.step();
-                found
+                (found, service)
             });
             if !done {
                 return false;
             }
-            let found: Vec<Option<Answer>> = found.into_iter().flatten().collect();
+            let mut found: Vec<Option<Answer>> = Vec::with_capacity(cases.len());
+            for (answer, service) in parts.into_iter().flatten() {
+                known.service.merge(&service);
+                found.push(answer);
+            }
             match worst(&found) {
                 Some(better) => best = better.clone(),
                 None if round >= REFINEMENTS => break,
                 None => {}
             }
         }
-        answers.push(Some(best));
+        known.answers.push(Some(best));
         true
     }
 
@@ -369,7 +398,8 @@ impl<'a> Moving<'a> {
     }
 
     /// Both factors at every position, and the smaller one in front.
-    fn put(&self, answers: &[Option<Answer>], one: &mut Swept) {
+    fn put(&self, found: &Found, one: &mut Swept) {
+        let answers = &found.answers;
         let positions = one.envelope.len();
         for (point, answer) in one.envelope.iter_mut().zip(answers) {
             point.rigid = point.adequacy;
@@ -382,27 +412,19 @@ impl<'a> Moving<'a> {
             point.deforms(answer.found.factor * self.capacity, &answer.case);
             one.envelope.push(point);
         }
-        let found = answers.iter().flatten();
-        let mut permissible: Vec<PermissibleFactor> = Vec::new();
-        for answer in found.clone() {
-            for &(criterion, factor) in &answer.found.permissible {
-                let new =
-                    PermissibleFactor { criterion, adequacy: factor * self.capacity, position: answer.case.position };
-                match permissible.iter_mut().find(|old| old.criterion == criterion) {
-                    Some(old) if new.adequacy < old.adequacy => *old = new,
-                    Some(_) => {}
-                    None => permissible.push(new),
-                }
-            }
-        }
+        let permissible = found.service.told().map(|(criterion, factor, position)| PermissibleFactor {
+            criterion,
+            adequacy: factor * self.capacity,
+            position,
+        });
         let least = worst(answers);
         one.judged_with(Deformable {
             stands: true,
             falls: false,
             adequacy: least.map(|least| least.found.factor * self.capacity),
             case: least.map(|least| least.case.clone()),
-            broken_off: found.filter(|answer| answer.found.broken_off).count(),
-            permissible,
+            broken_off: answers.iter().flatten().filter(|answer| answer.found.broken_off).count(),
+            permissible: permissible.collect(),
         });
     }
 }

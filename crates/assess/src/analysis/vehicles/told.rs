@@ -73,6 +73,7 @@ pub(super) fn assumed(all: &[Swept]) -> String {
      of all that may stand there, and of what governs beside it, it is asked whether it carries as much, from the states of similar loads. \
      At the worst position axles, uniform loads, factors on weights and critical axle are varied one after the other, and each is followed. \
      The smaller adequacy factor of \
-     both methods counts. States in service are those of the cases that govern: others may come to them under less load. Fill acts by its weight alone there."
+     both methods counts. States in service are sought in what governs for rigid blocks and in all that may stand there, at every position, and in what is varied at the worst one: \
+     other runs of axles may come to them under less load. They are told where they are met below the least factor of rigid blocks. Fill acts by its weight alone there."
         .to_owned()
 }
