@@ -1,8 +1,13 @@
-//! From the numbers of a survey sheet to a bridge file: one span, one ring, fill, road and an axle at the quarter point. What a sheet does
-//! not say is written into the file as an assumption, in words, to be replaced.
+//! From the numbers of a survey sheet to a bridge file: spans with their rings and piers, fill, road, an axle at the quarter point, and the rule
+//! and vehicles that the bridge is judged by. What a sheet does not say is written into the file as an assumption, in words, to be replaced.
 
-use crate::quantity::{self, Dimension};
-use std::fmt::Write;
+mod answers;
+mod page;
+
+use answers::{Answer, Answers};
+use page::Sheet;
+
+pub use answers::Unusable;
 
 /// A number that a survey finds.
 #[derive(Debug, Clone, Copy)]
@@ -23,7 +28,7 @@ const fn question(key: &'static str, doc: &'static str, unit: &'static str, exam
     Question { key, doc, unit, example, assumed: "" }
 }
 
-/// The ten numbers.
+/// The ten numbers. The first three are those of a span: a further one has its own as `span_2`, `rise_2`, `thickness_2`, or those of the first.
 pub const QUESTIONS: [Question; 10] = [
     question("span", "Clear span between the springings, at the intrados.", "m", "6.00 m"),
     question("rise", "Rise of the crown's intrados above the springings.", "m", "1.50 m"),
@@ -40,126 +45,40 @@ pub const QUESTIONS: [Question; 10] = [
     Question { assumed: "100 kN", ..question("axle", "Force of the axle whose multiple is sought.", "kN", "100 kN") },
 ];
 
-/// Why numbers make no file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unusable {
-    /// Which of the numbers.
-    pub key: &'static str,
-    /// What is wrong with it.
-    pub message: String,
-    /// What to write instead.
-    pub help: String,
-}
+/// How many spans stand in a row: the only question that is about the whole of a viaduct.
+pub const SPANS: Question =
+    Question { assumed: "1", ..question("spans", "Arches in a row; one where nothing is written.", "", "1") };
 
-/// Most voussoirs that a file made here has.
-const MOST_VOUSSOIRS: f64 = 400.0;
+/// What several spans need of their piers; a further one has its own as `pier_width_2`, `pier_height_2`, or those of the first. Nothing is
+/// assumed of the first: who sees the bridge sees its piers, and a stout or short pier that is not there would flatter it.
+pub const PIER: [Question; 2] = [
+    question("pier_width", "Width of a pier along the road, at its top.", "m", "1.50 m"),
+    question("pier_height", "Height of a pier, from the springings down to the ground that carries it.", "m", "4.00 m"),
+];
 
-/// The bridge file of these answers, each as `"6.00 m"` or a bare number in the unit of its question. What is possible is for the reader of
-/// bridge files to say; here a number must be one.
+/// Most spans that a sheet may have.
+const MOST_SPANS: usize = 20;
+
+/// The bridge file of these answers, each as `"6.00 m"` or a bare number in the unit of its question; `rule` and `vehicles` are codes of the
+/// library, several vehicles with commas between them. What is possible is for the reader of bridge files to say; here a number must be one.
 ///
 /// # Errors
 /// Every answer that is missing or no number.
 pub fn file(name: &str, answers: &dyn Fn(&str) -> Option<String>) -> Result<String, Vec<Unusable>> {
-    let mut wrong = Vec::new();
-    let mut said: Vec<(String, f64, bool)> = Vec::new();
-    for question in &QUESTIONS {
-        match answer(question, answers(question.key)) {
-            Ok(found) => said.push(found),
-            Err(unusable) => wrong.push(unusable),
-        }
-    }
-    let Ok([span, rise, thickness, width, cover, unit, backing, density, strength, axle]) =
-        <[(String, f64, bool); 10]>::try_from(said)
-    else {
-        return Err(wrong);
-    };
-    let count = (arc(span.1, rise.1) / unit.1.max(1e-3)).round().clamp(5.0, MOST_VOUSSOIRS) as u64;
-    let literal: String = name.chars().filter(|c| !c.is_control() && *c != '"' && *c != '\\').take(80).collect();
-    let remark = |one: &(String, f64, bool)| if one.2 { "  # assumed: the survey says nothing" } else { "" };
-    let mut page = format!(
-        "# From a survey sheet. Lines with \"assumed\" are to be replaced by what is known of this bridge.\n\n\
-         [bridge]\nname = \"{literal}\"\nwidth = \"{}\"\n\n\
-         [[span]]\nprofile = \"segmental\"\nspan = \"{}\"\nrise = \"{}\"\nthickness = \"{}\"\nvoussoirs = {count}{}\n\n",
-        width.0,
-        span.0,
-        rise.0,
-        thickness.0,
-        if unit.2 { "  # assumed: stones of 0.30 m" } else { "" },
-    );
-    if cover.1 > 0.0 {
-        let _ = write!(
-            page,
-            "[[cover]]\nlayer = \"fill\"\nthickness = \"{}\"\ndensity = \"1900 kg/m^3\"  # assumed: fill and surfacing as one layer\n\n",
-            cover.0
-        );
-    }
-    if backing.1 > 0.0 {
-        let _ = write!(
-            page,
-            "[backing]\nheight = \"{}\"  # above the springings\ndensity = \"2200 kg/m^3\"  # assumed\n\n",
-            backing.0
-        );
-    }
-    let _ = write!(
-        page,
-        "[masonry]\ndensity = \"{}\"{}\ncompressive_strength = \"{}\"{}\n\n\
-         [joint]\nfriction_angle = \"30 deg\"  # assumed\ncohesion = \"0 kPa\"  # assumed: mortar carries no tension\n\n\
-         [dispersal]\nrule = \"uniform\"\nslope = \"2:1\"\n\n\
-         [[load]]\nname = \"axle\"\nkind = \"axle\"\naxle_force = \"{}\"{}\ncontact_length = \"0.30 m\"  # assumed\n\
-         effective_width = \"{:.3} m\"  # assumed: a track of 1.8 m, spread 1:2 through the cover, not wider than the barrel\n\
-         at = \"1/4 of span 1\"\n\n[analysis]\nmethod = \"limit\"\n",
-        density.0,
-        remark(&density),
-        strength.0,
-        remark(&strength),
-        axle.0,
-        remark(&axle),
-        (1.8 + cover.1.max(0.0)).min(width.1),
-    );
-    Ok(page)
-}
-
-/// An answer as the file has it, in SI, and whether it is assumed.
-fn answer(question: &'static Question, said: Option<String>) -> Result<(String, f64, bool), Unusable> {
-    let written = said.map(|text| text.trim().to_owned()).filter(|text| !text.is_empty());
-    let unusable = |message: String| {
-        let help = format!("write {} with its unit, such as {}", question.key, question.example);
-        Unusable { key: question.key, message, help }
-    };
-    let (text, assumed) = match written {
-        Some(text) => (text, false),
-        None if question.assumed.is_empty() => return Err(unusable(format!("{} is missing", question.key))),
-        None => (question.assumed.to_owned(), true),
-    };
-    let text = match text.parse::<f64>() {
-        Ok(_) => format!("{text} {}", question.unit),
-        Err(_) => text,
-    };
-    let wanted = quantity::parse(question.example).map(|example| example.unit.dimension).unwrap_or(Dimension::Length);
-    match quantity::parse(&text) {
-        Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
-            // Feet and inches are written with marks that end a text in the file.
-            let marked = text.contains(['"', '\\']);
-            let written = if marked { format!("{} m", found.si()) } else { text };
-            Ok((written, found.si(), assumed))
-        }
-        Ok(found) => {
-            let (is, want) = (found.unit.dimension.name(), wanted.name());
-            Err(unusable(format!("{}: \"{text}\" is {is} and not {want}", question.key)))
-        }
-        Err(_) => Err(unusable(format!("{}: \"{text}\" is no number with a unit", question.key))),
-    }
-}
-
-/// Length of a segmental arc [m].
-fn arc(span: f64, rise: f64) -> f64 {
-    if !(span > 0.0 && rise > 0.0) {
-        return span.abs();
-    }
-    let radius = 0.5 * (0.25 * span * span / rise + rise);
-    let half = (0.5 * span / radius).min(1.0).asin();
-    let half = if rise > radius { std::f64::consts::PI - half } else { half };
-    2.0 * radius * half
+    let mut answers = Answers::new(answers);
+    let [span, rise, thickness, width, cover, unit, backing, density, strength, axle] =
+        QUESTIONS.each_ref().map(|question| answers.of(question));
+    let count = answers.count(&SPANS, MOST_SPANS);
+    let ring = [span, rise, thickness];
+    let spans: Vec<[Answer; 3]> =
+        (1..=count).map(|k| std::array::from_fn(|n| answers.of_each(&QUESTIONS[n], &ring[n], k))).collect();
+    let pier = if count > 1 { PIER.each_ref().map(|question| answers.of(question)) } else { Default::default() };
+    let piers: Vec<[Answer; 2]> =
+        (1..count).map(|k| std::array::from_fn(|n| answers.of_each(&PIER[n], &pier[n], k))).collect();
+    let judged = answers.judged();
+    let sheet = Sheet { spans, piers, width, cover, unit, backing, density, strength, axle, judged };
+    answers.done()?;
+    Ok(page::written(name, &sheet))
 }
 
 #[cfg(test)]
@@ -191,16 +110,63 @@ mod tests {
             [("span", "20 ft"), ("rise", "5 ft"), ("thickness", "18 in"), ("width", "16' 6\""), ("cover", "1.5 ft")];
         assert!(crate::read(of(&feet).unwrap().as_bytes()).bridge.is_some());
         let wrong = of(&[("span", "six"), ("rise", "3 kN"), ("thickness", "0.4"), ("width", "")]).unwrap_err();
-        let keys: Vec<&str> = wrong.iter().map(|one| one.key).collect();
+        let keys: Vec<&str> = wrong.iter().map(|one| one.key.as_str()).collect();
         assert_eq!(keys, ["span", "rise", "width", "cover"]);
         let hostile =
             file("\"]\n[x]\\", &|key| feet.iter().find(|one| one.0 == key).map(|one| one.1.to_owned())).unwrap();
         assert!(crate::read(hostile.as_bytes()).bridge.is_some(), "{hostile}");
     }
 
+    const VIADUCT: [(&str, &str); 9] = [
+        ("span", "9.14 m"),
+        ("rise", "2.44 m"),
+        ("thickness", "0.46 m"),
+        ("width", "8.2 m"),
+        ("cover", "0.6 m"),
+        ("spans", "3"),
+        ("pier_width", "1.5 m"),
+        ("pier_height", "5 m"),
+        ("rise_3", "2.1 m"),
+    ];
+
     #[test]
-    fn stones_are_counted_along_the_arc() {
-        assert!((arc(2.0, 1.0) - std::f64::consts::PI).abs() < 1e-12);
-        assert!((arc(10.0, 1e-6) - 10.0).abs() < 1e-6);
+    fn spans_have_piers_between_them_and_what_nobody_measured_of_the_others_is_assumed() {
+        let text = of(&VIADUCT).unwrap();
+        let read = crate::read(text.as_bytes());
+        let errors: Vec<_> = read.diagnostics.iter().filter(|one| one.severity == Severity::Error).collect();
+        let bridge = read.bridge.unwrap_or_else(|| panic!("{errors:?}\n{text}"));
+        assert_eq!((bridge.spans.len(), bridge.piers.len()), (3, 2), "{text}");
+        assert_eq!(text.matches("rise = \"2.44 m\"  # assumed: as span 1").count(), 1, "{text}");
+        assert!(text.contains("rise = \"2.1 m\"\n"), "{text}");
+        assert_eq!(text.matches("height = \"5 m\"  # assumed: as pier 1").count(), 1, "{text}");
+    }
+
+    #[test]
+    fn nothing_is_assumed_of_the_first_pier_and_one_span_asks_for_none() {
+        let of_one: Vec<_> = VIADUCT.into_iter().filter(|one| one.0 != "spans").collect();
+        assert!(!of(&of_one).unwrap().contains("[[pier]]"));
+        let no_pier: Vec<_> = VIADUCT.into_iter().filter(|one| !one.0.starts_with("pier")).collect();
+        let keys: Vec<String> = of(&no_pier).unwrap_err().into_iter().map(|one| one.key).collect();
+        assert_eq!(keys, ["pier_width", "pier_height"]);
+        for (key, answer) in [("spans", "0"), ("spans", "21"), ("spans", "two"), ("rise_3", "high")] {
+            let slip: Vec<_> = VIADUCT.into_iter().filter(|one| one.0 != key).chain([(key, answer)]).collect();
+            let wrong = of(&slip).unwrap_err();
+            assert_eq!((wrong.len(), wrong[0].key.as_str()), (1, key), "{answer}");
+        }
+    }
+
+    #[test]
+    fn a_rule_and_its_vehicles_are_written_together_or_not_at_all() {
+        let five: Vec<(&str, &str)> = QUESTIONS[..5].iter().map(|one| (one.key, one.example)).collect();
+        let with = |more: &[(&'static str, &'static str)]| of(&[&five[..], more].concat());
+        assert!(!with(&[]).unwrap().contains("[sweep]"));
+        let text = with(&[("rule", "cs-454"), ("vehicles", "cs454-single, hb-45")]).unwrap();
+        let plan = crate::read(text.as_bytes()).bridge.and_then(|bridge| bridge.sweep).unwrap();
+        assert_eq!(
+            (plan.rule.as_str(), &plan.vehicles[..]),
+            ("cs-454", &["cs454-single".to_owned(), "hb-45".to_owned()][..])
+        );
+        assert_eq!(with(&[("rule", "cs-454")]).unwrap_err()[0].key, "vehicles");
+        assert_eq!(with(&[("vehicles", "hb-45")]).unwrap_err()[0].key, "rule");
     }
 }

@@ -94,10 +94,11 @@ pub fn codes() -> Value {
     explain::cards().map(card).collect()
 }
 
-/// The ten numbers of a survey.
+/// The ten numbers of a survey, and what several spans are asked beside them.
 pub fn survey_questions() -> Value {
     let one = |one: &survey::Question| json!({ "key": one.key, "doc": one.doc, "unit": one.unit, "example": one.example, "assumed": one.assumed });
-    survey::QUESTIONS.iter().map(one).collect()
+    let all = |list: &[survey::Question]| -> Value { list.iter().map(one).collect() };
+    json!({ "ten": all(&survey::QUESTIONS), "spans": one(&survey::SPANS), "pier": all(&survey::PIER) })
 }
 
 /// A bridge file from answers, an object of texts or numbers.
@@ -172,7 +173,11 @@ pub fn library() -> Result<Value, Refusal> {
             })
         })
         .collect();
-    let rules: Vec<Value> =
-        library.rules.iter().map(|rule| json!({ "code": rule.code, "title": rule.title })).collect();
+    let rules: Vec<Value> = (library.rules.iter())
+        .map(|rule| {
+            let judges = rule.factors.live_load.is_safety();
+            json!({ "code": rule.code, "title": rule.title, "ways": rule.ways, "judges": judges })
+        })
+        .collect();
     Ok(json!({ "models": models, "rules": rules }))
 }

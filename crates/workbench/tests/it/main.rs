@@ -1,7 +1,7 @@
 //! The engine of the page, natively: what crosses the border is right before it crosses.
 
 use extrados::{Unwatched, examples};
-use serde_json::Value;
+use serde_json::{Value, json};
 use workbench::document::Document;
 use workbench::{analyses, cards, live, reading, records, stepped};
 
@@ -198,8 +198,23 @@ fn a_survey_becomes_a_bridge_that_answers() {
     let mut placing = live::Placing::new(&document, "", "", false).unwrap();
     let [factor, dilatant, ended, _] = placing.factor(1.5);
     assert!(factor > 1.0 && factor <= dilatant && ended == 0.0, "{factor} {dilatant} {ended}");
-    assert_eq!(cards::survey_questions().as_array().map(Vec::len), Some(10));
+    let questions = cards::survey_questions();
+    assert_eq!(["ten", "pier"].map(|list| questions[list].as_array().map(Vec::len)), [Some(10), Some(2)]);
     assert!(cards::from_survey("{}").unwrap_err().message.contains("span"));
+}
+
+#[test]
+fn rules_say_for_whom_they_are_and_whether_a_verdict_comes_of_them() {
+    let library = cards::library().unwrap();
+    let of = |code: &str| {
+        let rule = library["rules"].as_array().unwrap().iter().find(|rule| rule["code"] == code).unwrap();
+        (rule["ways"].clone(), rule["judges"].clone())
+    };
+    assert_eq!(of("cs-454"), (json!(["road"]), json!(true)));
+    assert_eq!(of("nr-civ-025"), (json!(["rail"]), json!(true)));
+    // Working stresses, and no safety at all.
+    assert_eq!(of("irs-bridge-rules"), (json!(["rail"]), json!(false)));
+    assert_eq!(of("characteristic"), (json!(["road", "rail"]), json!(false)));
 }
 
 #[test]

@@ -1,0 +1,136 @@
+//! Answers of a survey sheet as values of a bridge file.
+
+use super::Question;
+use crate::quantity::{self, Dimension};
+
+/// Why numbers make no file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unusable {
+    /// Which of the answers: `span`, `rise_2`.
+    pub key: String,
+    /// What is wrong with it.
+    pub message: String,
+    /// What to write instead.
+    pub help: String,
+}
+
+/// A value as the file has it.
+#[derive(Debug, Clone, Default)]
+pub struct Answer {
+    /// With its unit.
+    pub text: String,
+    /// In SI.
+    pub si: f64,
+    /// What the file remarks of it where nobody gave it; empty where somebody did.
+    pub assumed: String,
+}
+
+/// What the sheet says, and what of it is no value.
+pub struct Answers<'a> {
+    said: &'a dyn Fn(&str) -> Option<String>,
+    wrong: Vec<Unusable>,
+}
+
+impl<'a> Answers<'a> {
+    pub fn new(said: &'a dyn Fn(&str) -> Option<String>) -> Self {
+        Answers { said, wrong: Vec::new() }
+    }
+
+    /// Whether every answer was one.
+    pub fn done(self) -> Result<(), Vec<Unusable>> {
+        if self.wrong.is_empty() { Ok(()) } else { Err(self.wrong) }
+    }
+
+    fn said(&self, key: &str) -> Option<String> {
+        (self.said)(key).map(|text| text.trim().to_owned()).filter(|text| !text.is_empty())
+    }
+
+    fn refuse<T: Default>(&mut self, key: &str, message: String, help: String) -> T {
+        self.wrong.push(Unusable { key: key.to_owned(), message, help });
+        T::default()
+    }
+
+    /// The answer to a question.
+    pub fn of(&mut self, question: &Question) -> Answer {
+        match self.said(question.key) {
+            Some(text) => self.value(question, question.key, &text),
+            None if question.assumed.is_empty() => {
+                let help = format!("write {} with its unit, such as {}", question.key, question.example);
+                self.refuse(question.key, format!("{} is missing", question.key), help)
+            }
+            None => {
+                let value = self.value(question, question.key, question.assumed);
+                Answer { assumed: "the survey says nothing".to_owned(), ..value }
+            }
+        }
+    }
+
+    /// The same of the k-th span or pier, which is as the first where the sheet does not say otherwise.
+    pub fn of_each(&mut self, question: &Question, first: &Answer, k: usize) -> Answer {
+        let key = format!("{}_{k}", question.key);
+        match self.said(&key).filter(|_| k > 1) {
+            Some(text) => self.value(question, &key, &text),
+            None if k == 1 => first.clone(),
+            None => {
+                let part = if question.key.starts_with("pier") { "pier" } else { "span" };
+                Answer { assumed: format!("as {part} 1"), ..first.clone() }
+            }
+        }
+    }
+
+    /// A number of things, from 1.
+    pub fn count(&mut self, question: &Question, most: usize) -> usize {
+        let text = self.said(question.key).unwrap_or_else(|| question.assumed.to_owned());
+        match text.parse() {
+            Ok(count) if (1..=most).contains(&count) => count,
+            _ => {
+                let key = question.key;
+                self.refuse(
+                    key,
+                    format!("{key}: \"{text}\" is no whole number from 1 to {most}"),
+                    format!("write {key} such as 3"),
+                )
+            }
+        }
+    }
+
+    /// The rule that the bridge is judged by, and codes of vehicles.
+    pub fn judged(&mut self) -> Option<(String, Vec<String>)> {
+        let code = |text: &str| text.chars().filter(|c| c.is_alphanumeric() || ".-_".contains(*c)).collect::<String>();
+        let vehicles = self.said("vehicles").unwrap_or_default();
+        let vehicles: Vec<String> = vehicles.split(',').map(code).filter(|code| !code.is_empty()).collect();
+        match (self.said("rule"), vehicles.is_empty()) {
+            (Some(rule), false) => Some((code(&rule), vehicles)),
+            (None, true) => None,
+            (Some(_), true) => {
+                self.refuse("vehicles", "vehicles is missing".to_owned(), "name a vehicle of the rule".to_owned())
+            }
+            (None, false) => {
+                self.refuse("rule", "rule is missing".to_owned(), "name the rule of these vehicles".to_owned())
+            }
+        }
+    }
+
+    fn value(&mut self, question: &Question, key: &str, said: &str) -> Answer {
+        let text = match said.parse::<f64>() {
+            Ok(_) => format!("{said} {}", question.unit),
+            Err(_) => said.to_owned(),
+        };
+        let help = format!("write {key} with its unit, such as {}", question.example);
+        let wanted =
+            quantity::parse(question.example).map(|example| example.unit.dimension).unwrap_or(Dimension::Length);
+        match quantity::parse(&text) {
+            Ok(found) if found.unit.dimension == wanted && found.si().is_finite() => {
+                // Feet and inches are written with marks that end a text in the file.
+                let marked = text.contains(['"', '\\']);
+                let text = if marked { format!("{} m", found.si()) } else { text };
+                Answer { text, si: found.si(), assumed: String::new() }
+            }
+            Ok(found) => {
+                let (is, want) = (found.unit.dimension.name(), wanted.name());
+                self.refuse(key, format!("{key}: \"{text}\" is {is} and not {want}"), help)
+            }
+            Err(_) => self.refuse(key, format!("{key}: \"{text}\" is no number with a unit"), help),
+        }
+    }
+}

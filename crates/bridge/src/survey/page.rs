@@ -1,0 +1,108 @@
+//! The bridge file of a survey sheet: every value that nobody gave has a remark.
+
+use super::Answer;
+use std::fmt::Write;
+
+/// What a sheet says, and what is assumed where it does not.
+pub struct Sheet {
+    /// Clear span, rise and thickness of the ring of each span.
+    pub spans: Vec<[Answer; 3]>,
+    /// Width and height of each pier.
+    pub piers: Vec<[Answer; 2]>,
+    pub width: Answer,
+    pub cover: Answer,
+    pub unit: Answer,
+    pub backing: Answer,
+    pub density: Answer,
+    pub strength: Answer,
+    pub axle: Answer,
+    /// Code of a rule and codes of vehicles.
+    pub judged: Option<(String, Vec<String>)>,
+}
+
+/// Most voussoirs of a ring, and most courses of a pier, that a file made here has.
+const MOST: [f64; 2] = [400.0, 100.0];
+
+/// A key with its value, and the remark of one that nobody gave.
+fn line(page: &mut String, key: &str, value: &Answer) {
+    let remark = if value.assumed.is_empty() { String::new() } else { format!("  # assumed: {}", value.assumed) };
+    let _ = writeln!(page, "{key} = \"{}\"{remark}", value.text);
+}
+
+/// The text of the file.
+pub fn written(name: &str, sheet: &Sheet) -> String {
+    let literal: String = name.chars().filter(|c| !c.is_control() && *c != '"' && *c != '\\').take(80).collect();
+    let mut page = format!(
+        "# From a survey sheet. Lines with \"assumed\" are to be replaced by what is known of this bridge.\n\n[bridge]\nname = \"{literal}\"\n"
+    );
+    line(&mut page, "width", &sheet.width);
+    for [span, rise, thickness] in &sheet.spans {
+        page += "\n[[span]]\nprofile = \"segmental\"\n";
+        line(&mut page, "span", span);
+        line(&mut page, "rise", rise);
+        line(&mut page, "thickness", thickness);
+        let stones = arc(span.si, rise.si) / sheet.unit.si.max(1e-3);
+        let remark = if sheet.unit.assumed.is_empty() { "" } else { "  # assumed: stones of 0.30 m" };
+        let _ = writeln!(page, "voussoirs = {}{remark}", stones.round().clamp(5.0, MOST[0]) as u64);
+    }
+    for [width, height] in &sheet.piers {
+        page += "\n[[pier]]  # on ground that does not give\n";
+        line(&mut page, "width", width);
+        line(&mut page, "height", height);
+        let courses = (height.si / 0.3).round().clamp(1.0, MOST[1]) as u64;
+        let _ = writeln!(page, "courses = {courses}  # assumed: courses of 0.30 m");
+    }
+    if sheet.cover.si > 0.0 {
+        page += "\n[[cover]]\nlayer = \"fill\"\n";
+        line(&mut page, "thickness", &sheet.cover);
+        page += "density = \"1900 kg/m^3\"  # assumed: fill and surfacing as one layer\n";
+    }
+    if sheet.backing.si > 0.0 {
+        let height = &sheet.backing.text;
+        let _ = writeln!(
+            page,
+            "\n[backing]\nheight = \"{height}\"  # above the springings\ndensity = \"2200 kg/m^3\"  # assumed"
+        );
+    }
+    page += "\n[masonry]\n";
+    line(&mut page, "density", &sheet.density);
+    line(&mut page, "compressive_strength", &sheet.strength);
+    page += "\n[joint]\nfriction_angle = \"30 deg\"  # assumed\ncohesion = \"0 kPa\"  # assumed: mortar carries no tension\n\n\
+             [dispersal]\nrule = \"uniform\"\nslope = \"2:1\"\n\n\
+             [[load]]\nname = \"axle\"\nkind = \"axle\"\n";
+    line(&mut page, "axle_force", &sheet.axle);
+    let _ = writeln!(
+        page,
+        "contact_length = \"0.30 m\"  # assumed\n\
+         effective_width = \"{:.3} m\"  # assumed: a track of 1.8 m, spread 1:2 through the cover, not wider than the barrel\n\
+         at = \"1/4 of span 1\"",
+        (1.8 + sheet.cover.si.max(0.0)).min(sheet.width.si)
+    );
+    if let Some((rule, vehicles)) = &sheet.judged {
+        let vehicles: Vec<String> = vehicles.iter().map(|code| format!("\"{code}\"")).collect();
+        let _ = writeln!(page, "\n[sweep]\nrule = \"{rule}\"\nvehicles = [{}]", vehicles.join(", "));
+    }
+    page + "\n[analysis]\nmethod = \"limit\"\n"
+}
+
+/// Length of a segmental arc [m].
+fn arc(span: f64, rise: f64) -> f64 {
+    if !(span > 0.0 && rise > 0.0) {
+        return span.abs();
+    }
+    let radius = 0.5 * (0.25 * span * span / rise + rise);
+    let half = (0.5 * span / radius).min(1.0).asin();
+    let half = if rise > radius { std::f64::consts::PI - half } else { half };
+    2.0 * radius * half
+}
+
+#[cfg(test)]
+mod tests {
+    use super::arc;
+
+    #[test]
+    fn stones_are_counted_along_the_arc() {
+        assert!((arc(2.0, 1.0) - std::f64::consts::PI).abs() < 1e-12);
+        assert!((arc(10.0, 1e-6) - 10.0).abs() < 1e-6);
+    }
+}
