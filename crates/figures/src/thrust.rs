@@ -64,12 +64,17 @@ pub fn thrust_line(picture: &Picture) -> Option<String> {
         }
     }
     mark_hinges(&mut sheet, &picture.shapes, &view, &hinges, middle, room);
-    for line in picture.thrust_lines.iter().filter(drawable) {
-        magnitudes(&mut sheet, &view, line, room);
+    let groups = groups(picture);
+    for group in &groups {
+        magnitudes(&mut sheet, &view, group, room);
     }
 
     let mut y = draw::scale_bar(&mut sheet, &view, frame.bottom + 26.0);
-    let mut entries = vec![(Sign::Thrust, "line of thrust, with its force where marked")];
+    let words = match groups.iter().any(|group| group.len() > 1) {
+        true => "line of thrust, with its force where marked, of the upper ring above that of the lower",
+        false => "line of thrust, with its force where marked",
+    };
+    let mut entries = vec![(Sign::Thrust, words)];
     if !hinges.is_empty() {
         entries.push((Sign::Hinge, "hinge"));
     }
@@ -120,20 +125,77 @@ fn told(line: &[ThrustPoint]) -> Vec<usize> {
     [Some(0), Some(last), crown].into_iter().flatten().collect()
 }
 
-/// Writes the size of the thrust beside its marks.
-fn magnitudes(sheet: &mut Sheet, view: &View, line: &[ThrustPoint], room: Room) {
-    for k in told(line) {
+/// Lines of thrust that are told together: those of the rings of one span, the uppermost first.
+fn groups(picture: &Picture) -> Vec<Vec<&[ThrustPoint]>> {
+    let mut groups: Vec<Vec<&[ThrustPoint]>> = Vec::new();
+    for line in picture.thrust_lines.iter().filter(drawable) {
+        let beside = |other: &[ThrustPoint]| {
+            let ([from, to], [left, right]) = (ends(line), ends(other));
+            !upright(line) && !upright(other) && to.min(right) - from.max(left) > 0.5 * (to - from)
+        };
+        match groups.iter_mut().find(|group| beside(group[0])) {
+            Some(group) => group.push(line),
+            None => groups.push(vec![line]),
+        }
+    }
+    for group in &mut groups {
+        group.sort_by(|a, b| crown(b).total_cmp(&crown(a)));
+    }
+    groups
+}
+
+/// From where to where a line reaches along the bridge [m].
+fn ends(line: &[ThrustPoint]) -> [f64; 2] {
+    let (a, b) = (line[0].point[0], line[line.len() - 1].point[0]);
+    [a.min(b), a.max(b)]
+}
+
+/// Level of a line in the middle of its span [m].
+fn crown(line: &[ThrustPoint]) -> f64 {
+    told(line).last().map_or(f64::NEG_INFINITY, |&k| line[k].point[1])
+}
+
+/// Writes the size of the thrust beside its marks: of several rings under one another, beside the mark of the lowest.
+fn magnitudes(sheet: &mut Sheet, view: &View, rings: &[&[ThrustPoint]], room: Room) {
+    let Some(lowest) = rings.last() else { return };
+    for (n, k) in told(lowest).into_iter().enumerate() {
         // Into the opening: below the crown, and from the springings towards the middle of the span.
-        let side = if upright(line) {
+        let side = if upright(lowest) {
             [1.0, 0.0]
         } else if k == 0 {
             [0.8, 0.6]
-        } else if k + 1 == line.len() {
+        } else if k + 1 == lowest.len() {
             [-0.8, 0.6]
         } else {
             [0.0, 1.0]
         };
         let style = Style { colour: THRUST, ..Style::on_drawing() };
-        sheet.label(view.spot(line[k].point), &words::force(line[k].thrust), style, room.towards(side));
+        let forces = rings.iter().filter_map(|ring| told(ring).get(n).map(|&k| words::force(ring[k].thrust)));
+        let forces: Vec<String> = forces.collect();
+        let texts: Vec<&str> = forces.iter().map(String::as_str).collect();
+        sheet.labels(view.spot(lowest[k].point), &texts, style, room.towards(side));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn arch(from: f64, level: f64, thrust: f64) -> Vec<ThrustPoint> {
+        let at = |k: i32| {
+            let t = f64::from(k) / 20.0;
+            ThrustPoint { point: [from + 6.0 * t, level + 6.0 * t * (1.0 - t)], thrust }
+        };
+        (0..=20).map(at).collect()
+    }
+
+    #[test]
+    fn forces_of_the_rings_of_one_span_are_told_under_one_another_and_those_of_the_next_span_apart() {
+        let pier = (0..4).map(|k| ThrustPoint { point: [6.7, -f64::from(k)], thrust: 9e3 }).collect();
+        let lines = vec![arch(0.0, 0.0, 1e3), arch(0.1, 0.3, 2e3), arch(7.3, 0.0, 3e3), arch(7.2, 0.3, 4e3), pier];
+        let picture = Picture { thrust_lines: lines, ..Picture::default() };
+        let told: Vec<Vec<f64>> =
+            groups(&picture).iter().map(|group| group.iter().map(|line| line[0].thrust / 1e3).collect()).collect();
+        assert_eq!(told, [vec![2.0, 1.0], vec![4.0, 3.0], vec![9.0]]);
     }
 }

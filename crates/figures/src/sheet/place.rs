@@ -29,10 +29,22 @@ impl Sheet {
     /// Sets a label near `at`, where it covers no other text and as little else as can be; a thin line leads to it
     /// where it stands off.
     pub fn label(&mut self, at: Spot, text: &str, style: Style, room: Room) {
+        self.labels(at, &[text], style, room);
+    }
+
+    /// The same with several texts under one another.
+    pub fn labels(&mut self, at: Spot, texts: &[&str], style: Style, room: Room) {
         if at.iter().any(|c| !c.is_finite()) {
             return;
         }
-        let mut best: Option<(f64, Spot, Style, f64)> = None;
+        let step = 1.25 * style.size;
+        let height = texts.len().saturating_sub(1) as f64 * step;
+        let area = |spot: Spot, style: Style| {
+            let lines = texts.iter().map(|text| text_area(spot, text, style));
+            let widest = lines.reduce(|a, b| Area { left: a.left.min(b.left), right: a.right.max(b.right), ..a });
+            widest.map(|first| Area { bottom: first.bottom + height, ..first })
+        };
+        let mut best: Option<(f64, Spot, Style, Option<[Spot; 2]>)> = None;
         for (ring, &distance) in [0.0, 9.0, 18.0, 30.0, 44.0, 60.0, 80.0, 105.0].iter().enumerate() {
             for step in 0..16 {
                 let angle = std::f64::consts::TAU * f64::from(step) / 16.0;
@@ -46,25 +58,27 @@ impl Sheet {
                     Anchor::Middle
                 };
                 // The middle of the letters' height lies on the ray at the sides, their foot or head above and below.
-                let drop = 0.5 * font::CAPITAL * style.size * (1.0 + s);
+                let drop = 0.5 * font::CAPITAL * style.size * (1.0 + s) - 0.5 * height * (1.0 - s);
                 let spot = [at[0] + reach * c, at[1] + reach * s + drop];
                 let candidate = Style { anchor, ..style };
-                let area = text_area(spot, text, candidate);
+                let Some(area) = area(spot, candidate) else { return };
                 let astray = 1.0 - (c * room.towards[0] + s * room.towards[1]);
                 let cost = self.cost(area, room.area)
                     + self.leader_cost(leader(at, area, room.clear, distance))
                     + 6.0 * ring as f64
                     + 14.0 * astray;
                 if best.as_ref().is_none_or(|b| cost < b.0 - 1e-9) {
-                    best = Some((cost, spot, candidate, distance));
+                    best = Some((cost, spot, candidate, leader(at, area, room.clear, distance)));
                 }
             }
         }
-        let Some((_, spot, style, distance)) = best else { return };
-        if let Some([from, to]) = leader(at, text_area(spot, text, style), room.clear, distance) {
+        let Some((_, spot, style, leader)) = best else { return };
+        if let Some([from, to]) = leader {
             self.line(from, to, Pen::line("#555555", HAIR).class("leader"));
         }
-        self.text(spot, text, style);
+        for (k, text) in texts.iter().enumerate() {
+            self.text([spot[0], spot[1] + k as f64 * step], text, style);
+        }
     }
 
     fn cost(&self, area: Area, room: Area) -> f64 {
@@ -122,6 +136,19 @@ mod tests {
         assert_eq!(texts.len(), 8);
         for (k, a) in texts.iter().enumerate() {
             assert!(texts[k + 1..].iter().all(|b| a.overlap(b) == 0.0), "label {k}");
+        }
+    }
+
+    #[test]
+    fn texts_of_one_label_stand_under_one_another_and_clear_of_their_point() {
+        for towards in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
+            let mut sheet = Sheet::new("try");
+            let room = Room::between(0.0, 400.0).towards(towards);
+            sheet.labels([400.0, 200.0], &["106.4 kN/m", "79.9 kN/m", "145 kN/m"], Style::on_drawing(), room);
+            let texts = sheet.texts();
+            assert!(texts.windows(2).all(|pair| pair[0].bottom < pair[1].bottom && pair[0].overlap(&pair[1]) == 0.0));
+            let point = Area { left: 400.0, right: 400.0, top: 200.0, bottom: 200.0 }.grown(3.0);
+            assert!(texts.iter().all(|text| text.overlap(&point) == 0.0), "{towards:?}");
         }
     }
 
