@@ -1,6 +1,7 @@
 /** The bridge as built, as on an engineer's drawing: the layer that changes with the bridge and not with the load. */
 import type { Dimension, Picture, Point } from "../engine/types";
 import { dimension, type System } from "../units";
+import { typeset } from "../wording";
 import { label, line, pathOf, trace, type Pen } from "./canvas";
 import type { Ink } from "./ink";
 import { boundsOf, roadOf, type View } from "./view";
@@ -294,7 +295,7 @@ export function layerNames({ pen, view, ink, width }: Sheet, picture: Picture): 
     const near = points.filter((p) => p[0] > right - 0.02);
     const top = Math.max(...near.map((p) => p[1]));
     const bottom = Math.min(...near.map((p) => p[1]));
-    return { text: `${band.name}${band.size ? ` ${band.size}` : ""}`, right, y: Math.max((bottom + top) / 2, top - 0.4), top };
+    return { text: typeset(`${band.name}${band.size ? ` ${band.size}` : ""}`), right, y: Math.max((bottom + top) / 2, top - 0.4), top };
   });
   notes.sort((a, b) => b.y - a.y);
   const end = Math.min(width - 14, view.x(Math.max(...notes.map((note) => note.right))));

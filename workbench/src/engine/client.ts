@@ -1,5 +1,6 @@
 /** Workers as the page sees them: calls that are answered, refused, or lost with a worker that is then replaced. */
 import engine from "./pkg/extrados_workbench_bg.wasm?url";
+import { plainly } from "../wording";
 import type { Refusal } from "./types";
 
 let module: Promise<WebAssembly.Module> | null = null;
@@ -29,6 +30,7 @@ export function sentences({ message, help }: { message: string; help: string }):
   return [message, help]
     .filter((words) => words !== "" && !/^extrados /.test(words))
     .map((words) => words.charAt(0).toUpperCase() + words.slice(1) + (/[.!?]$/.test(words) ? "" : "."))
+    .map(plainly)
     .join(" ");
 }
 

@@ -73,6 +73,8 @@ export type Quantity = {
   end: number | null;
 };
 export type Question = { key: string; doc: string; unit: string; example: string; assumed: string };
+/** The ten numbers, the first three of which are those of a span; how many spans; and what is asked of a pier between them. */
+export type Questions = { ten: Question[]; spans: Question; pier: Question[] };
 
 export type Shape = { outline: Point[]; role: string; held: boolean };
 export type Hinge = { point: Point; edge: string; between: [number, number]; rotation: number };
@@ -155,7 +157,8 @@ export type LibraryModel = {
   confidence: string;
   longest_span: number | null;
 };
-export type LibraryRule = { code: string; title: string };
+/** `judges` where a verdict can come of it: its factor on live loads gives safety and has a source. */
+export type LibraryRule = { code: string; title: string; ways: string[]; judges: boolean };
 
 export type Source = { text: string; date: string; confidence: "read" | "calculated" | "recalled" | "assumed"; note: string };
 export type MaterialValue = { key: string; least: string; usual: string; most: string; source: Source };

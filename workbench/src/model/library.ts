@@ -1,6 +1,6 @@
 /** Vehicles, rules, materials, examples and survey questions of the engine, asked once; undefined while the engine is on its way, and where it never comes. */
 import { createResource, createRoot } from "solid-js";
-import type { Example, Library, Material, Question } from "../engine/types";
+import type { Example, Library, Material, Questions } from "../engine/types";
 import { liveEngine } from "./live";
 
 async function patient<T>(call: string): Promise<T> {
@@ -22,7 +22,7 @@ function asked<T>(call: string): { (): T | undefined; lost: () => boolean } {
 
 export const examples = asked<Example[]>("examples");
 export const library = asked<Library>("library");
-export const questions = asked<Question[]>("questions");
+export const questions = asked<Questions>("questions");
 export const materials = asked<Material[]>("materials");
 
 /** What to say while the engine is on its way, or where it did not come; "" once it is there. */

@@ -19,6 +19,8 @@ export type Kept = {
   leftward: boolean;
   x: number | null;
   survey?: Record<string, string> | null;
+  /** Whether the text is the one that the answers of the survey made. */
+  surveyed?: boolean;
 };
 
 export class Sheet {
@@ -69,6 +71,7 @@ export class Sheet {
     if (kept.leftward) this.leftward[1](true);
     if (kept.survey && typeof kept.survey === "object") {
       this.survey[1](Object.fromEntries(Object.entries(kept.survey).filter(([, value]) => typeof value === "string")));
+      this.surveyed[1](kept.surveyed === false ? "another text" : kept.text);
     }
     if (typeof kept.x === "number" && Number.isFinite(kept.x)) this.x[1](kept.x);
   }
@@ -147,6 +150,7 @@ export class Sheet {
       leftward: this.leftward[0](),
       x: this.x[0](),
       survey: this.survey[0](),
+      surveyed: this.surveyed[0]() === this.text(),
     };
   }
 }

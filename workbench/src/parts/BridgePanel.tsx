@@ -5,6 +5,7 @@ import type { Card, Finding, Section } from "../engine/types";
 import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { setPart } from "../model/workspace";
+import { plainly } from "../wording";
 import { TomlEditor } from "./editor";
 import { Form } from "./Form";
 import { Survey } from "./Survey";
@@ -66,23 +67,23 @@ function FindingView(props: { finding: Finding }): JSX.Element {
           type="button"
           onClick={() => goToText(props.finding)}
         >
-          Line {props.finding.line}: {props.finding.message}
+          Line {props.finding.line}: {plainly(props.finding.message)}
         </button>
       </div>
       <Show when={props.finding.label}>
-        <p>{props.finding.label}</p>
+        <p>{plainly(props.finding.label)}</p>
       </Show>
       <Show when={props.finding.note}>
-        <p class="soft">{props.finding.note}</p>
+        <p class="soft">{plainly(props.finding.note!)}</p>
       </Show>
       <Show when={props.finding.help}>
-        <p>{props.finding.help}</p>
+        <p>{plainly(props.finding.help!)}</p>
       </Show>
       <details onToggle={(event) => {
         if (event.currentTarget.open && !card()) void liveEngine.call<Card | null>("explain", { code: props.finding.code }).then(setCard).catch(() => undefined);
       }}>
         <summary class="soft">What {props.finding.code} means</summary>
-        <Show when={card()}>{(one) => <p>{one().text}</p>}</Show>
+        <Show when={card()}>{(one) => <p>{plainly(one().text)}</p>}</Show>
       </details>
     </div>
   );

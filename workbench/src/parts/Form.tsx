@@ -6,6 +6,7 @@ import { setQuantity } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { countOf, inserted, repeated, without } from "../model/structure";
 import { meant, sayKey, shown } from "../units";
+import { plainly, typeset } from "../wording";
 import { MaterialsOf } from "./Materials";
 import { system } from "../shell/settings";
 
@@ -103,7 +104,7 @@ function FieldRow(props: { quantity: Quantity; short: string }): JSX.Element {
               }}
             />
             <Show when={said().unit}>
-              <span class="unit">{said().unit}</span>
+              <span class="unit">{typeset(said().unit)}</span>
             </Show>
           </div>
         }
@@ -113,8 +114,8 @@ function FieldRow(props: { quantity: Quantity; short: string }): JSX.Element {
         </select>
       </Show>
       <p class="doc" id={`${id()}-doc`}>
-        {props.quantity.doc}
-        <Show when={system() === "imperial" && said().text !== props.quantity.text}> In the file: {props.quantity.text}.</Show>
+        {plainly(props.quantity.doc)}
+        <Show when={system() === "imperial" && said().text !== props.quantity.text}> In the file: {typeset(props.quantity.text)}.</Show>
       </p>
       <Show when={wrong()}>
         {(error) => (

@@ -7,6 +7,7 @@ import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { say } from "../model/workspace";
 import { sayKey } from "../units";
+import { typeset } from "../wording";
 
 /** "2100 to 2400 kg/m^3": the unit once where both have it. */
 function between(value: MaterialValue): string {
@@ -69,10 +70,10 @@ export function MaterialsOf(props: { sheet: Sheet; at: string; table: string; th
                     <li>
                       <label>
                         <input type="checkbox" checked={!left().has(value.key)} onChange={() => toggle(value.key)} />{" "}
-                        <b>{sayKey(value.key)} <span class="num">{value.usual}</span></b>
+                        <b>{sayKey(value.key)} <span class="num">{typeset(value.usual)}</span></b>
                       </label>
-                      <span class="num soft">usually {between(value)}</span>
-                      <span class="soft">{value.source.confidence}: {value.source.text}, {value.source.date}{value.source.note ? `; ${value.source.note}` : ""}</span>
+                      <span class="num soft">usually {typeset(between(value))}</span>
+                      <span class="soft">{typeset(`${value.source.confidence}: ${value.source.text}, ${value.source.date}${value.source.note ? `; ${value.source.note}` : ""}`)}</span>
                     </li>
                   )}
                 </For>

@@ -6,6 +6,7 @@ import { analyse, background } from "../model/background";
 import { setQuantity } from "../model/live";
 import type { Sheet } from "../model/sheet";
 import { figures, lineLoad, shown, words } from "../units";
+import { typeset } from "../wording";
 import { system } from "../shell/settings";
 
 /** What a survey leaves uncertain, and by which share [of the value] where the file states no range. */
@@ -80,7 +81,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
                   return (
                     <div class="slider">
                       <label for={id}>
-                        {sayPath(path)} <span class="num soft">{said().text} {said().unit}</span>
+                        {sayPath(path)} <span class="num soft">{said().text} {typeset(said().unit)}</span>
                       </label>
                       <input
                         id={id}
@@ -89,7 +90,7 @@ export function Sliders(props: { sheet: Sheet }): JSX.Element {
                         max={entry().high}
                         step={(entry().high - entry().low) / 100}
                         value={entry().quantity.number ?? 0}
-                        aria-valuetext={`${said().text} ${said().unit}`}
+                        aria-valuetext={`${said().text} ${typeset(said().unit)}`}
                         onInput={(event) => setQuantity(path, `${plain(Number(event.currentTarget.value))}${space(entry().quantity.unit)}`, `slide ${path}`)}
                       />
                     </div>

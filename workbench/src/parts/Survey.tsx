@@ -1,98 +1,157 @@
-/** The ten numbers of a survey: the file is written anew with every number that is typed. */
+/** The numbers of a survey: the file is written anew with every number that is typed. */
 import { createSignal, For, Show, type JSX } from "solid-js";
-import { Refused, sentences } from "../engine/client";
+import type { Question } from "../engine/types";
 import { questions } from "../model/library";
-import { liveEngine } from "../model/live";
 import type { Sheet } from "../model/sheet";
+import { isElsewhere, spansOf, titleOf, write, type Answers, type Wrong } from "../model/survey";
 import { system } from "../shell/settings";
-import { figures, meant, sayKey, shown } from "../units";
+import { meant, shown } from "../units";
+import { typeset } from "../wording";
+import { Judge } from "./Judge";
 
-const TITLES: Record<string, string> = {
-  span: "Span",
-  rise: "Rise",
-  thickness: "Thickness of the ring",
-  width: "Width of the barrel",
-  cover: "Cover over the crown",
-  unit: "Length of a stone along the ring",
-  backing: "Height of backing",
-  density: "Density of the masonry",
-  strength: "Strength of the masonry",
-  axle: "Axle",
-};
+type Give = (key: string, typed: string, unit: string) => void;
+type Asked = { answers: Answers; wrong: Wrong | null; give: Give };
 
 export function Survey(props: { sheet: Sheet }): JSX.Element {
-  const [wrong, setWrong] = createSignal<{ key: string; text: string } | null>(null);
-  const elsewhere = () => props.sheet.surveyed[0]() !== "" && props.sheet.surveyed[0]() !== props.sheet.text();
-  let newest = 0;
-  const write = async (answers: Record<string, string>, mark: string): Promise<void> => {
-    const mine = ++newest;
-    try {
-      const text = await liveEngine.call<string>("fromSurvey", { answers }, { patience: 5000 });
-      if (mine !== newest) return;
-      setWrong(null);
-      props.sheet.surveyed[1](text);
-      props.sheet.change(text, mark);
-    } catch (error) {
-      if (mine === newest) setWrong(told(error, answers));
-    }
+  const [wrong, setWrong] = createSignal<Wrong | null>(null);
+  const answers = (): Answers => props.sheet.survey[0]() ?? {};
+  const put = async (now: Answers, mark: string): Promise<void> => {
+    const found = await write(props.sheet, now, mark);
+    if (found !== undefined) setWrong(found);
   };
-  const answer = (key: string, typed: string, unit: string): void => {
-    const answers = { ...(props.sheet.survey[0]() ?? {}) };
-    if (typed.trim() === "") delete answers[key];
-    else answers[key] = meant(typed, unit);
-    props.sheet.survey[1](answers);
-    if (!elsewhere()) void write(answers, `survey ${key}`);
+  const take = (now: Answers, mark: string): void => {
+    const held = isElsewhere(props.sheet);
+    props.sheet.survey[1](now);
+    if (!held) void put(now, mark);
   };
-  // Only what the engine names; a refusal of several numbers belongs to the first of them.
-  const told = (error: unknown, answers: Record<string, string>): { key: string; text: string } => {
-    if (!(error instanceof Refused)) return { key: "", text: String((error as Error).message) };
-    const key = /^(\w+)(?::| is missing)/.exec(error.message)?.[1] ?? "";
-    const mass = key === "axle" ? /^([\d.]+)\s*(t|tonnes?)$/.exec(answers[key] ?? "") : null;
-    if (mass) return { key, text: `This is a mass. An axle of ${mass[1]} t weighs ${figures(Number(mass[1]) * 9.80665)} kN: write that.` };
-    return { key, text: sentences(error) };
+  const give: Give = (key, typed, unit) => {
+    const now = { ...answers() };
+    if (typed.trim() === "") delete now[key];
+    else now[key] = meant(typed, unit);
+    take(now, `survey ${key}`);
   };
+  const asked: Asked = {
+    give,
+    get answers() {
+      return answers();
+    },
+    get wrong() {
+      return wrong();
+    },
+  };
+  // Those of a span come first, then the spans and piers beside it, then what all of them share.
+  const ofSpan = (): Question[] => questions()?.ten.slice(0, 3) ?? [];
+  const many = (): boolean => spansOf(answers()) > 1;
+  const placed = (key: string): boolean => document.getElementById(`q-${key}`) !== null;
   return (
     <div>
-      <p class="soft">Measured on site or taken off an old drawing. The bridge follows while you type; what is left empty is assumed, and the file says so. These numbers make one span: “Form” adds others with their piers.</p>
-      <For each={questions() ?? []}>
-        {(question) => {
-          const start = shown(props.sheet.survey[0]()?.[question.key] ?? "", system());
-          const unit = shown(question.example, system()).unit;
-          const id = `q-${question.key}`;
-          const [typed, setTyped] = createSignal(start.text);
-          const mine = () => (wrong()?.key === question.key ? wrong()!.text : "");
-          return (
-            <div class="field" classList={{ wrong: mine() !== "" }}>
-              <label for={id}>{TITLES[question.key] ?? sayKey(question.key)}</label>
-              <div class="entry">
-                <input id={id} value={start.text} placeholder={question.assumed ? shown(question.assumed, system()).text : ""} inputmode="decimal" autocomplete="off" aria-describedby={`${id}-doc`} aria-invalid={mine() !== ""} onInput={(event) => {
-                  setTyped(event.currentTarget.value);
-                  answer(question.key, event.currentTarget.value, unit);
-                }} />
-                {/* A unit of one's own stands in the place of the usual one. */}
-                <Show when={unit && !/[a-z]/i.test(typed())}>
-                  <span class="unit">{unit}</span>
-                </Show>
-              </div>
-              <p class="doc" id={`${id}-doc`}>
-                {question.doc}
-                {question.assumed ? ` If unknown: ${question.assumed} is assumed.` : ""}
-              </p>
-              <Show when={mine()}>
-                <p class="complaint" role="alert">{mine()}</p>
-              </Show>
-            </div>
-          );
+      <p class="soft">Measured on site or taken off an old drawing. The bridge follows while you type; what is left empty is assumed, and the file says so.</p>
+      <Show when={questions()?.spans}>{(question) => <Answer question={question()} asked={asked} title={titleOf("spans")} />}</Show>
+      <For each={ofSpan()}>{(question) => <Answer question={question} asked={asked} title={titleOf(question.key)} />}</For>
+      <Show when={many()}>
+        <For each={questions()?.pier}>{(question) => <Answer question={question} asked={asked} title={titleOf(question.key)} />}</For>
+        <Others questions={ofSpan()} count={spansOf(answers())} asked={asked} title="Other spans" each="Span" heads={["Span", "Rise", "Ring"]} />
+        <Show when={spansOf(answers()) > 2}>
+          <Others questions={questions()?.pier ?? []} count={spansOf(answers()) - 1} asked={asked} title="Other piers" each="Pier" heads={["Width", "Height"]} />
+        </Show>
+      </Show>
+      <For each={questions()?.ten.slice(3)}>{(question) => <Answer question={question} asked={asked} title={titleOf(question.key)} />}</For>
+      <h2 class="spaced">The verdict</h2>
+      <p class="soft">A bridge is adequate or not by a rule and for vehicles. Without them “Verdict” ends undetermined.</p>
+      <Judge
+        id="survey-judge"
+        start={{ rule: answers()["rule"] ?? "", vehicles: answers()["vehicles"] ?? "" }}
+        change={(judged) => {
+          const { rule: _rule, vehicles: _vehicles, ...rest } = answers();
+          take({ ...rest, ...(judged ?? {}) }, "survey judged");
         }}
-      </For>
-      <Show when={wrong() && !questions()?.some((one) => one.key === wrong()!.key)}>
+      />
+      <Show when={wrong() && !placed(wrong()!.key)}>
         <p class="complaint" role="alert">{wrong()!.text}</p>
       </Show>
-      <Show when={elsewhere()}>
+      <Show when={isElsewhere(props.sheet)}>
         <p>
-          The bridge has been changed in its form, text or drawing since. <button type="button" class="btn small" onClick={() => void write(props.sheet.survey[0]() ?? {}, "survey anew")}>Write it anew from these numbers</button>
+          The bridge has been changed in its form, text or drawing since. <button type="button" class="btn small" onClick={() => void put(answers(), "survey anew")}>Write it anew from these numbers</button>
         </p>
       </Show>
+    </div>
+  );
+}
+
+function Answer(props: { question: Question; asked: Asked; title: string }): JSX.Element {
+  const { question } = props;
+  const start = shown(props.asked.answers[question.key] ?? "", system());
+  const unit = shown(question.example, system()).unit;
+  const id = `q-${question.key}`;
+  const [typed, setTyped] = createSignal(start.text);
+  const mine = () => (props.asked.wrong?.key === question.key ? props.asked.wrong.text : "");
+  return (
+    <div class="field" classList={{ wrong: mine() !== "" }}>
+      <label for={id}>{props.title}</label>
+      <div class="entry">
+        <input id={id} value={start.text} placeholder={question.assumed ? shown(question.assumed, system()).text : ""} inputmode="decimal" autocomplete="off" aria-describedby={`${id}-doc`} aria-invalid={mine() !== ""} onInput={(event) => {
+          setTyped(event.currentTarget.value);
+          props.asked.give(question.key, event.currentTarget.value, unit);
+        }} />
+        {/* A unit of one's own stands in the place of the usual one. */}
+        <Show when={unit && !/[a-z]/i.test(typed())}>
+          <span class="unit">{typeset(unit)}</span>
+        </Show>
+      </div>
+      <p class="doc" id={`${id}-doc`}>
+        {question.doc}
+        {question.assumed && unit ? ` If unknown: ${typeset(question.assumed)} is assumed.` : ""}
+      </p>
+      <Show when={mine()}>
+        <p class="complaint" role="alert">{mine()}</p>
+      </Show>
+    </div>
+  );
+}
+
+/** The spans or piers after the first: what is left empty is taken from the first, and assumed. */
+function Others(props: { questions: Question[]; count: number; asked: Asked; title: string; each: string; heads: string[] }): JSX.Element {
+  const rows = () => Array.from({ length: props.count - 1 }, (_, k) => k + 2);
+  const unit = () => shown(props.questions[0]?.example ?? "", system()).unit;
+  const wrong = () => {
+    const found = props.asked.wrong;
+    return found && props.questions.some((question) => found.key.startsWith(`${question.key}_`)) ? found : null;
+  };
+  return (
+    <div class="others">
+      <table class="plain">
+        <caption>{props.title}, {unit()}. Left empty: assumed as the first.</caption>
+        <thead>
+          <tr>
+            <th scope="col"><span class="unseen">{props.each}</span></th>
+            <For each={props.heads}>{(head) => <th scope="col" class="right">{head}</th>}</For>
+          </tr>
+        </thead>
+        <tbody>
+          <For each={rows()}>
+            {(k) => (
+              <tr>
+                <th scope="row">{props.each} {k}</th>
+                <For each={props.questions}>
+                  {(question) => {
+                    const key = `${question.key}_${k}`;
+                    const first = () => shown(props.asked.answers[question.key] ?? "", system()).text;
+                    return (
+                      <td classList={{ wrong: wrong()?.key === key }}>
+                        <div class="entry">
+                          <input id={`q-${key}`} aria-label={titleOf(key)} value={shown(props.asked.answers[key] ?? "", system()).text} placeholder={first()} inputmode="decimal" autocomplete="off" aria-invalid={wrong()?.key === key}
+                            onInput={(event) => props.asked.give(key, event.currentTarget.value, unit())} />
+                        </div>
+                      </td>
+                    );
+                  }}
+                </For>
+              </tr>
+            )}
+          </For>
+        </tbody>
+      </table>
+      <Show when={wrong()}>{(found) => <p class="complaint" role="alert">{found().text}</p>}</Show>
     </div>
   );
 }

@@ -17,6 +17,7 @@ import { openExample } from "../shell/OpenDialog";
 import { Scene } from "../shell/Scene";
 import { system } from "../shell/settings";
 import { figures, grouped, place, small, words } from "../units";
+import { typeset } from "../wording";
 import { Svg } from "./Verdict";
 
 const [chosen, setChosen] = createSignal(0);
@@ -275,7 +276,7 @@ export function TrainBlock(props: { sheet: Sheet }): JSX.Element {
         <span class="cap">Peak so far, {sensor()?.name ?? "no sensor"}</span>
         <span class="headline num" data-testid="peak">
           {peak() ? figures(peak()!.value, 3) : "–"}
-          <span class="unit">{peak() ? sensor()?.unit : ""}</span>
+          <span class="unit">{peak() ? typeset(sensor()?.unit ?? "") : ""}</span>
         </span>
         <span class="under">{sensor()?.about ?? ""}</span>
       </div>
@@ -389,7 +390,7 @@ export function TrainPanel(props: { sheet: Sheet }): JSX.Element {
               data={data()}
               curves={curves()}
               x="time, s"
-              y={now().sensors[chosen()]?.unit ?? ""}
+              y={typeset(now().sensors[chosen()]?.unit ?? "")}
               height={200}
               time={now().places[2 * passage().shown[0]()] ?? 0}
               label={`Record of ${now().sensors[chosen()]?.name ?? ""} over time.`}
@@ -545,7 +546,7 @@ function Update(props: { sheet: Sheet }): JSX.Element {
                   {(one) => (
                     <tr>
                       <td>{one.name}<Interval of={one} />{one.identifiable === false ? <div class="soft">the records do not tell</div> : null}{one.at_bound ? <div class="soft">at its bound</div> : null}</td>
-                      <td class="right num">{figures(one.value)} {one.unit ?? ""}</td>
+                      <td class="right num">{figures(one.value)} {typeset(one.unit ?? "")}</td>
                       <td class="right num">{one.interval_95 ? `${figures(one.interval_95[0], 3)} to ${figures(one.interval_95[1], 3)}` : "–"}</td>
                     </tr>
                   )}
@@ -562,7 +563,7 @@ function Update(props: { sheet: Sheet }): JSX.Element {
                       <For each={histories().channels}>{(one, k) => <option value={k()}>{one.name}</option>}</For>
                     </select>
                   </div>
-                  <Chart data={curves()} curves={THREE} x="time, s" y={shown()?.unit ?? ""} height={200} label={`${shown()?.name ?? ""}: measured, before the update and after it.`} />
+                  <Chart data={curves()} curves={THREE} x="time, s" y={typeset(shown()?.unit ?? "")} height={200} label={`${shown()?.name ?? ""}: measured, before the update and after it.`} />
                   <p class="soft">Dashed: measured. Blue: before. Red: with what was found.</p>
                 </>
               )}

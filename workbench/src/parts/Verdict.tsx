@@ -3,14 +3,19 @@ import { createMemo, createSignal, For, onCleanup, Show, type JSX } from "solid-
 import { Lost, Refused, sentences } from "../engine/client";
 import type { PlaceInText, Reading, ResultOut } from "../engine/types";
 import { download } from "../drawing/film";
+import { assumedIn } from "../model/assumed";
 import { analyse, background } from "../model/background";
 import { overItsWidth } from "../model/carried";
+import { judgedBy } from "../model/judged";
+import { library } from "../model/library";
 import type { Sheet } from "../model/sheet";
 import { liveEngine } from "../model/live";
 import { say } from "../model/workspace";
 import { system } from "../shell/settings";
 import { figures, lineLoad, place, words } from "../units";
+import { plainly, typeset } from "../wording";
 import { goToText } from "./BridgePanel";
+import { JudgeFile } from "./Judge";
 
 type Kind = { call: string; title: string; about: string; offered: (reading: Reading) => boolean; args: Record<string, unknown> };
 
@@ -209,14 +214,24 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
     const value = object()?.["headline_kn_per_m"];
     return typeof value === "number" ? value * 1e3 : null;
   };
+  const rule = createMemo(() => {
+    const known = library();
+    const code = known && verdict().result ? judgedBy(verdict().text, known) : "";
+    return known?.rules.find((one) => one.code === code)?.title ?? code;
+  });
+  const assumed = createMemo(() => (verdict().result ? assumedIn(verdict().text) : []));
   const whole = () => typeof object()?.["headline_kn"] === "number";
   const notes = createMemo(() => {
     const found = object();
     if (!found) return [];
     const list: { kind: string; text: string; line?: number }[] = [];
-    for (const text of (found["missing"] as string[] | undefined) ?? []) list.push({ kind: "warn", text: `Missing: ${text}` });
-    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${one.message ?? ""}`, ...(one.line ? { line: one.line } : {}) });
-    for (const text of (found["assumptions"] as string[] | undefined) ?? []) list.push({ kind: "", text });
+    const texts = (key: string): string[] => ((found[key] as string[] | undefined) ?? []).map(plainly);
+    for (const text of texts("missing")) list.push({ kind: "warn", text: `Missing: ${text}` });
+    if (assumed().length > 0) list.push({ kind: "", text: typeset(`Assumed by the file, measured by nobody: ${assumed().join("; ")}.`) });
+    for (const one of (found["warnings"] as { message?: string; line?: number }[] | undefined) ?? []) list.push({ kind: "warn", text: `${one.line ? `Line ${one.line}: ` : ""}${plainly(one.message ?? "")}`, ...(one.line ? { line: one.line } : {}) });
+    // Those with a code are the titles of warnings that stand above.
+    for (const text of texts("qualifications").filter((one) => !/\(A\d+\)$/.test(one))) list.push({ kind: "", text: `The verdict rests on ${text}` });
+    for (const text of texts("assumptions")) list.push({ kind: "", text });
     return list;
   });
   const status = () => verdict().result?.status ?? "";
@@ -237,7 +252,12 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
       <div>
         <span class="cap">{verdict().kind?.title ?? "Verdict"}</span>
         <Show when={load() !== null} fallback={
-          <Show when={least()} fallback={<span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>}>
+          <Show when={least()} fallback={<>
+              <span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>
+              <Show when={verdict().kind?.call === "assess" && assumed().length > 0}>
+                <span class="under" data-testid="on-assumptions">on values that nobody measured, named in the notes</span>
+              </Show>
+            </>}>
             {(found) => (
               <>
                 <span class="headline num" data-testid="verdict">
@@ -260,6 +280,7 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
         <span class="cap">By</span>
         <b>{String(object()?.["headline_from"] ?? verdict().kind?.about ?? "")}</b>
         <div class="under">{status() ? `Status: ${status()}` : ""}</div>
+        <Show when={verdict().kind?.call === "assess" && rule()}><div class="under">{rule()}</div></Show>
         <Show when={governing() !== null}><div class="under">Factor on the load {figures(governing()!, 3)}</div></Show>
       </div>
       <div class="notes" tabindex="0" role="region" aria-label="Warnings and assumptions">
@@ -311,6 +332,7 @@ export function VerdictPanel(props: { sheet: Sheet }): JSX.Element {
       <Show when={verdict().mode === "runs"}>
         <button type="button" class="btn" onClick={() => background.stop()}>Stop</button>
       </Show>
+      <JudgeFile sheet={props.sheet} />
       <Show when={verdict().result?.report}>
         <div class="row spaced">
           <button type="button" class="btn" onClick={() => frame?.contentWindow?.print()}>Print the report</button>

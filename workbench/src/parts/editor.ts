@@ -10,6 +10,7 @@ import { Annotation, EditorState } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Finding, Section } from "../engine/types";
+import { typeset } from "../wording";
 
 const fromSheet = Annotation.define<boolean>();
 
@@ -80,8 +81,8 @@ function complete(sections: () => Section[]): (context: CompletionContext) => Co
     if (value) {
       const field = section.fields.find((one) => one.key === value[1]);
       if (!field) return null;
-      const options: Completion[] = field.words.map(({ word, doc }) => ({ label: word, info: doc, type: "enum", apply: value[2] ? word : `"${word}"` }));
-      if (options.length === 0 && field.example && value[3] === "" && value[2] === "") options.push({ label: field.example, info: field.doc, type: "text" });
+      const options: Completion[] = field.words.map(({ word, doc }) => ({ label: word, info: typeset(doc), type: "enum", apply: value[2] ? word : `"${word}"` }));
+      if (options.length === 0 && field.example && value[3] === "" && value[2] === "") options.push({ label: field.example, info: typeset(field.doc), type: "text" });
       return options.length > 0 ? { from: context.pos - value[3]!.length, options } : null;
     }
     const key = /^\s*([\w-]*)$/.exec(before);
@@ -91,7 +92,7 @@ function complete(sections: () => Section[]): (context: CompletionContext) => Co
       .map((field) => ({
         label: field.key,
         detail: field.need === "required" ? "needed" : field.default ?? "",
-        info: `${field.doc}${field.example ? ` For example ${field.example}` : ""}`,
+        info: `${typeset(field.doc)}${field.example ? ` For example ${field.example}` : ""}`,
         apply: `${field.key} = `,
         type: "property",
         boost: field.need === "required" ? 1 : 0,

@@ -1,6 +1,6 @@
 /** Ways to a bridge: ten survey numbers, an example, a file from this machine. */
 import { For, onMount, Show, type JSX } from "solid-js";
-import type { Example, Question } from "../engine/types";
+import type { Example, Questions } from "../engine/types";
 import { engineOnItsWay, examples } from "../model/library";
 import { liveEngine } from "../model/live";
 import { open, say, setPart } from "../model/workspace";
@@ -29,8 +29,8 @@ const sayName = (name: string): string => name.replace(/-/g, " ").replace(/^./, 
 /** A bridge of the numbers that must be known, each with its example, and the questions beside it; what may be assumed stays open, so that the file says so. */
 export async function openSurvey(): Promise<void> {
   try {
-    const list = await liveEngine.call<Question[]>("questions");
-    const answers = Object.fromEntries(list.filter((question) => question.assumed === "").map((question) => [question.key, question.example]));
+    const { ten } = await liveEngine.call<Questions>("questions");
+    const answers = Object.fromEntries(ten.filter((question) => question.assumed === "").map((question) => [question.key, question.example]));
     const text = await liveEngine.call<string>("fromSurvey", { answers });
     const sheet = open({ path: "bridge.toml", text, survey: answers });
     sheet?.surveyed[1](text);

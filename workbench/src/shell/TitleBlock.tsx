@@ -8,6 +8,7 @@ import type { Sheet } from "../model/sheet";
 import { part, setPart } from "../model/workspace";
 import { goToText } from "../parts/BridgePanel";
 import { figures, lineLoad, place, words, type System } from "../units";
+import { plainly, typeset } from "../wording";
 import { system } from "./settings";
 
 /** Whether the load is the file's own, whose size is sought, or a vehicle with a size of its own. */
@@ -79,7 +80,7 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     const list: Note[] = [];
     const trouble = props.sheet.trouble[0]() ?? reading()?.refusal ?? props.sheet.placeTrouble[0]();
     if (trouble) list.push({ kind: "err", text: sentences(trouble) });
-    for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${one.message}`, finding: one });
+    for (const one of findings().slice(0, MOST_NOTES)) list.push({ kind: one.severity === "error" ? "err" : "warn", text: `Line ${one.line}: ${plainly(one.message)}`, finding: one });
     if (findings().length > MOST_NOTES) list.push({ kind: "warn", text: `and ${findings().length - MOST_NOTES} more: see the findings of the bridge.` });
     if (about()?.stands === false) list.push({ kind: "err", text: "The bridge does not stand under its own weight." });
     const found = answer()?.words;
@@ -91,9 +92,9 @@ export function TitleBlock(props: { sheet: Sheet; extra?: JSX.Element }): JSX.El
     }
     if (found?.open) list.push({ kind: "warn", text: "Joints slide here: less may be carried without dilation. The answer settles when the load rests." });
     if (about()?.fast === false) list.push({ kind: "", text: "This model takes longer than a picture at each place; the answer follows when it is ready." });
-    for (const text of about()?.assumptions ?? []) list.push({ kind: "", text });
+    for (const text of about()?.assumptions ?? []) list.push({ kind: "", text: plainly(text) });
     const assumed = assumedIn(props.sheet.text());
-    if (assumed.length > 0) list.push({ kind: "", text: `Assumed by the file: ${assumed.join("; ")}.` });
+    if (assumed.length > 0) list.push({ kind: "", text: typeset(`Assumed by the file: ${assumed.join("; ")}.`) });
     return list;
   }, [], {
     // A new answer with the same notes leaves them where they are.

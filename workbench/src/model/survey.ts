@@ -1,0 +1,69 @@
+/** Answers of a survey sheet and the file that they make. */
+import { Refused, sentences } from "../engine/client";
+import { figures } from "../units";
+import { liveEngine } from "./live";
+import type { Sheet } from "./sheet";
+
+export type Answers = Record<string, string>;
+/** What is wrong with an answer; no key where it is none of them. */
+export type Wrong = { key: string; text: string };
+
+const TITLES: Record<string, string> = {
+  spans: "Number of spans",
+  span: "Span",
+  rise: "Rise",
+  thickness: "Thickness of the ring",
+  width: "Width of the barrel",
+  cover: "Cover over the crown",
+  unit: "Length of a stone along the ring",
+  backing: "Height of backing",
+  density: "Density of the masonry",
+  strength: "Strength of the masonry",
+  axle: "Axle",
+  pier_width: "Width of the pier",
+  pier_height: "Height of the pier",
+};
+
+/** An answer in words: "rise_2" is "Rise, span 2". */
+export function titleOf(key: string): string {
+  const [, base, k] = /^(.*?)(?:_(\d+))?$/.exec(key)!;
+  const title = TITLES[base!] ?? key;
+  return k === undefined ? title : base!.startsWith("pier") ? title.replace("the pier", `pier ${k}`) : `${title}, span ${k}`;
+}
+
+/** Whether the file has been changed since by something else than the answers. */
+export function isElsewhere(sheet: Sheet): boolean {
+  return sheet.surveyed[0]() !== "" && sheet.surveyed[0]() !== sheet.text();
+}
+
+/** The number of spans that are answered for; 1 where that is no number. */
+export function spansOf(answers: Answers): number {
+  const count = Number(answers["spans"] ?? "1");
+  return Number.isInteger(count) && count >= 1 && count <= 20 ? count : 1;
+}
+
+let newest = 0;
+
+/** Writes the file anew from these answers; what is wrong with them, null where nothing is, undefined where newer ones have overtaken them. */
+export async function write(sheet: Sheet, answers: Answers, mark: string): Promise<Wrong | null | undefined> {
+  const mine = ++newest;
+  try {
+    const text = await liveEngine.call<string>("fromSurvey", { answers }, { patience: 5000 });
+    if (mine !== newest) return undefined;
+    sheet.surveyed[1](text);
+    sheet.change(text, mark);
+    return null;
+  } catch (error) {
+    return mine === newest ? told(error, answers) : undefined;
+  }
+}
+
+/** Only what the engine names; a refusal of several numbers belongs to the first of them. */
+export function told(error: unknown, answers: Answers): Wrong {
+  if (!(error instanceof Refused)) return { key: "", text: String((error as Error).message) };
+  const [, key = "", what = ""] = /^(\w+)(:| is missing)/.exec(error.message) ?? [];
+  const mass = key === "axle" ? /^([\d.]+)\s*(t|tonnes?)$/.exec(answers[key] ?? "") : null;
+  if (mass) return { key, text: `This is a mass. An axle of ${mass[1]} t weighs ${figures(Number(mass[1]) * 9.80665)} kN: write that.` };
+  if (what === " is missing") return { key, text: "The drawing waits for this number: nothing is assumed in its place." };
+  return { key, text: sentences(error).replaceAll(key, titleOf(key)) };
+}
