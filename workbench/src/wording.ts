@@ -10,6 +10,7 @@ export function typeset(text: string): string {
 /** Where the page has a control for what a key of the file says. */
 const CONTROLS: [RegExp, string][] = [
   [/\b(?:method|`method`) = "path" in \[analysis\]/g, "“Joints that give”, in the table of methods under Load,"],
+  [/\bthe file has no \[sweep\] of vehicles/g, "no rule and no vehicles are chosen: “Verdict” asks for them, and so does a survey"],
 ];
 
 /** A note of the engine. A page of the documentation is not at hand here; what it says stands in the note. */

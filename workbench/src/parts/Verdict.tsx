@@ -80,7 +80,7 @@ const scrolled = new WeakMap<Sheet, number>();
 
 const LEAD = "#input:";
 
-/** Makes every number of a report that names its input a link that leads there. The frame runs no script, not even listeners from outside in every
+/** Prints the units of a report, and makes every number of it that names its input a link that leads there. The frame runs no script, not even listeners from outside in every
  * browser: its links change its fragment, and the page looks at that. */
 function lead(inside: Document): void {
   const style = inside.createElement("style");
@@ -88,6 +88,10 @@ function lead(inside: Document): void {
     "a.lead { color: inherit; text-decoration: underline dotted 1px; text-underline-offset: 3px; } a.lead:hover { text-decoration-style: solid; } " +
     "@media print { a.lead { text-decoration: none; } }";
   inside.head.append(style);
+  const texts = inside.createTreeWalker(inside.body, NodeFilter.SHOW_TEXT);
+  for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+    if (!text.parentElement?.closest("code, pre")) text.nodeValue = typeset(text.nodeValue ?? "");
+  }
   for (const holder of inside.querySelectorAll<HTMLElement>("[data-input]")) {
     const cell = holder.tagName === "TR" ? (holder.children[1] as HTMLElement | undefined) : holder;
     const path = holder.dataset["input"] ?? "";
@@ -254,8 +258,8 @@ export function VerdictBlock(props: { sheet: Sheet }): JSX.Element {
         <Show when={load() !== null} fallback={
           <Show when={least()} fallback={<>
               <span class="headline words" data-testid="verdict">{STATUS[status()] ?? (status() || "–")}</span>
-              <Show when={verdict().kind?.call === "assess" && assumed().length > 0}>
-                <span class="under" data-testid="on-assumptions">on values that nobody measured, named in the notes</span>
+              <Show when={/^(in)?adequate$/.test(status()) && assumed().length > 0}>
+                <span class="under" data-testid="on-assumptions">if what nobody measured is as assumed: the notes name it</span>
               </Show>
             </>}>
             {(found) => (

@@ -86,6 +86,8 @@ test("a survey that names rule and vehicles ends in a verdict that says on what 
   assert.equal(await page.locator("#judge-traffic").count(), 0);
   assert.equal(await assessed(page), "Adequate");
   assert.match(await page.getByTestId("on-assumptions").innerText(), /nobody measured/);
+  const report = await page.frameLocator("iframe.report").locator("body").innerText();
+  assert.ok(/To be confirmed on site[\s\S]*2200 kg\/m³/.test(report) && !/[a-z]\^\d/.test(report), "what is assumed is to be confirmed, units are printed");
   const notes = page.getByRole("region", { name: "Warnings and assumptions" });
   await notes.getByText(/measured by nobody:.*masonry density 2200 kg\/m³.*joint friction angle 30 deg/).waitFor();
   assert.match(await page.locator(".block").innerText(), /CS 454, masonry arches/);
@@ -108,6 +110,8 @@ test("an assessment without a rule asks for it where it ends, in a survey and in
     await field("Thickness of the ring").fill("0.35");
     await part(page, "Verdict");
     assert.equal(await assessed(page), "Undetermined");
+    assert.equal(await page.getByTestId("on-assumptions").count(), 0);
+    assert.match(await page.locator(".block .notes").textContent(), /no rule and no vehicles are chosen: “Verdict” asks for them/);
     await page.getByText("The file names no rule that judges the bridge").waitFor();
     await judged(page, field, ["rail", "nr-civ-025", "ra10"]);
     await field("Traffic over the bridge").scrollIntoViewIfNeeded();
