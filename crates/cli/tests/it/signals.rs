@@ -43,7 +43,7 @@ fn long_sweep(name: &str) -> Stage {
 #[test]
 fn a_sweep_ends_within_a_second_of_ctrl_c() {
     let stage = long_sweep("signals-sweep");
-    ends_soon(&stage, &["collapse", "bridge/bridge.toml", "--sweep", "--sweep-step", "0.01 m"], "-INT");
+    ends_soon(&stage, &["collapse", "bridge/bridge.toml", "--sweep", "--sweep-step", "0.001 m"], "-INT");
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn an_assessment_ends_when_its_terminal_closes() {
 #[test]
 fn lines_of_progress_come_where_there_is_no_terminal() {
     let stage = long_sweep("signals-lines");
-    let run = ["collapse", "bridge/bridge.toml", "--sweep", "--sweep-step", "0.01 m", "--progress-every", "0.2"];
+    let run = ["collapse", "bridge/bridge.toml", "--sweep", "--sweep-step", "0.001 m", "--progress-every", "0.2"];
     let said = |more: &[&str]| {
         let words: Vec<&str> = run.iter().chain(more).copied().collect();
         let child = stage.command(&words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");

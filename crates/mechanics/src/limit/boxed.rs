@@ -6,7 +6,7 @@
 //! the whole program, with the multipliers of all rows. Without a start all stand at their least, then at their most.
 
 use super::rows::Rows;
-use super::simplex::{Corner, Ended, Member, greatest};
+use super::simplex::{Corner, Ended, Member, Start, greatest};
 use crate::watch::Pace;
 
 /// The last unknowns of a program: `-x <= b` and `x <= b` stand one after the other for each.
@@ -36,14 +36,15 @@ pub(super) fn greatest_between(
     rows: &Rows,
     bounded: Bounded,
     last: &[f64],
-    start: Option<&[Member]>,
+    start: Option<&Start>,
     pace: &Pace,
 ) -> Ended {
     if bounded.count == 0 {
         return greatest(rows, last, start, pace);
     }
     let held = Held { rows, bounded, last, pace };
-    let starts = start.map(<[Member]>::to_vec).into_iter().chain([held.blank(At::Least), held.blank(At::Most)]);
+    let starts =
+        start.map(|start| start.members.clone()).into_iter().chain([held.blank(At::Least), held.blank(At::Most)]);
     starts.map(|start| held.from(&start)).find_map(|ended| ended).unwrap_or_else(|| greatest(rows, last, None, pace))
 }
 
@@ -97,13 +98,13 @@ impl Held<'_> {
         for _ in 0..ROUNDS {
             let few = self.few(&at);
             let own = few.own(&members, self)?;
-            let corner = match greatest(&few.rows, &few.last, Some(&own), self.pace) {
+            let corner = match greatest(&few.rows, &few.last, Some(&Start::of(own)), self.pace) {
                 Ended::Best(corner) => corner,
                 Ended::Unbounded => return Some(Ended::Unbounded),
                 Ended::Lost => return None,
             };
             pivots += corner.pivots;
-            members = corner.members.iter().map(|&m| few.whole(m, self)).collect();
+            members = corner.start.members.iter().map(|&m| few.whole(m, self)).collect();
             let multipliers = self.multipliers(&few, &corner);
             let largest = corner.basis.iter().map(|m| m.1).fold(0.0, f64::max);
             let mut contradicted = false;
@@ -199,7 +200,7 @@ impl Held<'_> {
             members.push(Member::Row(row));
         }
         z.extend(corner.z.last());
-        Corner { z, basis, members, upper: corner.upper, pivots }
+        Corner { z, basis, start: Start::of(members), upper: corner.upper, pivots }
     }
 }
 
@@ -253,13 +254,13 @@ mod tests {
                 rows.push(row, if sign < 0.0 { 0.1 } else { 0.3 });
             }
         }
-        let mut start: Option<Vec<Member>> = None;
+        let mut start: Option<Start> = None;
         for _ in 0..50 {
             let mut last: Vec<f64> = (0..many).map(|_| random()).collect();
             last.resize(many + 2 * count, 0.0);
             let (Ended::Best(exact), Ended::Best(held)) = (
                 greatest(&rows, &last, None, &Pace::default()),
-                greatest_between(&rows, bounded, &last, start.as_deref(), &Pace::default()),
+                greatest_between(&rows, bounded, &last, start.as_ref(), &Pace::default()),
             ) else {
                 continue;
             };
@@ -271,8 +272,8 @@ mod tests {
                 let sum: f64 = held.basis.iter().map(|&(k, y)| y * rows.entry(k, j)).sum();
                 assert!(sum.abs() < 1e-8, "{sum}");
             }
-            assert_eq!(held.members.len(), rows.width() + 1);
-            start = Some(held.members);
+            assert_eq!(held.start.members.len(), rows.width() + 1);
+            start = Some(held.start);
         }
         assert!(start.is_some());
     }

@@ -8,6 +8,7 @@ use super::joints::{Joint, Strength, joints};
 use super::reduced::{Elastic, Row, alike, rows, self_stress};
 use super::rows::Rows;
 use super::settings::Settings;
+use super::simplex::{Member, Start};
 use crate::blocks::{BlockModel, Interface, Loading, ModelError, PointForce};
 use std::borrow::Cow;
 
@@ -76,20 +77,39 @@ impl Reduced {
         }
     }
 
+    /// The last column of the rows from this one on, for a load of this size.
+    pub(super) fn lasts(&self, from: usize, effect: &Effect, size: f64) -> Vec<f64> {
+        self.limits[from..].iter().map(|row| -row.of(&effect.forces) / size).collect()
+    }
+
+    /// A basis with the tangents from `first` on in the place of those that it has to the same parabolas, as Newton's method
+    /// would have it; itself where that is no basis, or where one parabola has several.
+    pub(super) fn sharpened(&self, start: Start, first: usize, last: &[f64]) -> Start {
+        let old = |row: usize| {
+            let same = |member: &Member| match *member {
+                Member::Row(k) => k >= self.standing && self.limits[k].is_beside(&self.limits[row]),
+                _ => false,
+            };
+            let mut places = (0..start.members.len()).filter(|place| same(&start.members[*place]));
+            let only = places.next()?;
+            places.next().is_none().then_some((only, row))
+        };
+        let swaps: Vec<(usize, usize)> = (first..self.limits.len()).filter_map(old).collect();
+        start.with(&swaps, &self.rows, last).unwrap_or(start)
+    }
+
     /// Drops the tangents that are not wanted; gives every row's new place.
     pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) -> Vec<Option<usize>> {
-        let mut rows = Rows::new(self.rows.width());
-        let mut places = Vec::with_capacity(self.limits.len());
-        let mut limits = Vec::with_capacity(self.limits.len());
-        for (k, row) in std::mem::take(&mut self.limits).into_iter().enumerate() {
-            let stays = k < self.standing || wanted(k);
-            places.push(stays.then_some(limits.len()));
-            if stays {
-                limits.push(row);
-                rows.push(self.rows.row(k), self.rows.b(k));
-            }
+        let mut places: Vec<Option<usize>> = (0..self.limits.len()).map(|k| (k < self.standing).then_some(k)).collect();
+        let mut next = self.standing;
+        for (k, place) in places.iter_mut().enumerate().skip(self.standing).filter(|(k, _)| wanted(*k)) {
+            *place = Some(next);
+            self.limits.swap(k, next);
+            self.rows.put(k, next);
+            next += 1;
         }
-        (self.limits, self.rows) = (limits, rows);
+        self.limits.truncate(next);
+        self.rows.truncate(next);
         places
     }
 
@@ -121,9 +141,10 @@ pub struct Effect {
 impl Effect {
     /// Adds so many times another effect.
     pub fn add(&mut self, other: &Effect, times: f64) {
-        let pairs = self.load.iter_mut().zip(&other.load).chain(self.forces.iter_mut().zip(&other.forces));
-        for (a, b) in pairs.chain(self.elastic.iter_mut().zip(&other.elastic)) {
-            *a += times * b;
+        let (own, others) =
+            ([&mut self.load, &mut self.forces, &mut self.elastic], [&other.load, &other.forces, &other.elastic]);
+        for (own, other) in own.into_iter().zip(others) {
+            own.iter_mut().zip(other).for_each(|(a, b)| *a += times * b);
         }
         self.balanced &= other.balanced;
     }

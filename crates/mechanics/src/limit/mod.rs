@@ -22,6 +22,7 @@ pub mod continuum;
 mod equilibrium;
 mod ground;
 mod interior_point;
+mod inverse;
 mod joints;
 mod mechanism;
 mod nonassociated;

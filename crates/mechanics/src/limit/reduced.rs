@@ -14,6 +14,9 @@ use super::joints::{Joint, Strength};
 const MOST_STATES: usize = 160;
 /// Out-of-balance forces, relative to all permanent loads, that a state may leave: round-off of a refined solution.
 const BALANCED: f64 = 1e-11;
+/// Passes in which a load is balanced, and what the last one need not take out: round-off of loads whose sizes sum to one.
+const PASSES: usize = 3;
+const ENOUGH: f64 = 1e-15;
 
 /// Resistance of one to everything.
 const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -21,8 +24,8 @@ const ALIKE: Resistance = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// A row that forces must keep: `entries . f + constant >= 0`.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
-    /// Column and coefficient.
-    pub entries: Vec<Entry>,
+    /// Column and coefficient; a joint has no more than three forces, and what is left is zeros.
+    entries: [Entry; 3],
     /// Constant, scaled force.
     pub constant: f64,
     /// Whether a joint slides where the row is reached.
@@ -30,6 +33,22 @@ pub(super) struct Row {
 }
 
 impl Row {
+    fn new(own: &[Entry], constant: f64, slides: bool) -> Row {
+        let mut entries = [(0, 0.0); 3];
+        entries[..own.len()].copy_from_slice(own);
+        Row { entries, constant, slides }
+    }
+
+    /// Whether another one is a tangent to the same parabola.
+    pub fn is_beside(&self, other: &Row) -> bool {
+        self.entries[0].0 == other.entries[0].0
+    }
+
+    /// Columns and their coefficients.
+    pub fn entries(&self) -> impl Iterator<Item = Entry> + '_ {
+        self.entries.iter().copied().filter(|entry| entry.1 != 0.0)
+    }
+
     /// `entries . f`.
     pub fn of(&self, forces: &[f64]) -> f64 {
         self.entries.iter().map(|&(c, v)| v * forces[c]).sum()
@@ -52,16 +71,20 @@ impl<'a> Elastic<'a> {
     pub fn balance(&mut self, load: &[f64]) -> Option<Vec<f64>> {
         let mut forces = vec![0.0; self.equilibrium.columns.len()];
         let mut left: Vec<f64> = load.iter().map(|p| -p).collect();
+        let mut worst = f64::INFINITY;
         // Each pass takes out what the one before left of the load.
-        for _ in 0..3 {
+        for _ in 0..PASSES {
             let velocities = self.stiffness.solve(&left);
             for (f, d) in forces.iter_mut().zip(self.stiffness.forces(&velocities)) {
                 *f += d;
             }
             left = load.iter().map(|p| -p).collect();
             self.subtract(&forces, &mut left);
+            worst = left.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+            if worst <= ENOUGH {
+                break;
+            }
         }
-        let worst = left.iter().fold(0.0f64, |m, r| m.max(r.abs()));
         (worst <= BALANCED).then_some(forces)
     }
 
@@ -164,19 +187,18 @@ pub(super) fn rows(equilibrium: &Equilibrium, joints: &[Joint], strengths: &[Str
         let n = joint.points.len();
         // Tension also bounds joints that crush: their parabola lies within.
         for k in 0..n {
-            rows.push(Row { entries: vec![(c + k, 1.0)], constant: strength.tension / unit, slides: false });
+            rows.push(Row::new(&[(c + k, 1.0)], strength.tension / unit, false));
         }
         if strength.friction.is_finite() {
             for sign in [1.0, -1.0] {
-                let mut entries = vec![(c + n, sign)];
-                entries.extend((0..n).map(|k| (c + k, strength.friction)));
-                rows.push(Row { entries, constant: strength.cohesion / unit, slides: true });
+                let forces = [(c + n, sign), (c, strength.friction), (c + 1, strength.friction)];
+                rows.push(Row::new(&forces[..=n], strength.cohesion / unit, true));
             }
         }
     }
     for restraint in &equilibrium.restraints {
-        rows.push(Row { entries: vec![(restraint.column, 1.0)], constant: 0.0, slides: false });
-        rows.push(Row { entries: vec![(restraint.column, -1.0)], constant: restraint.most, slides: false });
+        rows.push(Row::new(&[(restraint.column, 1.0)], 0.0, false));
+        rows.push(Row::new(&[(restraint.column, -1.0)], restraint.most, false));
     }
     rows
 }
@@ -202,9 +224,8 @@ pub(super) fn tangents(
             if forces[c + k] + tension - curvature * total * total < -allowed {
                 // n' >= curvature (2 total0 total' - total0^2), with n' and total' shifted by the tension.
                 let slope = 2.0 * curvature * total;
-                let entries = vec![(c + k, 1.0 - slope), (c + 1 - k, -slope)];
                 let constant = tension - 2.0 * slope * tension + curvature * total * total;
-                rows.push(Row { entries, constant, slides: false });
+                rows.push(Row::new(&[(c + k, 1.0 - slope), (c + 1 - k, -slope)], constant, false));
             }
         }
     }

@@ -10,10 +10,12 @@ const SIDE: usize = 8;
 pub(super) struct Rows {
     /// Unknowns but the last.
     width: usize,
-    /// Eight rows after the other; of each eight, unknown after unknown. Rows that only fill up the last eight are zeros.
+    /// Eight rows after the other; of each eight, unknown after unknown. Rows that only fill up the last eight say nothing.
     a: Vec<f64>,
     /// Right sides.
     b: Vec<f64>,
+    /// The largest size of any entry.
+    largest: f64,
 }
 
 impl Rows {
@@ -35,14 +37,35 @@ impl Rows {
         self.b[k]
     }
 
+    /// The largest size of any entry.
+    pub fn largest(&self) -> f64 {
+        self.largest
+    }
+
     pub fn push(&mut self, a: impl IntoIterator<Item = f64>, b: f64) {
         let k = self.b.len();
         if k.is_multiple_of(SIDE) {
             self.a.resize(self.a.len() + SIDE * self.width, 0.0);
         }
         let from = self.at(k);
-        self.a[from..].iter_mut().step_by(SIDE).zip(a).for_each(|(to, value)| *to = value);
+        for (to, value) in self.a[from..].iter_mut().step_by(SIDE).zip(a) {
+            *to = value;
+            self.largest = self.largest.max(value.abs());
+        }
         self.b.push(b);
+    }
+
+    /// Puts a row in the place of an earlier one.
+    pub fn put(&mut self, k: usize, place: usize) {
+        let (from, to) = (self.at(k), self.at(place));
+        (0..self.width).for_each(|unknown| self.a[to + SIDE * unknown] = self.a[from + SIDE * unknown]);
+        self.b[place] = self.b[k];
+    }
+
+    /// Drops all rows from this one on.
+    pub fn truncate(&mut self, count: usize) {
+        self.b.truncate(count);
+        self.a.truncate(count.div_ceil(SIDE) * SIDE * self.width);
     }
 
     /// Where the first entry of a row stands.
@@ -89,19 +112,25 @@ impl<M: Fn(usize) -> bool> pulp::NullaryFnOnce for Violated<'_, M> {
     fn call(self) -> Option<usize> {
         let Violated { rows, last, x, factor, most, careful, may } = self;
         let (mut worst, mut found) = (most, None);
-        for (eight, (b, last)) in rows.b.chunks(SIDE).zip(last.chunks(SIDE)).enumerate() {
-            let mut slack = [f64::INFINITY; SIDE];
-            for (slack, (b, last)) in slack.iter_mut().zip(b.iter().zip(last)) {
-                *slack = b - last * factor;
+        let (b, b_left) = rows.b.as_chunks::<SIDE>();
+        let (last, last_left) = last[..rows.b.len()].as_chunks::<SIDE>();
+        // Rows that only fill up the last eight are never violated.
+        let (mut b_end, mut last_end) = ([f64::INFINITY; SIDE], [0.0; SIDE]);
+        b_end[..b_left.len()].copy_from_slice(b_left);
+        last_end[..last_left.len()].copy_from_slice(last_left);
+        let sides = b.iter().chain([&b_end]).zip(last.iter().chain([&last_end]));
+        for (eight, (b, last)) in sides.take(rows.b.len().div_ceil(SIDE)).enumerate() {
+            let mut slack = [0.0; SIDE];
+            for k in 0..SIDE {
+                slack[k] = b[k] - last[k] * factor;
             }
-            let from = eight * SIDE * rows.width;
-            let (columns, _) = rows.a[from..from + SIDE * rows.width].as_chunks::<SIDE>();
+            let (columns, _) = rows.a[eight * SIDE * rows.width..][..SIDE * rows.width].as_chunks::<SIDE>();
             for (column, x) in columns.iter().zip(x) {
-                for (slack, a) in slack.iter_mut().zip(column) {
-                    *slack -= a * x;
+                for k in 0..SIDE {
+                    slack[k] -= column[k] * x;
                 }
             }
-            if slack.iter().all(|slack| *slack >= worst) {
+            if !slack.iter().fold(false, |any, slack| any | (*slack < worst)) {
                 continue;
             }
             for (side, slack) in slack.into_iter().enumerate() {

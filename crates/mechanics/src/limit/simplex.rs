@@ -5,6 +5,7 @@
 //! both bounds meet. The mechanism's multipliers depend on the load only through one number, the work of the load. So a
 //! basis that was best for one load is a start for every other load that does work on it.
 
+use super::inverse::{Inverse, dot};
 use super::rows::Rows;
 use crate::watch::Pace;
 
@@ -15,12 +16,53 @@ pub(super) struct Corner {
     pub z: Vec<f64>,
     /// Rows of the basis and their multipliers.
     pub basis: Vec<(usize, f64)>,
-    /// The whole basis, to start from again. It holds more than rows where the load leaves some unknowns alone.
-    pub members: Vec<Member>,
+    /// The whole basis, to start from again.
+    pub start: Start,
     /// What the multipliers give: the upper bound.
     pub upper: f64,
     /// Exchanges of rows.
     pub pivots: usize,
+}
+
+/// A whole basis, to start from. It holds more than rows where the load leaves some unknowns alone.
+#[derive(Debug, Clone)]
+pub(super) struct Start {
+    pub members: Vec<Member>,
+    /// The inverse of their rows with the last column of the load that the basis was best for.
+    inverse: Option<Inverse>,
+}
+
+impl Start {
+    /// Of members whose inverse is not known.
+    pub fn of(members: Vec<Member>) -> Start {
+        Start { members, inverse: None }
+    }
+
+    /// With rows in the place of members, each named by its number in the basis; none where that is no basis with multipliers.
+    pub fn with(&self, swaps: &[(usize, usize)], rows: &Rows, last: &[f64]) -> Option<Start> {
+        let (mut members, mut inverse) = (self.members.clone(), self.inverse.clone()?);
+        let mut row = vec![0.0; rows.width() + 1];
+        for &(leaving, entering) in swaps {
+            members[leaving] = Member::Row(entering);
+            coefficients(rows, last, members[leaving], &mut row);
+            let weights = inverse.transposed_times(&row);
+            if !(weights[leaving].abs() > TURNS) {
+                return None;
+            }
+            inverse.exchange(leaving, &weights);
+        }
+        may_begin(&members, &inverse).then(|| Start { members, inverse: Some(inverse) })
+    }
+}
+
+/// Whether multipliers bound the load: what is fixed has none, and a basis that bounds nothing is none.
+fn may_begin(members: &[Member], inverse: &Inverse) -> bool {
+    let may = |(member, y): (&Member, &f64)| match member {
+        Member::Row(_) => *y >= -NOTHING,
+        Member::Fixed(_) => y.abs() <= 1e-12,
+        Member::Far => false,
+    };
+    members.iter().zip(inverse.multipliers()).all(may)
 }
 
 /// How a search ended.
@@ -51,20 +93,18 @@ const FAR: f64 = 1e7;
 const SLACK: f64 = 1e-11;
 /// Coefficients below this do not turn a basis.
 const PIVOT: f64 = 1e-9;
-/// The inverse is made anew after so many exchanges, before round-off gathers in it.
+/// Multipliers between this and nothing are round-off: those of tangents that lie close together are known no better.
+const NOTHING: f64 = 1e-9;
+/// A row takes the place of a member that it is a sum of others without, where its share is larger than this.
+const TURNS: f64 = 1e-3;
+/// The inverse is made anew after so many changes, before round-off gathers in it.
 const REFRESH: usize = 40;
 
-/// Finds the best corner. `last` is the last column; `start` the rows of a basis to begin with, where there is one.
-pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>, pace: &Pace) -> Ended {
+/// Finds the best corner. `last` is the last column; `start` a basis to begin with, where there is one.
+pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&Start>, pace: &Pace) -> Ended {
     if let Some(start) = start {
-        // What is fixed has no multiplier; a basis that bounds nothing is none.
-        let may = |(member, y): (&Member, &f64)| match member {
-            Member::Row(_) => *y >= -1e-12,
-            Member::Fixed(_) => y.abs() <= 1e-12,
-            Member::Far => false,
-        };
-        if let Some(search) = Search::new(rows, last, start.to_vec(), pace)
-            && search.members.iter().zip(&search.y).all(may)
+        if let Some(search) = Search::new(rows, last, start.clone(), pace)
+            && may_begin(&search.members, &search.inverse)
         {
             match search.run() {
                 Ended::Lost => {}
@@ -72,9 +112,8 @@ pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&[Member]>, pace
             }
         }
     }
-    let mut members: Vec<Member> = (0..rows.width()).map(Member::Fixed).collect();
-    members.push(Member::Far);
-    Search::new(rows, last, members, pace).map_or(Ended::Lost, Search::run)
+    let fixed = (0..rows.width()).map(Member::Fixed).chain([Member::Far]).collect();
+    Search::new(rows, last, Start::of(fixed), pace).map_or(Ended::Lost, Search::run)
 }
 
 struct Search<'a> {
@@ -82,134 +121,103 @@ struct Search<'a> {
     last: &'a [f64],
     size: usize,
     members: Vec<Member>,
-    /// Inverse of the matrix whose rows are the members' rows, stored by rows: `z = inverse b`.
-    inverse: Vec<f64>,
-    /// Multipliers.
-    y: Vec<f64>,
+    /// Their rows, one after the other, and their right sides: `matrix z = right` at the corner.
+    matrix: Vec<f64>,
+    right: Vec<f64>,
+    inverse: Inverse,
+    /// The corner of the basis.
+    z: Vec<f64>,
     pivots: usize,
     pace: &'a Pace,
 }
 
 impl<'a> Search<'a> {
-    fn new(rows: &'a Rows, last: &'a [f64], members: Vec<Member>, pace: &'a Pace) -> Option<Self> {
+    fn new(rows: &'a Rows, last: &'a [f64], start: Start, pace: &'a Pace) -> Option<Self> {
         let size = rows.width() + 1;
-        let mut this = Search { rows, last, size, members, inverse: Vec::new(), y: Vec::new(), pivots: 0, pace };
-        this.refresh()?;
+        let Start { members, inverse } = start;
+        let known = inverse.is_some();
+        let mut this = Search {
+            rows,
+            last,
+            size,
+            matrix: vec![0.0; size * size],
+            right: vec![0.0; size],
+            inverse: inverse.unwrap_or_default(),
+            z: vec![0.0; size],
+            members,
+            pivots: 0,
+            pace,
+        };
+        for (k, to) in this.matrix.chunks_exact_mut(size).enumerate() {
+            this.right[k] = coefficients(rows, last, this.members[k], to);
+        }
+        if !known || !this.inverse.with_last(this.matrix.iter().skip(size - 1).step_by(size)) {
+            this.refresh()?;
+        }
         Some(this)
     }
 
-    fn coefficients(&self, member: Member) -> Vec<f64> {
-        let mut row = vec![0.0; self.size];
-        match member {
-            Member::Row(k) => {
-                row.iter_mut().zip(self.rows.row(k)).for_each(|(to, a)| *to = a);
-                row[self.size - 1] = self.last[k];
-            }
-            Member::Fixed(j) => row[j] = 1.0,
-            Member::Far => row[self.size - 1] = 1.0,
-        }
-        row
-    }
-
-    fn right_side(&self, member: Member) -> f64 {
-        match member {
-            Member::Row(k) => self.rows.b(k),
-            Member::Fixed(_) => 0.0,
-            Member::Far => FAR,
-        }
-    }
-
-    /// Inverts the basis by Gauss and Jordan with the largest pivot of each column; none where it is singular.
     fn refresh(&mut self) -> Option<()> {
-        let n = self.size;
-        let mut m: Vec<Vec<f64>> = self.members.iter().map(|&member| self.coefficients(member)).collect();
-        let mut inverse: Vec<Vec<f64>> =
-            (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
-        for column in 0..n {
-            let mut pivot = column;
-            for row in column + 1..n {
-                if m[row][column].abs() > m[pivot][column].abs() {
-                    pivot = row;
-                }
-            }
-            let value = m[pivot][column];
-            if !(value.abs() > 1e-13) {
-                return None;
-            }
-            m.swap(column, pivot);
-            inverse.swap(column, pivot);
-            for v in m[column].iter_mut().chain(inverse[column].iter_mut()) {
-                *v /= value;
-            }
-            let (pivot_row, pivot_inverse) = (m[column].clone(), inverse[column].clone());
-            for row in (0..n).filter(|&row| row != column) {
-                let factor = m[row][column];
-                if factor != 0.0 {
-                    m[row].iter_mut().zip(&pivot_row).for_each(|(v, p)| *v -= factor * p);
-                    inverse[row].iter_mut().zip(&pivot_inverse).for_each(|(v, p)| *v -= factor * p);
-                }
-            }
-        }
-        self.inverse = inverse.concat();
-        // y A = e_last: the last row of the inverse.
-        self.y = self.inverse[(n - 1) * n..].to_vec();
-        self.y.iter().all(|v| v.is_finite()).then_some(())
-    }
-
-    fn corner(&self) -> Vec<f64> {
-        let b: Vec<f64> = self.members.iter().map(|&member| self.right_side(member)).collect();
-        self.inverse.chunks_exact(self.size).map(|row| row.iter().zip(&b).map(|(a, b)| a * b).sum()).collect()
+        self.inverse = Inverse::of(&self.matrix, self.size)?;
+        Some(())
     }
 
     fn run(mut self) -> Ended {
         let most = 60 * self.size + 400;
-        let mut since_refresh = 0;
         loop {
-            let z = self.corner();
+            self.inverse.times(&self.right, &mut self.z);
             let careful = self.pivots > 30 * self.size + 200;
-            let Some(entering) = self.violated(&z, careful) else {
-                // Nothing is violated: once more without the round-off of all exchanges.
-                if since_refresh > 0 {
-                    if self.refresh().is_none() {
-                        return Ended::Lost;
-                    }
-                    since_refresh = 0;
-                    continue;
+            let Some(entering) = self.violated(careful) else {
+                // Nothing is violated, but for the round-off that gathered.
+                if self.refined() {
+                    return self.done();
                 }
-                return self.done(z);
-            };
-            self.pivots += 1;
-            since_refresh += 1;
-            if self.pivots > most || !self.pace.beat() || !self.exchange(entering) {
-                return Ended::Lost;
-            }
-            if since_refresh >= REFRESH {
                 if self.refresh().is_none() {
                     return Ended::Lost;
                 }
-                since_refresh = 0;
+                continue;
+            };
+            self.pivots += 1;
+            if self.pivots > most || !self.pace.beat() || !self.exchange(entering) {
+                return Ended::Lost;
+            }
+            if self.inverse.changes >= REFRESH && self.refresh().is_none() {
+                return Ended::Lost;
             }
         }
     }
 
     /// The row that the corner violates most; with `careful`, the first, so that no circle can close.
-    fn violated(&self, z: &[f64], careful: bool) -> Option<usize> {
-        let (x, factor) = (&z[..self.size - 1], z[self.size - 1]);
+    fn violated(&self, careful: bool) -> Option<usize> {
+        let (x, factor) = (&self.z[..self.size - 1], self.z[self.size - 1]);
         let may = |k| !self.members.contains(&Member::Row(k));
         self.rows.violated(self.last, (x, factor), -SLACK * (1.0 + factor.abs()), careful, may)
+    }
+
+    /// Takes what the inverse missed out of the corner and the multipliers; false where that is more than the inverse may miss.
+    fn refined(&mut self) -> bool {
+        let n = self.size;
+        let missing: Vec<f64> =
+            self.matrix.chunks_exact(n).zip(&self.right).map(|(row, b)| b - dot(row, &self.z)).collect();
+        let mut change = vec![0.0; n];
+        self.inverse.times(&missing, &mut change);
+        self.z.iter_mut().zip(&change).for_each(|(z, d)| *z += d);
+        // What no row can be violated by through it, next to what counts as violated.
+        let moved: f64 = change.iter().map(|d| d.abs()).sum();
+        let largest = self.rows.largest().max(self.last.iter().fold(0.0, |most, a| a.abs().max(most)));
+        let fresh = self.inverse.changes == 0;
+        (fresh || moved * largest <= 0.1 * SLACK * (1.0 + self.z[n - 1].abs()))
+            && self.inverse.refine_multipliers(&self.matrix)
     }
 
     /// Lets a row into the basis; false where no member can leave.
     fn exchange(&mut self, entering: usize) -> bool {
         let n = self.size;
-        let row = self.coefficients(Member::Row(entering));
+        let mut row = vec![0.0; n];
+        let right = coefficients(self.rows, self.last, Member::Row(entering), &mut row);
         // The entering row as a sum of the members' rows.
-        let mut weights = vec![0.0; n];
-        for (value, inverse) in row.iter().zip(self.inverse.chunks_exact(n)) {
-            for (w, i) in weights.iter_mut().zip(inverse) {
-                *w += value * i;
-            }
-        }
+        let weights = self.inverse.transposed_times(&row);
+        let y = self.inverse.multipliers();
         let mut leaving = None;
         // A bound that only starts the search leaves at once; its multiplier is zero.
         let mut largest = 1e-7;
@@ -222,7 +230,7 @@ impl<'a> Search<'a> {
             let mut least = f64::INFINITY;
             for k in 0..n {
                 if weights[k] > PIVOT && !matches!(self.members[k], Member::Fixed(_)) {
-                    let ratio = self.y[k].max(0.0) / weights[k];
+                    let ratio = y[k].max(0.0) / weights[k];
                     let tie = ratio <= least * (1.0 + 1e-12) + 1e-300;
                     let better = leaving.is_none_or(|l: usize| weights[k] > weights[l]);
                     if ratio < least * (1.0 - 1e-12) || (tie && better) {
@@ -233,26 +241,20 @@ impl<'a> Search<'a> {
             }
         }
         let Some(leaving) = leaving else { return false };
-        let pivot = weights[leaving];
-        for row in self.inverse.chunks_exact_mut(n) {
-            let value = row[leaving] / pivot;
-            for (v, w) in row.iter_mut().zip(&weights) {
-                *v -= value * w;
-            }
-            row[leaving] = value;
-        }
+        self.inverse.exchange(leaving, &weights);
         self.members[leaving] = Member::Row(entering);
-        self.y.copy_from_slice(&self.inverse[(n - 1) * n..]);
-        self.y.iter().all(|y| y.is_finite())
+        self.matrix[leaving * n..][..n].copy_from_slice(&row);
+        self.right[leaving] = right;
+        self.inverse.multipliers().iter().all(|y| y.is_finite())
     }
 
-    fn done(self, z: Vec<f64>) -> Ended {
+    fn done(self) -> Ended {
         let mut basis = Vec::with_capacity(self.size);
         let mut upper = 0.0;
-        for (&member, &y) in self.members.iter().zip(&self.y) {
+        for (&member, &y) in self.members.iter().zip(self.inverse.multipliers()) {
             match member {
                 Member::Row(k) => {
-                    if y < -1e-9 {
+                    if y < -NOTHING {
                         return Ended::Lost;
                     }
                     basis.push((k, y.max(0.0)));
@@ -264,7 +266,30 @@ impl<'a> Search<'a> {
                 Member::Fixed(_) => {}
             }
         }
-        Ended::Best(Corner { z, basis, upper, members: self.members, pivots: self.pivots })
+        let start = Start { members: self.members, inverse: Some(self.inverse) };
+        Ended::Best(Corner { z: self.z, basis, upper, start, pivots: self.pivots })
+    }
+}
+
+/// Writes the row of a member; its right side.
+fn coefficients(rows: &Rows, last: &[f64], member: Member, row: &mut [f64]) -> f64 {
+    let (own, of_last) = row.split_at_mut(rows.width());
+    own.fill(0.0);
+    of_last[0] = match member {
+        Member::Row(k) => {
+            own.iter_mut().zip(rows.row(k)).for_each(|(to, a)| *to = a);
+            last[k]
+        }
+        Member::Fixed(j) => {
+            own[j] = 1.0;
+            0.0
+        }
+        Member::Far => 1.0,
+    };
+    match member {
+        Member::Row(k) => rows.b(k),
+        Member::Fixed(_) => 0.0,
+        Member::Far => FAR,
     }
 }
 
@@ -283,8 +308,10 @@ mod tests {
         // y <= 2 - x, y <= 1 + x, y <= 10: the top is at x = 0.5, y = 1.5.
         let (rows, last) = rows(&[([1.0, 1.0], 2.0), ([-1.0, 1.0], 1.0), ([0.0, 1.0], 10.0)]);
         let [a, b, c] = [0, 1, 2].map(Member::Row);
-        for start in [None, Some(&[a, b][..]), Some(&[a, c][..])] {
-            let Ended::Best(corner) = greatest(&rows, &last, start, &Pace::default()) else { panic!("{start:?}") };
+        for start in [None, Some(Start::of(vec![a, b])), Some(Start::of(vec![a, c]))] {
+            let Ended::Best(corner) = greatest(&rows, &last, start.as_ref(), &Pace::default()) else {
+                panic!("{start:?}")
+            };
             assert!((corner.z[0] - 0.5).abs() < 1e-14 && (corner.z[1] - 1.5).abs() < 1e-14);
             assert!((corner.upper - 1.5).abs() < 1e-14);
         }

@@ -11,7 +11,7 @@ use super::outcome::{Outcome, Status};
 use super::program::{Ending, Solution};
 use super::reduced::{Elastic, tangents};
 use super::settings::Friction;
-use super::simplex::{Corner, Ended, Member};
+use super::simplex::{Corner, Ended, Member, Start};
 use crate::blocks::PointForce;
 use crate::watch::Pace;
 
@@ -86,7 +86,9 @@ pub struct Experience {
 /// A mechanism to start from.
 struct Kept {
     mechanism: Vec<(usize, f64)>,
-    members: Vec<Member>,
+    /// What the mechanism needs of a load: the right sides of its rows times their multipliers.
+    resistance: f64,
+    start: Start,
 }
 
 /// A motion that the interior-point method found, and what it needs of a load.
@@ -236,7 +238,11 @@ impl Sweeper<'_> {
     pub fn at_most(&self, effect: &Effect) -> f64 {
         let least = DRIVES * sum_of_sizes(&effect.load);
         let moved = self.given.iter().chain(&self.moved).map(|moved| moved.bound(&effect.load, least));
-        moved.fold(self.least_kept(effect).map_or(f64::INFINITY, |kept| kept.0), f64::min)
+        let kept = self.reduced.as_ref().and_then(|reduced| {
+            let size = sum_of_sizes(&effect.load);
+            self.least_kept(&reduced.lasts(0, effect, size)).map(|(factor, _)| factor / size)
+        });
+        moved.fold(kept.unwrap_or(f64::INFINITY), f64::min)
     }
 
     /// The same by the motion that was learnt last.
@@ -362,13 +368,13 @@ impl Sweeper<'_> {
         if !effect.balanced || !(size > 0.0) || !size.is_finite() {
             return None;
         }
-        let mut start = self.best_kept(effect);
+        let mut last = self.reduced.as_ref()?.lasts(0, effect, size);
+        let mut start = self.least_kept(&last).map(|(_, index)| self.kept[index].start.clone());
         let count = self.ground.equilibrium.restraints.len();
-        for _ in 0..ROUNDS {
+        for round in 0..ROUNDS {
             let reduced = self.reduced.as_ref()?;
-            let last: Vec<f64> = reduced.limits.iter().map(|row| -row.of(&effect.forces) / size).collect();
             let bounded = Bounded { first: reduced.standing - 2 * count, count };
-            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_deref(), &self.pace) {
+            let corner = match greatest_between(&reduced.rows, bounded, &last, start.as_ref(), &self.pace) {
                 Ended::Best(corner) => corner,
                 // Tangents of joints that crush may still be missing.
                 Ended::Unbounded if !self.ground.crushes() => return Some(Reached::Locks),
@@ -388,32 +394,28 @@ impl Sweeper<'_> {
                 OUTSIDE * (1.0 + factor.abs()),
             );
             if more.is_empty() {
-                let pivots = corner.pivots;
+                let is_new = round > 0 || corner.pivots > 0;
                 let corner = self.tidied(corner);
-                if pivots > 0 {
+                if is_new {
                     self.keep(&corner);
                 }
                 return Some(Reached::Corner(corner, 1.0 / size));
             }
-            start = Some(corner.members);
-            self.reduced.as_mut()?.extend(more);
+            let reduced = self.reduced.as_mut()?;
+            let first = reduced.limits.len();
+            reduced.extend(more);
+            last.extend(reduced.lasts(first, effect, size));
+            start = Some(reduced.sharpened(corner.start, first, &last));
         }
         None
     }
 
-    /// The members of the kept mechanism that gives the load the least upper bound.
-    fn best_kept(&self, effect: &Effect) -> Option<Vec<Member>> {
-        self.least_kept(effect).map(|(_, index)| self.kept[index].members.clone())
-    }
-
-    /// The least upper bound of the load by a kept mechanism, and which it is.
-    fn least_kept(&self, effect: &Effect) -> Option<(f64, usize)> {
-        let reduced = self.reduced.as_ref()?;
+    /// The least upper bound by a kept mechanism of the factor of a load with this last column, and which it is.
+    fn least_kept(&self, last: &[f64]) -> Option<(f64, usize)> {
         let (mut least, mut best) = (f64::INFINITY, None);
-        for (index, Kept { mechanism, .. }) in self.kept.iter().enumerate() {
-            let work: f64 = mechanism.iter().map(|&(k, y)| -y * reduced.limits[k].of(&effect.forces)).sum();
-            let resistance: f64 = mechanism.iter().map(|&(k, y)| y * reduced.rows.b(k)).sum();
-            if work > 1e-9 * sum_of_sizes(&effect.load) && resistance / work < least {
+        for (index, Kept { mechanism, resistance, .. }) in self.kept.iter().enumerate() {
+            let work: f64 = mechanism.iter().map(|&(k, y)| y * last[k]).sum();
+            if work > DRIVES && resistance / work < least {
                 (least, best) = (resistance / work, Some(index));
             }
         }
@@ -421,8 +423,10 @@ impl Sweeper<'_> {
     }
 
     fn keep(&mut self, corner: &Corner) {
-        let mechanism = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
-        let kept = Kept { mechanism, members: corner.members.clone() };
+        let Some(reduced) = &self.reduced else { return };
+        let mechanism: Vec<(usize, f64)> = corner.basis.iter().copied().filter(|m| m.1 > 0.0).collect();
+        let resistance = mechanism.iter().map(|&(k, y)| y * reduced.rows.b(k)).sum();
+        let kept = Kept { mechanism, resistance, start: corner.start.clone() };
         if self.kept.len() < KEPT {
             self.kept.push(kept);
         } else {
@@ -437,7 +441,7 @@ impl Sweeper<'_> {
             return corner;
         };
         let mut wanted = vec![false; reduced.limits.len()];
-        let bases = self.kept.iter().map(|kept| &kept.members).chain([&corner.members]);
+        let bases = self.kept.iter().map(|kept| &kept.start.members).chain([&corner.start.members]);
         for member in bases.flatten() {
             if let Member::Row(k) = member {
                 wanted[*k] = true;
@@ -455,9 +459,9 @@ impl Sweeper<'_> {
             }
         };
         for kept in &mut self.kept {
-            rename(&mut kept.members, &mut kept.mechanism);
+            rename(&mut kept.start.members, &mut kept.mechanism);
         }
-        rename(&mut corner.members, &mut corner.basis);
+        rename(&mut corner.start.members, &mut corner.basis);
         corner
     }
 
@@ -498,7 +502,7 @@ impl Sweeper<'_> {
             solution.forces = reduced.forces(effect, &corner.z, 1.0 / sum_of_sizes(&effect.load));
             let mut deformations = vec![0.0; equilibrium.columns.len()];
             for &(k, y) in &corner.basis {
-                for &(c, v) in &reduced.limits[k].entries {
+                for (c, v) in reduced.limits[k].entries() {
                     deformations[c] += y * v;
                 }
             }

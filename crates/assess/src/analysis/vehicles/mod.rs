@@ -15,6 +15,7 @@ mod deformable;
 mod discrete;
 mod driven;
 mod factored;
+mod least;
 mod limits;
 #[cfg(test)]
 mod screened;

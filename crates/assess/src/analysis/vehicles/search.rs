@@ -5,6 +5,7 @@ use super::super::pieces::{self, Pace, Stage};
 use super::AnalysisError;
 use super::cases::{borders, drives, reach};
 use super::factored::{self, Footprint, footprint};
+use super::least::{Answer, least};
 use super::sections::{Extremes, watched};
 use super::seeds::seeds;
 use super::standing::{Key, Scene};
@@ -37,14 +38,6 @@ pub const DILATANCY: f64 = 2.0;
 /// Refinements of the worst position, each to a tenth.
 pub const REFINEMENTS: usize = 2;
 
-/// An answered case.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Answer {
-    key: Key,
-    factor: f64,
-    upper: f64,
-}
-
 /// What came of one case.
 enum Met {
     /// A load factor.
@@ -57,6 +50,8 @@ enum Met {
 
 /// A case that is still to be answered.
 struct Waiting {
+    /// Its place among the cases of the position.
+    order: usize,
     key: Key,
     effect: Effect,
     /// Upper bound of its factor by the mechanisms met so far.
@@ -67,7 +62,8 @@ struct Waiting {
 struct Part {
     drive: usize,
     envelope: Vec<EnvelopePoint>,
-    worst: Option<Answer>,
+    /// What governs at each position where anything does.
+    governing: Vec<Answer>,
     /// The lowest cases in which joints slide, best first.
     sliding: Vec<Answer>,
     extremes: Extremes<Key>,
@@ -181,7 +177,7 @@ impl Scene<'_> {
         let mut part = Part {
             drive,
             envelope: Vec::with_capacity(positions.len()),
-            worst: None,
+            governing: Vec::new(),
             sliding: Vec::new(),
             extremes: Extremes::new(self.watched),
             cases: 0,
@@ -212,15 +208,16 @@ impl Scene<'_> {
         pace: &Pace,
     ) -> Option<f64> {
         let mut waiting = self.waiting(sweepers, part, position, looseness.is_some());
-        let (mut least, mut converged): (Option<Answer>, bool) = (None, true);
+        let (mut lowest, mut converged) = (f64::INFINITY, true);
+        let mut answered: Vec<(usize, Answer)> = Vec::with_capacity(waiting.len());
         let mut bounded: Vec<[f64; 2]> = Vec::new();
         while let Some(next) = next(&waiting) {
             if !pace.goes_on() {
                 return None;
             }
-            let Waiting { key, effect, at_most } = waiting.remove(next);
+            let Waiting { order, key, effect, at_most } = waiting.remove(next);
             let margin = FAR_ABOVE * looseness.unwrap_or(f64::INFINITY);
-            if at_most.is_finite() && least.is_some_and(|least| at_most > margin * least.factor) {
+            if at_most.is_finite() && lowest.is_finite() && at_most > margin * lowest {
                 continue;
             }
             let by_interior_point = part.slow;
@@ -231,7 +228,8 @@ impl Scene<'_> {
             match met {
                 Met::Factor(answer) => {
                     bounded.push([at_most, answer.factor]);
-                    least = least.filter(|least| least.factor <= answer.factor).or(Some(answer));
+                    answered.push((order, answer));
+                    lowest = lowest.min(answer.factor);
                 }
                 Met::Locks => {}
                 Met::Open => converged = false,
@@ -244,11 +242,9 @@ impl Scene<'_> {
                 }
             }
         }
-        if let Some(answer) = least
-            && part.worst.is_none_or(|worst| answer.factor < worst.factor)
-        {
-            part.worst = Some(answer);
-        }
+        answered.sort_by_key(|(order, _)| *order);
+        let least = least(&answered.into_iter().map(|(_, answer)| answer).collect::<Vec<_>>());
+        part.governing.extend(least);
         let empty = Key { drive: part.drive, weights: 0, position, axles: None, critical: None, uniform: None };
         part.envelope.push(EnvelopePoint {
             converged,
@@ -276,7 +272,7 @@ impl Scene<'_> {
                 part.extremes.look(&self.grounds[weights], self.watched, &effect, || key);
                 if !answered_by_another {
                     let at_most = if bounds { sweeper.at_most(&effect) } else { f64::INFINITY };
-                    waiting.push(Waiting { key, effect, at_most });
+                    waiting.push(Waiting { order: waiting.len(), key, effect, at_most });
                 }
             }
         }
@@ -307,21 +303,17 @@ impl Scene<'_> {
         let foot = &self.feet[index];
         let mut swept = blank(chosen, foot);
         let mut extremes = Extremes::new(self.watched);
-        let (mut worst, mut sliding): (Option<Answer>, Vec<Answer>) = (None, Vec::new());
+        let (mut governing, mut sliding): (Vec<Answer>, Vec<Answer>) = (Vec::new(), Vec::new());
         for part in &all.parts {
             swept.envelope.extend(part.envelope.iter().cloned());
             swept.cases += part.cases;
             swept.by_interior_point += part.slow;
             extremes.merge(part.extremes.clone());
             sliding.extend(&part.sliding);
-            if let Some(answer) = part.worst
-                && worst.is_none_or(|w| answer.factor < w.factor)
-            {
-                worst = Some(answer);
-            }
+            governing.extend(&part.governing);
         }
         swept.sections = extremes.told(self.watched, |key| self.told(key));
-        let Some(worst) = worst else {
+        let Some(worst) = least(&governing) else {
             swept.end(all.whole, None);
             return swept;
         };
@@ -402,23 +394,21 @@ impl Scene<'_> {
     fn refined(&self, sweepers: &mut [Sweeper], mut worst: Answer, step: f64, pace: &Pace) -> (Answer, Vec<Key>) {
         let (mut width, mut open) = (step, Vec::new());
         for _ in 0..REFINEMENTS {
-            let middle = worst.key.position;
+            let mut answers = vec![worst];
             for k in -10..=10 {
-                if !pace.goes_on() {
-                    return (worst, open);
-                }
-                let position = middle + 0.1 * width * f64::from(k);
+                let position = worst.key.position + 0.1 * width * f64::from(k);
                 let Some((key, effect)) = self.again(sweepers, &worst.key, position) else { continue };
                 let found = sweepers[key.weights].factor(&effect);
                 if !pace.goes_on() {
-                    return (worst, open);
+                    break;
                 }
                 match (found.lower, found.upper) {
-                    (Some(factor), Some(upper)) if factor < worst.factor => worst = Answer { key, factor, upper },
-                    (None, _) if found.status != limit::Status::Locks => open.push(key),
+                    (Some(factor), Some(upper)) => answers.push(Answer { key, factor, upper }),
+                    _ if found.status != limit::Status::Locks => open.push(key),
                     _ => {}
                 }
             }
+            worst = least(&answers).unwrap_or(worst);
             width *= 0.1;
         }
         (worst, open)

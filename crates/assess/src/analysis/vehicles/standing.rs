@@ -77,10 +77,16 @@ impl Scene<'_> {
         let none: [usize; 2] = [0, 0];
         let runs_of_axles = runs(axles.len(), drive.subsets);
         let with_none = std::iter::once((None, none)).filter(|_| axles.is_empty() || drive.subsets);
+        let mut stands = sweeper.nothing();
         for (run, [a, b]) in runs_of_axles.into_iter().map(|r| (Some(r), r)).chain(with_none) {
-            let mut stands = sweeper.nothing();
-            if run.is_some() {
-                axles[a..=b].iter().for_each(|(_, effect)| stands.add(effect, 1.0));
+            // A run that has one axle more than the one before only adds it.
+            match run {
+                Some(_) if a == b || !drive.subsets => {
+                    stands = axles[a].1.clone();
+                    axles[a + 1..=b].iter().for_each(|(_, effect)| stands.add(effect, 1.0));
+                }
+                Some(_) => stands.add(&axles[b].1, 1.0),
+                None => stands = sweeper.nothing(),
             }
             let criticals: Vec<Option<usize>> = match run {
                 Some(_) if foot.critical != 1.0 => (a..=b).map(Some).collect(),

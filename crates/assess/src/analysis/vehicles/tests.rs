@@ -125,6 +125,53 @@ fn a_symmetric_bridge_has_the_same_factor_both_ways() {
     assert!((both / right.min(left) - 1.0).abs() < 1e-9);
 }
 
+/// Two axles so far apart that one alone makes the mechanism of a span: with and without the other the factors differ by round-off.
+#[test]
+fn the_case_that_governs_does_not_hang_on_round_off() {
+    let vehicle = r#"
+code = "apart"
+title = "Two axles"
+ways = "road"
+source = { text = "made for a test", date = "2026", confidence = "assumed" }
+
+[[vehicle]]
+code = "apart"
+title = "Two axles 7 m apart"
+axle_loads_kn = [100.0, 100.0]
+spacings_m = [7.0]
+axles_may_be_dropped = true
+wheel_track_m = 1.80
+contact_length_m = 0.30
+
+[[under]]
+rule = "characteristic"
+live_load = { value = 1.0, source = { text = "none", date = "2026", confidence = "assumed" } }
+
+[under.impact]
+kind = "included"
+source = { text = "none", date = "2026", confidence = "assumed" }
+"#;
+    let governing = |change: f64| {
+        let mut b = spans(2);
+        b.piers = vec![Pier::plain(2.5, 2.5, 1.0, 2)];
+        b.spans[0].rise *= 1.0 + change;
+        let plan = b.sweep.as_mut().unwrap();
+        (plan.vehicles, plan.vehicle_files) = (vec!["apart".into()], vec!["apart.toml".into()]);
+        plan.texts = vec![("apart.toml".into(), vehicle.into())];
+        let found = swept(&b);
+        let one = &found.vehicles[0];
+        let axles: Vec<_> = one.envelope.iter().map(|point| point.axles).collect();
+        (axles, one.envelope.iter().filter_map(|point| point.adequacy).collect::<Vec<_>>())
+    };
+    let (axles, factors) = governing(0.0);
+    assert!(axles.contains(&Some([0, 1])) && axles.contains(&Some([0, 0])), "{axles:?}");
+    for change in [1e-12, -1e-12, 3e-12, -3e-12] {
+        let (others, other) = governing(change);
+        assert_eq!(axles, others, "{change:e}");
+        assert!(factors.iter().zip(&other).all(|(a, b)| (a / b - 1.0).abs() < 1e-9));
+    }
+}
+
 #[test]
 fn axles_that_help_are_left_out() {
     let mut b = bridgemill(&["cooper-e80"]);
