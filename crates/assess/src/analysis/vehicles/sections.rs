@@ -86,6 +86,18 @@ fn sizes(s: &Section) -> [f64; 5] {
     [s.compression, -s.compression, s.eccentricity, -s.eccentricity, s.shear.abs()]
 }
 
+/// Sizes tie that differ by less than this share: round-off would choose, as where weights that are alike on either side change the thrust and not the shear.
+const TIES: f64 = 1e-9;
+
+/// Whether a section is more extreme than the one before: of two that tie, the one with the smaller thrust, which resists shear less.
+#[inline]
+fn replaces((size, section): (f64, &Section), (before, known): (f64, &Section)) -> bool {
+    match (size - before).abs() <= TIES * before.abs() {
+        true => section.compression < known.compression * (1.0 - TIES),
+        false => size > before,
+    }
+}
+
 /// Extremes of every watched joint so far: size, section and which case.
 #[derive(Debug, Clone)]
 pub struct Extremes<K> {
@@ -103,7 +115,7 @@ impl<K: Clone> Extremes<K> {
         for (row, w) in self.rows.iter_mut().zip(watched) {
             let Some(section) = ground.section(effect, 1.0, w.joint) else { continue };
             for (kept, size) in row.iter_mut().zip(sizes(&section)) {
-                if kept.as_ref().is_none_or(|k| size > k.0) {
+                if kept.as_ref().is_none_or(|(before, known, _)| replaces((size, &section), (*before, known))) {
                     *kept = Some((size, section, key()));
                 }
             }
@@ -115,7 +127,7 @@ impl<K: Clone> Extremes<K> {
         for (row, other) in self.rows.iter_mut().zip(later.rows) {
             for (kept, new) in row.iter_mut().zip(other) {
                 if let Some(new) = new
-                    && kept.as_ref().is_none_or(|k| new.0 > k.0)
+                    && kept.as_ref().is_none_or(|(before, known, _)| replaces((new.0, &new.1), (*before, known)))
                 {
                     *kept = Some(new);
                 }
@@ -141,6 +153,7 @@ impl<K: Clone> Extremes<K> {
 mod tests {
     use super::super::tests::plan;
     use super::super::vehicle_sweep;
+    use super::{Section, replaces};
     use crate::samples;
     use bridge::{Method, Ring, Span};
     use mechanics::watch::Unwatched;
@@ -156,6 +169,16 @@ mod tests {
         b.spans = vec![Span { span: 6.0, rise: 1.5, rings: vec![ring], ..b.spans[0].clone() }];
         b.sweep = Some(plan(&[vehicle]));
         vehicle_sweep(&b, &mut Unwatched).unwrap()
+    }
+
+    /// Round-off does not choose between sections with the same shear: the one that is pressed less counts, whichever comes first.
+    #[test]
+    fn of_two_sections_with_the_same_shear_the_smaller_thrust_counts() {
+        let section = |compression, shear| Section { compression, shear, eccentricity: 0.1 };
+        let [weak, strong] = [section(100.0, 20.0), section(120.0, 20.0 * (1.0 + 1e-12))];
+        assert!(replaces((20.0, &weak), (strong.shear, &strong)) && !replaces((strong.shear, &strong), (20.0, &weak)));
+        let more = section(150.0, 20.0 * (1.0 + 1e-6));
+        assert!(replaces((more.shear, &more), (20.0, &weak)) && !replaces((20.0, &weak), (more.shear, &more)));
     }
 
     /// An eccentricity beyond the joint is that of an elastic ring that takes tension: it says so where it stands, and once in words.
