@@ -51,7 +51,7 @@ impl Start {
             }
             inverse.exchange(leaving, &weights);
         }
-        may_begin(&members, &inverse).then(|| Start { members, inverse: Some(inverse) })
+        may_begin(&members, &inverse).then_some(Start { members, inverse: Some(inverse) })
     }
 }
 
@@ -102,14 +102,13 @@ const REFRESH: usize = 40;
 
 /// Finds the best corner. `last` is the last column; `start` a basis to begin with, where there is one.
 pub(super) fn greatest(rows: &Rows, last: &[f64], start: Option<&Start>, pace: &Pace) -> Ended {
-    if let Some(start) = start {
-        if let Some(search) = Search::new(rows, last, start.clone(), pace)
-            && may_begin(&search.members, &search.inverse)
-        {
-            match search.run() {
-                Ended::Lost => {}
-                ended => return ended,
-            }
+    if let Some(start) = start
+        && let Some(search) = Search::new(rows, last, start.clone(), pace)
+        && may_begin(&search.members, &search.inverse)
+    {
+        match search.run() {
+            Ended::Lost => {}
+            ended => return ended,
         }
     }
     let fixed = (0..rows.width()).map(Member::Fixed).chain([Member::Far]).collect();

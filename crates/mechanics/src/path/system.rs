@@ -226,7 +226,7 @@ fn join(model: &Model, settings: &Settings, k: usize, state: &State, work: &mut 
         let by = [row(0), row(1), row(2)];
         let mut force = t * by[0] + n * by[1];
         if motion == 2 {
-            force = force + on_second.left();
+            force += on_second.left();
         }
         let on_first = change[1] * f[0] - change[0] * f[1] + apart.y * by[0] - apart.x * by[1];
         let column = [-force.x, -force.y, -by[2] - on_first, force.x, force.y, by[2]];
