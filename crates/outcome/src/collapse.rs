@@ -269,7 +269,7 @@ words! {
         HalfOpen = "a joint half open",
         /// A joint is stressed to half of its strength.
         HalfStrength = "half the strength",
-        /// The load moves twice as far as at first for a little more of it.
+        /// The stone that moves most does so twice as far as at first for a little more load.
         HalfStiffness = "half the stiffness",
     }
 }

@@ -6,8 +6,6 @@ use super::model::{HELD, Model};
 use super::outcome::PathPoint;
 use super::system::{State, commit};
 use super::trace::{Heading, Path};
-use crate::ids::{BlockId, Id};
-use crate::plane::{Vec2, vec2};
 
 /// What of a balanced state is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,7 +16,7 @@ pub enum Measure {
     Opened,
     /// [`PathPoint::stress`].
     Stress,
-    /// How many times as far as at first the watched point moves for a little more load.
+    /// How many times as far as at first the place that moves most does for a little more load: [`PathPoint::rate`].
     Softening,
 }
 
@@ -123,34 +121,34 @@ impl Path<'_> {
         let mut numbers = point(self.model, (self.settings, self.program), &state, (found.iterations, found.residual));
         if measure == Measure::Softening {
             self.assembled = holds;
-            numbers.rate = self.heading(&state, None).map(|heading| self.rate(&state, &heading));
+            numbers.rate = self.heading(&state, None).map(|heading| self.rate(&heading));
         }
         Some(numbers)
     }
 
-    /// The last point of the path is known to go on like this.
+    /// The last point of the path is known to go on like this, its equations being those in the workspace.
     pub fn goes_on(&mut self, heading: &Heading) {
-        let rate = self.rate(&self.state, heading);
+        let rate = self.rate(heading);
         if let Some(last) = self.points.last_mut() {
             last.rate = Some(rate);
         }
     }
 
-    fn rate(&self, state: &State, heading: &Heading) -> f64 {
+    fn rate(&self, heading: &Heading) -> f64 {
         let grown: Vec<f64> = heading.direction.iter().map(|part| part / heading.factor).collect();
-        rate(self.model, self.program.watched, state, &grown)
+        fastest(self.model, &grown)
     }
 }
 
-/// How far the watched point moves for a load factor of one more [m], where the unknowns grow by so much.
-pub(super) fn rate(model: &Model, (block, at): (BlockId, Vec2), state: &State, grown: &[f64]) -> f64 {
-    let block = block.index();
-    let motion = state.motions[block];
-    let [x, y, spin] = [0, 1, 2].map(|c| match model.equation[block][c] {
-        HELD => model.movement[block][c],
-        equation if c == 2 => grown[equation as usize] / model.size,
-        equation => grown[equation as usize],
-    });
-    let arm = model.moved(block, at, motion) - model.built[block] - vec2(motion[0], motion[1]);
-    (vec2(x, y) + arm.left() * spin).norm()
+/// How far the centre of the block that moves most does for a load factor of one more [m], where the unknowns grow by so much. No place has to be
+/// chosen, so that it changes as continuously as the load.
+pub(super) fn fastest(model: &Model, grown: &[f64]) -> f64 {
+    let moves = |block: usize| {
+        let [x, y] = [0, 1].map(|c| match model.equation[block][c] {
+            HELD => model.movement[block][c],
+            equation => grown[equation as usize],
+        });
+        x.hypot(y)
+    };
+    (0..model.built.len()).map(moves).fold(0.0, f64::max)
 }

@@ -56,7 +56,8 @@ pub struct PathPoint {
     pub mobilised: f64,
     /// Largest shear beyond the friction and cohesion of a joint's end [N/m]; rounding alone where the law is kept.
     pub excess: f64,
-    /// How far the watched point moves for a load factor of one more, by the tangent here [m]; none where the path does not rise.
+    /// How far the centre of the block that moves most does for a load factor of one more, by the tangent here [m]; none where the path does
+    /// not rise.
     pub rate: Option<f64>,
     /// Iterations of this step.
     pub iterations: u32,

@@ -6,7 +6,7 @@ use super::correct::{Balanced, Constraint, balance};
 use super::frame::point;
 use super::model::Model;
 use super::near::Near;
-use super::onset::rate;
+use super::onset::fastest;
 use super::outcome::{Cause, PathPoint, Status};
 use super::settings::{Program, Settings};
 use super::system::{State, Workspace, assemble, load_of};
@@ -133,7 +133,7 @@ impl Sweeper<'_> {
         self.model.load(forces);
         let mut grown = load_of(&self.model, stood, &mut self.work);
         at_rest.solve(&mut grown);
-        let first = rate(&self.model, program.watched, stood, &grown);
+        let first = fastest(&self.model, &grown);
         // From the largest factor down: what has not been met there has not been met below.
         let mut may: Vec<bool> = below.iter().map(|&below| below > 0.0).collect();
         let mut order: Vec<usize> = (0..below.len()).filter(|&k| below[k].is_finite()).collect();
@@ -146,7 +146,7 @@ impl Sweeper<'_> {
             let mut found = point(&self.model, (settings, program), &state, (0, 0.0));
             let mut grown = self.work.growing.clone();
             self.work.tangent.solve(&mut grown);
-            found.rate = Some(rate(&self.model, program.watched, &state, &grown));
+            found.rate = Some(fastest(&self.model, &grown));
             for (other, onset) in settings.onsets.iter().enumerate() {
                 if below[other] <= below[k] && onset.excess(&found, Some(first)) <= 0.0 {
                     may[other] = false;

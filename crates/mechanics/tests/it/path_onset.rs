@@ -98,15 +98,20 @@ fn states_are_met_where_they_are_however_long_the_steps() {
             within(coarse.unwrap(), fine.unwrap(), 2e-4);
         }
     }
-    let moved = |limit: f64| {
+    let stands = |limit: f64| {
         let found = followed(&ring, &Program { limit, ..program(1.0) });
-        let (first, last) = (&found.path[0], &found.path[found.path.len() - 1]);
+        let last = found.frames[found.frames.len() - 1].clone();
         assert!((last.factor - limit).abs() < 1e-9 * limit);
-        last.displacement - first.displacement
+        last.poses
+    };
+    let apart = |limits: [f64; 2]| {
+        let [from, to] = limits.map(stands);
+        let moved = from.iter().zip(to.iter()).map(|(from, to)| (to.position - from.position).norm());
+        moved.fold(0.0, f64::max) / (limits[1] - limits[0])
     };
     let met = fine.onsets[2].unwrap();
-    let first = moved(1e-4 * met).norm() / (1e-4 * met);
-    let then = (moved(1.001 * met) - moved(0.999 * met)).norm() / (0.002 * met);
+    let first = apart([1e-4 * met, 2e-4 * met]);
+    let then = apart([0.999 * met, 1.001 * met]);
     within(then, 2.0 * first, 1e-3);
 }
 
