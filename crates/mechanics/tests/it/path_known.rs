@@ -9,10 +9,10 @@ use mechanics::watch::Unwatched;
 
 const NORMAL: f64 = 1e9;
 
-/// Blocks of `width` by `height` [m] and `density` on a fixed base, one on the other.
-fn column(count: usize, (width, height): (f64, f64), density: f64, shear: f64) -> BlockModel {
+/// Blocks of `width` by `height` [m] and `density` on a fixed base, one on the other, on joints of these normal and shear stiffnesses [Pa/m].
+pub fn column(count: usize, (width, height): (f64, f64), density: f64, (normal, shear): (f64, f64)) -> BlockModel {
     let law = ContactLaw {
-        normal: Stiffness::Given(NORMAL),
+        normal: Stiffness::Given(normal),
         shear: Stiffness::Given(shear),
         friction: 10.0,
         cohesion: 0.0,
@@ -52,7 +52,7 @@ fn within(value: f64, reference: f64, share: f64) {
 #[test]
 fn a_block_that_rocks_on_a_soft_joint() {
     let (width, height, density) = (1.0, 2.0, 2000.0);
-    let model = column(1, (width, height), density, 1e11);
+    let model = column(1, (width, height), density, (NORMAL, 1e11));
     let (weight, centre) = (width * height * density * 9.81, 0.5 * height);
     let found = run(&model, vec2(0.0, centre), vec2(1.0, 0.0), 0.01 * weight);
     let push = |turn: f64| {
@@ -74,7 +74,7 @@ fn a_block_that_rocks_on_a_soft_joint() {
 fn an_eccentric_column_without_tension() {
     let (width, height) = (0.5, 20.0);
     for eccentricity in [0.10, 0.15, 0.20] {
-        let model = column(1, (width, height), 1e-6, 1e11);
+        let model = column(1, (width, height), 1e-6, (NORMAL, 1e11));
         let found = run(&model, vec2(eccentricity, height), vec2(0.0, -1.0), 1.0);
         let u = 0.5 * width - eccentricity;
         assert_eq!(found.status, Status::LimitPoint);
@@ -89,7 +89,7 @@ fn a_column_buckles_at_the_load_of_euler() {
     let (width, height) = (0.5_f64, 1.5);
     let turn = NORMAL * width.powi(3) / 12.0;
     for count in [8, 20] {
-        let model = column(count, (width, height), 1e-6, 1e11);
+        let model = column(count, (width, height), 1e-6, (NORMAL, 1e11));
         let found = run(&model, vec2(0.0, height * count as f64), vec2(0.0, -1.0), 1e4);
         let euler = turn / height * (2.0 - 2.0 * (std::f64::consts::PI / (2.0 * count as f64 + 1.0)).cos());
         assert_eq!(found.status, Status::Bifurcation);

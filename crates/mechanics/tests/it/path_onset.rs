@@ -1,11 +1,12 @@
 //! Where a path first meets states that a bridge should not come to in service.
 
 use super::dem_bridgemill::{bridgemill, program as blocks_program};
-use mechanics::blocks::{Block, BlockModel, ContactLaw, Held, LawTable, Loading, PointForce, Stiffness};
+use super::path_known::column;
+use mechanics::blocks::{BlockModel, Loading, PointForce};
 use mechanics::contact::ContactLength;
-use mechanics::ids::{BlockId, GroupId, Id, Table};
+use mechanics::ids::{BlockId, Id};
 use mechanics::path::{Ground, Measure, Onset, Outcome, Program, Settings, collapse};
-use mechanics::plane::{Polygon, Vec2, vec2};
+use mechanics::plane::{Vec2, vec2};
 use mechanics::watch::Unwatched;
 
 fn settings(onsets: &[Onset]) -> Settings {
@@ -23,7 +24,7 @@ fn within(value: f64, reference: f64, share: f64) {
 fn a_column_opens_where_statics_say() {
     let (width, height, density, beside) = (0.5, 1.0, 2000.0, 0.2);
     let weight = width * height * density * 9.81;
-    let model = block((width, height), density);
+    let model = column(1, (width, height), density, (1e14, 1e14));
     let at = vec2(beside, height);
     let loading =
         Loading { variable: vec![PointForce { block: BlockId(1), at, force: vec2(0.0, -1.0) }], ..Loading::default() };
@@ -45,29 +46,6 @@ fn a_column_opens_where_statics_say() {
         within(stressed_at.unwrap(), load(stressed), 1e-4);
         assert_eq!(never, None);
     }
-}
-
-/// A block on a fixed base.
-fn block((width, height): (f64, f64), density: f64) -> BlockModel {
-    let law = ContactLaw {
-        normal: Stiffness::Given(1e14),
-        shear: Stiffness::Given(1e14),
-        friction: 10.0,
-        cohesion: 0.0,
-        tension: 0.0,
-        crushing: f64::INFINITY,
-        fixed_length: None,
-        least_length: 1e-3,
-    };
-    let mut groups: Table<GroupId, String> = Table::default();
-    let group = groups.push("column".to_string());
-    let mut blocks = Table::default();
-    for (held, bottom) in [(Held::FIXED, -height), (Held::FREE, 0.0)] {
-        let outline = Polygon::rectangle(vec2(-0.5 * width, bottom), width, height).unwrap();
-        blocks.push(Block { outline, rounding: 0.0, density, group, held });
-    }
-    let laws = LawTable::uniform(1, law);
-    BlockModel { blocks, particles: Table::default(), groups, laws, gravity: vec2(0.0, -9.81) }
 }
 
 /// States of the ring of Bridgemill.
