@@ -7,6 +7,7 @@ pub mod checks;
 pub mod condition;
 pub mod evidence;
 pub mod next;
+mod plan_facts;
 pub mod vary;
 pub mod vehicles;
 

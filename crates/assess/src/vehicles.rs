@@ -3,7 +3,7 @@
 use bridge::{Bridge, SweepPlan};
 use outcome::vehicles::Grade;
 use rules::{Acting, Confidence};
-pub use rules::{Extent, Library, LoadModel, Rule, Source, Spacing, Uniform, Vehicle, Ways};
+pub use rules::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways};
 
 /// Code of the load model that holds the trains of passages.
 const TRAINS: &str = "trains";
@@ -103,10 +103,13 @@ pub fn library(gravity: f64) -> Result<Library, Unknown> {
         vehicles: vehicles.collect(),
         grades: String::new(),
         published: Vec::new(),
+        checked: Vec::new(),
         span_limit: None,
         abreast: Vec::new(),
         only_by_name: false,
         under: Vec::new(),
+        left_out: Vec::new(),
+        loading: String::new(),
     });
     Ok(library)
 }
@@ -126,31 +129,76 @@ pub struct Chosen {
     pub acting: Acting,
     /// Shares of its axle loads in the first lane, the second and so on; all whole where none are given.
     pub abreast: Vec<f64>,
+    /// What stands in the lanes beside it, where that was asked for and found.
+    pub beside: Option<BesideLane>,
     /// Where the vehicle is from.
     pub source: Source,
 }
 
+/// Normal traffic in the lanes beside an abnormal vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BesideLane {
+    /// The vehicle that is worst there.
+    pub code: String,
+    /// What it is worth in terms of the first vehicle, on the same width.
+    pub share: f64,
+    /// Distance between their middles [m].
+    pub apart: f64,
+    /// How much narrower the width is that carries it alone [m].
+    pub narrower: f64,
+}
+
+/// Vehicles that a rule puts into the lanes beside; why they cannot be had.
+pub(crate) fn named_beside(
+    bridge: &Bridge,
+    plan: &SweepPlan,
+    rule: &Rule,
+    codes: &[String],
+) -> Result<Vec<Chosen>, Refused> {
+    let Read { library, .. } = read(bridge, plan)?;
+    let mut list = Vec::new();
+    for code in codes {
+        let found: Vec<(&LoadModel, &Vehicle)> = match library.model(code) {
+            Some(model) => model.vehicles.iter().map(|vehicle| (model, vehicle)).collect(),
+            None => library.vehicle(code).into_iter().collect(),
+        };
+        if found.is_empty() {
+            let known: Vec<&str> = library.models.iter().map(|model| model.code.as_str()).collect();
+            return Err(Refused(vec![Unknown::Vehicle { code: code.clone(), near: near(code, &known) }]));
+        }
+        for (model, vehicle) in found {
+            list.push(taken(bridge, rule, &library, model, vehicle).map_err(|unknown| Refused(vec![unknown]))?);
+        }
+    }
+    Ok(list)
+}
+
 /// What a plan has to choose from.
-struct Read {
+pub(crate) struct Read {
     /// The rule of the plan, where there is one.
-    rule: Option<Rule>,
+    pub rule: Option<Rule>,
     /// The library, and after it the load models of the plan's own files.
-    library: Library,
+    pub library: Library,
     /// How many load models are the library's.
-    own: usize,
+    pub own: usize,
     /// Whether every file of vehicles could be used: a name that is missing otherwise may stand in one that could not.
     whole: bool,
     /// What is wrong.
     wrong: Vec<Unknown>,
 }
 
-fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
+pub(crate) fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
     let library = library(bridge.gravity).map_err(|unknown| Refused(vec![unknown]))?;
     let mut wrong = Vec::new();
     let mut texts = plan.texts.iter();
     let rule = match &plan.rule_file {
         Some(_) => match texts.next().map(|(name, text)| rules::read_rule(name, text)) {
-            Some(Ok(rule)) => Some(rule),
+            Some(Ok(rule)) => {
+                if !rule.based_on.is_empty() && library.rule(&rule.based_on).is_none() {
+                    wrong.push(no_rule(&library, &rule.based_on));
+                }
+                Some(rule)
+            }
             Some(Err(problems)) => {
                 wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
                 None
@@ -171,7 +219,14 @@ fn read(bridge: &Bridge, plan: &SweepPlan) -> Result<Read, Refused> {
     let mut read = Read { rule, own: library.models.len(), library, whole: true, wrong };
     for (name, text) in texts {
         match rules::read_load_model(name, text) {
-            Ok(model) => read.library.models.push(model),
+            Ok(model) => {
+                let levels = model.vehicles.iter().any(|vehicle| !vehicle.with.is_empty());
+                read.library.models.push(model);
+                if levels {
+                    let problems = read.library.join_levels();
+                    read.wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
+                }
+            }
             Err(problems) => {
                 read.whole = false;
                 read.wrong.extend(problems.iter().map(|problem| Unknown::File(problem.to_string())));
@@ -195,10 +250,9 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
     let mut vehicles: Vec<Chosen> = Vec::new();
     if plan.vehicles.is_empty() {
         for (k, model) in library.models.iter().enumerate() {
-            let wanted = model
-                .vehicles
-                .iter()
-                .filter(|v| !model.only_by_name && (model.code != TRAINS || v.code == "paper-short"));
+            let taken_up = !model.only_by_name || completes(rule.as_ref(), model, &library.models);
+            let wanted =
+                model.vehicles.iter().filter(|v| taken_up && (model.code != TRAINS || v.code == "paper-short"));
             for vehicle in wanted {
                 match rule.as_ref().map(|rule| taken(bridge, rule, &library, model, vehicle)) {
                     Some(Ok(chosen)) => vehicles.push(chosen),
@@ -242,6 +296,14 @@ pub fn chosen(bridge: &Bridge, plan: &SweepPlan) -> Result<(Rule, Vec<Chosen>), 
     }
 }
 
+/// Whether a model that is taken by name alone belongs to a loading of which another model is taken anyway: a rule with safety asks for
+/// all cases of a loading.
+fn completes(rule: Option<&Rule>, model: &LoadModel, models: &[LoadModel]) -> bool {
+    let safe = rule.is_some_and(|rule| rule.factors.live_load.is_safety());
+    let begun = |other: &LoadModel| !other.only_by_name && other.loading == model.loading;
+    safe && !model.loading.is_empty() && models.iter().any(begun)
+}
+
 /// Load models that a plan without names leaves out because a span is too long for them: why.
 pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
     let Ok(Read { rule: Some(rule), library, .. }) = read(bridge, plan) else { return Vec::new() };
@@ -257,7 +319,7 @@ pub fn left_out(bridge: &Bridge, plan: &SweepPlan) -> Vec<String> {
         .collect()
 }
 
-fn longest(bridge: &Bridge) -> f64 {
+pub(crate) fn longest(bridge: &Bridge) -> f64 {
     bridge.spans.iter().map(|span| span.span).fold(0.0, f64::max)
 }
 
@@ -296,6 +358,7 @@ fn taken(
         grade: grade(model, vehicle),
         acting,
         abreast: model.abreast.clone(),
+        beside: None,
         source: model.source_of(vehicle).clone(),
     })
 }

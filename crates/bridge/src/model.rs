@@ -655,6 +655,10 @@ pub struct SweepPlan {
     pub own_dispersal: bool,
     /// Force along the bridge as a share of each axle and uniform load, to the right and to the left: braking and traction.
     pub braking: f64,
+    /// Whether the file writes that share, be it 0.
+    pub braking_given: bool,
+    /// Why it is what it is, as the file says.
+    pub braking_reason: Option<String>,
     /// Whether the governing case is made by discrete elements too.
     pub discrete_elements: bool,
     /// Names and texts of the files, the rule's first; empty until somebody reads them.
@@ -754,6 +758,8 @@ pub struct Load {
     pub block: Option<LoadingBlock>,
     /// Force along the bridge as a share of the load, to the right positive: braking, traction, wind along the road.
     pub horizontal: f64,
+    /// Whether a pressure has this length whatever happens; otherwise it may be shorter, where that does more harm.
+    pub fixed_length: bool,
 }
 
 /// A rigid block of the load's length that stands on the surface, held against rotation and sideways movement.

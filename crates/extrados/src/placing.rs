@@ -114,6 +114,8 @@ fn characteristic() -> SweepPlan {
         subsets: true,
         own_dispersal: false,
         braking: 0.0,
+        braking_given: false,
+        braking_reason: None,
         discrete_elements: false,
         texts: Vec::new(),
     }

@@ -8,7 +8,7 @@ use crate::vehicles::PermissibleFactor;
 use crate::warning::Warning;
 use crate::words::words;
 use bridge::passage::Face;
-use rules::Confidence;
+use rules::{ChangedFactor, Confidence, Requirement};
 use serde::{Deserialize, Serialize};
 
 words! {
@@ -227,6 +227,9 @@ pub struct UltimateFacts {
     /// followed.
     #[serde(default)]
     pub permissible: Vec<Permissible>,
+    /// Uniform loads of which a part does more harm than the whole: the loads above are those of the parts.
+    #[serde(default)]
+    pub shortened: Vec<ShortenedFacts>,
     /// Positions that were tried.
     pub positions: usize,
     /// Positions at which a case found no answer: with one of them, nothing is settled.
@@ -238,6 +241,21 @@ pub struct UltimateFacts {
     pub warnings: Vec<Warning>,
     /// The collapse at the governing position.
     pub collapse: Option<Box<Collapse>>,
+}
+
+/// A uniform load of the file of which a part does more harm than the whole.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ShortenedFacts {
+    /// Which load, counted from 0.
+    pub load: usize,
+    /// Its name.
+    pub name: String,
+    /// Its length in the file [m].
+    pub of_m: f64,
+    /// Length of the part that acts [m].
+    pub length_m: f64,
+    /// How far the middle of the part lies to the right of that of the whole [m].
+    pub shift_m: f64,
 }
 
 /// Vehicles moved over the bridge under the factors of a rule.
@@ -268,6 +286,25 @@ pub struct VehicleFacts {
     /// Positions at which a case found no answer, over all vehicles.
     #[serde(default)]
     pub positions_not_converged: usize,
+    /// What must be given before the bridge is adequate by the rule: what the rule asks for, and what the library's rule that it builds on
+    /// asks for.
+    #[serde(default)]
+    pub requires: Vec<Requirement>,
+    /// The share of loads along the bridge, where the file writes it, be it 0.
+    #[serde(default)]
+    pub braking: Option<f64>,
+    /// Why that share, as the file says; empty where it does not.
+    #[serde(default)]
+    pub braking_reason: String,
+    /// What the rule or the load model has and the program leaves out of these vehicles' loads, in words.
+    #[serde(default)]
+    pub left_out: Vec<String>,
+    /// Vehicles of the same loading that were not moved: their codes.
+    #[serde(default)]
+    pub load_cases_missing: Vec<String>,
+    /// Doubtful values of the file's own vehicles and rule.
+    #[serde(default)]
+    pub doubtful: Vec<DoubtFacts>,
     /// Assumptions.
     pub assumptions: Vec<String>,
     /// Warnings.
@@ -289,6 +326,31 @@ pub struct SafetyFacts {
     pub model_confidence: Confidence,
     /// Every factor as "name value", and how sure it is.
     pub factors: Vec<(String, Confidence)>,
+    /// The file of the rule; empty where the rule is the library's.
+    #[serde(default)]
+    pub rule_file: String,
+    /// The library's rule that a rule of a file builds on; empty where the rule is the library's.
+    #[serde(default)]
+    pub based_on: String,
+    /// Whether the file names that rule, or it is only the nearest one.
+    #[serde(default)]
+    pub based_on_named: bool,
+    /// Factors that differ from those of the library's rule: of a rule file, and of the vehicles' own files.
+    #[serde(default)]
+    pub changed_factors: Vec<ChangedFactor>,
+}
+
+/// A doubtful value of a file of vehicles or of a rule.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct DoubtFacts {
+    /// Code of its card, `P…`.
+    pub code: String,
+    /// The file.
+    pub file: String,
+    /// Where it stands there.
+    pub at: String,
+    /// What is doubtful, and what is usual.
+    pub told: String,
 }
 
 /// A vehicle that was moved over the bridge.
@@ -330,6 +392,18 @@ pub struct SweptFacts {
     pub thrusts: Vec<ThrustFacts>,
     /// Factor on every axle.
     pub load_factor: f64,
+    /// Factor on its loads that acted, without what motion adds.
+    #[serde(default)]
+    pub live_load: f64,
+    /// How sure that factor is.
+    #[serde(default)]
+    pub live_load_confidence: Confidence,
+    /// What motion added, in words.
+    #[serde(default)]
+    pub impact: String,
+    /// Whether both are from the vehicle's own file and not from the rule.
+    #[serde(default)]
+    pub factors_of_vehicle_file: bool,
     /// Cases that the interior-point method answered one by one.
     #[serde(default)]
     pub slow_cases: usize,

@@ -494,6 +494,9 @@ pub struct Across {
     pub wheels: Vec<f64>,
     /// How the width of the axles was found, in words.
     pub derivation: String,
+    /// The vehicle of another kind that stands in the lanes beside it; empty where these are empty, or hold vehicles of the same kind.
+    #[serde(default)]
+    pub beside: String,
 }
 
 impl Across {
@@ -503,6 +506,11 @@ impl Across {
             let who =
                 if self.abreast == 1 { "one vehicle".to_owned() } else { format!("{} vehicles abreast", self.abreast) };
             return format!("{who} on the strip {from:.2} to {to:.2} m between longitudinal cracks");
+        }
+        if !self.beside.is_empty() {
+            let edge = if self.at_edge { ", the outer one at the edge" } else { "" };
+            let lanes = if self.abreast > 2 { "lanes" } else { "lane" };
+            return format!("one vehicle with {} in the {lanes} beside{edge}", self.beside);
         }
         match (self.abreast, self.at_edge) {
             (1, false) => "one vehicle in the middle of the barrel".to_owned(),

@@ -1,4 +1,4 @@
-//! Published numbers against what the vehicles give.
+//! Published numbers, and numbers worked out by hand, against what the vehicles give.
 
 use crate::{
     LoadModel, Pattern, PublishedQuantity, Rule, equivalent_uniform_load, greatest_bending, greatest_bending_at,
@@ -35,12 +35,12 @@ impl Checked {
     }
 }
 
-/// Every published number of a model that its vehicles should give. Dynamic augments are those of `rule`, where one is given.
+/// Every published number of a model that its vehicles should give, and every one worked out by hand. Dynamic augments are those of `rule`, where one is given.
 pub fn check(model: &LoadModel, rule: Option<&Rule>) -> Vec<Checked> {
     let mut rows = Vec::new();
-    for table in model.published.iter().filter(|table| table.not_from_vehicle.is_empty()) {
+    for table in model.tables().filter(|table| table.not_from_vehicle.is_empty()) {
         let Some(vehicle) = model.vehicle(&table.vehicle) else { continue };
-        let mut patterns = vehicle.patterns();
+        let mut patterns = vehicle.own_patterns();
         if !table.with_uniform {
             patterns.iter_mut().for_each(|pattern| pattern.stretches.clear());
         }

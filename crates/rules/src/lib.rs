@@ -5,6 +5,7 @@
 //! holds every factor between a vehicle's axle and the number that is compared with a limit. [`library`] reads all of them;
 //! [`read_load_model`] and [`read_rule`] read an engineer's own. [`materials`] are what is usual of masonry, joints and fill.
 
+mod changed;
 mod check;
 mod dispersal;
 mod factor;
@@ -13,6 +14,7 @@ mod library;
 mod material;
 mod model;
 mod pattern;
+mod plausible;
 mod read;
 mod rule;
 pub mod shape;
@@ -22,6 +24,7 @@ mod units;
 mod vehicle;
 mod walk;
 
+pub use changed::{Base, ChangedFactor, based_on, changed_by_vehicles, changed_factors};
 pub use check::{Checked, check};
 pub use dispersal::{Dispersal, Pressure};
 pub use factor::Factor;
@@ -30,8 +33,9 @@ pub use library::{FILES, Library, library};
 pub use material::{MATERIALS, Material, MaterialValue, materials};
 pub use model::{LoadModel, Published, PublishedQuantity, SpanLimit, Under, Ways};
 pub use pattern::{Axle, Pattern, Stretch};
+pub use plausible::{Doubt, doubts_of_rule, doubts_of_vehicles};
 pub use read::{Problem, read_load_model, read_rule};
-pub use rule::{Acting, EffectiveWidth, Factors, Loads, Rule};
+pub use rule::{Acting, Beside, EffectiveWidth, Factors, Loads, Overload, Required, Requirement, Rule};
 pub use simple_span::{Greatest, equivalent_uniform_load, greatest_bending, greatest_bending_at, greatest_shear};
 pub use source::{Confidence, Source};
 pub use units::{RouteAvailability, Units, equivalent_units, greatest_of};

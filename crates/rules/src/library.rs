@@ -44,10 +44,43 @@ pub fn library() -> Result<Library, Vec<Problem>> {
             Err(mut found) => problems.append(&mut found),
         }
     }
+    problems.append(&mut library.join_levels());
     if problems.is_empty() { Ok(library) } else { Err(problems) }
 }
 
 impl Library {
+    /// Looks up the vehicles that belong to the level of another one (`with`). What cannot be found, or stands on the road in another way,
+    /// is a problem.
+    pub fn join_levels(&mut self) -> Vec<Problem> {
+        let mut problems = Vec::new();
+        let all: Vec<Vehicle> = self.vehicles().map(|(_, vehicle)| vehicle.clone()).collect();
+        for vehicle in self.models.iter_mut().flat_map(|model| &mut model.vehicles) {
+            vehicle.level.clear();
+            for code in &vehicle.with {
+                let found = all.iter().find(|other| other.code.eq_ignore_ascii_case(code));
+                let alike = |other: &&Vehicle| {
+                    other.wheel_track_m == vehicle.wheel_track_m
+                        && other.contact_length_m == vehicle.contact_length_m
+                        && other.uniform.is_empty()
+                        && other.with.is_empty()
+                };
+                match found.filter(alike) {
+                    Some(other) => vehicle.level.push(other.clone()),
+                    None => problems.push(Problem {
+                        file: vehicle.code.clone(),
+                        key: "with".to_owned(),
+                        line: 0,
+                        message: format!(
+                            "there is no vehicle \"{code}\" with the same wheel track and contact length, without uniform loads and without \
+                             a level of its own"
+                        ),
+                    }),
+                }
+            }
+        }
+        problems
+    }
+
     /// The load model of this code.
     pub fn model(&self, code: &str) -> Option<&LoadModel> {
         self.models.iter().find(|model| model.code.eq_ignore_ascii_case(code))

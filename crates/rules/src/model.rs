@@ -21,9 +21,12 @@ pub struct LoadModel {
     /// Its vehicles.
     #[serde(default, rename = "vehicle")]
     pub vehicles: Vec<Vehicle>,
-    /// Published numbers.
+    /// Numbers that somebody published.
     #[serde(default)]
     pub published: Vec<Published>,
+    /// Numbers that were worked out by hand from the loads of this file.
+    #[serde(default)]
+    pub checked: Vec<Published>,
     /// The longest span that the model may be used for, where it is known to fall short on longer ones.
     #[serde(default)]
     pub span_limit: Option<SpanLimit>,
@@ -37,6 +40,13 @@ pub struct LoadModel {
     /// Factors under rules that do not name this model, where its file gives them.
     #[serde(default)]
     pub under: Vec<Under>,
+    /// What the loading has and the vehicles of this file leave out, in words.
+    #[serde(default)]
+    pub left_out: Vec<String>,
+    /// The loading whose cases its vehicles are, all of which a bridge must carry: every vehicle of every model with the same name
+    /// belongs to it. Empty where a vehicle stands for itself.
+    #[serde(default)]
+    pub loading: String,
 }
 
 /// The longest span that a load model may be used for.
@@ -79,7 +89,7 @@ pub enum Ways {
     Road,
 }
 
-/// A table of numbers that were published, or worked out by hand, over spans.
+/// A table of numbers over spans that were published, or worked out by hand.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Published {
@@ -130,6 +140,11 @@ impl LoadModel {
     /// The vehicle of this code, in whatever case it is written.
     pub fn vehicle(&self, code: &str) -> Option<&Vehicle> {
         self.vehicles.iter().find(|vehicle| vehicle.code.eq_ignore_ascii_case(code))
+    }
+
+    /// Every table that its vehicles are compared with: what was published, then what was worked out by hand.
+    pub fn tables(&self) -> impl Iterator<Item = &Published> {
+        self.published.iter().chain(&self.checked)
     }
 
     /// Where a vehicle of the model is from: its own source, or the model's.

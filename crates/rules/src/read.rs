@@ -1,8 +1,9 @@
 //! Files of load models and rules, read with complaints that name file and key.
 
+use crate::plausible::{self, Range};
 use crate::shape::Shape;
 use crate::walk::{differences, line_of};
-use crate::{Extent, Factor, Impact, LoadModel, Rule, Source, Spacing, Vehicle};
+use crate::{Confidence, Extent, Factor, Impact, LoadModel, Published, Rule, Source, Spacing, Vehicle};
 use serde::de::DeserializeOwned;
 use std::fmt;
 
@@ -71,31 +72,17 @@ pub fn read_load_model(file: &str, text: &str) -> Result<LoadModel, Vec<Problem>
     for (k, under) in model.under.iter().enumerate() {
         found.acting(&format!("under[{k}]"), Some(&under.live_load), &under.impact, &under.presence);
     }
+    for (name, tables) in [("published", &model.published), ("checked", &model.checked)] {
+        for (k, table) in tables.iter().enumerate() {
+            found.table(&format!("{name}[{k}]"), table, &model);
+        }
+    }
     for (k, table) in model.published.iter().enumerate() {
-        let at = format!("published[{k}]");
-        found.source(&format!("{at}.source"), &table.source);
+        let by_somebody = table.source.confidence != Confidence::Calculated;
         found.need(
-            model.vehicle(&table.vehicle).is_some(),
-            &format!("{at}.vehicle"),
-            "no vehicle of this file has this code",
-        );
-        let paired = table.spans_m.len() == table.values.len() && !table.spans_m.is_empty();
-        found.need(paired, &format!("{at}.values"), "give as many values as spans, one at least");
-        found.need(
-            table.spans_m.iter().chain(&table.values).all(|v| v.is_finite() && *v > 0.0),
-            &format!("{at}.spans_m"),
-            "spans and values are positive numbers",
-        );
-        found.need(
-            table.tolerance > 0.0 && table.tolerance < 1.0,
-            &format!("{at}.tolerance"),
-            "the tolerance is a share between 0 and 1, as 2e-4",
-        );
-        let inside = table.section.is_none_or(|x| x > 0.0 && x < 1.0) && (0.0..1.0).contains(&table.above);
-        found.need(
-            inside,
-            &format!("{at}.section"),
-            "a section is a share of the span between 0 and 1, and so is above",
+            by_somebody,
+            &format!("published[{k}].source"),
+            "numbers that were worked out by hand stand in [[checked]]; [[published]] is what somebody else printed",
         );
     }
     found.done(model)
@@ -108,8 +95,11 @@ pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
     found.source("source", &rule.source);
     found.need(!rule.code.is_empty(), "code", "give the rule a name, as \"my-rule\"");
     found.need(!rule.ways.is_empty(), "ways", "say what the rule is made for: [\"road\"], [\"rail\"] or both");
-    for (name, factor) in rule.listed() {
-        found.factor(&format!("factors ({name})"), factor);
+    for ((name, factor), range) in rule.listed().into_iter().zip(plausible::LISTED) {
+        found.factor(&format!("factors ({name})"), factor, range);
+    }
+    for (k, requirement) in rule.requires.iter().enumerate() {
+        found.source(&format!("requires[{k}].source"), &requirement.source);
     }
     if let Some(most) = rule.dispersal.strip_at_most_m {
         found.need(most > 0.0 && most.is_finite(), "dispersal.strip_at_most_m", "the width of a strip is positive");
@@ -122,6 +112,12 @@ pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
         "dispersal",
         "lengths and widths are numbers of 0 or more, and length_base_m is positive",
     );
+    found.within("dispersal.length_per_depth", plausible::GROWTH, d.length_per_depth);
+    found.within("dispersal.width_per_depth", plausible::GROWTH, d.width_per_depth);
+    found.within("dispersal.length_base_m", plausible::BASE, d.length_base_m);
+    found.within("dispersal.width_base_m", plausible::ACROSS, d.width_base_m);
+    let least = (0.0..100.0).contains(&d.least_depth_m);
+    found.need(least, "dispersal.least_depth_m", "the depth from which on loads spread is 0 or more, in metres");
     if let Some(impact) = &rule.impact {
         found.impact("impact", impact);
     }
@@ -129,6 +125,24 @@ pub fn read_rule(file: &str, text: &str) -> Result<Rule, Vec<Problem>> {
         let at = format!("loads[{k}]");
         found.need(!loads.models.is_empty(), &format!("{at}.models"), "name the load models, as [\"cs-454\"]");
         found.acting(&at, loads.live_load.as_ref(), &loads.impact, &loads.presence);
+        if let Some(overload) = &loads.overload {
+            found.source(&format!("{at}.overload.source"), &overload.source);
+            let ordered = overload.others >= 1.0 && overload.critical >= overload.others && overload.critical <= 3.0;
+            found.need(
+                ordered,
+                &format!("{at}.overload"),
+                "1 <= others <= critical <= 3, as { critical = 1.2, others = 1.1 }",
+            );
+        }
+        if let Some(beside) = &loads.beside {
+            found.source(&format!("{at}.beside.source"), &beside.source);
+            let possible = !beside.vehicles.is_empty() && beside.share > 0.0 && beside.share <= 1.0;
+            found.need(
+                possible,
+                &format!("{at}.beside"),
+                "name what stands beside, and a share of it from above 0 to 1",
+            );
+        }
     }
     found.need(
         rule.impact.is_some() || !rule.loads.is_empty(),
@@ -173,8 +187,9 @@ struct Complaints<'a> {
 }
 
 impl Complaints<'_> {
+    /// One complaint a key says it.
     fn need(&mut self, holds: bool, key: &str, message: &str) {
-        if !holds {
+        if !holds && !self.problems.iter().any(|problem| problem.key == key) {
             let line = line_of(self.text, key);
             let (file, key, message) = (self.file.to_owned(), key.to_owned(), message.to_owned());
             self.problems.push(Problem { file, key, line, message });
@@ -186,29 +201,35 @@ impl Complaints<'_> {
         self.need(said, key, "say where the number is from: text and date must not be empty");
     }
 
-    fn factor(&mut self, key: &str, factor: &Factor) {
+    fn factor(&mut self, key: &str, factor: &Factor, range: Range) {
         self.source(key, &factor.source);
-        let possible = factor.value > 0.0 && factor.value.is_finite();
-        self.need(possible, key, "a factor is a positive number");
+        self.within(key, range, factor.value);
+    }
+
+    /// A value that is impossible is refused; what is doubtful is told elsewhere.
+    fn within(&mut self, key: &str, range: Range, value: f64) {
+        let [least, most] = range.possible;
+        let message = format!("{value} is impossible: {}; write a number from {least} to {most}", range.says);
+        self.need(range.allows(value), key, &message);
     }
 
     /// What a rule does with the loads of models.
     fn acting(&mut self, at: &str, live_load: Option<&Factor>, impact: &Impact, presence: &[f64]) {
         if let Some(factor) = live_load {
-            self.factor(&format!("{at}.live_load"), factor);
+            self.factor(&format!("{at}.live_load"), factor, plausible::LIVE);
         }
         self.impact(&format!("{at}.impact"), impact);
-        let positive = presence.iter().all(|p| *p > 0.0 && p.is_finite());
-        self.need(
-            positive,
-            &format!("{at}.presence"),
-            "factors of multiple presence are positive, as [1.2, 1.0, 0.85]",
-        );
+        for factor in presence {
+            self.within(&format!("{at}.presence"), plausible::PRESENCE, *factor);
+        }
     }
 
     fn impact(&mut self, at: &str, impact: &Impact) {
         for source in impact.sources() {
             self.source(&format!("{at}.source"), source);
+        }
+        for factor in plausible::greatest(impact) {
+            self.within(at, plausible::MOTION, factor);
         }
         let fill_possible = |fill: &crate::FillReduction| {
             fill.depth_m > 0.0 && fill.vanishing_m > 0.0 && (0.0..=1.0).contains(&fill.share)
@@ -244,6 +265,34 @@ impl Complaints<'_> {
         );
     }
 
+    /// A table of numbers over spans.
+    fn table(&mut self, at: &str, table: &Published, model: &LoadModel) {
+        self.source(&format!("{at}.source"), &table.source);
+        self.need(
+            model.vehicle(&table.vehicle).is_some(),
+            &format!("{at}.vehicle"),
+            "no vehicle of this file has this code",
+        );
+        let paired = table.spans_m.len() == table.values.len() && !table.spans_m.is_empty();
+        self.need(paired, &format!("{at}.values"), "give as many values as spans, one at least");
+        self.need(
+            table.spans_m.iter().chain(&table.values).all(|v| v.is_finite() && *v > 0.0),
+            &format!("{at}.spans_m"),
+            "spans and values are positive numbers",
+        );
+        self.need(
+            table.tolerance > 0.0 && table.tolerance < 1.0,
+            &format!("{at}.tolerance"),
+            "the tolerance is a share between 0 and 1, as 2e-4",
+        );
+        let inside = table.section.is_none_or(|x| x > 0.0 && x < 1.0) && (0.0..1.0).contains(&table.above);
+        self.need(
+            inside,
+            &format!("{at}.section"),
+            "a section is a share of the span between 0 and 1, and so is above",
+        );
+    }
+
     fn vehicle(&mut self, at: &str, vehicle: &Vehicle) {
         let n = vehicle.axle_loads_kn.len();
         let key = |name: &str| format!("{at}.{name}");
@@ -254,6 +303,12 @@ impl Complaints<'_> {
             &key("axle_loads_kn"),
             "give one axle load at least, each positive, as [245.25, 245.25], or [] with uniform loads",
         );
+        for load in &vehicle.axle_loads_kn {
+            self.within(&key("axle_loads_kn"), plausible::AXLE, *load);
+        }
+        for distance in vehicle.spacings_m.iter().flat_map(|spacing| spacing.range()) {
+            self.within(&key("spacings_m"), plausible::DISTANCE, distance);
+        }
         self.need(
             vehicle.spacings_m.len() == n.saturating_sub(1),
             &key("spacings_m"),
@@ -278,7 +333,16 @@ impl Complaints<'_> {
             &key("lift_off"),
             "each case of lift-off has a factor for every axle, as [[1.5, 0.5]]",
         );
+        for factor in vehicle.lift_off.iter().flatten() {
+            self.within(&key("lift_off"), plausible::LIFT_OFF, *factor);
+        }
+        self.within(&key("wheel_track_m"), plausible::TRACK, vehicle.wheel_track_m);
+        self.within(&key("contact_length_m"), plausible::CONTACT, vehicle.contact_length_m);
         for (k, u) in vehicle.uniform.iter().enumerate() {
+            self.within(&format!("{at}.uniform[{k}].load_kn_per_m"), plausible::UNIFORM, u.load_kn_per_m);
+            if let Some(width) = u.width_m {
+                self.within(&format!("{at}.uniform[{k}].width_m"), plausible::WIDTH, width);
+            }
             self.need(
                 u.load_kn_per_m > 0.0
                     && u.load_kn_per_m.is_finite()
@@ -307,6 +371,7 @@ impl Complaints<'_> {
             &key("contact_length_m"),
             "the length of a footprint is positive, as 0.30",
         );
+        self.need((1..=10).contains(&vehicle.lanes), &key("lanes"), "a vehicle occupies 1 lane or a few");
         if let Some(source) = &vehicle.source {
             self.source(&key("source"), source);
         }

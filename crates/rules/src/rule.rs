@@ -27,6 +27,48 @@ pub struct Rule {
     pub loads: Vec<Loads>,
     /// Partial factors.
     pub factors: Factors,
+    /// The rule of the library that an engineer's own rule builds on, by its code; empty where its file names none.
+    #[serde(default)]
+    pub based_on: String,
+    /// What must be given before something is adequate by the rule.
+    #[serde(default)]
+    pub requires: Vec<Requirement>,
+}
+
+/// Something that must be given before a bridge is adequate by a rule.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Requirement {
+    /// What.
+    pub what: Required,
+    /// Where the rule asks for it.
+    pub source: Source,
+}
+
+/// What a rule may ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Required {
+    /// Braking and traction, be it 0 with a reason.
+    Braking,
+    /// The compressive strength of the masonry.
+    Strength,
+    /// Loads that spread as the rule says.
+    Dispersal,
+    /// The angle of skew.
+    Skew,
+}
+
+impl Required {
+    /// The word in files and results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Required::Braking => "braking",
+            Required::Strength => "strength",
+            Required::Dispersal => "dispersal",
+            Required::Skew => "skew",
+        }
+    }
 }
 
 /// Load models that a rule is made for, and what it does with their loads.
@@ -46,6 +88,39 @@ pub struct Loads {
     /// Factors of multiple presence: with one lane loaded, two, three; 1 for those that are not listed.
     #[serde(default)]
     pub presence: Vec<f64>,
+    /// How much heavier than their nominal loads axles may be.
+    #[serde(default)]
+    pub overload: Option<Overload>,
+    /// What stands in the lanes beside a vehicle of these models.
+    #[serde(default)]
+    pub beside: Option<Beside>,
+    /// What the rule asks of these loads and the program leaves out, in words.
+    #[serde(default)]
+    pub left_out: Vec<String>,
+}
+
+/// How much heavier than their nominal loads axles may be: one factor on the axle where it harms most, one on the others.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Overload {
+    /// On the critical axle.
+    pub critical: f64,
+    /// On every other axle.
+    pub others: f64,
+    /// Where both are from.
+    pub source: Source,
+}
+
+/// Normal traffic in the lanes beside an abnormal vehicle.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Beside {
+    /// Codes of load models or vehicles, the worst of which stands there with the rule's factors on it.
+    pub vehicles: Vec<String>,
+    /// Share of their factored loads.
+    pub share: f64,
+    /// Where that is from.
+    pub source: Source,
 }
 
 /// The default of flags that are usually set.
@@ -64,6 +139,18 @@ pub struct Acting {
     pub impact_on_uniform: bool,
     /// Factors of multiple presence, from one lane on.
     pub presence: Vec<f64>,
+    /// How much heavier than nominal axles may be.
+    #[serde(default)]
+    pub overload: Option<Overload>,
+    /// What stands in the lanes beside.
+    #[serde(default)]
+    pub beside: Option<Beside>,
+    /// What the program leaves out of these loads, in words.
+    #[serde(default)]
+    pub left_out: Vec<String>,
+    /// Whether the factors are those of the vehicles' own file, `[[under]]`, and not the rule's.
+    #[serde(default)]
+    pub of_vehicle_file: bool,
 }
 
 impl Acting {
@@ -71,13 +158,28 @@ impl Acting {
     /// on every axle, and what the critical axle has besides.
     pub fn axle_factors(&self, length: f64, depth: f64) -> [f64; 2] {
         let [all, critical] = self.impact.factors(length, depth);
-        [self.live_load.value * all, critical]
+        let [others, more] = self.overload.as_ref().map_or([1.0; 2], |o| [o.others, o.critical / o.others]);
+        [self.live_load.value * all * others, critical * more]
     }
 
     /// The same for uniform loads.
     pub fn uniform_factor(&self, length: f64, depth: f64) -> f64 {
         let all = if self.impact_on_uniform { self.impact.factors(length, depth)[0] } else { 1.0 };
         self.live_load.value * all
+    }
+
+    /// What motion, and axles heavier than nominal, add, in words.
+    pub fn told(&self) -> String {
+        let heavier = self
+            .overload
+            .as_ref()
+            .map(|o| format!(", overload {} on the critical axle, {} on others", o.critical, o.others));
+        self.impact.told() + &heavier.unwrap_or_default()
+    }
+
+    /// Where all of that is from.
+    pub fn sources(&self) -> Vec<&Source> {
+        self.impact.sources().into_iter().chain(self.overload.as_ref().map(|overload| &overload.source)).collect()
     }
 
     /// The factor of multiple presence with so many lanes loaded.
@@ -158,6 +260,10 @@ impl Rule {
                 impact: loads.impact.clone(),
                 impact_on_uniform: loads.impact_on_uniform,
                 presence: loads.presence.clone(),
+                overload: loads.overload.clone(),
+                beside: loads.beside.clone(),
+                left_out: loads.left_out.iter().chain(&model.left_out).cloned().collect(),
+                of_vehicle_file: false,
             });
         }
         if let Some(under) = model.under.iter().find(|under| under.rule.eq_ignore_ascii_case(&self.code)) {
@@ -166,6 +272,10 @@ impl Rule {
                 impact: under.impact.clone(),
                 impact_on_uniform: under.impact_on_uniform,
                 presence: under.presence.clone(),
+                overload: None,
+                beside: None,
+                left_out: model.left_out.clone(),
+                of_vehicle_file: true,
             });
         }
         let general = self.impact.as_ref().filter(|_| self.ways.contains(&model.ways))?;
@@ -174,6 +284,10 @@ impl Rule {
             impact: general.clone(),
             impact_on_uniform: true,
             presence: Vec::new(),
+            overload: None,
+            beside: None,
+            left_out: model.left_out.clone(),
+            of_vehicle_file: false,
         })
     }
 

@@ -218,6 +218,12 @@ static VEHICLE: Shape = Shape {
         must("axles_may_be_dropped", Kind::Flag, "whether axles that help may be left out"),
         must("wheel_track_m", Kind::Number, "distance between the wheels of an axle across the bridge [m]"),
         must("contact_length_m", Kind::Number, "length of a wheel's or sleeper's footprint along the bridge [m]"),
+        may("lanes", Kind::Number, "how many lanes it occupies; 1 where not written"),
+        may(
+            "with",
+            Kind::Texts,
+            "codes of vehicles that belong to the same level of loading: a bridge that carries this one carries all of them",
+        ),
         may("source", Kind::Table(&SOURCE), "where it is from, if not from where the file is"),
     ],
 };
@@ -292,7 +298,18 @@ pub static LOAD_MODEL: Shape = Shape {
             "whether its vehicles are taken only where they are named, and not among all that a rule is made for; false where not written",
         ),
         must("vehicle", Kind::Tables(&VEHICLE), "its vehicles"),
+        may(
+            "checked",
+            Kind::Tables(&PUBLISHED),
+            "numbers worked out by hand that it is compared with; those that somebody published stand in `published`",
+        ),
         may("under", Kind::Tables(&UNDER), "factors under rules that do not name it"),
+        may("left_out", Kind::Texts, "what the loading has and these vehicles leave out: a verdict names it"),
+        may(
+            "loading",
+            Kind::Text,
+            "the loading whose cases its vehicles are, where a bridge must carry all of them; models with the same name belong together",
+        ),
         may("published", Kind::Tables(&PUBLISHED), "numbers that it is compared with"),
     ],
 };
@@ -312,6 +329,11 @@ static DISPERSAL: Shape = Shape {
             "strip_at_most_m",
             Kind::Number,
             "widths are those of one rail's or wheel line's strip, each at most so wide [m]",
+        ),
+        may(
+            "least_depth_m",
+            Kind::Number,
+            "depth of cover at the crown from which on loads spread through it; above a shallower one they do not [m]",
         ),
         must(
             "pressure",
@@ -355,6 +377,47 @@ static LOADS: Shape = Shape {
         must("impact", IMPACT, "what motion adds to them"),
         may("impact_on_uniform", Kind::Flag, ON_UNIFORM),
         may("presence", Kind::Numbers, PRESENCE),
+        may("overload", Kind::Table(&OVERLOAD), "how much heavier than their nominal loads axles may be"),
+        may("beside", Kind::Table(&BESIDE), "what stands in the lanes beside a vehicle of these models"),
+        may(
+            "left_out",
+            Kind::Texts,
+            "what the rule asks of these loads and the program leaves out: a verdict names it",
+        ),
+    ],
+};
+
+static OVERLOAD: Shape = Shape {
+    name: "overload",
+    keys: &[
+        must("critical", Kind::Number, "factor on the axle where it harms most"),
+        must("others", Kind::Number, "factor on every other axle"),
+        must("source", Kind::Table(&SOURCE), "where both are from"),
+    ],
+};
+
+static BESIDE: Shape = Shape {
+    name: "beside",
+    keys: &[
+        must(
+            "vehicles",
+            Kind::Texts,
+            "codes of load models or vehicles, the worst of which stands there with the rule's factors on it",
+        ),
+        must("share", Kind::Number, "share of their factored loads"),
+        must("source", Kind::Table(&SOURCE), "where that is from"),
+    ],
+};
+
+static REQUIREMENT: Shape = Shape {
+    name: "requires",
+    keys: &[
+        must(
+            "what",
+            Kind::Word(&["braking", "strength", "dispersal", "skew"]),
+            "what must be given before a bridge is adequate by the rule",
+        ),
+        must("source", Kind::Table(&SOURCE), "where the rule asks for it"),
     ],
 };
 
@@ -400,5 +463,11 @@ pub static RULE: Shape = Shape {
         ),
         may("loads", Kind::Tables(&LOADS), "load models that the rule is made for, with the factors of each"),
         must("factors", Kind::Table(&FACTORS), "partial factors"),
+        may(
+            "based_on",
+            Kind::Text,
+            "code of the rule of the library that it builds on: factors that differ from it stand beside a verdict; the nearest rule where not written",
+        ),
+        may("requires", Kind::Tables(&REQUIREMENT), "what must be given before a bridge is adequate by the rule"),
     ],
 };

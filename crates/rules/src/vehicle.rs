@@ -31,9 +31,23 @@ pub struct Vehicle {
     pub wheel_track_m: f64,
     /// Length of a wheel's or sleeper's footprint along the bridge [m].
     pub contact_length_m: f64,
+    /// How many lanes it occupies.
+    #[serde(default = "one")]
+    pub lanes: usize,
+    /// Codes of vehicles that belong to the same level of loading: who carries this vehicle carries all of them.
+    #[serde(default)]
+    pub with: Vec<String>,
+    /// Those vehicles, as [`crate::Library::join_levels`] found them; their arrangements are among [`Vehicle::patterns`].
+    #[serde(skip)]
+    pub level: Vec<Vehicle>,
     /// Where this vehicle is from, if not from where its file is.
     #[serde(default)]
     pub source: Option<Source>,
+}
+
+/// The default of numbers of lanes.
+fn one() -> usize {
+    1
 }
 
 /// A distance between two axles: one, or a range.
@@ -124,12 +138,25 @@ impl Vehicle {
             axles_may_be_dropped: true,
             wheel_track_m: wheel_track,
             contact_length_m: contact_length,
+            lanes: 1,
+            with: Vec::new(),
+            level: Vec::new(),
             source: None,
         }
     }
 
-    /// Every arrangement that is to be tried: each combination of distances, without lift-off and with each case of it.
+    /// Every arrangement that is to be tried: its own, and those of the other vehicles of its level, each with its vehicle's code.
     pub fn patterns(&self) -> Vec<Pattern> {
+        let of_level = self.level.iter().flat_map(|other| {
+            let named =
+                |label: &str| if label.is_empty() { other.code.clone() } else { format!("{}, {label}", other.code) };
+            other.own_patterns().into_iter().map(move |pattern| Pattern { label: named(&pattern.label), ..pattern })
+        });
+        self.own_patterns().into_iter().chain(of_level).collect()
+    }
+
+    /// Its own arrangements: each combination of distances, without lift-off and with each case of it.
+    pub fn own_patterns(&self) -> Vec<Pattern> {
         let mut spacings: Vec<Vec<f64>> = vec![Vec::new()];
         for spacing in &self.spacings_m {
             let tried = spacing.tried();

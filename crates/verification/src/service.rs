@@ -123,7 +123,7 @@ fn assessed(file: &File) -> Result<Json, String> {
     let vehicles = match bridge.sweep {
         None => Stage::NotAsked("the input has no vehicles".to_owned()),
         Some(_) => match analysis::vehicles::vehicle_sweep(&bridge, &mut Unwatched) {
-            Ok(found) => Stage::Made(chain::vehicle_facts(&found)),
+            Ok(found) => Stage::Made(chain::vehicle_facts(&bridge, &found)),
             Err(error) => Stage::Failed(error.to_string()),
         },
     };

@@ -1,8 +1,8 @@
-//! The library of load models against the tables that were published for its vehicles.
+//! The library of load models against the tables that were published for its vehicles, and against numbers worked out by hand.
 
 use rules::PublishedQuantity;
 
-/// A published table beside what its vehicle gives.
+/// A table beside what its vehicle gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableRow {
     /// Code of the load model.
@@ -13,6 +13,8 @@ pub struct TableRow {
     pub quantity: &'static str,
     /// Where they are from, with date and confidence.
     pub source: String,
+    /// Whether somebody published the numbers; they were worked out by hand otherwise.
+    pub published: bool,
     /// How many numbers were compared; none of a table that the vehicle alone does not give.
     pub numbers: usize,
     /// Largest difference, relative; at which span [m].
@@ -36,7 +38,7 @@ impl TableRow {
     }
 }
 
-/// Every published table of the library; what is wrong with the library where it cannot be read.
+/// Every table of the library, published or worked out by hand; what is wrong with the library where it cannot be read.
 pub fn tables() -> Result<Vec<TableRow>, String> {
     let library =
         rules::library().map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
@@ -44,8 +46,8 @@ pub fn tables() -> Result<Vec<TableRow>, String> {
     let rule = library.rule("irs-bridge-rules");
     let mut list = Vec::new();
     for model in &library.models {
-        for table in &model.published {
-            let one = rules::LoadModel { published: vec![table.clone()], ..model.clone() };
+        for (k, table) in model.tables().enumerate() {
+            let one = rules::LoadModel { published: vec![table.clone()], checked: Vec::new(), ..model.clone() };
             let compared = rules::check(&one, rule);
             // Each difference as a share of what is allowed on its side.
             let share = |row: &rules::Checked| match row.difference() {
@@ -59,6 +61,7 @@ pub fn tables() -> Result<Vec<TableRow>, String> {
                 vehicle: table.vehicle.clone(),
                 quantity: words(table.quantity),
                 source: format!("{} ({}, {})", source.text, source.date, source.confidence.word()),
+                published: k < model.published.len(),
                 numbers: compared.len(),
                 difference: worst.map_or(0.0, rules::Checked::difference),
                 span: worst.map_or(0.0, |row| row.span),

@@ -155,6 +155,8 @@ fn two_rings(vehicles: &[&str]) -> Bridge {
         subsets: false,
         own_dispersal: false,
         braking: 0.0,
+        braking_given: false,
+        braking_reason: None,
         discrete_elements: false,
         texts: Vec::new(),
     });

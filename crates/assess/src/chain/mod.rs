@@ -2,6 +2,7 @@
 
 mod sensitivity;
 mod service;
+mod shortened;
 mod ultimate;
 mod updated;
 mod vehicles;

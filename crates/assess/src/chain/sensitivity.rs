@@ -175,10 +175,11 @@ impl Changed<'_> {
                 plan.vehicles = vec![self.governing.load_model.clone()];
                 plan.discrete_elements = false;
                 let found = vehicle_sweep(&alone, watch).ok()?;
-                a.facts.vehicles = Stage::Made(super::vehicle_facts(&found));
+                a.facts.vehicles = Stage::Made(super::vehicle_facts(&alone, &found));
             }
             Probe::Collapse => {
-                let mut facts = at_position(bridge, self.governing.position?, watch).ok()?;
+                let parts = self.own.facts.ultimate.made().map_or(&[][..], |facts| &facts.shortened);
+                let mut facts = at_position(bridge, self.governing.position?, parts, watch).ok()?;
                 facts.load.clone_from(&self.governing.load_model);
                 a.facts.ultimate = Stage::Made(facts);
             }

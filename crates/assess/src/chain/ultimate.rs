@@ -1,10 +1,11 @@
 //! The file's own loads at collapse, moved over the bridge; and a support that moves.
 
+use super::shortened::{as_shortened, shortened, told};
 use crate::analysis::{self, AnalysisError, Places, by_weight_alone};
 use bridge::{Analysis, Bridge, LoadKind, Method, Strip};
 use mechanics::watch::Watch;
 use outcome::collapse::{Collapse, Status};
-use outcome::facts::{MovementFacts, UltimateFacts};
+use outcome::facts::{MovementFacts, ShortenedFacts, UltimateFacts};
 use outcome::sweep::{Sweep, SweepPoint};
 use outcome::warning::{self, Warning};
 
@@ -48,10 +49,16 @@ fn alone(own: &Bridge, watch: &mut dyn Watch) -> Result<Collapse, AnalysisError>
     if gives(own) { analysis::collapse_by_path(own, None, watch) } else { analysis::collapse_by_limit(own, watch) }
 }
 
-/// The factor on the run of axles that governs, at one position [m] of the first load: what is needed to see it change.
-pub fn at_position(bridge: &Bridge, position: f64, watch: &mut dyn Watch) -> Result<UltimateFacts, AnalysisError> {
+/// The factor on the run of axles that governs, at one position [m] of the first load, with the parts of uniform loads that govern: what is
+/// needed to see it change.
+pub fn at_position(
+    bridge: &Bridge,
+    position: f64,
+    parts: &[ShortenedFacts],
+    watch: &mut dyn Watch,
+) -> Result<UltimateFacts, AnalysisError> {
     let own = by_weight_alone(bridge);
-    let own = of_blocks(own.as_ref().unwrap_or(bridge));
+    let own = as_shortened(&of_blocks(own.as_ref().unwrap_or(bridge)), parts);
     let sweep = analysis::sweep(&own, Places::At(position), true, watch)?;
     let found = sweep.points.first();
     Ok(UltimateFacts {
@@ -89,7 +96,9 @@ pub fn ultimate(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimat
 }
 
 fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, AnalysisError> {
-    let own = of_blocks(bridge);
+    let whole = of_blocks(bridge);
+    let parts = shortened(&whole, watch)?;
+    let own = as_shortened(&whole, &parts);
     let shortest = own.spans.iter().map(|s| s.span).fold(f64::INFINITY, f64::min);
     let positions = if own.continuum.is_some() { BOUNDS_IN_A_SPAN } else { POSITIONS_IN_A_SPAN };
     let sweep = analysis::sweep(&own, Places::Every(shortest / positions), true, watch)?;
@@ -140,6 +149,8 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<Option<Ultimate>, Ana
     facts.last_stable_load_kn_per_m = collapse.last_stable_load.map(|load| load / 1e3);
     facts.collapse_load_kn_per_m = collapse.collapse_load.map(|load| load / 1e3);
     facts.assumptions = collapse.assumptions.iter().chain(&sweep.assumptions).cloned().collect();
+    facts.assumptions.extend(parts.iter().map(told));
+    facts.shortened = parts;
     facts.warnings = sweep.warnings.iter().chain(&collapse.warnings).cloned().collect();
     facts.collapse = Some(Box::new(collapse));
     Ok(Some(Ultimate { facts, sweep }))

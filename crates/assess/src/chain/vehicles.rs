@@ -3,6 +3,7 @@
 use crate::analysis::AnalysisError;
 use crate::analysis::by_weight_alone;
 use crate::analysis::vehicles::{by_acting, vehicle_sweep};
+use crate::plan_facts::{PlanFacts, of_plan};
 use bridge::Bridge;
 use mechanics::watch::Watch;
 use outcome::collapse::Status;
@@ -20,7 +21,7 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
     let presses = bridge.fill_pressure.is_some_and(|fill| fill.applies);
     let Some(bare) = by_weight_alone(bridge).filter(|_| presses) else {
         let found = vehicle_sweep(bridge, watch)?;
-        return Ok((vehicle_facts(&found), found));
+        return Ok((vehicle_facts(bridge, &found), found));
     };
     let found = vehicle_sweep(&bare, watch)?;
     let mut pressing = bridge.clone();
@@ -28,7 +29,7 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
         plan.discrete_elements = false;
     }
     let with = vehicle_sweep(&pressing, watch)?;
-    let mut facts = vehicle_facts(&found);
+    let mut facts = vehicle_facts(bridge, &found);
     let mut told = Vec::new();
     for (one, with) in facts.vehicles.iter_mut().zip(&with.vehicles) {
         one.adequacy_with_fill_pressure = with.adequacy;
@@ -43,7 +44,9 @@ pub fn vehicles(bridge: &Bridge, watch: &mut dyn Watch) -> Result<(VehicleFacts,
 }
 
 /// The facts of a sweep of vehicles.
-pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
+pub fn vehicle_facts(bridge: &Bridge, found: &VehicleSweep) -> VehicleFacts {
+    let plan = bridge.sweep.as_ref();
+    let own = plan.map_or_else(PlanFacts::default, |plan| of_plan(bridge, plan, &found.vehicles));
     let source = |source: &rules::Source| format!("{} ({}, {})", source.text, source.date, source.confidence.word());
     VehicleFacts {
         grades: found.grades().iter().map(|one| [one.of.clone(), one.told(), one.all_told()]).collect(),
@@ -54,18 +57,18 @@ pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
             .into_iter()
             .map(|(name, factor)| [name.to_owned(), factor.value.to_string(), source(&factor.source)])
             .chain(by_acting(&found.vehicles).into_iter().flat_map(|(models, acting)| {
-                let sources: Vec<String> = acting.impact.sources().into_iter().map(source).collect();
+                let sources: Vec<String> = acting.sources().into_iter().map(source).collect();
                 [
                     [
                         format!("live load of {models}"),
                         acting.live_load.value.to_string(),
                         source(&acting.live_load.source),
                     ],
-                    [format!("impact on {models}"), acting.impact.told(), sources.join("; ")],
+                    [format!("impact on {models}"), acting.told(), sources.join("; ")],
                 ]
             }))
             .collect(),
-        safety: safety(&found.rule),
+        safety: safety(&found.rule, &own),
         vehicles: found.vehicles.iter().map(swept).collect(),
         step_m: found.step,
         governing: found.governing.and_then(|k| found.vehicles.get(k)).map(|one| one.code.clone()),
@@ -73,6 +76,12 @@ pub fn vehicle_facts(found: &VehicleSweep) -> VehicleFacts {
         adequacy_by_discrete_elements: found.discrete_elements.as_ref().and_then(|second| second.adequacy),
         headline: found.headline().map(|headline| headline.0),
         positions_not_converged: found.positions_not_converged(),
+        requires: own.requires,
+        braking: plan.filter(|plan| plan.braking_given).map(|plan| plan.braking),
+        braking_reason: plan.and_then(|plan| plan.braking_reason.clone()).unwrap_or_default(),
+        left_out: own.left_out,
+        load_cases_missing: own.missing,
+        doubtful: own.doubtful,
         assumptions: found.assumptions.clone(),
         warnings: warnings(found),
     }
@@ -104,7 +113,7 @@ fn rule_line(rule: &Rule) -> String {
 }
 
 /// What safety a rule holds: its factor on live loads, and how sure each factor is.
-fn safety(rule: &Rule) -> SafetyFacts {
+fn safety(rule: &Rule, own: &PlanFacts) -> SafetyFacts {
     let live = &rule.factors.live_load;
     let named = rule.listed().into_iter();
     SafetyFacts {
@@ -114,6 +123,10 @@ fn safety(rule: &Rule) -> SafetyFacts {
         model: rule.factors.model.value,
         model_confidence: rule.factors.model.source.confidence,
         factors: named.map(|(name, factor)| (format!("{name} {}", factor.value), factor.source.confidence)).collect(),
+        rule_file: own.rule_file.clone(),
+        based_on: own.based_on.0.clone(),
+        based_on_named: own.based_on.1,
+        changed_factors: own.changed.clone(),
     }
 }
 
@@ -194,6 +207,10 @@ fn swept(one: &Swept) -> SweptFacts {
         stands: one.across.told(),
         thrusts: one.sections.iter().filter_map(thrust).collect(),
         load_factor: one.load_factors[0],
+        live_load: one.acting.live_load.value,
+        live_load_confidence: one.acting.live_load.source.confidence,
+        impact: one.acting.told(),
+        factors_of_vehicle_file: one.acting.of_vehicle_file,
         slow_cases: one.by_interior_point,
         loads_confidence: one.source.confidence,
         rigid: one.rigid,

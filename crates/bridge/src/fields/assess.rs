@@ -65,7 +65,8 @@ pub(super) static ASSESS: Section = Section {
         )
         .optional("the thrust line is not checked"),
         Field::new("adequacy_factor", Kind::Number, "least factor on loads at ultimate", "1.0")
-            .positive()
+            .at_least(1.0)
+            .at_most(4.0)
             .optional("factors are listed and not checked"),
         Field::new(
             "adequacy_source",
@@ -86,9 +87,11 @@ pub(super) static ASSESS: Section = Section {
         .optional("with a skew of more than 10 degrees no verdict of adequacy is given"),
         Field::new("load_factor_included", Kind::Number, "factor that the forces of [[load]] already carry", "1.9")
             .at_least(1.0)
+            .at_most(4.0)
             .default("1"),
         Field::new("model_factor", Kind::Number, "factor for the method of analysis, from `adequacy_source`", "1.1")
             .at_least(1.0)
+            .at_most(4.0)
             .optional("the program's own, from tests to collapse: docs/verification/model-factor.md"),
         Field::new("permissible_share", Kind::Number, "largest share of the ultimate load in service", "0.5")
             .above(0.0)
@@ -117,7 +120,10 @@ pub(super) static ASSESS: Section = Section {
         Field::new("expected_movement", Kind::Quantity(Length), "support movement, expected or measured", "20 mm")
             .at_least(0.0)
             .optional("movements are not checked"),
-        Field::new("movement_factor", Kind::Number, "safety factor on that movement", "2").at_least(1.0).default("1"),
+        Field::new("movement_factor", Kind::Number, "safety factor on that movement", "2")
+            .at_least(1.0)
+            .at_most(10.0)
+            .default("1"),
     ],
 };
 

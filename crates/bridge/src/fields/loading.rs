@@ -40,6 +40,15 @@ pub(super) static LOAD: Section = Section {
         Field::new("length", Kind::Quantity(Length), "length of the loaded strip along the bridge", "0.750 m")
             .positive()
             .only("kind", &["knife-edge", "patch"]),
+        Field::new(
+            "fixed_length",
+            Kind::Flag,
+            "whether the strip has this length whatever happens, as a stack of material; otherwise an assessment shortens it where that does \
+             more harm",
+            "true",
+        )
+        .only("kind", &["patch"])
+        .default("false"),
         Field::new("axle_force", Kind::Quantity(Force), "force of the axle", "100 kN")
             .positive()
             .only("kind", &["axle"]),
@@ -185,6 +194,7 @@ fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mu
         // Its absence has been reported.
         Bearer::Block => Some(LoadingBlock { weight: block_weight?? }),
     };
+    let fixed_length: Option<bool> = table.read("fixed_length", findings);
     let horizontal: Option<At<f64>> = table.read("horizontal", findings);
     if let Some(At { value, .. }) = horizontal
         && value != 0.0
@@ -193,7 +203,8 @@ fn load(table: &Table<'_>, width: Widths, layout: Option<&Layout>, findings: &mu
         table.exclude("horizontal", "`through = \"block\"`, a block that is held sideways", findings);
     }
     let name = name?.unwrap_or_else(|| shape.map_or("", Shape::word).to_owned());
-    let load = Load { name, kind: kind?, position: position?, block, horizontal: horizontal?.value };
+    let (horizontal, fixed_length) = (horizontal?.value, fixed_length?);
+    let load = Load { name, kind: kind?, position: position?, block, horizontal, fixed_length };
     if let Some(layout) = layout {
         check_place(table, &load, layout, findings);
     }

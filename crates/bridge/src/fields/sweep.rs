@@ -34,6 +34,13 @@ pub(super) static SWEEP: Section = Section {
         .at_least(0.0)
         .at_most(1.0)
         .default("0"),
+        Field::new(
+            "braking_reason",
+            Kind::Text,
+            "why braking has this share; a rule that asks for braking gives no verdict where it is 0 without a reason",
+            "ballasted track runs 40 m beyond both abutments",
+        )
+        .optional("no reason"),
         Field::new("rule", Kind::Text, "rule of the library: factors, dispersal, impact", "cs-454").optional(
             "\"characteristic\": no safety factors, for comparisons, never for a verdict; or given by `rule_file`",
         ),
@@ -236,7 +243,9 @@ pub(crate) fn sweep(table: &Table<'_>, findings: &mut Findings) -> Option<SweepP
             step,
             directions,
             subsets,
-            braking;
+            braking,
+            braking_reason;
+            braking_given: table.has("braking"),
             rule: rule?.unwrap_or_else(|| USUAL_RULE.to_owned()),
             vehicles: vehicles?,
             vehicle_files: vehicle_files?,

@@ -4,7 +4,7 @@ use crate::args::Vehicles;
 use crate::failure::Failure;
 use crate::report::Report;
 use crate::status::Status;
-use assess::vehicles::{Extent, Library, LoadModel, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
+use assess::vehicles::{Extent, Library, LoadModel, Published, Rule, Source, Spacing, Uniform, Vehicle, Ways, library};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -51,6 +51,10 @@ fn told_vehicles(page: &mut String, library: &Library, vehicles: &[(&LoadModel, 
             let _ = writeln!(page, "\n  {}: {}, {}", model.code, model.title, way(model.ways));
             let _ = writeln!(page, "    source: {}", source_words(&model.source));
             let _ = writeln!(page, "    rules made for it: {}", or_none(&rules_for(library, model)));
+            let _ = writeln!(page, "    compared with: {}", compared_with(model));
+            if !model.left_out.is_empty() {
+                let _ = writeln!(page, "    left out: {}", model.left_out.join("; "));
+            }
             if let Some(limit) = &model.span_limit {
                 let _ = writeln!(page, "    for spans up to {} m: {}", limit.longest_m, limit.reason);
             }
@@ -71,8 +75,27 @@ fn told_rule(page: &mut String, library: &Library, rule: &Rule, whole: bool) {
     let _ = writeln!(page, "\n  {}: {}, {}", rule.code, rule.title, ways.join(" and "));
     let _ = writeln!(page, "    source: {}", source_words(&rule.source));
     let _ = writeln!(page, "    load models: {}", or_none(&models_of(library, rule)));
+    if !rule.requires.is_empty() {
+        let words: Vec<&str> = rule.requires.iter().map(|one| one.what.word()).collect();
+        let _ = writeln!(page, "    asks for: {}", words.join(", "));
+    }
     for (name, factor) in rule.listed().into_iter().filter(|_| whole) {
         let _ = writeln!(page, "    {name}: {} ({})", factor.value, source_words(&factor.source));
+    }
+}
+
+/// How many numbers somebody published, and how many were worked out by hand: "12 published numbers in 2 tables, 4 by hand".
+fn compared_with(model: &LoadModel) -> String {
+    let numbers = |tables: &[Published]| tables.iter().map(|table| table.values.len()).sum::<usize>();
+    let (published, checked) = (numbers(&model.published), numbers(&model.checked));
+    match (published, checked) {
+        (0, 0) => "nothing".to_owned(),
+        (0, checked) => format!("no published table; {checked} numbers worked out by hand from the same loads"),
+        (published, checked) => {
+            let (count, s) = (model.published.len(), if model.published.len() == 1 { "" } else { "s" });
+            let by_hand = if checked > 0 { format!("; {checked} worked out by hand") } else { String::new() };
+            format!("{published} published numbers in {count} table{s}{by_hand}")
+        }
     }
 }
 
@@ -167,9 +190,20 @@ fn vehicle_object(library: &Library, model: &LoadModel, vehicle: &Vehicle) -> Va
         "spacings_m": spacings,
         "uniform": uniform,
         "longest_span_m": model.span_limit.as_ref().map(|limit| limit.longest_m),
+        "lanes": vehicle.lanes,
+        "with": vehicle.with,
+        "left_out": model.left_out,
+        "published_numbers": numbers_of(&model.published, vehicle),
+        "checked_numbers": numbers_of(&model.checked, vehicle),
     });
     merge(&mut object, source_object(model.source_of(vehicle)));
     object
+}
+
+/// How many numbers of tables a vehicle is compared with.
+fn numbers_of(tables: &[Published], vehicle: &Vehicle) -> usize {
+    let own = tables.iter().filter(|table| table.vehicle.eq_ignore_ascii_case(&vehicle.code));
+    own.map(|table| table.values.len()).sum()
 }
 
 fn rule_object(library: &Library, rule: &Rule) -> Value {
@@ -189,6 +223,7 @@ fn rule_object(library: &Library, rule: &Rule) -> Value {
         "ways": ways,
         "load_models": models_of(library, rule),
         "factors": factors,
+        "requires": rule.requires.iter().map(|one| json!({ "what": one.what.word(), "source": one.source.text })).collect::<Vec<_>>(),
     });
     merge(&mut object, source_object(&rule.source));
     object

@@ -145,6 +145,7 @@ fn table(row: &TableRow) -> Value {
         "vehicle": row.vehicle,
         "quantity": row.quantity,
         "source": row.source,
+        "published": row.published,
         "numbers": row.numbers,
         "largest_difference": row.difference,
         "at_span_m": row.span,
@@ -160,8 +161,9 @@ fn tables_in_words(tables: &[TableRow]) -> String {
     let compared: Vec<&TableRow> = tables.iter().filter(|row| row.numbers > 0).collect();
     let agree = compared.iter().filter(|row| row.agrees()).count();
     let numbers: usize = compared.iter().map(|row| row.numbers).sum();
+    let published = compared.iter().filter(|row| row.published).count();
     let mut page = format!(
-        "load models against their published tables: {agree} of {} tables agree, {numbers} numbers\n",
+        "load models against tables: {agree} of {} agree, {numbers} numbers; {published} were published, the others worked out by hand\n",
         compared.len()
     );
     for row in compared {

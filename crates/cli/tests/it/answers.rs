@@ -330,10 +330,7 @@ fn verify_keeps_kinds_apart_and_fails_when_a_case_does() {
     let tables = answer["tables"].as_array().expect("the load models' own tables");
     assert!(tables.len() > 8 && tables.iter().all(|table| table["agrees"] != false), "{tables:?}");
     let printed = stage.run(&["verify", &blocks.to_string_lossy()]).stdout;
-    assert!(
-        printed.contains("load models against their published tables") && !printed.contains("differs"),
-        "{printed}"
-    );
+    assert!(printed.contains("load models against tables") && !printed.contains("differs"), "{printed}");
     assert!(stage.read("manual.md").starts_with("# Verification manual"));
     std::fs::create_dir(stage.folder.join("case")).expect("a folder");
     for file in ["case.toml", "blocks.toml"] {

@@ -18,6 +18,7 @@ mod house;
 mod interruption;
 mod keeping;
 mod library;
+mod loads;
 mod messages;
 mod misuse;
 mod particles;

@@ -49,6 +49,7 @@ pub fn assessment(a: &Assessment) -> Object {
         sensitivity?: facts.sensitivity.made(),
         service?: facts.service.made(),
         collapse?: facts.ultimate.made().and_then(|facts| of(&facts.collapse)),
+        shortened?: facts.ultimate.made().map(|facts| &facts.shortened),
         vehicles?: facts.vehicles.made(),
         cases?: facts.cases.made(),
         support_movement?: facts.movement.made().and_then(|facts| of(&facts.collapse)),

@@ -24,6 +24,22 @@ pub fn lanes(bridge: &Bridge, ways: Ways) -> (usize, f64) {
     (asked.lanes.unwrap_or(fit).max(1), apart)
 }
 
+/// How many vehicles of a kind may stand abreast, or one of it with so many lanes beside, and how far their middles are apart [m].
+pub fn room(bridge: &Bridge, chosen: &Chosen) -> (usize, f64) {
+    let (most, apart) = lanes(bridge, chosen.ways);
+    let (vehicle, given) = (&chosen.vehicle, bridge.carriageway.as_ref().and_then(|asked| asked.lanes));
+    let fits = bridge.width >= vehicle.wheel_track_m + BODY + ROAD_LANE;
+    let most = match (&chosen.acting.beside, given) {
+        (Some(_), None) => vehicle.lanes + usize::from(fits),
+        _ => most,
+    };
+    let apart = chosen.beside.as_ref().map_or(apart, |lane| lane.apart.max(apart));
+    (most.saturating_sub(vehicle.lanes - 1).max(1), apart)
+}
+
+/// What a vehicle is wider than its wheels are apart [m] (HB: 3.5 m, wheels over 3.0 m).
+const BODY: f64 = 0.5;
+
 /// What is said of forces across the bridge.
 pub fn across_told(bridge: &Bridge) -> &'static str {
     let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
@@ -87,7 +103,9 @@ impl Arrangement<'_> {
 
     /// Most width that vehicles of this width each carry together [m].
     fn together(&self, width: f64, count: usize) -> f64 {
-        (width + (count as f64 - 1.0) * self.apart).min(count as f64 * width)
+        let others = count as f64 - 1.0;
+        let narrower = self.chosen.beside.as_ref().filter(|_| count > 1).map_or(0.0, |lane| lane.narrower);
+        (width + others * self.apart - 0.5 * narrower).min(count as f64 * width - others * narrower)
     }
 
     /// What all bear in place of the first one.
@@ -204,7 +222,7 @@ impl Arrangement<'_> {
 
 /// The worst arrangement of a vehicle.
 pub fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
-    let (most, apart) = lanes(bridge, chosen.ways);
+    let (most, apart) = room(bridge, chosen);
     let edge = bridge.carriageway.as_ref().and_then(|asked: &Carriageway| asked.edge_distance);
     let sideways = bridge.carriageway.as_ref().map_or_else(Sideways::default, |asked| asked.sideways);
     let (barrel, depth, gravity) = (bridge.width, bridge.cover.depth, bridge.gravity);
@@ -225,6 +243,9 @@ pub fn worst(bridge: &Bridge, rule: &Rule, chosen: &Chosen) -> Across {
     }
     found.wheels = one.wheels(found.abreast, found.at_edge);
     found.derivation = one.derived(found.abreast, found.at_edge);
+    if let Some(lane) = chosen.beside.as_ref().filter(|_| found.abreast > 1) {
+        found.beside.clone_from(&lane.code);
+    }
     between_cracks(bridge, &one, &counts, &mut found);
     found
 }
@@ -260,6 +281,7 @@ fn between_cracks(bridge: &Bridge, one: &Arrangement<'_>, counts: &[usize], foun
                 strip: Some(loaded.strip),
                 wheels,
                 derivation,
+                beside: if count > 1 { found.beside.clone() } else { String::new() },
             };
         }
         for (k, uniform) in one.chosen.vehicle.uniform.iter().enumerate() {

@@ -46,10 +46,17 @@ pub fn of_vehicles(bridge: &Bridge, vehicles: &[Chosen], found: &VehicleSweep, b
     }
     list.extend(crate::analysis::caveats::skew(bridge));
     let rail = vehicles.iter().any(|v| v.ways == Ways::Rail);
-    let words = if rail { "braking and traction of trains" } else { "braking" };
+    let words = match bridge.sweep.as_ref().filter(|plan| plan.braking_given) {
+        Some(plan) => {
+            let reason = plan.braking_reason.as_ref().map_or(String::new(), |reason| format!(" ({reason})"));
+            format!("the file writes braking = 0{reason}")
+        }
+        None if rail => "braking and traction of trains are left out".to_owned(),
+        None => "braking is left out".to_owned(),
+    };
     list.push(Warning::new(
         warning::NO_LONGITUDINAL,
-        format!("loads stand vertically: {words} are left out; {}", across::across_told(bridge)),
+        format!("loads stand vertically: {words}; {}", across::across_told(bridge)),
     ));
     list
 }

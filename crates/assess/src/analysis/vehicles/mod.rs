@@ -7,6 +7,7 @@
 //! discrete elements.
 
 mod across;
+mod beside;
 mod braking;
 mod cases;
 mod continuum;
@@ -88,7 +89,10 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
     let weights = weights::combinations(bridge, &rule);
     let gives = bridge.plan.method == Method::Path;
     let yields = !gives && continuum::is_wanted(bridge);
-    let rigid_part = &mut Portion::new(watch, if gives || yields { [0.0, 0.5] } else { [0.0, 1.0] });
+    let before = if vehicles.iter().any(|chosen| chosen.acting.beside.is_some()) { 0.3 } else { 0.0 };
+    let first_part = &mut Portion::new(watch, [0.0, before]);
+    let vehicles = beside::loaded(bridge, (&rule, plan), vehicles, (&weights, step), first_part)?;
+    let rigid_part = &mut Portion::new(watch, if gives || yields { [before, 0.5] } else { [before, 1.0] });
     let mut swept = search::all(bridge, &rule, plan, &vehicles, &weights, step, true, rigid_part)?;
     let answered = swept.iter().all(|one| !matches!(one.status, Status::Cancelled | Status::UnstableUnderSelfWeight));
     if gives && answered {
@@ -145,6 +149,7 @@ fn moved(bridge: &Bridge, watch: &mut dyn Watch) -> Result<VehicleSweep, Analysi
         found.collapse = Some(Box::new(run));
     }
     notes(bridge, &vehicles, &mut found);
+    found.assumptions.extend(beside::told(&vehicles));
     found.warnings.extend(taken);
     Ok(found)
 }
@@ -244,11 +249,7 @@ fn notes(bridge: &Bridge, vehicles: &[Chosen], found: &mut VehicleSweep) {
     }
     let mut factors: Vec<String> = rule.listed().iter().map(|(name, f)| format!("{name} {}", f.value)).collect();
     for (models, acting) in by_acting(&found.vehicles) {
-        factors.push(format!(
-            "on loads of {models}: live load {}, impact {}",
-            acting.live_load.value,
-            acting.impact.told()
-        ));
+        factors.push(format!("on loads of {models}: live load {}, impact {}", acting.live_load.value, acting.told()));
     }
     found.assumptions.push(format!("Rule \"{}\": {}.", rule.code, factors.join(", ")));
 }
@@ -276,8 +277,11 @@ fn uncertain(rule: &Rule, vehicles: &[Swept]) -> Vec<String> {
         if recalled(&acting.live_load.source) {
             list.push(format!("live load {} ({models})", acting.live_load.value));
         }
-        if acting.impact.sources().into_iter().any(recalled) {
-            list.push(format!("impact {} ({models})", acting.impact.told()));
+        if acting.sources().into_iter().any(recalled) {
+            list.push(format!("impact {} ({models})", acting.told()));
+        }
+        if let Some(beside) = acting.beside.as_ref().filter(|beside| recalled(&beside.source)) {
+            list.push(format!("{} of {} in the lanes beside ({models})", beside.share, beside.vehicles.join(", ")));
         }
     }
     list

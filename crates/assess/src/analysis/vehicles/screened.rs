@@ -45,6 +45,8 @@ fn drawn(seed: u64) -> Bridge {
         subsets: true,
         own_dispersal: false,
         braking: 0.0,
+        braking_given: false,
+        braking_reason: None,
         discrete_elements: false,
         texts: Vec::new(),
     });

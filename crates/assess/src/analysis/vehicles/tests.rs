@@ -19,6 +19,8 @@ pub(crate) fn plan(vehicles: &[&str]) -> SweepPlan {
         subsets: true,
         own_dispersal: false,
         braking: 0.0,
+        braking_given: false,
+        braking_reason: None,
         discrete_elements: false,
         texts: Vec::new(),
     }

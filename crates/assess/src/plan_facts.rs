@@ -1,0 +1,104 @@
+//! What a verdict must know of the rule and the vehicles that a plan names: what the rule asks for, what an engineer's own files change of
+//! the library, what is doubtful in them, and which load cases were not moved.
+
+use crate::vehicles::{Read, longest, read};
+use bridge::{Bridge, SweepPlan};
+use outcome::facts::DoubtFacts;
+use outcome::vehicles::Swept;
+use rules::{
+    ChangedFactor, Confidence, Doubt, LoadModel, Required, Requirement, Rule, Source, Ways, based_on,
+    changed_by_vehicles, changed_factors, doubts_of_rule, doubts_of_vehicles,
+};
+
+/// See above.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct PlanFacts {
+    /// What the rule, and the library's rule that it builds on, asks for.
+    pub requires: Vec<Requirement>,
+    /// The file of the rule; empty where it is the library's.
+    pub rule_file: String,
+    /// The library's rule that it builds on, and whether the file names it.
+    pub based_on: (String, bool),
+    /// What differs from the library's rule.
+    pub changed: Vec<ChangedFactor>,
+    /// Doubtful values of the file's own rule and vehicles.
+    pub doubtful: Vec<DoubtFacts>,
+    /// Vehicles of the same loading that were not moved.
+    pub missing: Vec<String>,
+    /// What is left out of the loads.
+    pub left_out: Vec<String>,
+}
+
+/// What is to be said of a plan whose vehicles were moved.
+pub(crate) fn of_plan(bridge: &Bridge, plan: &SweepPlan, swept: &[Swept]) -> PlanFacts {
+    let Ok(Read { rule: Some(rule), library, own, .. }) = read(bridge, plan) else { return PlanFacts::default() };
+    let base = based_on(&rule, &library).filter(|_| plan.rule_file.is_some());
+    let mut changed = base.map_or_else(Vec::new, |base| changed_factors(&rule, base.rule));
+    let mut left_out: Vec<String> = Vec::new();
+    let mut models: Vec<&str> = Vec::new();
+    for one in swept {
+        let more: Vec<String> = one.acting.left_out.iter().filter(|words| !left_out.contains(words)).cloned().collect();
+        left_out.extend(more);
+        if !models.contains(&one.model.as_str()) {
+            models.push(&one.model);
+            changed.extend(changed_by_vehicles(&rule, &one.model, &one.acting));
+        }
+    }
+    let doubts = |file: &str, doubts: Vec<Doubt>| {
+        let of_file = |doubt: Doubt| DoubtFacts {
+            code: doubt.code.to_owned(),
+            file: file.to_owned(),
+            at: doubt.at,
+            told: doubt.message,
+        };
+        doubts.into_iter().map(of_file).collect::<Vec<_>>()
+    };
+    let rule_file = plan.rule_file.clone().unwrap_or_default();
+    let mut doubtful = if rule_file.is_empty() { Vec::new() } else { doubts(&rule_file, doubts_of_rule(&rule)) };
+    for (file, model) in plan.vehicle_files.iter().zip(&library.models[own..]) {
+        doubtful.extend(doubts(file, doubts_of_vehicles(model)));
+    }
+    PlanFacts {
+        requires: requires(&rule, base.map(|base| base.rule)),
+        based_on: base.map_or_else(Default::default, |base| (base.rule.code.clone(), base.named)),
+        missing: missing(bridge, &rule, &library.models, swept),
+        rule_file,
+        changed,
+        doubtful,
+        left_out,
+    }
+}
+
+/// What a rule asks for: its own requirements and those of the rule that it builds on; braking of every rule for railways.
+fn requires(rule: &Rule, base: Option<&Rule>) -> Vec<Requirement> {
+    let mut list = rule.requires.clone();
+    for more in base.iter().flat_map(|base| &base.requires) {
+        if list.iter().all(|own| own.what != more.what) {
+            list.push(more.clone());
+        }
+    }
+    let rail_alone = rule.ways == [Ways::Rail];
+    if rail_alone && list.iter().all(|own| own.what != Required::Braking) {
+        let source = Source {
+            text: "rules for railway bridges ask for braking and traction".to_owned(),
+            date: "2026".to_owned(),
+            confidence: Confidence::Assumed,
+            note: "the rule's file does not say whether it asks for them".to_owned(),
+        };
+        list.push(Requirement { what: Required::Braking, source });
+    }
+    list
+}
+
+/// Vehicles that belong to the same loadings as those that were moved, go with the rule on these spans, and were not moved.
+fn missing(bridge: &Bridge, rule: &Rule, models: &[LoadModel], swept: &[Swept]) -> Vec<String> {
+    let loading = |code: &str| models.iter().find(|model| model.code == code).map(|model| model.loading.as_str());
+    let moved: Vec<&str> = swept.iter().filter_map(|one| loading(&one.model)).filter(|name| !name.is_empty()).collect();
+    let applies = |model: &&LoadModel| {
+        let short = model.span_limit.as_ref().is_none_or(|limit| longest(bridge) <= limit.longest_m + 1e-9);
+        moved.contains(&model.loading.as_str()) && short && rule.acting(model).is_some()
+    };
+    let all = models.iter().filter(applies).flat_map(|model| &model.vehicles);
+    let not_moved = |code: &&String| swept.iter().all(|one| one.code != **code);
+    all.map(|vehicle| &vehicle.code).filter(not_moved).cloned().collect()
+}
