@@ -683,6 +683,8 @@ class Update(Result):
     condition: float | None
     told: Any
     model_error: Any
+    common_gain_deviation: float | None
+    common_gain: dict[str, Any] | None
     posterior: dict[str, Any] | None
     records: dict[str, Any]
     load_positions: int

@@ -37,6 +37,14 @@ fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
         unit => quantity::parse(&format!("1 {unit}")).map_or(1.0, |one| one.si()),
     };
     let range = wanted.map(|wanted| [wanted.lower / size, wanted.upper / size]);
+    // An interval that holds what the loads may be off by is concluded from where it lies on one side of every limit.
+    let settled = |[low, high]: [f64; 2], [lower, upper]: [f64; 2]| {
+        high < lower || low > upper || (low >= lower && high <= upper)
+    };
+    let open = match (one.interval_95, range) {
+        (Some(interval), Some(range)) => !settled(interval, range),
+        _ => true,
+    };
     let (standing, words) = match (one.value, range, wanted) {
         (None, _, _) => (Standing::Untold, "No value was found that fits the measurements, so nothing is known about \
                                             it.".to_owned()),
@@ -46,7 +54,14 @@ fn judged(one: &ParameterFacts, expected: &[Expected]) -> Condition {
              concluded from it: have the range reviewed, or this part inspected."
                 .to_owned(),
         ),
-        (Some(_), _, _) if one.identifiable == Some(false) => (
+        (Some(_), Some(_), _) if one.identifiable == Some(false) && one.limited_by_gain && open => (
+            Standing::Untold,
+            "The measurements determine it only as well as the weight of the train and the width that carries it are known, and its \
+             interval reaches past an end of the expected range. Nothing is concluded from it, neither good nor bad; a weighed train would \
+             give more information."
+                .to_owned(),
+        ),
+        (Some(_), _, _) if one.identifiable == Some(false) && !one.limited_by_gain => (
             Standing::Untold,
             "The measurements do not determine it: very different values would fit them equally well. Nothing is \
              concluded from it, neither good nor bad; sensors closer to this part would give more \
@@ -118,5 +133,24 @@ mod tests {
             (judged(&bound, &expected()).standing, judged(&blind, &expected()).standing),
             (Standing::Untold, Standing::Untold)
         );
+    }
+
+    /// Mortar that scales all channels: known as well as the loads, expected between 1000 and 2000 MPa.
+    #[test]
+    fn what_the_loads_leave_open_is_concluded_from_where_the_whole_interval_agrees() {
+        let with = |value: f64, interval: [f64; 2]| {
+            let (identifiable, interval_95) = (Some(false), Some(interval));
+            judged(
+                &ParameterFacts { identifiable, interval_95, limited_by_gain: true, ..parameter(value) },
+                &expected(),
+            )
+        };
+        assert_eq!(with(700.0, [550.0, 900.0]).standing, Standing::Lower);
+        assert_eq!(with(1500.0, [1200.0, 1800.0]).standing, Standing::AsExpected);
+        assert_eq!(with(2800.0, [2200.0, 3400.0]).standing, Standing::Higher);
+        let open = with(900.0, [720.0, 1100.0]);
+        assert!(open.standing == Standing::Untold && open.words.contains("weight of the train"), "{open:?}");
+        let unknown = ParameterFacts { identifiable: Some(false), limited_by_gain: true, ..parameter(900.0) };
+        assert_eq!(judged(&unknown, &expected()).standing, Standing::Untold);
     }
 }

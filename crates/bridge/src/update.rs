@@ -103,6 +103,8 @@ pub struct Plan {
     pub posterior: bool,
     /// Scale of the model's error as a share of the peaks, sought beside the parameters; zero for an exact model.
     pub model_error: f64,
+    /// Standard deviation of the gain that all channels share; zero where loads and width are known exactly.
+    pub common_gain_deviation: f64,
     /// Effective samples of the posterior.
     pub samples: u64,
     /// Seed of everything that is drawn.

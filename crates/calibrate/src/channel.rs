@@ -41,18 +41,28 @@ impl Channel {
         self.peak.or_else(|| self.history.as_deref().and_then(largest))
     }
 
-    /// The channel with noise that is no smaller than what a model leaves of its history, slow deviations counting with the values over which
-    /// they last. With `gain` the deviation is taken from the response times the factor that suits the record best. A channel without
-    /// a stated uncertainty gets that of what is left.
-    pub fn with_noise_of(&self, response: &[f64], gain: bool) -> Self {
+    /// The factor on a response that suits the history best; one where there is nothing to compare.
+    pub fn gain_over(&self, response: &[f64]) -> f64 {
+        let [along, square] = self.products(response);
+        if square > 0.0 { along / square } else { 1.0 }
+    }
+
+    /// Products of a response with the history and with itself; zero where there is nothing to compare.
+    pub fn products(&self, response: &[f64]) -> [f64; 2] {
+        let history = self.history.as_deref().filter(|history| history.len() == response.len()).unwrap_or(&[]);
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        [dot(response, history), if history.is_empty() { 0.0 } else { dot(response, response) }]
+    }
+
+    /// The channel with noise that is no smaller than what a response times `gain` leaves of its history, slow deviations counting with the
+    /// values over which they last. A channel without a stated uncertainty gets that of what is left.
+    pub fn with_noise_of(&self, response: &[f64], gain: f64) -> Self {
         let Some(history) = self.history.as_deref().filter(|history| history.len() == response.len()) else {
             return self.clone();
         };
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let square = dot(response, response);
-        let factor = if gain && square > 0.0 { dot(response, history) / square } else { 1.0 };
-        let left: Vec<f64> = history.iter().zip(response).map(|(v, u)| v - factor * u).collect();
-        let (deviation, over) = ((dot(&left, &left) / left.len().max(1) as f64).sqrt(), correlated_over(&left));
+        let left: Vec<f64> = history.iter().zip(response).map(|(v, u)| v - gain * u).collect();
+        let square = left.iter().map(|left| left * left).sum::<f64>();
+        let (deviation, over) = ((square / left.len().max(1) as f64).sqrt(), correlated_over(&left));
         let stated = self.uncertainty.map(|noise| noise * noise * self.correlated_over.unwrap_or(1.0).max(1.0));
         if stated.is_some_and(|stated| stated >= deviation * deviation * over) || !(deviation > 0.0) {
             return self.clone();
@@ -108,12 +118,13 @@ mod tests {
         let history: Vec<f64> = (0..400).map(|k| wave(k) + 0.1 * wave(7 * k)).collect();
         let response: Vec<f64> = (0..400).map(|k| 0.8 * wave(k)).collect();
         let channel = Channel { uncertainty: Some(0.01), ..Channel::history("crown", "mm", history) };
-        let wider = channel.with_noise_of(&response, true);
+        let gain = channel.gain_over(&response);
+        let wider = channel.with_noise_of(&response, gain);
         // A sine of 0.1 has a deviation of 0.071; the gain takes the rest.
         assert!((wider.uncertainty.unwrap() - 0.0707).abs() < 0.001, "{wider:?}");
-        assert!(channel.with_noise_of(&response, false).uncertainty.unwrap() > 0.1);
+        assert!(channel.with_noise_of(&response, 1.0).uncertainty.unwrap() > 0.1);
         let noisy = Channel { uncertainty: Some(1.0), ..channel };
-        assert_eq!(noisy.with_noise_of(&response, true), noisy);
+        assert_eq!(noisy.with_noise_of(&response, gain), noisy);
     }
 
     #[test]

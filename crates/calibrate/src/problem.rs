@@ -4,6 +4,7 @@ use crate::channel::Channel;
 use crate::forward::Response;
 use crate::misfit::{Compare, Misfit, Scaling, Weights};
 use crate::parameter::{Parameter, Scale, Start};
+use crate::posterior::{Likelihood, ModelError};
 use serde::{Deserialize, Serialize};
 
 /// Something that keeps a problem from being posed: where, what, and what to write instead.
@@ -60,16 +61,33 @@ impl Problem {
         problem
     }
 
-    /// The same problem with noise that is no smaller than what a response leaves of the histories ([`Channel::with_noise_of`]); unchanged
-    /// where peaks are compared.
-    pub fn with_noise_of(&self, response: &Response, gain: bool) -> Self {
+    /// The same problem with noise that is no smaller than what a response leaves of the histories ([`Channel::with_noise_of`]) after the
+    /// gains that the likelihood allows it; unchanged where peaks are compared.
+    pub fn with_noise_of(&self, response: &Response, likelihood: &Likelihood) -> Self {
         let mut problem = self.clone();
         if self.misfit.compare == Compare::Histories {
+            let common = if likelihood.common_gain > 0.0 { self.common_gain(response) } else { 1.0 };
             for (channel, values) in problem.channels.iter_mut().zip(&response.values) {
+                let own = likelihood.model_error != ModelError::None;
+                let gain = if own { channel.gain_over(values) } else { common };
                 *channel = channel.with_noise_of(values, gain);
             }
         }
         problem
+    }
+
+    /// The factor on a whole response that suits the histories best, each channel in units of its peak.
+    fn common_gain(&self, response: &Response) -> f64 {
+        let (mut along, mut square) = (0.0, 0.0);
+        for (channel, values) in self.channels.iter().zip(&response.values).filter(|(channel, _)| channel.counts()) {
+            let peak = channel.measured_peak().unwrap_or(0.0);
+            let products = channel.products(values).map(|product| product / (peak * peak));
+            if products.iter().all(|product| product.is_finite()) {
+                along += products[0];
+                square += products[1];
+            }
+        }
+        if square > 0.0 { along / square } else { 1.0 }
     }
 
     /// The start model.

@@ -533,6 +533,8 @@ pub struct ParameterFacts {
     pub at_bound: bool,
     /// Whether the records tell it.
     pub identifiable: Option<bool>,
+    /// Whether they tell it no better than the loads of the train and the width that carries them are known.
+    pub limited_by_gain: bool,
     /// Interval that holds it with 95 %.
     pub interval_95: Option<[f64; 2]>,
 }

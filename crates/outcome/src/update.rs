@@ -6,7 +6,7 @@ use crate::warning::Warning;
 use crate::words::words;
 use calibrate::identify::Identifiability;
 use calibrate::linearised::Left;
-use calibrate::posterior::{Likelihood, Posterior, Summary};
+use calibrate::posterior::{CommonGain, Likelihood, Posterior, Summary};
 use calibrate::search::hierarchical::Variant;
 use calibrate::search::sweep::Sweep;
 use calibrate::search::{gradient, hierarchical, modern, referee};
@@ -254,8 +254,8 @@ impl Update {
         sampled.map(|marginal| marginal.summary).or_else(line)
     }
 
-    /// Whether the records tell a parameter: it shows, it does not act like another one, and its interval is narrow beside its range and ends
-    /// on no bound of it.
+    /// Whether the records tell a parameter: it shows, it acts neither like another one nor like a gain of all channels, and its interval is
+    /// narrow beside its range and ends on no bound of it.
     pub fn identifiable(&self, parameter: usize) -> Option<bool> {
         let local = self.identifiability.as_ref().and_then(|told| told.identifiable.get(parameter).copied());
         let sampled = self.posterior.as_ref().and_then(|report| report.posterior.parameters.get(parameter));
@@ -264,6 +264,19 @@ impl Update {
             Some(told) => Some(told && local.unwrap_or(true)),
             None => local,
         }
+    }
+
+    /// The gain that all channels share, where it is uncertain and intervals are known.
+    pub fn common_gain(&self) -> Option<&CommonGain> {
+        match self.uncertainty_from()? {
+            UncertaintyFrom::Posterior => self.posterior.as_ref()?.posterior.common_gain.as_ref(),
+            UncertaintyFrom::Linearised => self.linearised.as_ref()?.left.common_gain.as_ref(),
+        }
+    }
+
+    /// Whether the records tell a parameter no better than the loads are known.
+    pub fn limited_by_gain(&self, parameter: usize) -> bool {
+        self.common_gain().is_some_and(|gain| !gain.told_apart(parameter))
     }
 
     /// Correlation of the parameters; empty where it is not known.

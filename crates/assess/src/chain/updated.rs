@@ -20,6 +20,7 @@ pub fn facts(update: Update) -> UpdateFacts {
             upper: parameter.upper,
             at_bound: end.is_some_and(|end| end.at_bound),
             identifiable: update.identifiable(k),
+            limited_by_gain: update.limited_by_gain(k),
             interval_95: update.summary(k).map(|summary| summary.interval_95),
         }
     };
@@ -43,6 +44,7 @@ pub fn facts(update: Update) -> UpdateFacts {
         format!("{}: {}", place.trim(), done.what)
     });
     let findings = update.records.findings.iter().map(records::Finding::words);
+    let sampled = update.posterior.iter().flat_map(|report| report.posterior.words.iter().cloned());
     UpdateFacts {
         status: update.status,
         parameters: update.problem.parameters().iter().enumerate().map(parameter).collect(),
@@ -51,7 +53,7 @@ pub fn facts(update: Update) -> UpdateFacts {
         channels: update.channels.iter().enumerate().map(fit).collect(),
         runs: update.records.runs.iter().map(|run| (run.name.clone(), run.synthetic.clone())).collect(),
         records: done.chain(findings).collect(),
-        told: update.identifiability.as_ref().map(|told| told.words.clone()).unwrap_or_default(),
+        told: outcome::published::told(&update).into_iter().chain(sampled).collect(),
         assumptions: update.assumptions.clone(),
         warnings: update.warnings.clone(),
         update: Some(Box::new(update)),

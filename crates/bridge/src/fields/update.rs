@@ -148,6 +148,16 @@ pub(super) static UPDATE: Section = Section {
         .at_least(0.0)
         .at_most(1.0)
         .default("0.1"),
+        Field::new(
+            "common_gain_deviation",
+            Kind::Number,
+            "standard deviation of a gain that all channels share, a share of the response: axle loads as they are against those of \
+             [train], the width that carries them, the share of a track; 0 where all of these are known exactly",
+            "0.1",
+        )
+        .at_least(0.0)
+        .at_most(0.5)
+        .default("0.1"),
         Field::new("samples", Kind::Count, "effective samples of the posterior", "10000")
             .at_least(100.0)
             .at_most(1_000_000.0)
@@ -317,6 +327,7 @@ fn plan(table: &Table<'_>, findings: &mut Findings) -> Option<Plan> {
             by_uncertainty,
             posterior,
             model_error,
+            common_gain_deviation,
             samples,
             seed,
         }

@@ -1,9 +1,10 @@
 //! Draws from normal distributions cut off at the ranges, mixed over the size of the model's error: Gibbs steps along the axes of each
 //! normal and along the parameters.
 
-use super::quadratic::{Likelihoods, Quadratic};
+use super::quadratic::{GainLine, Likelihoods, Quadratic};
 use super::{Linearised, Settings};
 use crate::posterior::draw::{even, normal};
+use crate::posterior::gain::Gain;
 use crate::posterior::likelihood::ModelError;
 use crate::problem::Problem;
 use faer::{Mat, Side};
@@ -14,6 +15,8 @@ use rand_chacha::rand_core::SeedableRng;
 pub(super) struct Drawn {
     /// Shares of the ranges.
     pub shares: Vec<Vec<f64>>,
+    /// The common gain at each, as the records leave it.
+    pub gains: Vec<Gain>,
     /// Mean size of the model's error.
     pub model_error: f64,
 }
@@ -29,6 +32,8 @@ struct Normal {
     /// Logarithm of the share of the prior that the size stands for.
     prior: f64,
     density: Quadratic,
+    /// The common gain.
+    gain: GainLine,
     /// Directions along which it falls apart into independent ones, and their precisions.
     axes: Vec<(Vec<f64>, f64)>,
 }
@@ -38,12 +43,12 @@ pub(super) fn draw(model: &Linearised, problem: &Problem, settings: &Settings) -
     let normals: Vec<Normal> = sizes(settings)
         .into_iter()
         .map(|(size, prior)| {
-            let density = likelihoods.with_gain(size);
-            Normal { size, prior, axes: axes(&density), density }
+            let (density, gain) = likelihoods.with_gains(size, settings.likelihood.common_gain);
+            Normal { size, prior, axes: axes(&density), density, gain }
         })
         .collect();
     let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
-    let (mut x, mut shares, mut sum) = (vec![0.0; model.at.len()], Vec::new(), 0.0);
+    let (mut x, mut shares, mut gains, mut sum) = (vec![0.0; model.at.len()], Vec::new(), Vec::new(), 0.0);
     for step in 0..RUN_IN + settings.draws.max(2) {
         let normal = pick(&mut rng, &normals, &x);
         for (axis, precision) in &normal.axes {
@@ -56,10 +61,11 @@ pub(super) fn draw(model: &Linearised, problem: &Problem, settings: &Settings) -
         }
         if step >= RUN_IN {
             shares.push(x.iter().zip(&model.at).map(|(x, at)| (x + at).clamp(0.0, 1.0)).collect());
+            gains.push(normal.gain.at(&x));
             sum += normal.size;
         }
     }
-    Drawn { model_error: sum / shares.len() as f64, shares }
+    Drawn { model_error: sum / shares.len() as f64, shares, gains }
 }
 
 /// Sizes of the model's error with the logarithms of the shares of the prior that they stand for: closer together towards zero.

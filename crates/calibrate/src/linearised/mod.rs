@@ -1,7 +1,7 @@
 //! What the data leave open, with the model as a straight line about one point: standard deviations, intervals and
 //! correlations that cost no evaluation beyond the derivatives there (Laplace's approximation).
 //!
-//! Noise and model error are those of the posterior ([`crate::posterior::likelihood`]), the gain going with the response at
+//! Noise, common gain and model error are those of the posterior ([`crate::posterior::likelihood`]), gains going with the response at
 //! the point. For every size $g$ of the model's error what is left is a normal distribution, cut off at the ranges; their mixture over $g$
 //! is drawn from by Gibbs steps, with no model behind them.
 
@@ -14,9 +14,9 @@ use crate::forward::{Evaluation, Forward, Request, Response, Samples, Serial};
 use crate::identify::columns;
 use crate::misfit::{Compare, Held, compared, compared_derivatives};
 use crate::parameter::{Parameter, shares, values};
-use crate::posterior::bounded;
 use crate::posterior::likelihood::Likelihood;
 use crate::posterior::summary::{self, Summary};
+use crate::posterior::{CommonGain, bounded, gain};
 use crate::problem::Problem;
 use crate::search::surface::Trough;
 use crate::search::sweep::{self, Sweep};
@@ -40,12 +40,15 @@ pub struct Linearised {
 pub struct Left {
     /// Mean, spread and interval of each [unit of the parameter].
     pub parameters: Vec<Summary>,
-    /// Whether each interval tells its parameter: narrow beside the range, and ending on no bound of it.
+    /// Whether the data tell each parameter: its interval is narrow beside the range and ends on no bound of it, and it is told apart from the
+    /// common gain.
     pub told: Vec<bool>,
     /// Correlation of the parameters.
     pub correlation: Vec<Vec<f64>>,
     /// The model's error as a share of the response.
     pub model_error: f64,
+    /// The gain that all channels share, where it is uncertain.
+    pub common_gain: Option<CommonGain>,
     /// What is left open, in words.
     pub words: Vec<String>,
 }
@@ -99,13 +102,19 @@ impl Linearised {
             summary::summary(column, Some([parameter.lower, parameter.upper]))
         };
         let parameters: Vec<Summary> = self.parameters.iter().zip(&columns).map(sum).collect();
-        let told = self.parameters.iter().zip(&parameters).map(|(p, s)| summary::tells(p, s.interval_95)).collect();
+        let common_gain = CommonGain::of(&columns, &drawn.gains, settings.likelihood.common_gain);
+        let told = |(k, (parameter, summary)): (usize, (&Parameter, &Summary))| {
+            let told_apart = common_gain.as_ref().is_none_or(|gain| gain.told_apart(k));
+            told_apart && summary::tells(parameter, summary.interval_95)
+        };
+        let told = self.parameters.iter().zip(&parameters).enumerate().map(told).collect();
         let correlation =
             columns.iter().map(|a| columns.iter().map(|b| summary::correlation(a, b)).collect()).collect();
         let ends = self.parameters.iter().zip(&parameters);
         let ends = ends.filter(|(parameter, summary)| summary::ends_on_bound(parameter, summary.interval_95));
         words.extend(ends.map(|(parameter, summary)| bounded(parameter, summary.interval_95)));
-        Left { parameters, told, correlation, model_error: drawn.model_error, words }
+        words.extend(gain::words(common_gain.as_ref(), &self.parameters, &parameters));
+        Left { parameters, told, correlation, model_error: drawn.model_error, common_gain, words }
     }
 
     /// Every parameter varied alone over its range, all others as at the point: sensitivities by the straight line.

@@ -3,6 +3,7 @@
 use super::Linearised;
 use crate::misfit::Compare;
 use crate::parameter::Parameter;
+use crate::posterior::gain::{Gain, Sums};
 use crate::posterior::likelihood::Noise;
 use crate::problem::Problem;
 
@@ -53,12 +54,48 @@ impl Quadratic {
     }
 }
 
-/// One channel: half the squares of its differences over the variance of their noise, the part of the differences that the
-/// gain answers, and the square of the response over the same variance.
+/// A number that is a straight line over the parameters: $\mathbf r^T x + c$.
+#[derive(Debug, Clone, PartialEq)]
+struct Line {
+    row: Vec<f64>,
+    constant: f64,
+}
+
+impl Line {
+    fn zero(n: usize) -> Self {
+        Self { row: vec![0.0; n], constant: 0.0 }
+    }
+
+    fn add(&mut self, row: &[f64], constant: f64, factor: f64) {
+        self.row.iter_mut().zip(row).for_each(|(mine, other)| *mine += factor * other);
+        self.constant += factor * constant;
+    }
+
+    fn at(&self, x: &[f64]) -> f64 {
+        self.row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>() + self.constant
+    }
+}
+
+/// One channel, over the variance of its noise: half the squares of its differences, their product with the response, and the square of
+/// the response.
 struct Channel {
     squares: Quadratic,
-    along: Quadratic,
+    along: Line,
     response: f64,
+}
+
+/// The common gain at places of the straight line, for one size of the model's error.
+pub(super) struct GainLine {
+    along: Line,
+    response: f64,
+    deviation: f64,
+}
+
+impl GainLine {
+    /// What the records leave of it.
+    pub fn at(&self, x: &[f64]) -> Gain {
+        Sums { along: self.along.at(x), response: self.response, ..Sums::default() }.gain(self.deviation)
+    }
 }
 
 /// All channels that count, and priors.
@@ -82,17 +119,24 @@ impl Likelihoods {
         Self { channels: counting.filter_map(|k| channel(model, problem, k)).collect(), prior }
     }
 
-    /// Minus the logarithm of the density for one size of the model's error, but for a constant.
-    pub fn with_gain(&self, gain: f64) -> Quadratic {
+    /// Minus the logarithm of the density for one size of the model's error, but for a constant, with a common gain of this standard
+    /// deviation; and that gain.
+    pub fn with_gains(&self, own: f64, common: f64) -> (Quadratic, GainLine) {
         let mut sum = self.prior.clone();
+        let (mut along, mut response) = (Line::zero(sum.vector.len()), 0.0);
         for channel in &self.channels {
             // (C + g² u uᵀ)^-1 by Sherman and Morrison, its determinant by Sylvester.
-            let answered = 1.0 + gain * gain * channel.response;
+            let answered = 1.0 + own * own * channel.response;
             sum.add(&channel.squares, 1.0);
-            sum.add(&channel.along, -gain * gain / answered);
+            sum.add_square(&channel.along.row, channel.along.constant, -own * own / answered);
             sum.constant += 0.5 * answered.ln();
+            along.add(&channel.along.row, channel.along.constant, 1.0 / answered);
+            response += channel.response / answered;
         }
-        sum
+        let answered = 1.0 + common * common * response;
+        sum.add_square(&along.row, along.constant, -common * common / answered);
+        sum.constant += 0.5 * answered.ln();
+        (sum, GainLine { along, response, deviation: common })
     }
 }
 
@@ -107,17 +151,14 @@ fn channel(model: &Linearised, problem: &Problem, k: usize) -> Option<Channel> {
         return None;
     }
     let (mut squares, mut response) = (Quadratic::zero(n), 0.0);
-    let (mut along, mut along_constant) = (vec![0.0; n], 0.0);
+    let mut along = Line::zero(n);
     for (place, (value, record)) in model.values[k].iter().zip(record).enumerate() {
         let row: Vec<f64> = model.derivatives.iter().map(|derivatives| derivatives[k][place]).collect();
         squares.add_square(&row, value - record, factor);
-        along.iter_mut().zip(&row).for_each(|(sum, d)| *sum += factor * value * d);
-        along_constant += factor * value * (value - record);
+        along.add(&row, value - record, factor * value);
         response += factor * value * value;
     }
-    let mut square = Quadratic::zero(n);
-    square.add_square(&along, along_constant, 1.0);
-    Some(Channel { squares, along: square, response })
+    Some(Channel { squares, along, response })
 }
 
 impl crate::posterior::Prior {

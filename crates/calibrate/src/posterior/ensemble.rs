@@ -5,6 +5,7 @@
 use rand_chacha::ChaCha8Rng;
 
 use crate::posterior::draw::{even, normal, place};
+use crate::posterior::gain::Gain;
 use crate::posterior::target::{Draw, Target};
 use crate::watch::Stopped;
 
@@ -12,13 +13,20 @@ use crate::watch::Stopped;
 /// stays where it is (80 walkers with 6 numbers each: 30 MB).
 const LONGEST: usize = 5_000;
 
+/// Where a walker was, and the common gain there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    pub place: Vec<f64>,
+    pub gain: Gain,
+}
+
 /// Walkers on their way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ensemble {
     /// Where they are.
     pub walkers: Vec<Draw>,
     /// Where each was, after every so many steps.
-    pub chains: Vec<Vec<Vec<f64>>>,
+    pub chains: Vec<Vec<Kept>>,
     /// Steps that were made.
     pub steps: usize,
     /// Steps from one place of a chain to the next.
@@ -51,7 +59,7 @@ impl Ensemble {
             return;
         }
         for (chain, walker) in self.chains.iter_mut().zip(&self.walkers) {
-            chain.push(walker.place.clone());
+            chain.push(Kept { place: walker.place.clone(), gain: walker.gain });
         }
         if self.chains[0].len() < LONGEST {
             return;
@@ -105,7 +113,8 @@ mod tests {
 
     #[test]
     fn long_chains_keep_every_so_manieth_step() {
-        let walker = || Draw { place: vec![0.0], prior: 0.0, likelihood: 0.0 };
+        let gain = Gain { mean: 1.0, variance: 0.0 };
+        let walker = || Draw { place: vec![0.0], prior: 0.0, likelihood: 0.0, gain };
         let mut ensemble = Ensemble::new(vec![walker(), walker()]);
         for step in 1..=3 * LONGEST {
             ensemble.walkers.iter_mut().for_each(|walker| walker.place[0] = step as f64);
@@ -114,7 +123,7 @@ mod tests {
         }
         assert_eq!(ensemble.every, 4);
         for chain in &ensemble.chains {
-            assert!(chain.iter().enumerate().all(|(k, place)| place[0] == (4 * (k + 1)) as f64));
+            assert!(chain.iter().enumerate().all(|(k, kept)| kept.place[0] == (4 * (k + 1)) as f64));
             assert_eq!(chain.len(), 3 * LONGEST / 4);
         }
     }

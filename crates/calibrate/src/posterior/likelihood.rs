@@ -1,9 +1,9 @@
-//! How likely the records are at given parameters: noise of the measurement, and an error of the model with a scale of
-//! its own.
+//! How likely the records are at given parameters: noise of the measurement, a gain that all channels share ([`super::gain`]), and an
+//! error of the model with a scale of its own.
 //!
-//! The model's error of a channel is a gain: a share of the model's response, drawn from a normal distribution once for the
+//! The model's error of a channel is a gain of its own: a share of the model's response, drawn from a normal distribution once for the
 //! channel. Where a block is given, a local part of the same scale joins it: a share of the model's peak, constant over
-//! each block of the history and independent between blocks. Channels are independent. The covariance of the differences
+//! each block of the history and independent between blocks. But for the common gain channels are independent. The covariance of the differences
 //! of a channel is then that of its blocks, $\mathbf D = \tau \sigma^2 \mathbf 1 + \ell^2\, \mathbf e \mathbf e^T$ each, with
 //! $g^2\, \mathbf u \mathbf u^T$ over all; its inverse and determinant are known in closed form.
 //!
@@ -17,6 +17,7 @@
 use crate::channel::Channel;
 use crate::forward::Response;
 use crate::misfit::{Compare, Held, peak_place};
+use crate::posterior::gain::{Gain, Sums};
 use crate::problem::{Flaw, Problem};
 use serde::{Deserialize, Serialize};
 
@@ -39,11 +40,13 @@ pub struct Likelihood {
     pub model_error: ModelError,
     /// Values of a history over which the local part of the model's error is constant; none for a gain alone.
     pub block: Option<usize>,
+    /// Standard deviation of the gain that all channels share; zero where it is known to be one.
+    pub common_gain: f64,
 }
 
 impl Default for Likelihood {
     fn default() -> Self {
-        Self { model_error: ModelError::Sought(0.1), block: None }
+        Self { model_error: ModelError::Sought(0.1), block: None, common_gain: 0.1 }
     }
 }
 
@@ -69,6 +72,9 @@ impl Likelihood {
         };
         if scale.is_some_and(|scale| !(scale.is_finite() && scale > 0.0)) {
             say("model error", "its scale is not above zero", "give a share of the peaks, as 0.1");
+        }
+        if !(self.common_gain.is_finite() && self.common_gain >= 0.0) {
+            say("common gain", "its standard deviation is below zero", "give a share of the response, as 0.1, or zero");
         }
         if self.block == Some(0) {
             say("model error", "its block has no value", "give a count of values, or none");
@@ -99,30 +105,31 @@ impl Likelihood {
         }
     }
 
-    /// Logarithm of the likelihood, complete with its constants. What full passages give beyond slices is added to the values.
-    pub(crate) fn log(&self, problem: &Problem, held: &Held, response: &Response, scale: f64) -> f64 {
-        let mut sum = 0.0;
+    /// Logarithm of the likelihood, complete with its constants, and the common gain as the records leave it at these parameters. What full
+    /// passages give beyond slices is added to the values.
+    pub(crate) fn log(&self, problem: &Problem, held: &Held, response: &Response, scale: f64) -> (f64, Gain) {
+        let mut all = Sums::default();
         for (k, values) in response.values.iter().enumerate().filter(|(k, _)| problem.channels()[*k].counts()) {
             let channel = &problem.channels()[k];
             let beyond = held.beyond.get(k).copied().unwrap_or(0.0);
             let noise = Noise::of(channel);
             let model: Vec<f64> = values.iter().map(|value| value + beyond).collect();
             let own_peak = peak_place(problem, k, values).map_or(f64::NAN, |place| model[place]);
-            sum += match problem.misfit().compare {
+            let channel = match problem.misfit().compare {
                 Compare::Peaks => {
                     let difference = own_peak - channel.measured_peak().unwrap_or(0.0);
-                    log_density(&[difference], &[scale * own_peak], noise.single(), 0.0, 1)
+                    sums(&[difference], &[own_peak], noise.single(), 0.0, 1)
                 }
                 Compare::Histories => {
                     let history = channel.history.as_deref().unwrap_or(&[]);
                     let differences: Vec<f64> = model.iter().zip(history).map(|(u, v)| u - v).collect();
-                    let gain: Vec<f64> = model.iter().map(|u| scale * u).collect();
                     let local = self.block.map_or(0.0, |_| scale * own_peak);
-                    log_density(&differences, &gain, noise, local, self.block.unwrap_or(usize::MAX))
+                    sums(&differences, &model, noise, local, self.block.unwrap_or(usize::MAX))
                 }
             };
+            all.add(channel.with_gain(scale));
         }
-        sum
+        (all.with_gain(self.common_gain).log_density(), all.gain(self.common_gain))
     }
 }
 
@@ -153,26 +160,25 @@ impl Noise {
     }
 }
 
-/// Logarithm of the normal density of differences: noise, a local error constant over blocks, and one error of the shape of
-/// `gain` over all.
-fn log_density(differences: &[f64], gain: &[f64], noise: Noise, local: f64, block: usize) -> f64 {
+/// Sums over one channel with its noise and a local error that is constant over blocks.
+fn sums(differences: &[f64], response: &[f64], noise: Noise, local: f64, block: usize) -> Sums {
     let (noise2, local2) = (noise.each(), local * local);
-    // Sums over blocks of d D^-1 d, v D^-1 d and v D^-1 v, and what the local error adds to the logarithm of the determinant.
-    let (mut dd, mut vd, mut vv, mut determinant) = (0.0, 0.0, 0.0, 0.0);
-    for (d, v) in differences.chunks(block).zip(gain.chunks(block)) {
+    let independent = differences.len() as f64 / noise.over;
+    let mut all =
+        Sums { determinant: independent * (2.0 * std::f64::consts::PI * noise.variance).ln(), ..Sums::default() };
+    for (d, u) in differences.chunks(block).zip(response.chunks(block)) {
         let spread = noise2 + d.len() as f64 * local2;
-        let (sum_d, sum_v) = (d.iter().sum::<f64>(), v.iter().sum::<f64>());
+        let (sum_d, sum_u) = (d.iter().sum::<f64>(), u.iter().sum::<f64>());
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let through = |product: f64, sums: f64| (product - local2 * sums / spread) / noise2;
-        dd += through(dot(d, d), sum_d * sum_d);
-        vd += through(dot(v, d), sum_v * sum_d);
-        vv += through(dot(v, v), sum_v * sum_v);
-        determinant += (spread / noise2).ln();
+        all.add(Sums {
+            differences: through(dot(d, d), sum_d * sum_d),
+            along: through(dot(u, d), sum_u * sum_d),
+            response: through(dot(u, u), sum_u * sum_u),
+            determinant: (spread / noise2).ln(),
+        });
     }
-    let quadratic = dd - vd * vd / (1.0 + vv);
-    let independent = differences.len() as f64 / noise.over;
-    let noise_alone = independent * (2.0 * std::f64::consts::PI * noise.variance).ln();
-    -0.5 * (quadratic + determinant + (1.0 + vv).ln() + noise_alone)
+    all
 }
 
 #[cfg(test)]
@@ -196,7 +202,9 @@ mod tests {
         let solved = factor.solve(&right);
         let quadratic: f64 = (0..5).map(|i| d[i] * solved[(i, 0)]).sum();
         let by_matrix = -0.5 * (quadratic + covariance.determinant().ln() + 5.0 * (2.0 * std::f64::consts::PI).ln());
-        let found = log_density(&d, &v, Noise { variance: noise * noise, over: 1.0 }, local, block);
+        let response = v.map(|v| v / 0.2);
+        let sums = sums(&d, &response, Noise { variance: noise * noise, over: 1.0 }, local, block);
+        let found = sums.with_gain(0.2).log_density();
         assert!((found - by_matrix).abs() < 1e-12, "rounding: {found} {by_matrix}");
     }
 }

@@ -6,6 +6,7 @@
 pub mod diagnostics;
 pub mod draw;
 mod ensemble;
+pub mod gain;
 pub mod likelihood;
 mod prior;
 pub mod summary;
@@ -22,11 +23,13 @@ use crate::problem::Flaw;
 use crate::watch::Stopped;
 
 pub use diagnostics::Mixing;
+pub use gain::CommonGain;
 pub use likelihood::{Likelihood, ModelError};
 pub use prior::Prior;
 pub use summary::Summary;
 
-use ensemble::Ensemble;
+use ensemble::{Ensemble, Kept};
+use gain::Gain;
 use serde::{Deserialize, Serialize};
 use target::Target;
 
@@ -92,7 +95,7 @@ pub struct Marginal {
     /// R-hat and effective samples.
     pub mixing: Mixing,
     /// Whether the interval, measured in the parameter's scale, is narrower than half of what the prior's would be over the
-    /// whole range, and ends on no bound of it.
+    /// whole range and ends on no bound of it, and the parameter is told apart from the common gain.
     pub identifiable: bool,
 }
 
@@ -105,6 +108,8 @@ pub struct Posterior {
     pub parameters: Vec<Marginal>,
     /// The model's error as a share of the peaks, where it was sought.
     pub model_error: Option<Summary>,
+    /// The gain that all channels share, where it is uncertain.
+    pub common_gain: Option<CommonGain>,
     /// Correlation of the parameters.
     pub correlation: Vec<Vec<f64>>,
     /// Logarithm of the evidence: mean over the runs, and the standard deviation of that mean.
@@ -195,36 +200,39 @@ impl Run {
                 }
             }
             if enough || last {
-                let scale = |chain: &Vec<Vec<f64>>| chain.iter().map(|place| target.scale(place)).collect();
+                let scale = |chain: &Vec<Kept>| chain.iter().map(|kept| target.scale(&kept.place)).collect();
                 self.scales = self.ensembles.iter().flat_map(|e| &e.chains).map(scale).collect();
                 return Ok(if enough { Status::Completed } else { Status::StepLimit });
             }
         }
     }
 
-    fn chains(&self) -> impl Iterator<Item = &Vec<Vec<f64>>> {
+    fn chains(&self) -> impl Iterator<Item = &Vec<Kept>> {
         self.ensembles.iter().flat_map(|ensemble| &ensemble.chains)
     }
 
     fn mixing(&self, axis: usize) -> Mixing {
-        let chain = |chain: &Vec<Vec<f64>>| chain.iter().map(|place| place[axis]).collect::<Vec<f64>>();
+        let chain = |chain: &Vec<Kept>| chain.iter().map(|kept| kept.place[axis]).collect::<Vec<f64>>();
         let run = |ensemble: &Ensemble| ensemble.chains.iter().map(chain).collect::<Vec<_>>();
         diagnostics::mixing(&self.ensembles.iter().map(run).collect::<Vec<_>>())
     }
 
     fn report(&self, evaluator: &Evaluator, settings: &Settings, status: Status) -> Posterior {
         let parameters = evaluator.problem.parameters();
-        let places: Vec<&Vec<f64>> = self.chains().flatten().collect();
-        let points: Vec<Vec<f64>> = places.iter().map(|place| values(parameters, place)).collect();
+        let kept: Vec<&Kept> = self.chains().flatten().collect();
+        let points: Vec<Vec<f64>> = kept.iter().map(|kept| values(parameters, &kept.place)).collect();
         let axes = if points.is_empty() { 0 } else { parameters.len() + settings.likelihood.extra() };
         let column = |k: usize| points.iter().map(|point| point[k]).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = (0..axes.min(parameters.len())).map(column).collect();
+        let gains: Vec<Gain> = kept.iter().map(|kept| kept.gain).collect();
+        let common_gain = CommonGain::of(&columns, &gains, settings.likelihood.common_gain);
         let unknown = Mixing { r_hat: f64::NAN, effective_samples: f64::NAN };
         let mixing: Vec<Mixing> = (0..axes).map(|k| self.mixed.get(k).copied().unwrap_or(unknown)).collect();
         let marginal = |k: usize| {
             let parameter = &parameters[k];
             let summary = summary::summary(&columns[k], Some([parameter.lower, parameter.upper]));
-            let identifiable = summary::tells(parameter, summary.interval_95);
+            let told_apart = common_gain.as_ref().is_none_or(|gain| gain.told_apart(k));
+            let identifiable = told_apart && summary::tells(parameter, summary.interval_95);
             Marginal { name: parameter.name.clone(), summary, mixing: mixing[k], identifiable }
         };
         let marginals: Vec<Marginal> = (0..columns.len()).map(marginal).collect();
@@ -237,6 +245,7 @@ impl Run {
         let mut posterior = Posterior {
             status,
             model_error: sought.then(|| summary::summary(&scales, None)),
+            common_gain,
             log_evidence: self.evidence(),
             effective_samples: mixing.iter().map(|m| m.effective_samples).fold(f64::INFINITY, f64::min),
             r_hat: mixing.iter().map(|m| m.r_hat).fold(1.0, f64::max),
@@ -283,7 +292,7 @@ fn words(posterior: &Posterior, parameters: &[crate::parameter::Parameter]) -> V
         let [low, high] = marginal.summary.interval_95;
         if summary::ends_on_bound(parameter, marginal.summary.interval_95) {
             words.push(bounded(parameter, marginal.summary.interval_95));
-        } else if !marginal.identifiable {
+        } else if !summary::tells(parameter, marginal.summary.interval_95) {
             words.push(format!(
                 "{} is hardly determined by the data: its 95 % interval lies between {low:.4} and {high:.4} {}, of a \
                  range of {} to {}.",
@@ -291,6 +300,8 @@ fn words(posterior: &Posterior, parameters: &[crate::parameter::Parameter]) -> V
             ));
         }
     }
+    let summaries: Vec<Summary> = posterior.parameters.iter().map(|marginal| marginal.summary).collect();
+    words.extend(gain::words(posterior.common_gain.as_ref(), parameters, &summaries));
     for a in 0..posterior.correlation.len() {
         for b in a + 1..posterior.correlation.len() {
             let correlation = posterior.correlation[a][b];

@@ -6,6 +6,7 @@ use crate::basis::Basis;
 use crate::evaluator::Evaluator;
 use crate::parameter::values;
 use crate::posterior::draw::even;
+use crate::posterior::gain::Gain;
 use crate::posterior::likelihood::Likelihood;
 use crate::posterior::prior::invert;
 use crate::watch::Stopped;
@@ -19,6 +20,8 @@ pub struct Draw {
     pub prior: f64,
     /// Likelihood; minus infinity where the model fails.
     pub likelihood: f64,
+    /// The common gain there, as the records leave it.
+    pub gain: Gain,
 }
 
 /// The density.
@@ -76,15 +79,15 @@ impl<'e, 'a> Target<'e, 'a> {
         let inside: Vec<usize> = (0..places.len()).filter(|k| priors[*k] > f64::NEG_INFINITY).collect();
         let points: Vec<Vec<f64>> = inside.iter().map(|k| values(parameters, &places[*k])).collect();
         let answers = self.evaluator.respond(&points, &self.basis.request(false))?;
-        let mut likelihoods = vec![f64::NEG_INFINITY; places.len()];
+        let mut likelihoods = vec![(f64::NEG_INFINITY, Gain { mean: 1.0, variance: 0.0 }); places.len()];
         for (k, answer) in inside.into_iter().zip(answers) {
             if let Ok(response) = answer.as_ref() {
                 let held = &self.basis.held;
-                let log = self.likelihood.log(self.evaluator.problem, held, response, self.scale(&places[k]));
-                likelihoods[k] = if log.is_nan() { f64::NEG_INFINITY } else { log };
+                let (log, gain) = self.likelihood.log(self.evaluator.problem, held, response, self.scale(&places[k]));
+                likelihoods[k] = (if log.is_nan() { f64::NEG_INFINITY } else { log }, gain);
             }
         }
         let all = places.into_iter().zip(priors).zip(likelihoods);
-        Ok(all.map(|((place, prior), likelihood)| Draw { place, prior, likelihood }).collect())
+        Ok(all.map(|((place, prior), (likelihood, gain))| Draw { place, prior, likelihood, gain }).collect())
     }
 }

@@ -34,7 +34,7 @@ fn measured(histories: Vec<Vec<f64>>, noise: f64, rng: &mut ChaCha8Rng) -> Vec<C
 
 fn settings(model_error: ModelError, effective_samples: f64) -> posterior::Settings {
     posterior::Settings {
-        likelihood: Likelihood { model_error, block: None },
+        likelihood: Likelihood { model_error, block: None, common_gain: 0.0 },
         particles: 60,
         moves: 3,
         walkers: 20,

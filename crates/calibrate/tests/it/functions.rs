@@ -122,7 +122,7 @@ fn one_parameter_alone_and_more_parameters_than_channels_are_searched_too() {
                 assert!(found.as_ref().unwrap().norm < 1e-3, "{n}: {found:?}");
             }
             let settings = posterior::Settings {
-                likelihood: Likelihood { model_error: ModelError::Known(0.1), block: None },
+                likelihood: Likelihood { model_error: ModelError::Known(0.1), block: None, common_gain: 0.0 },
                 particles: 50,
                 effective_samples: 300.0,
                 ..posterior::Settings::default()

@@ -47,7 +47,7 @@ fn of(record: Vec<f64>, correlated_over: Option<f64>, model_error: ModelError) -
     let mut evaluator = Evaluator::without_log(&problem, &model, &Serial, &mut watch);
     let basis = Basis::at(&mut evaluator, &problem.start()).unwrap();
     let settings = posterior::Settings {
-        likelihood: Likelihood { model_error, block: None },
+        likelihood: Likelihood { model_error, block: None, common_gain: 0.0 },
         particles: 40,
         moves: 2,
         walkers: 20,

@@ -103,7 +103,7 @@ fn a_surrogate_states_its_error_and_serves_a_posterior() {
         assert!(surrogate.mean_error.iter().all(|e| *e < 0.01), "{}", surrogate.words());
         assert!(surrogate.largest_error.iter().zip(&surrogate.mean_error).all(|(l, m)| l >= m));
         let settings = posterior::Settings {
-            likelihood: Likelihood { model_error: ModelError::None, block: None },
+            likelihood: Likelihood { model_error: ModelError::None, block: None, common_gain: 0.0 },
             particles: 200,
             effective_samples: 400.0,
             steps: 2000,

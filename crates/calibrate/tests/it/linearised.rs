@@ -9,7 +9,7 @@ use calibrate::search::jacobian::STEP;
 use calibrate::{Channel, Parameter, Problem};
 
 fn exact(model_error: ModelError) -> Settings {
-    Settings { likelihood: Likelihood { model_error, block: None }, ..Settings::default() }
+    Settings { likelihood: Likelihood { model_error, block: None, common_gain: 0.0 }, ..Settings::default() }
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn the_straight_line_says_what_the_posterior_says_and_asks_for_nothing_more() {
         let before = evaluator.computed();
         let line = Linearised::at(evaluator, basis, &truth, STEP).unwrap();
         assert!(evaluator.computed() - before <= 1, "the point itself");
-        let likelihood = Likelihood { model_error: ModelError::Sought(0.02), block: None };
+        let likelihood = Likelihood { model_error: ModelError::Sought(0.02), block: None, common_gain: 0.0 };
         let left = line.left(&problem, &Settings { likelihood, ..Settings::default() });
         let sampling = posterior::Settings {
             likelihood,
@@ -107,7 +107,7 @@ fn a_posterior_that_a_bound_cuts_off_does_not_tell_its_parameter() {
     let problem = Problem::new(parameters, vec![channel], misfit).unwrap();
     let model = Function { channels: 1, length: 1, values: |x: &[f64]| vec![vec![x[0]]] };
     with(&problem, &model, |evaluator, basis| {
-        let likelihood = Likelihood { model_error: ModelError::None, block: None };
+        let likelihood = Likelihood { model_error: ModelError::None, block: None, common_gain: 0.0 };
         let settings = posterior::Settings { likelihood, effective_samples: 500.0, ..posterior::Settings::default() };
         let found = posterior::sample(evaluator, basis, &settings).unwrap();
         assert_eq!(found.parameters[0].summary.interval_95[1], 1.0, "{found:?}");

@@ -1,6 +1,7 @@
 //! The searches and the posterior on functions whose answers are known, without an element in sight.
 
 mod common;
+mod common_gain;
 mod coverage;
 mod functions;
 mod gain;

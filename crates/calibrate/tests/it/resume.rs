@@ -124,7 +124,7 @@ fn a_posterior_is_the_same_by_threads_and_after_a_kill() {
     }
     let problem = Problem::new(problem().parameters().to_vec(), channels, Misfit::default()).unwrap();
     let settings = posterior::Settings {
-        likelihood: Likelihood { model_error: ModelError::Sought(0.05), block: None },
+        likelihood: Likelihood { model_error: ModelError::Sought(0.05), block: None, common_gain: 0.0 },
         particles: 48,
         moves: 2,
         walkers: 14,

@@ -72,7 +72,7 @@ fn both_exact_answers_are_found() {
 #[test]
 fn evidence_and_posterior_are_the_published_ones() {
     let settings = posterior::Settings {
-        likelihood: Likelihood { model_error: ModelError::None, block: None },
+        likelihood: Likelihood { model_error: ModelError::None, block: None, common_gain: 0.0 },
         particles: 4000,
         moves: 4,
         runs: 8,

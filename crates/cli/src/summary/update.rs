@@ -40,7 +40,9 @@ fn parameters(page: &mut String, found: &Update) {
         if let Some([low, high]) = found.summary(k).map(|summary| summary.interval_95) {
             let _ = write!(remark, "  95 % within {low:.4} to {high:.4}");
         }
-        if found.identifiable(k) == Some(false) {
+        if found.limited_by_gain(k) {
+            remark += "; told no better than the loads are known";
+        } else if found.identifiable(k) == Some(false) {
             remark += "; the records hardly tell it";
         }
         let range = format!("{} to {} {}", parameter.lower, parameter.upper, parameter.unit);
@@ -55,8 +57,9 @@ fn parameters(page: &mut String, found: &Update) {
         let _ = writeln!(
             page,
             "  intervals are those of the model as a straight line about what was found, with an error of the model of {:.1} % of its \
-             response; posterior = true samples the model itself",
-            100.0 * error
+             response and a gain common to all channels of {} %; posterior = true samples the model itself",
+            100.0 * error,
+            (1e5 * found.common_gain().map_or(0.0, |gain| gain.prior_deviation)).round() / 1e3
         );
     }
     page.push('\n');

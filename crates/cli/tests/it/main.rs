@@ -8,6 +8,7 @@ mod carried;
 mod cases;
 mod caveats;
 mod checked;
+mod common_gain;
 mod compare;
 mod defects;
 mod drawings;

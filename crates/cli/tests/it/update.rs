@@ -30,7 +30,7 @@ points = 5
 "#;
 
 /// A stage with a bridge and the records of its twin, whose stone has 13 GPa and whose fill 170 MPa.
-fn twin(name: &str) -> Stage {
+pub fn twin(name: &str) -> Stage {
     let stage = Stage::new(name);
     let truth = BRIDGE.replace("\"10 GPa\"", "\"13 GPa\"").replace("\"100 MPa\"", "\"170 MPa\"");
     stage.write("truth.toml", truth);

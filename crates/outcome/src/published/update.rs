@@ -39,6 +39,12 @@ pub fn update(update: &Update) -> Object {
         told: told(update),
         // The model's error as a share of the response, by the linearised problem.
         model_error: update.linearised.as_ref().map(|line| line.left.model_error),
+        // The gain that all channels share (axle loads, width): its standard deviation before the records, and as they leave it.
+        common_gain_deviation: update.uncertainty_from().map(|_| update.common_gain().map_or(0.0, |gain| gain.prior_deviation)),
+        common_gain?: update.common_gain().map(|gain| object! {
+            mean: gain.mean,
+            standard_deviation: gain.standard_deviation,
+        }),
         posterior?: update.posterior.as_ref().map(|report| object! {
             model_error: report.posterior.model_error.as_ref().map(|s| [s.mean, s.interval_95[0], s.interval_95[1]]),
             log_evidence: report.posterior.log_evidence.map(|(log, _)| log),
@@ -75,6 +81,8 @@ fn parameters(update: &Update, best: Option<&Found>) -> Vec<Object> {
             standard_deviation: summary.map(|summary| summary.standard_deviation),
             interval_95: summary.map(|summary| summary.interval_95),
             identifiable: update.identifiable(k),
+            // Share of its variance that is that of the common gain, and not that of the records.
+            gain_share: update.common_gain().and_then(|gain| gain.shares.get(k)),
         }
     })
 }

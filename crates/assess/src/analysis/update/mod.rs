@@ -117,7 +117,7 @@ pub fn update(task: &Task<'_>, log: Log, means: Means<'_>) -> Result<Update, Upd
     let updated = updated.and_then(|answers| answers[0].as_ref().as_ref().ok().cloned());
     found.channels = histories(setup, &problem, &first.values, updated.as_ref().map(|response| &response.values[..]));
     (found.evaluations, found.computed) = (evaluator.log().len(), evaluator.computed() + already);
-    found.assumptions = assumptions(&model, &problem);
+    found.assumptions = assumptions(&model, &problem, &task.asked.plan);
     found.basis = Some(basis);
     warn(&mut found);
     Ok(found)
@@ -187,10 +187,10 @@ fn tell(
         Err(Halt::Failed(failure)) => found.warnings.push(untold("identifiability", &words(&failure))),
     }
     // A model that leaves more of a history than the stated noise is not as exact as the noise.
-    let gain = task.asked.plan.model_error > 0.0;
+    let likelihood = searches::likelihood(&task.asked.plan);
     let problem = match evaluator.respond(&[point.to_vec()], &Request::all()) {
         Ok(answers) => match answers[0].as_ref() {
-            Ok(response) => evaluator.problem.with_noise_of(response, gain),
+            Ok(response) => evaluator.problem.with_noise_of(response, &likelihood),
             Err(_) => evaluator.problem.clone(),
         },
         Err(_) => return Err(()),
@@ -297,7 +297,7 @@ fn histories(setup: &Setup, problem: &Problem, start: &[Vec<f64>], updated: Opti
     problem.channels().iter().enumerate().map(one).collect()
 }
 
-fn assumptions(model: &Model<'_>, problem: &Problem) -> Vec<String> {
+fn assumptions(model: &Model<'_>, problem: &Problem, plan: &update::Plan) -> Vec<String> {
     let setup = model.setup();
     let how = match (problem.misfit().compare, problem.misfit().slices) {
         (Compare::Histories, _) => "Whole histories are compared, by full passages.",
@@ -312,6 +312,14 @@ fn assumptions(model: &Model<'_>, problem: &Problem) -> Vec<String> {
         "Weights are found once, at the start model, and held. A parameter on a bound is never called converged."
             .to_owned(),
         format!("An axle is carried by {:.3} m of the bridge's width; every peak goes with it.", setup.effective_width),
+        match plan.common_gain_deviation {
+            0.0 => "Axle loads and that width count as exact (`common_gain_deviation = 0`): no interval holds an error of theirs.".to_owned(),
+            deviation => format!(
+                "What is found goes with the axle loads of the file and that width. Both together are taken to be known to {} % (standard \
+                 deviation, `common_gain_deviation`): one gain for all channels and all runs, which every interval holds.",
+                (1e5 * deviation).round() / 1e3
+            ),
+        },
     ];
     if model.moves() {
         said.push("A parameter moves mesh or loads: both are made anew for every evaluation.".to_owned());

@@ -201,10 +201,10 @@ pub fn identify(evaluator: &mut Evaluator, basis: &Basis, point: &[f64]) -> Resu
     calibrate::identify::identify(evaluator, basis, point, STEP)
 }
 
-/// Noise and model error as the file asks for them.
-fn likelihood(plan: &Plan) -> Likelihood {
+/// Common gain and model error as the file asks for them.
+pub fn likelihood(plan: &Plan) -> Likelihood {
     let model_error = if plan.model_error > 0.0 { ModelError::Sought(plan.model_error) } else { ModelError::None };
-    Likelihood { model_error, ..Likelihood::default() }
+    Likelihood { model_error, common_gain: plan.common_gain_deviation, ..Likelihood::default() }
 }
 
 /// Points of a sweep of the straight line.
