@@ -3,6 +3,7 @@
 
 mod card;
 mod finding;
+pub mod words;
 
 pub use card::Card;
 pub use finding::{Finding, Place, Severity};
