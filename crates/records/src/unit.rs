@@ -62,6 +62,8 @@ pub const UNITS: &[Unit] = &[
     unit("sec", Dimension::Time, 1.0),
     unit("ms", Dimension::Time, 1e3),
     unit("min", Dimension::Time, 1.0 / 60.0),
+    unit("h", Dimension::Time, 1.0 / 3600.0),
+    unit("d", Dimension::Time, 1.0 / 86_400.0),
     unit("mm", Dimension::Length, 1e3),
     unit("m", Dimension::Length, 1.0),
     unit("cm", Dimension::Length, 1e2),
@@ -97,6 +99,7 @@ pub const UNITS: &[Unit] = &[
     unit("K", Dimension::Temperature, 1.0),
     unit("degC", Dimension::Temperature, 1.0),
     unit("°C", Dimension::Temperature, 1.0),
+    unit("Deg C", Dimension::Temperature, 1.0),
 ];
 
 impl Unit {

@@ -3,6 +3,7 @@
 use super::judge::{Judge, Spot};
 use crate::Recording;
 use crate::signal::median;
+use findings::words::{counted, verb};
 
 /// More repeated times than this share of the rows, and the clock is too coarse or stands still.
 const REPEATED: f64 = 0.05;
@@ -12,6 +13,13 @@ const OUT_OF_ORDER: usize = 3;
 const OTHER_CLOCK: f64 = 1.2;
 /// A step longer than this multiple of its neighbours has a gap in it.
 const GAP: f64 = 1.5;
+
+const SUMMER_TIME: &str = "the clock was set by an hour, as summer time begins or ends: let the logger keep one time throughout, or write its zone behind each stamp";
+
+/// Whether a step is an hour, but for what passes between two samples.
+fn is_set_by_an_hour(step: f64) -> bool {
+    (step.abs() - 3600.0).abs() < 2.0
+}
 
 /// Judges the clock of a run and takes out rows that repeat a time.
 pub(super) fn examine(run: &mut Recording, judge: &mut Judge) {
@@ -70,12 +78,23 @@ fn in_order(run: &mut Recording, judge: &mut Judge) -> bool {
     }
     if let Some((at, last)) = back {
         let message = format!("the time goes back from {last:.4} s to {:.4} s: two clocks", times[at]);
-        judge.fault_all(run, "R031", Spot::at(at), &message, "give each clock a file of its own");
+        let help = if is_set_by_an_hour(times[at] - last) { SUMMER_TIME } else { "give each clock a file of its own" };
+        judge.fault_all(run, "R031", Spot::at(at), &message, help);
         return false;
     }
     if repeated.len() > OUT_OF_ORDER && repeated.len() as f64 > REPEATED * n as f64 {
-        let message = format!("{} of {n} rows repeat the time above them", repeated.len());
-        let help = "write times with as many decimals as the sampling rate needs";
+        let share = times.chunk_by(|a, b| a == b).map(<[f64]>::len).max().unwrap_or(0);
+        let shown = match run.time_step_shown {
+            0.0 => "the clock stands still".to_owned(),
+            1.0 => "times show whole seconds".to_owned(),
+            step => format!("times show steps of {step} s"),
+        };
+        let message = format!(
+            "{} of {n} rows {} the time above: {shown}, and up to {share} rows share one",
+            repeated.len(),
+            verb(repeated.len(), "repeats", "repeat")
+        );
+        let help = "let the logger write fractions of a second, or replace the column by \"time [s]\", the row number over the sampling rate";
         judge.fault_all(run, "R033", Spot::at(repeated[0]), &message, help);
         return false;
     }
@@ -170,7 +189,7 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
         let missing = (step / local).round() as usize - 1;
         let spot = Spot::over(k, k + 1);
         let times = format!("{:.4} s to {:.4} s", run.times[k], run.times[k + 1]);
-        let message = format!("{missing} samples are missing from {times}");
+        let message = format!("{} {} missing from {times}", counted(missing, "sample"), verb(missing, "is", "are"));
         if missing <= longest {
             judge.warn(run, None, "R035", spot, &format!("{message}; bridged by straight lines"), "");
         } else if long.is_none() {
@@ -181,7 +200,9 @@ fn gaps(run: &mut Recording, steps: &[f64], one_clock: bool, judge: &mut Judge) 
     }
     if let Some((spot, message)) = long {
         let message = format!("{message}, more than {longest}");
+        let set = steps.iter().any(|step| is_set_by_an_hour(*step));
         let help = "cut the file so that the passage has no gap, or accept R035 and say why the gap does not matter";
+        let help = if set { SUMMER_TIME } else { help };
         judge.fault_all(run, "R035", spot, &message, help);
     }
 }

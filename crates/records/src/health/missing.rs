@@ -3,6 +3,7 @@
 use super::judge::{Judge, Spot};
 use crate::signal::bridged;
 use crate::{Done, Recording};
+use findings::words::{counted, verb};
 
 /// First and last sample of every stretch without values.
 fn stretches(values: &[f64]) -> Vec<[usize; 2]> {
@@ -29,7 +30,9 @@ pub(super) fn examine(run: &mut Recording, channel: usize, judge: &mut Judge) {
         judge.fault(run, channel, "R040", Spot::over(0, n - 1), message, "see whether the sensor was connected");
     } else if length > longest {
         let message = format!(
-            "{length} samples in a row are missing ({count} of {n} in all), more than {longest} that may be bridged"
+            "{} in a row {} missing ({count} of {n} in all), more than {longest} that may be bridged",
+            counted(length, "sample"),
+            verb(length, "is", "are")
         );
         let help = "cut the file, mend the cells, or accept R036 and say why the gap does not matter";
         judge.fault(run, channel, "R036", Spot::over(worst[0], worst[1]), &message, help);
@@ -48,8 +51,9 @@ pub(super) fn bridge(run: &mut Recording, judge: &mut Judge) {
         channel.values = values;
         let first = stretches.first().map_or(0.0, |[first, _]| run.times[*first]);
         let what = format!(
-            "{count} missing samples in {} places bridged by straight lines, first at {first:.4} s",
-            stretches.len()
+            "{} in {} bridged by straight lines, first at {first:.4} s",
+            counted(count, "missing sample"),
+            counted(stretches.len(), "place")
         );
         judge.done.push(Done::new(&run.name, channel.title(), what));
     }

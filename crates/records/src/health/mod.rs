@@ -13,6 +13,7 @@ pub use judge::{Accept, Expected, LeaveOut, Limits, Scrutiny};
 
 use crate::signal::{bridged, loaded, smoothed};
 use crate::{Recording, Series};
+use findings::words::counted;
 use judge::{Judge, Spot};
 
 /// Fewer samples than these are no record of a passage.
@@ -27,7 +28,7 @@ pub fn examine(runs: Vec<Recording>, scrutiny: &Scrutiny) -> Series {
     judge.sort_out_by_hand(&mut runs);
     for run in &mut runs {
         if run.times.len() < FEWEST {
-            let message = format!("the run has {} samples, too few to judge", run.times.len());
+            let message = format!("the run has {}, too few to judge", counted(run.times.len(), "sample"));
             judge.fault_all(run, "R030", Spot::default(), &message, "see why the file is so short");
         }
         equal_lengths(run);

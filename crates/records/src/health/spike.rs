@@ -3,6 +3,7 @@
 use super::judge::{Judge, Spot};
 use crate::signal::{Loaded, bridged, least_count, noise, quantile, range};
 use crate::{Done, Recording};
+use findings::words::counted;
 
 /// A spike leaves its neighbours by this share of the channel's range; smaller ones change no peak that matters.
 const OF_RANGE: f64 = 0.1;
@@ -50,7 +51,11 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     }
     let most = judge.scrutiny.limits.spikes;
     if spikes.len() > most {
-        let message = format!("{} samples stand off their neighbours by more than {}", spikes.len(), unit.words(limit));
+        let message = format!(
+            "{} off their neighbours by more than {}",
+            if spikes.len() == 1 { "1 sample stands".to_owned() } else { format!("{} samples stand", spikes.len()) },
+            unit.words(limit)
+        );
         let help = "see to the sensor's contacts, or accept R042 and say why: its spikes are then taken out";
         judge.fault(run, channel, "R042", Spot::at(spikes[0]), &message, help);
         if !run.channels[channel].used() {
@@ -67,11 +72,11 @@ pub(super) fn examine(run: &mut Recording, channel: usize, smooth: &[f64], loade
     }
     if spikes.len() > NAMED {
         let spot = Spot::over(spikes[NAMED], spikes[spikes.len() - 1]);
-        let message = format!("{} more spikes, all taken out", spikes.len() - NAMED);
+        let message = format!("{}, all taken out", counted(spikes.len() - NAMED, "more spike"));
         judge.warn(run, Some(channel), "R042", spot, &message, "see to the sensor's contacts");
     }
     let title = run.channels[channel].title();
-    judge.done.push(Done::new(&run.name, title, format!("{} spikes taken out", spikes.len())));
+    judge.done.push(Done::new(&run.name, title, format!("{} taken out", counted(spikes.len(), "spike"))));
     for k in spikes {
         run.channels[channel].values[k] = f64::NAN;
     }

@@ -68,7 +68,7 @@ pub(super) fn align(run: &mut Recording, align: &Align, log: &mut Log) {
             };
             let (name, line, speed) = (name.clone(), line.clone(), *speed);
             let reference = Reference { name, line, times: comb.0, values: comb.1, speed };
-            (reference, format!("to the passing of {} axles", times.len()))
+            (reference, format!("to the passing of {}", findings::words::counted(times.len(), "axle")))
         }
     };
     let title = title(&reference.name, &reference.line);

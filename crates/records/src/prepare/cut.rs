@@ -3,6 +3,7 @@
 use super::Log;
 use crate::Recording;
 use crate::signal::range;
+use findings::words::counted;
 
 /// Which part of a record is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -54,8 +55,10 @@ pub(super) fn cut(run: &mut Recording, cut: Cut, log: &mut Log) {
         }
         _ => "as asked".to_owned(),
     };
-    let what =
-        format!("cut to {from:.4} s to {to:.4} s, {why}: {start} samples taken off the start, {end} off the end");
+    let what = format!(
+        "cut to {from:.4} s to {to:.4} s, {why}: {} taken off the start, {end} off the end",
+        counted(start, "sample")
+    );
     log.did(run, "", what);
 }
 

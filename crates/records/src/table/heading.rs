@@ -14,7 +14,63 @@ pub(super) struct Heading {
 }
 
 /// Names under which a clock goes.
-const CLOCKS: [&str; 8] = ["time", "t", "elapsed time", "elapsed", "timestamp", "zeit", "temps", "tempo"];
+const CLOCKS: [&str; 34] = [
+    "time",
+    "t",
+    "elapsed time",
+    "elapsed",
+    "elapsed seconds",
+    "relative time",
+    "absolute time",
+    "scan time",
+    "x value",
+    "timestamp",
+    "time stamp",
+    "datetime",
+    "date time",
+    "date/time",
+    "date&time",
+    "date & time",
+    "date and time",
+    "zeit",
+    "uhrzeit",
+    "zeitstempel",
+    "datum/zeit",
+    "datum zeit",
+    "datum/uhrzeit",
+    "datum uhrzeit",
+    "temps",
+    "heure",
+    "horodatage",
+    "date heure",
+    "date/heure",
+    "tempo",
+    "ora",
+    "hora",
+    "fecha hora",
+    "fecha/hora",
+];
+/// Names of a column of dates beside one of times.
+const DATES: [&str; 3] = ["date", "datum", "fecha"];
+/// Names of a column of thousandths beside stamps of whole seconds.
+const THOUSANDTHS: [&str; 4] = ["ms", "msec", "millisecond", "milliseconds"];
+/// Names of columns that no sensor fills: what is counted, and what somebody remarked.
+const NO_SENSOR: [&str; 14] = [
+    "record",
+    "recnum",
+    "record number",
+    "rn",
+    "no.",
+    "no",
+    "nr",
+    "nr.",
+    "number",
+    "index",
+    "sample",
+    "scan",
+    "comment",
+    "kommentar",
+];
 
 impl Heading {
     /// Reads a heading.
@@ -28,15 +84,47 @@ impl Heading {
         Heading { name: name.trim().to_owned(), line: line.trim().to_owned(), symbol }
     }
 
-    /// Whether it heads the clock.
+    /// Whether it heads the clock. "Time  1 - default sample rate [s]" does, for no sensor measures seconds.
     pub fn is_clock(&self) -> bool {
-        let name = self.name.to_lowercase();
+        let name = self.plain();
+        let unit = self.symbol.as_deref().and_then(Unit::named);
+        let is_time = unit.is_some_and(|unit| unit.quantity == Dimension::Time);
+        let begins = || ["time ", "zeit ", "temps "].iter().any(|word| name.starts_with(word));
         self.line.is_empty()
-            && CLOCKS.contains(&name.as_str())
-            && self
-                .symbol
-                .as_deref()
-                .is_none_or(|symbol| Unit::named(symbol).is_none_or(|unit| unit.quantity == Dimension::Time))
+            && ((CLOCKS.contains(&name.as_str()) && (unit.is_none() || is_time)) || (is_time && begins()))
+    }
+
+    /// Whether it heads a column of dates.
+    pub fn is_date(&self) -> bool {
+        self.is_of(&DATES)
+    }
+
+    /// Whether it heads thousandths of a second.
+    pub fn is_thousandths(&self) -> bool {
+        THOUSANDTHS.contains(&self.plain().as_str()) && self.symbol.as_deref().is_none_or(|symbol| symbol == "ms")
+    }
+
+    /// Whether no sensor fills its column.
+    pub fn is_no_sensor(&self) -> bool {
+        self.is_of(&NO_SENSOR)
+    }
+
+    fn is_of(&self, names: &[&str]) -> bool {
+        let unit = self.symbol.as_deref().filter(|symbol| *symbol != "-").and_then(Unit::named);
+        self.line.is_empty() && unit.is_none() && names.contains(&self.plain().as_str())
+    }
+
+    /// The name without capitals and underscores, and without a format or a zone: "Time (hh:mm:ss)", "Timestamp (UTC)".
+    fn plain(&self) -> String {
+        let name = self.name.to_lowercase().replace('_', " ");
+        let of_format = |inside: &str| {
+            matches!(inside, "utc" | "gmt" | "local" | "local time")
+                || inside.chars().all(|c| "dhmsyf:./- t".contains(c))
+        };
+        match name.strip_suffix(')').and_then(|name| name.rsplit_once('(')) {
+            Some((name, inside)) if of_format(inside) => name.trim().to_owned(),
+            _ => name,
+        }
     }
 }
 
@@ -50,7 +138,9 @@ fn bracketed(text: &str, open: char, close: char, fits: fn(&str) -> bool) -> Opt
 /// "crown_displacement_mm": the ending of tables that programs write, where capitals are lost.
 fn suffixed(text: &str) -> Option<(&str, Option<String>)> {
     let (name, ending) = text.rsplit_once('_')?;
-    let unit = UNITS.iter().find(|unit| unit.symbol.to_lowercase() == ending && unit.symbol.is_ascii())?;
+    // "strain_h" is horizontal and "strain_d" diagonal rather than hours and days.
+    let fits = |unit: &&Unit| unit.symbol.is_ascii() && !matches!(unit.symbol, "h" | "d");
+    let unit = UNITS.iter().filter(fits).find(|unit| unit.symbol.to_lowercase() == ending)?;
     (!name.is_empty()).then(|| (name, Some(unit.symbol.to_owned())))
 }
 

@@ -1,23 +1,24 @@
 //! Tables of measured channels, read. Reading never fails, whatever the bytes are: it gives what it understood, and names every
 //! row and cell that it could not take.
 
+mod clock;
 mod columns;
 mod dialect;
 mod faults;
+mod head;
 mod heading;
 mod mapping;
 mod notes;
 mod number;
 mod plan;
 mod rows;
+mod stamp;
 mod text;
 
 pub use dialect::Dialect;
 pub use mapping::{Column, Mapping, Others, Source};
 
-use crate::{Finding, Place, Recording, Severity, Unit};
-use heading::Heading;
-use plan::Headings;
+use crate::{Finding, Place, Recording, Severity};
 
 /// What the caller says of a file.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -69,9 +70,7 @@ fn understood(notes: &str, text: &str, options: &ReadOptions, mut findings: Vec<
         for ((channel, values), decimals) in channels.iter_mut().zip(table.values).zip(table.decimals) {
             (channel.values, channel.decimals) = (values, decimals);
         }
-        let shown = table
-            .time_decimals
-            .map_or(0.0, |decimals| plan.time_unit.to_si(plan.time.factor * 0.1_f64.powi(decimals.min(15) as i32)));
+        let shown = table.time_decimals.map_or(0.0, |decimals| plan.clock.step(decimals));
         Recording {
             name: notes.name.clone(),
             speed: notes.speed,
@@ -103,13 +102,14 @@ fn table(
         return None;
     }
     let written = dialect::seen(&sample, options.dialect);
-    let (line, headings, first_row) = head(candidates(), options, written.separator);
-    if let Some((first, _)) = candidates().next().filter(|(first, _)| *first < line) {
-        let lines = Some([first, line - 1]);
+    let head = head::head(candidates(), options, written.separator);
+    if let Some((first, _)) = candidates().next().filter(|(first, _)| *first < head.line) {
+        let lines = Some([first, head.line - 1]);
         say(Severity::Note, "R004", lines, "these lines stand above the headings and are not read", "");
     }
-    let plan = plan::plan(&Headings { line, headings: &headings }, &options.mapping, run, findings)?;
-    let (rows, faults) = rows::read(text, first_row, written, &plan);
+    let body = rows::Body { text, first_row: head.first_row, written };
+    let plan = plan::plan(&head, &body, &options.mapping, run, findings)?;
+    let (rows, faults) = rows::read(&body, &plan);
     let title = |column: usize| {
         let channel = plan.channels.iter().find(|channel| channel.column == column);
         channel.map_or(String::new(), crate::Channel::title)
@@ -120,51 +120,4 @@ fn table(
         finding
     }));
     Some((rows, plan))
-}
-
-/// The line of the headings (0 where there is none), the headings, and the first line that may hold data.
-fn head<'a>(
-    candidates: impl Iterator<Item = (usize, &'a str)>,
-    options: &ReadOptions,
-    separator: char,
-) -> (usize, Vec<Heading>, usize) {
-    let cells = |line: &str| -> Vec<String> {
-        dialect::fields(line, separator).iter().map(|cell| cell.trim().to_owned()).collect()
-    };
-    let sample: Vec<(usize, &str)> = candidates.take(SAMPLE).collect();
-    let (first_line, first) = sample.first().map_or((1, Vec::new()), |(line, text)| (*line, cells(text)));
-    if !options.mapping.headed {
-        let numbered = (1..=first.len()).map(|k| Heading::of(&format!("column {k}"))).collect();
-        return (0, numbered, first_line);
-    }
-    let of = |text: &str| -> Vec<Heading> {
-        let mut cells = cells(text);
-        while cells.len() > 1 && cells.last().is_some_and(String::is_empty) {
-            cells.pop();
-        }
-        cells.iter().map(|cell| Heading::of(cell)).collect()
-    };
-    let headed = sample.iter().position(|(_, text)| plan::clock(&of(text), &options.mapping).is_some());
-    let Some(at) = headed else {
-        return (first_line, first.iter().map(|cell| Heading::of(cell)).collect(), first_line + 1);
-    };
-    let (line, text) = sample[at];
-    let mut headings = of(text);
-    // Some loggers write the units on a line of their own.
-    let below = sample.get(at + 1).map(|(line, text)| (*line, cells(text)));
-    if let Some((units_line, units)) = below {
-        // A hyphen is a unit, but also a word for nothing.
-        let is_unit = |symbol: &String| Unit::named(symbol).is_some();
-        let wanted = headings.iter().any(|heading| heading.symbol.is_none()) && units.len() == headings.len();
-        let sure = units.iter().any(|symbol| symbol != "-" && is_unit(symbol));
-        if wanted && sure && units.iter().all(|symbol| symbol.is_empty() || is_unit(symbol)) {
-            for (heading, symbol) in headings.iter_mut().zip(units) {
-                if heading.symbol.is_none() && !symbol.is_empty() {
-                    heading.symbol = Some(symbol);
-                }
-            }
-            return (line, headings, units_line + 1);
-        }
-    }
-    (line, headings, line + 1)
 }

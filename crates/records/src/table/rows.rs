@@ -1,6 +1,7 @@
 //! Rows of numbers: the body of the table.
 
-use super::dialect::{Written, fields_into};
+use super::clock::{Clock, Reader};
+use super::dialect::{Written, fields, fields_into};
 use super::faults::{Faults, Kind};
 use super::number::{Cell, cell};
 use super::plan::Plan;
@@ -39,7 +40,34 @@ const NO_TIME: Kind = Kind {
     then: "the row is left out",
     help: "write the time as a number in the unit of its heading",
 };
+const NO_STAMP: Kind = Kind {
+    what: "row whose time is no stamp like those of the other rows",
+    help: "write its date and time like those of the other rows",
+    ..NO_TIME
+};
 const COMMENT: Kind = Kind { code: "R026", what: "comment amid the data", then: "it is no row", help: "" };
+
+/// Where the rows stand, and how they are written.
+#[derive(Clone, Copy)]
+pub(super) struct Body<'a> {
+    pub text: &'a str,
+    /// First line that may hold a row.
+    pub first_row: usize,
+    pub written: Written,
+}
+
+impl<'a> Body<'a> {
+    /// Lines that are not blank.
+    fn lines(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
+        lines(self.text).skip(self.first_row.saturating_sub(1)).filter(|(_, line)| !is_blank(line))
+    }
+
+    /// Cells of every line that is no comment.
+    pub fn cells(&self) -> impl Iterator<Item = Vec<Cow<'a, str>>> + use<'a> {
+        let separator = self.written.separator;
+        self.lines().filter(|(_, line)| !is_comment(line)).map(move |(_, line)| fields(line, separator))
+    }
+}
 
 /// The rows that could be taken.
 #[derive(Debug, Default)]
@@ -80,8 +108,12 @@ impl Decimals {
     }
 }
 
-/// Reads every row from a line on.
-pub(super) fn read(text: &str, first_row: usize, written: Written, plan: &Plan) -> (Rows, Faults) {
+/// Reads every row.
+pub(super) fn read(body: &Body, plan: &Plan) -> (Rows, Faults) {
+    let Body { text, written, .. } = *body;
+    let mut clock = Reader::new(&plan.clock, written);
+    let no_time = if matches!(plan.clock, Clock::Stamps(_)) { NO_STAMP } else { NO_TIME };
+    let time_column = plan.clock.column();
     let mut rows = Rows { values: vec![Vec::new(); plan.slots.len()], ..Rows::default() };
     let mut faults = Faults::default();
     let mut decimals = vec![Decimals::NONE; plan.slots.len()];
@@ -89,8 +121,7 @@ pub(super) fn read(text: &str, first_row: usize, written: Written, plan: &Plan) 
     let mut cells: Vec<Cow<str>> = Vec::new();
     let last_line = lines(text).filter(|(_, line)| !is_blank(line)).last().map_or(0, |(number, _)| number);
     let ended = text.ends_with(['\n', '\r']);
-    let body = lines(text).skip(first_row.saturating_sub(1)).filter(|(_, line)| !is_blank(line));
-    for (row, (number, line)) in body.enumerate() {
+    for (row, (number, line)) in body.lines().enumerate() {
         if is_comment(line) {
             faults.add(COMMENT, 0, row, number, None, line.trim());
             continue;
@@ -117,15 +148,10 @@ pub(super) fn read(text: &str, first_row: usize, written: Written, plan: &Plan) 
             ));
             continue;
         }
-        let Cell::Number(time, digits) = cell(&cells[plan.time.index], written.decimal_comma) else {
-            faults.add(NO_TIME, plan.time.index + 1, row, number, None, &cells[plan.time.index]);
+        let Some((time, digits)) = clock.time(&cells) else {
+            faults.add(no_time, time_column + 1, row, number, None, &cells[time_column]);
             continue;
         };
-        let time = plan.time_unit.to_si(time * plan.time.factor);
-        if !time.is_finite() {
-            faults.add(NO_TIME, plan.time.index + 1, row, number, None, &cells[plan.time.index]);
-            continue;
-        }
         time_decimals.add(digits);
         rows.times.push(time);
         rows.lines.push(u32::try_from(number).unwrap_or(u32::MAX));

@@ -137,7 +137,7 @@ fn spike() {
     assert_eq!(place(finding).0, [FIRST + 333; 2]);
     assert!(near(place(finding).2, 3.33) && finding.message.contains("9.990 mm"), "{}", finding.words());
     // Taken out and bridged, both listed; the peak is that of the bridge again.
-    assert!(out(&series).is_empty() && series.done.iter().any(|done| done.what == "1 spikes taken out"));
+    assert!(out(&series).is_empty() && series.done.iter().any(|done| done.what == "1 spike taken out"));
     let pier = &series.runs[0].channels[PIER - 1];
     assert!(pier.values[pier.peak().unwrap()] < 0.3e-3);
 

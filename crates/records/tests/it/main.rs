@@ -9,6 +9,7 @@ mod preparation;
 mod reading;
 mod round_trip;
 mod size;
+mod stamps;
 mod table_1;
 mod train;
 

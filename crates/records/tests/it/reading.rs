@@ -105,11 +105,13 @@ fn notes_name_run_speed_and_origin() {
 
 #[test]
 fn what_cannot_be_read_says_what_to_write() {
-    let cases: [(&str, &str, &str); 9] = [
+    let cases: [(&str, &str, &str); 11] = [
         ("", "R001", "headings and rows"),
         ("crown [mm],strain [mm]\n1,2\n", "R010", "time [s]"),
         ("time [s]\n1\n", "R010", "name and unit"),
-        ("time,crown [mm]\n1,2\n", "R011", "[mm]"),
+        ("time,crown [mm]\n1,2\n", "R011", "time [s]"),
+        ("time,crown [mm]\n46320.1249,2\n", "R011", "time [d]"),
+        ("timestamp,crown [mm]\n1792897194.005,2\n", "R011", "time [s]"),
         ("time [s],crown\n1,2\n", "R011", "[mm]"),
         ("time [s],crown [furlong],a [mm]\n1,2,3\n", "R012", "microstrain"),
         ("time [s],a [mm],a [mm]\n1,2,3\n", "R013", "of its own"),
