@@ -26,6 +26,18 @@ findings::cards! {
         is inserted with a scale of zero. Bind or explode the reference before the export.";
     "D108", "two units for one drawing",
         "The header names a unit and the model file, or --unit, another. The stated one is used. Take it out if the header is right.";
+    "D109", "entities that the drawing does not show",
+        "Entities on layers that are off or frozen, entities that are marked invisible, and paper space are left out, counted by layer: what \
+        nobody sees in the drawing becomes no block. A block reference on a frozen layer is left out whole; of one on a layer that is off, \
+        what lies on other layers is read. Switch the layer on, or give it role = \"ignore\".";
+    "D110", "a spline by fit points",
+        "The spline gives the points that it passes through and no control points. It is read as the cubic with continuous curvature through them, \
+        with the length of chords as parameter, its tangents where they are given and no curvature at the ends where they are not. The message \
+        says how far a curve by another usual parameter (the root of that length) lies from it between the points.";
+    "D111", "a header that contradicts its unit",
+        "$INSUNITS names the unit of the drawing. $MEASUREMENT (English or metric patterns) and $LUNITS (lengths shown in feet and inches) belong to \
+        another: one of them was not set by whoever drew. $INSUNITS is taken; check a known length, and state unit = \"mm\" in [drawing] or --unit mm \
+        if it is wrong.";
     "D201", "duplicate points removed",
         "Points less than a micrometre apart are one corner. Nothing has to be done.";
     "D202", "points on straight edges dropped",

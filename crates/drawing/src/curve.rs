@@ -108,25 +108,11 @@ impl Spline<'_> {
                 let parts = 2 * p;
                 for part in 0..parts {
                     let t = |i: usize| from + (to - from) * i as f64 / parts as f64;
-                    self.refine(t(part), t(part + 1), tolerance, 8, &mut out);
+                    refine(&|t| self.at(t), t(part), t(part + 1), tolerance, 8, &mut out);
                 }
             }
         }
         out
-    }
-
-    /// Appends the points after `from` up to `to`.
-    fn refine(&self, from: f64, to: f64, tolerance: f64, depth: u32, out: &mut Vec<Point>) {
-        let (a, b) = (self.at(from), self.at(to));
-        let probe = |share: f64| off(a, b, self.at(from + share * (to - from)));
-        let farthest = probe(0.25).max(probe(0.5)).max(probe(0.75));
-        if farthest <= tolerance || depth == 0 || out.len() >= MOST {
-            out.push(b);
-            return;
-        }
-        let middle = 0.5 * (from + to);
-        self.refine(from, middle, tolerance, depth - 1, out);
-        self.refine(middle, to, tolerance, depth - 1, out);
     }
 
     /// The point at a parameter, by de Boor's algorithm in homogeneous coordinates.
@@ -152,6 +138,20 @@ impl Spline<'_> {
         }
         [d[p][0] / d[p][2], d[p][1] / d[p][2]]
     }
+}
+
+/// Appends the points of a curve after the parameter `from` up to `to`, halved until chords keep within the tolerance.
+pub(crate) fn refine(at: &dyn Fn(f64) -> Point, from: f64, to: f64, tolerance: f64, depth: u32, out: &mut Vec<Point>) {
+    let (a, b) = (at(from), at(to));
+    let probe = |share: f64| off(a, b, at(from + share * (to - from)));
+    let farthest = probe(0.25).max(probe(0.5)).max(probe(0.75));
+    if farthest <= tolerance || depth == 0 || out.len() >= MOST {
+        out.push(b);
+        return;
+    }
+    let middle = 0.5 * (from + to);
+    refine(at, from, middle, tolerance, depth - 1, out);
+    refine(at, middle, to, tolerance, depth - 1, out);
 }
 
 /// Distance of a point from the chord between two others.

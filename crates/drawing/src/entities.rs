@@ -5,6 +5,8 @@ use crate::curve::{self, Spline};
 use crate::entity::{Block, Content, Entity, Insert, Shape, Space, Vertex};
 use crate::finding::{Findings, Place};
 use crate::read::{Options, is_ignored};
+use crate::shown::{Hidden, HiddenLayers, LeftOut};
+use crate::through::Fit;
 use crate::transform::Transform;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -47,6 +49,8 @@ pub(crate) struct Strands {
 pub(crate) struct Expansion<'a> {
     pub(crate) options: &'a Options,
     pub(crate) blocks: &'a BTreeMap<String, Block>,
+    hidden_layers: &'a HiddenLayers,
+    left_out: LeftOut,
     pub(crate) out: Strands,
     pub(crate) findings: &'a mut Findings,
     expanded: usize,
@@ -65,22 +69,39 @@ struct Context {
 
 /// Expands all entities of a drawing.
 pub(crate) fn expand(content: &Content, metres: f64, options: &Options, findings: &mut Findings) -> Strands {
-    let (blocks, out) = (&content.blocks, Strands::default());
-    let mut expansion = Expansion { options, blocks, out, findings, expanded: 0, points: 0, full: false };
+    let mut expansion = Expansion {
+        options,
+        blocks: &content.blocks,
+        hidden_layers: &content.hidden_layers,
+        left_out: LeftOut::default(),
+        out: Strands::default(),
+        findings,
+        expanded: 0,
+        points: 0,
+        full: false,
+    };
     let context = Context { map: Transform::scale(metres), layer: None, through: String::new(), depth: 0 };
     for entity in &content.entities {
         expansion.entity(entity, &context);
     }
+    expansion.left_out.tell(options, expansion.findings);
     expansion.out
 }
 
 impl Expansion<'_> {
     fn entity(&mut self, entity: &Entity, context: &Context) {
-        if self.full || entity.in_paper_space {
+        if self.full {
             return;
         }
         let place = place(entity, context);
         if self.is_full(&place) {
+            return;
+        }
+        // What lies in paper space within a block is a part of its sheet.
+        if let Some(hidden) = entity.hidden.or_else(|| self.hidden_layers.hide(&place.layer, entity.kind)) {
+            if hidden != Hidden::PaperSpace || context.depth == 0 {
+                self.left_out.count(&place.layer, hidden);
+            }
             return;
         }
         if let Shape::Insert(insert) = &entity.shape {
@@ -123,10 +144,18 @@ impl Expansion<'_> {
                 }
             }
             Shape::Ellipse { .. } => self.ellipse(place, &entity.shape, context),
-            Shape::Spline { degree, knots, weights, points } => {
-                if self.is_flat(&place, context, points.iter().map(|p| p[2])) {
-                    let points: Vec<Point> = points.iter().map(|p| [p[0], p[1]]).collect();
-                    self.spline(place, &Spline { degree: *degree, knots, points: &points, weights }, context);
+            Shape::Spline { degree, knots, weights, points, fit, closed, tangents } => {
+                let flat = |points: &[Space]| -> Vec<Point> { points.iter().map(|p| [p[0], p[1]]).collect() };
+                if !self.is_flat(&place, context, points.iter().chain(fit).map(|p| p[2])) {
+                    return;
+                }
+                let (points, fit) = (flat(points), flat(fit));
+                let curve = Spline { degree: *degree, knots, points: &points, weights };
+                if points.is_empty() || (curve.defect().is_some() && fit.len() > 1) {
+                    let tangents = tangents.map(|tangent| tangent.map(|t| [t[0], t[1]]));
+                    self.fitted(place, &Fit { points: &fit, closed: *closed, tangents }, context);
+                } else {
+                    self.spline(place, &curve, context);
                 }
             }
             // Expanded above, on ignored layers too.
@@ -199,6 +228,29 @@ impl Expansion<'_> {
             return self.findings.error("D103", place, message, "convert it to a polyline");
         }
         let points = curve.points(self.tolerance(&context.map));
+        self.strand(place, points.into_iter().map(|p| context.map.point(p)).collect(), false, true);
+    }
+
+    /// A spline that is given by the points it passes through.
+    fn fitted(&mut self, place: Place, fit: &Fit<'_>, context: &Context) {
+        if let Some(defect) = fit.defect() {
+            let message = format!("the spline by fit points cannot be drawn: it has {defect}");
+            return self.findings.error("D103", place, message, "convert it to a polyline");
+        }
+        let (points, apart) = fit.curve(self.tolerance(&context.map));
+        let apart = apart * context.map.stretch();
+        let message = format!(
+            "spline by fit points: read as the cubic through its {} points by the length of chords; one by another parameter lies {:.1} mm from it",
+            fit.points.len(),
+            1e3 * apart
+        );
+        let at = place.at(context.map.point(fit.points[0]));
+        if apart > self.options.chord_tolerance {
+            let help = "compare the outline with the drawing, or convert the spline to a polyline before the export";
+            self.findings.warning("D110", at, message, help);
+        } else {
+            self.findings.note("D110", at, message);
+        }
         self.strand(place, points.into_iter().map(|p| context.map.point(p)).collect(), false, true);
     }
 

@@ -2,6 +2,7 @@
 //! Meanings of group codes and their defaults after Autodesk, DXF Reference (2018).
 
 use crate::Point;
+use crate::shown::{Hidden, HiddenLayers};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -17,7 +18,8 @@ pub(crate) struct Record {
     pub(crate) layer: String,
     /// Hexadecimal; empty where it has none.
     pub(crate) handle: String,
-    pub(crate) in_paper_space: bool,
+    /// Why it is not shown, as far as it says so itself.
+    pub(crate) hidden: Option<Hidden>,
     /// Group 2: the name of a block.
     pub(crate) name: String,
     pub(crate) numbers: Vec<(i32, f64)>,
@@ -55,7 +57,8 @@ pub(crate) struct Entity {
     pub(crate) layer: String,
     /// Empty where the file gives none.
     pub(crate) handle: String,
-    pub(crate) in_paper_space: bool,
+    /// Why it is not shown, as far as it says so itself; its layer may hide it too.
+    pub(crate) hidden: Option<Hidden>,
     pub(crate) shape: Shape,
 }
 
@@ -109,6 +112,11 @@ pub(crate) enum Shape {
         knots: Vec<f64>,
         weights: Vec<f64>,
         points: Vec<Space>,
+        /// Points that the curve passes through, where it is given by them.
+        fit: Vec<Space>,
+        closed: bool,
+        /// Directions at its start and end.
+        tangents: [Option<Space>; 2],
     },
     Insert(Insert),
 }
@@ -141,11 +149,12 @@ pub(crate) struct Content {
     /// By name in capitals.
     pub(crate) blocks: BTreeMap<String, Block>,
     pub(crate) entities: Vec<Entity>,
+    pub(crate) hidden_layers: HiddenLayers,
 }
 
 /// Puts records together: vertices to their polylines, entities to their blocks.
-pub(crate) fn content(records: Vec<Record>) -> Content {
-    let mut content = Content::default();
+pub(crate) fn content(records: Vec<Record>, hidden_layers: HiddenLayers) -> Content {
+    let mut content = Content { hidden_layers, ..Content::default() };
     let mut block: Option<(String, Block)> = None;
     let mut takes_vertices = false;
     for record in records {
@@ -174,8 +183,8 @@ pub(crate) fn content(records: Vec<Record>) -> Content {
         }
         takes_vertices = record.kind == "POLYLINE";
         if let Some(shape) = shape(&record) {
-            let Record { kind, layer, handle, in_paper_space, .. } = record;
-            entities.push(Entity { kind, layer, handle, in_paper_space, shape });
+            let Record { kind, layer, handle, hidden, .. } = record;
+            entities.push(Entity { kind, layer, handle, hidden, shape });
         }
     }
     content.blocks.extend(block);
@@ -219,7 +228,10 @@ fn shape(record: &Record) -> Option<Shape> {
             degree: usize::try_from(record.whole(71, 1)).unwrap_or(0),
             knots: record.all(40).collect(),
             weights: record.all(41).collect(),
-            points: spline_points(record),
+            points: spline_points(record, [10, 20, 30]),
+            fit: spline_points(record, [11, 21, 31]),
+            closed: record.whole(70, 0) & 1 != 0,
+            tangents: [12, 13].map(|code| record.all(code).next().map(|_| record.space(code, origin))),
         },
         "INSERT" => Shape::Insert(Insert {
             name: record.name.clone(),
@@ -255,8 +267,8 @@ fn vertex(record: &Record) -> Option<Vertex> {
     (record.whole(70, 0) & 16 == 0).then(|| Vertex { at: [x, y], height, bulge: record.number(42, 0.0) })
 }
 
-/// Control points; the first height belongs to the first point, and what has none lies at zero.
-fn spline_points(record: &Record) -> Vec<Space> {
-    let heights = record.all(30).chain(std::iter::repeat(0.0));
-    record.all(10).zip(record.all(20)).zip(heights).map(|((x, y), z)| [x, y, z]).collect()
+/// Control points or fit points; the first height belongs to the first point, and what has none lies at zero.
+fn spline_points(record: &Record, [x, y, z]: [i32; 3]) -> Vec<Space> {
+    let heights = record.all(z).chain(std::iter::repeat(0.0));
+    record.all(x).zip(record.all(y)).zip(heights).map(|((x, y), z)| [x, y, z]).collect()
 }

@@ -2,6 +2,7 @@
 
 use crate::Point;
 use findings::Severity;
+use findings::words::{counted, verb};
 use std::fmt;
 
 /// Where in a drawing.
@@ -89,7 +90,8 @@ impl Findings {
     /// All of them; errors that did not fit are counted in one more.
     pub(crate) fn finish(mut self) -> Vec<Finding> {
         if self.beyond > 0 {
-            let message = format!("{} more errors are not listed", self.beyond);
+            let message =
+                format!("{} {} not listed", counted(self.beyond, "more error"), verb(self.beyond, "is", "are"));
             let help = "mend those listed first".to_owned();
             self.list.push(Finding { code: "D106", severity: Severity::Error, place: Place::default(), message, help });
         }

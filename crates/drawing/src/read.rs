@@ -2,7 +2,7 @@
 
 use crate::Point;
 use crate::finding::{Finding, Findings, Place};
-use crate::units::numbered;
+use crate::units::{Header, numbered};
 use crate::{chain, entities, entity, outline, overlap, sieve};
 use findings::Severity;
 use std::collections::BTreeSet;
@@ -111,7 +111,7 @@ pub fn read(bytes: &[u8], options: &Options) -> Read {
 
 fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Option<Drawing> {
     let sieved = sieve::sieve(bytes, findings)?;
-    let unit = unit(sieved.unit, options, findings);
+    let unit = unit(sieved.header, options, findings);
     for ((layer, kind), count) in sieved.left_out.iter().filter(|((layer, _), _)| !is_ignored(options, layer)) {
         let place = Place { layer: layer.clone(), ..Place::default() };
         let message = format!(
@@ -120,7 +120,7 @@ fn understand(bytes: &[u8], options: &Options, findings: &mut Findings) -> Optio
         );
         findings.warning("D104", place, message, "draw what is meant to be a block as a closed polyline");
     }
-    let content = entity::content(sieved.records);
+    let content = entity::content(sieved.records, sieved.hidden_layers);
     let drawn = entities::expand(&content, unit, options, findings);
     let layers = layers(&drawn);
     let closed = chain::close(drawn.strands, options, findings);
@@ -149,16 +149,26 @@ fn layers(drawn: &entities::Strands) -> Vec<String> {
 }
 
 /// Metres in one unit of the drawing: what the caller says, else the header.
-fn unit(header: Option<i16>, options: &Options, findings: &mut Findings) -> f64 {
-    let known = header.and_then(numbered);
-    match (options.unit, known, header) {
+fn unit(header: Header, options: &Options, findings: &mut Findings) -> f64 {
+    let known = header.unit.and_then(numbered);
+    match (options.unit, known, header.unit) {
         (Some(said), Some(unit), _) if (said - unit.metres).abs() > 1e-9 * said => {
             let message = format!("the header says {}, the unit stated for this drawing is {said} m", unit.symbol);
             findings.warning("D108", Place::default(), message, "take `unit` out if the header is right");
             said
         }
         (Some(said), _, _) => said,
-        (None, Some(unit), _) => unit.metres,
+        (None, Some(unit), _) => {
+            if let Some(other) = header.contradiction() {
+                let message = format!(
+                    "the header says two things: $INSUNITS {}, and {other}; {} is taken",
+                    unit.symbol, unit.symbol
+                );
+                let help = "see whether a known length comes out right; if not, state the unit, such as unit = \"mm\" or --unit mm";
+                findings.warning("D111", Place::default(), message, help);
+            }
+            unit.metres
+        }
         (None, None, number) => {
             let message = match number {
                 None => "the drawing does not say in which unit it is drawn: its header has no $INSUNITS".to_owned(),

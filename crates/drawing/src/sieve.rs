@@ -6,6 +6,8 @@
 
 use crate::entity::Record;
 use crate::finding::{Findings, Place};
+use crate::shown::{Hidden, HiddenLayers};
+use crate::units::Header;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// No drawing of a bridge is longer [bytes].
@@ -21,8 +23,10 @@ const MOST_LAYERS: usize = 5_000;
 pub(crate) struct Sieved {
     /// Blocks and entities, in the order of the file.
     pub(crate) records: Vec<Record>,
-    /// `$INSUNITS`, where the header has it.
-    pub(crate) unit: Option<i16>,
+    /// What the header says of units.
+    pub(crate) header: Header,
+    /// Layers that are off or frozen.
+    pub(crate) hidden_layers: HiddenLayers,
     /// Entities that do not become outlines: layer, kind, how many.
     pub(crate) left_out: BTreeMap<(String, String), usize>,
 }
@@ -44,7 +48,7 @@ const KEPT: [(&str, &[i32]); 12] = [
     ("ARC", &[10, 20, 30, 40, 50, 51, 210, 220, 230]),
     ("CIRCLE", &[10, 20, 30, 40, 210, 220, 230]),
     ("ELLIPSE", &[10, 20, 30, 11, 21, 31, 40, 41, 42, 210, 220, 230]),
-    ("SPLINE", &[10, 20, 30, 40, 41, 70, 71]),
+    ("SPLINE", &[10, 20, 30, 40, 41, 70, 71, 11, 21, 31, 12, 22, 32, 13, 23, 33]),
     ("INSERT", &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71, 210, 220, 230]),
     ("BLOCK", &[2, 10, 20, 30, 70]),
     ("ENDBLK", &[]),
@@ -131,7 +135,7 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
             "SECTION" => {
                 section = body.iter().find(|g| g.code == 2).map_or("", |g| g.value);
                 if section == "HEADER" {
-                    out.unit = unit(body);
+                    out.header = header(body);
                 }
                 continue;
             }
@@ -140,6 +144,12 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
                 continue;
             }
             "EOF" => break,
+            "LAYER" if section == "TABLES" => {
+                let number = |code| body.iter().find(|g| g.code == code).and_then(|g| g.value.parse().ok());
+                let name = body.iter().find(|g| g.code == 2).map(|g| unescape(g.value)).unwrap_or_default();
+                out.hidden_layers.add(&name, number(70).unwrap_or(0), number(62).unwrap_or(7));
+                continue;
+            }
             _ if section != "BLOCKS" && section != "ENTITIES" => continue,
             _ => {}
         }
@@ -151,6 +161,11 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
             break;
         }
         let kind = group.value;
+        // Vertices are shown with their polyline; layer 0 of a block is that of its reference.
+        let hidden = match kind {
+            "VERTEX" | "SEQEND" | "BLOCK" | "ENDBLK" => None,
+            _ => hidden(body, kind, section == "BLOCKS", &out.hidden_layers),
+        };
         match kind {
             "POLYLINE" => in_polyline = true,
             "VERTEX" => {}
@@ -160,20 +175,43 @@ fn sections(groups: &[Group<'_>], findings: &mut Findings) -> Sieved {
         }
         match KEPT.iter().find(|(known, _)| *known == kind) {
             Some(&(kind, codes)) => {
-                let record = entity(kind, codes, group.line, body, findings);
-                out.records.extend(record.map(|record| Record { in_blocks: section == "BLOCKS", ..record }));
+                // What is not shown need not be whole.
+                let record = match hidden {
+                    Some(_) => Some(Record { kind, layer: layer(body), ..Record::default() }),
+                    None => entity(kind, codes, group.line, body, findings),
+                };
+                let in_blocks = section == "BLOCKS";
+                out.records.extend(record.map(|record| Record { in_blocks, hidden, ..record }));
             }
-            None if kind == "ATTRIB" || kind == "ATTDEF" => {}
+            None if kind == "ATTRIB" || kind == "ATTDEF" || hidden.is_some() => {}
             None => *out.left_out.entry((layer(body), shorten(kind))).or_insert(0) += 1,
         }
     }
     out
 }
 
-/// `$INSUNITS` of the header.
-fn unit(header: &[Group<'_>]) -> Option<i16> {
-    let at = header.iter().position(|g| g.code == 9 && g.value == "$INSUNITS")?;
-    header.get(at + 1).filter(|g| g.code == 70).and_then(|g| g.value.parse().ok())
+/// What the header says of units.
+fn header(header: &[Group<'_>]) -> Header {
+    let number = |name: &str| {
+        let at = header.iter().position(|g| g.code == 9 && g.value == name)?;
+        header.get(at + 1).filter(|g| g.code == 70).and_then(|g| g.value.parse().ok())
+    };
+    Header { unit: number("$INSUNITS"), measurement: number("$MEASUREMENT"), format: number("$LUNITS") }
+}
+
+/// Why an entity is not shown, as far as it and its own layer tell.
+fn hidden(body: &[Group<'_>], kind: &str, in_blocks: bool, layers: &HiddenLayers) -> Option<Hidden> {
+    let is_set = |code| body.iter().any(|g| g.code == code && whole(g.value).is_some_and(|number| number != 0.0));
+    let layer = layer(body);
+    if is_set(67) {
+        Some(Hidden::PaperSpace)
+    } else if is_set(60) {
+        Some(Hidden::Invisible)
+    } else if in_blocks && layer == "0" {
+        None
+    } else {
+        layers.hide(&layer, kind)
+    }
 }
 
 fn layer(body: &[Group<'_>]) -> String {
@@ -192,8 +230,9 @@ fn entity(
     let place = || Place { layer: layer(body), entity: format!("{kind} {}", shorten(handle)).trim().into(), at: None };
     let mut record = Record { kind, layer: "0".to_owned(), ..Record::default() };
     let mut coordinates = [0usize; 2];
+    let mut fit = [0usize; 2];
     for group in body {
-        let known = matches!(group.code, 5 | 8 | 67) || codes.contains(&group.code);
+        let known = matches!(group.code, 5 | 8) || codes.contains(&group.code);
         if !known {
             continue;
         }
@@ -204,10 +243,6 @@ fn entity(
             },
             2 => record.name = unescape(group.value),
             8 => record.layer = Some(unescape(group.value)).filter(|name| !name.is_empty()).unwrap_or("0".to_owned()),
-            67 => match whole(group.value) {
-                Some(number) => record.in_paper_space = number != 0.0,
-                None => return unreadable(place(), group, findings),
-            },
             60..=79 => match whole(group.value) {
                 Some(number) => record.numbers.push((group.code, number)),
                 None => return unreadable(place(), group, findings),
@@ -219,6 +254,8 @@ fn entity(
                     match group.code {
                         10 => coordinates[0] += 1,
                         20 => coordinates[1] += 1,
+                        11 => fit[0] += 1,
+                        21 => fit[1] += 1,
                         _ => {}
                     }
                     if !early {
@@ -230,8 +267,10 @@ fn entity(
         }
     }
     let needed = !matches!(kind, "SEQEND" | "ENDBLK" | "BLOCK" | "POLYLINE");
-    if coordinates[0] != coordinates[1] || (needed && coordinates[0] == 0) {
-        let message = format!("the entity that starts in line {line} lacks coordinates");
+    let is_fitted = kind == "SPLINE" && fit[0] > 1 && fit[0] == fit[1];
+    if coordinates[0] != coordinates[1] || (needed && coordinates[0] == 0 && !is_fitted) {
+        let which = if kind == "SPLINE" && fit != [0, 0] { ", a spline by fit points," } else { "" };
+        let message = format!("the entity that starts in line {line}{which} lacks coordinates");
         findings.error("D103", place(), message, "draw it again, or take it out");
         return None;
     }

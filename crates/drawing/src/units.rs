@@ -29,6 +29,31 @@ pub const UNITS: &[Unit] = &[
     unit(21, "US survey ft", 1200.0 / 3937.0),
 ];
 
+/// What the header of a drawing says of units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Header {
+    /// `$INSUNITS`, the unit of the drawing.
+    pub(crate) unit: Option<i16>,
+    /// `$MEASUREMENT`, which patterns and line types are used: 0 English, 1 metric.
+    pub(crate) measurement: Option<i16>,
+    /// `$LUNITS`, how lengths are shown: 3 and 4 in feet and inches, of drawings in inches.
+    pub(crate) format: Option<i16>,
+}
+
+impl Header {
+    /// What contradicts the unit that the header names.
+    pub(crate) fn contradiction(&self) -> Option<&'static str> {
+        let unit = self.unit.and_then(numbered)?;
+        let is_metric = !matches!(unit.symbol, "in" | "ft" | "yd" | "US survey ft");
+        match (self.measurement, self.format) {
+            (Some(1), _) if !is_metric => Some("$MEASUREMENT metric"),
+            (Some(0), _) if is_metric => Some("$MEASUREMENT English"),
+            (_, Some(3 | 4)) if unit.symbol != "in" => Some("$LUNITS feet and inches"),
+            _ => None,
+        }
+    }
+}
+
 /// The unit of a header's number.
 pub(crate) fn numbered(number: i16) -> Option<&'static Unit> {
     UNITS.iter().find(|unit| unit.number == number)

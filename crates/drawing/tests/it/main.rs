@@ -4,6 +4,7 @@ mod any_bytes;
 mod reading;
 mod refused;
 mod round_trip;
+mod shown;
 
 use drawing::{Finding, Options, Read, Severity};
 use std::path::Path;
