@@ -58,6 +58,8 @@ pub struct Limits {
     pub load_factor_included: f64,
     /// Factor for the method of analysis; the program's own where none is given.
     pub model_factor: Option<f64>,
+    /// Whether the model factor is to be that of tests to collapse, in every check of strength.
+    pub model_factor_of_tests: bool,
     /// Largest share of the ultimate load in service.
     pub permissible_share: Option<f64>,
     /// Least factor on loads at which states are first reached that a bridge should not come to in service.

@@ -89,6 +89,7 @@ fn property(field: &Field) -> Value {
         Kind::Value => one_value(),
         Kind::Values => json!({ "type": "array", "minItems": 1, "items": one_value() }),
         Kind::Number => bounds(json!({ "type": "number" }), field),
+        Kind::NumberOr(word) => json!({ "anyOf": [bounds(json!({ "type": "number" }), field), { "const": word }] }),
         Kind::Numbers => json!({ "type": "array", "items": bounds(json!({ "type": "number" }), field) }),
         Kind::Count => bounds(json!({ "type": "integer" }), field),
         Kind::Flag => json!({ "type": "boolean" }),
@@ -173,6 +174,7 @@ fn example(field: &Field) -> Option<Value> {
 fn literal(field: &Field, text: &str) -> Value {
     match field.kind {
         Kind::Number
+        | Kind::NumberOr(_)
         | Kind::Numbers
         | Kind::Count
         | Kind::Flag

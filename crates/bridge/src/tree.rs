@@ -263,6 +263,7 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
         Kind::QuantityOr(..) => "a number with its unit or a word, in quotes",
         Kind::Quantities(_) => "a list of numbers with units",
         Kind::Number => "a bare number",
+        Kind::NumberOr(_) => "a bare number or a word in quotes",
         Kind::Numbers => "a list of bare numbers",
         Kind::Count => "a whole number",
         Kind::Flag => "true or false",
@@ -288,7 +289,9 @@ pub(crate) fn wrong_type<T>(field: &Field, raw: Raw<'_>, findings: &mut Findings
     };
     // A number in quotes is the number that is meant.
     let number = match (field.kind, raw.get_ref()) {
-        (Kind::Number | Kind::Count, DeValue::String(text)) => text.trim().parse::<f64>().ok().map(|_| text.trim()),
+        (Kind::Number | Kind::NumberOr(_) | Kind::Count, DeValue::String(text)) => {
+            text.trim().parse::<f64>().ok().map(|_| text.trim())
+        }
         _ => None,
     };
     let help = match number {

@@ -87,7 +87,9 @@ impl<T: Value> Value for Option<T> {
 impl Value for f64 {
     fn of(field: &Field, raw: Raw<'_>, findings: &mut Findings) -> Option<Self> {
         match field.kind {
-            Kind::QuantityOr(_, word) if raw.get_ref().as_str() == Some(word) => Some(f64::INFINITY),
+            Kind::QuantityOr(_, word) | Kind::NumberOr(word) if raw.get_ref().as_str() == Some(word) => {
+                Some(f64::INFINITY)
+            }
             Kind::Quantity(dimension) | Kind::QuantityOr(dimension, _) | Kind::Quantities(dimension) => {
                 measure(field, raw, &[dimension], findings).map(|(quantity, _)| quantity.si())
             }

@@ -89,10 +89,19 @@ pub(super) static ASSESS: Section = Section {
             .at_least(1.0)
             .at_most(4.0)
             .default("1"),
-        Field::new("model_factor", Kind::Number, "factor for the method of analysis, from `adequacy_source`", "1.1")
-            .at_least(1.0)
-            .at_most(4.0)
-            .optional("the program's own, from tests to collapse: docs/verification/model-factor.md"),
+        Field::new(
+            "model_factor",
+            Kind::NumberOr("tests"),
+            "factor for the method of analysis, from `adequacy_source`; \"tests\" brings that of tests to collapse into \
+             every check of strength, those by a rule among them",
+            "1.1",
+        )
+        .at_least(1.0)
+        .at_most(4.0)
+        .optional(
+            "under `adequacy_factor` and in a `rule_file` that of tests to collapse \
+             (docs/verification/model-factor.md); the factors of a standard cover its own method",
+        ),
         Field::new("permissible_share", Kind::Number, "largest share of the ultimate load in service", "0.5")
             .above(0.0)
             .at_most(1.0)
@@ -207,6 +216,8 @@ pub(crate) fn assess(file: &Table<'_>, spans: Option<usize>, findings: &mut Find
 
 fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
     let zone: Option<Option<ThrustZone>> = table.read("thrust_zone", findings);
+    let model: Option<Option<f64>> = table.read("model_factor", findings);
+    let of_tests = model.flatten().is_some_and(f64::is_infinite);
     read!(
         table,
         findings,
@@ -223,13 +234,14 @@ fn limits(table: &Table<'_>, findings: &mut Findings) -> Option<Limits> {
             adequacy_source,
             skew_source,
             load_factor_included,
-            model_factor,
             permissible_share,
             onset_factor,
             bearing = "bearing_limit",
             load_cycles,
             expected_movement,
             movement_factor;
+            model_factor: model?.filter(|value| value.is_finite()),
+            model_factor_of_tests: of_tests,
             thrust_zone: zone?.map(|zone| match zone {
                 ThrustZone::MiddleThird => 1.0 / 3.0,
                 ThrustZone::MiddleHalf => 0.5,

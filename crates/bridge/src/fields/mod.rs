@@ -73,6 +73,8 @@ pub enum Kind {
     LineLoad,
     /// A bare number.
     Number,
+    /// A bare number, or this word in its place.
+    NumberOr(&'static str),
     /// A list of bare numbers.
     Numbers,
     /// A whole number.
@@ -182,6 +184,7 @@ impl Field {
     pub(crate) fn literal(&self, text: &str) -> String {
         match self.kind {
             Kind::Number
+            | Kind::NumberOr(_)
             | Kind::Numbers
             | Kind::Count
             | Kind::Flag
@@ -212,6 +215,7 @@ impl Field {
             Kind::QuantityOr(_, word) => format!("\"… {}\" or \"{word}\"", unit()),
             Kind::Quantities(_) => format!("[\"… {}\", …]", unit()),
             Kind::Number | Kind::Count => "…".to_owned(),
+            Kind::NumberOr(word) => format!("… or \"{word}\""),
             Kind::Numbers | Kind::Rows(_) | Kind::Points | Kind::Values => "[…]".to_owned(),
             Kind::Value => "\"…\"".to_owned(),
         };

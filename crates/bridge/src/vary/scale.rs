@@ -31,7 +31,7 @@ pub(super) fn measure(field: &Field, literal: &str) -> Option<(f64, Scale)> {
             let quantity = quantity::parse(text?).ok()?;
             Some((quantity.number, Scale::Unit(quantity.unit)))
         }
-        Kind::Number => {
+        Kind::Number | Kind::NumberOr(_) => {
             Some((value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))?, Scale::Plain))
         }
         Kind::Count => Some((value.as_integer()? as f64, Scale::Whole)),
